@@ -1,0 +1,2 @@
+//! The command `billiards`.
+fn main() {}
