@@ -1,1 +1,104 @@
-//! Being built.
+//! One kernel, written once, for one orbit or for many side by side.
+//!
+//! A [`Lane`] behaves like a real number. It is either an `f64`, one orbit, or a [`Wide`], as many orbits as the
+//! vector registers of this CPU hold. A kernel that is generic over `F: Lane` reads like the formula it computes,
+//! has no branches on its data (it [`select`](Mask::select)s), and gives the **same bits** in every lane width:
+//! + − × ÷ √ are correctly rounded everywhere and nothing here fuses a multiplication with an addition.
+//!
+//! ```
+//! use lanes::{Lane, Mask};
+//! /// The time at which a point at height `y` with velocity `v` is at height 0, or infinity if it moves upwards.
+//! fn fall<F: Lane>(y: F, v: F) -> F {
+//!     v.lt(y.same(0.0)).select(-y / v, y.same(f64::INFINITY))
+//! }
+//! assert_eq!(fall(3.0, -2.0), 1.5);
+//! assert_eq!(fall(3.0, 2.0), f64::INFINITY);
+//! ```
+//!
+//! The CPU is asked at run time ([`dispatch`]): AVX-512, AVX2, NEON and so on, or plain `f64`s where none is known.
+#![warn(clippy::unwrap_used, clippy::print_stdout)]
+
+mod double;
+mod scalar;
+mod wide;
+
+pub use double::{Double, two_prod, two_sum};
+pub use wide::{Wide, WideMask, dispatch, instruction_set, vectorized};
+
+use core::fmt::Debug;
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+
+/// A real number per lane, rounded to `f64` after every operation.
+pub trait Lane:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+{
+    /// A truth value per lane.
+    type Mask: Mask<Self>;
+    /// How many numbers stand side by side.
+    const LANES: usize;
+
+    /// The constant `a` in as many lanes as `self` has.
+    #[must_use]
+    fn same(self, a: f64) -> Self;
+    /// `√self`, correctly rounded; NaN below zero.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// `|self|`
+    #[must_use]
+    fn abs(self) -> Self;
+    /// `|self|` with the sign bit of `sign`.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
+    /// `self < other`; false where either is NaN.
+    fn lt(self, other: Self) -> Self::Mask;
+    /// The number in one lane. `lane` must be below [`Lane::LANES`].
+    fn lane(self, lane: usize) -> f64;
+    /// The lanes `f(0), f(1), …`, as many as `self` has.
+    #[must_use]
+    fn each(self, f: impl FnMut(usize) -> f64) -> Self;
+    /// The first lanes of `from`, which must hold at least [`Lane::LANES`] numbers.
+    #[must_use]
+    fn load(self, from: &[f64]) -> Self;
+    /// Writes the lanes to the front of `to`, which must hold at least [`Lane::LANES`] numbers.
+    fn store(self, to: &mut [f64]);
+
+    /// The larger of two numbers; `other` where `self` is NaN.
+    #[must_use]
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        other.lt(self).select(self, other)
+    }
+    /// The smaller of two numbers; `other` where `self` is NaN.
+    #[must_use]
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.lt(other).select(self, other)
+    }
+}
+
+/// A truth value per lane of `F`.
+pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
+    /// `yes` where true, `no` where false.
+    fn select(self, yes: F, no: F) -> F;
+    /// Whether any lane is true.
+    fn any(self) -> bool;
+    /// Whether one lane is true. `lane` must be below [`Lane::LANES`].
+    fn at(self, lane: usize) -> bool;
+}
+
+/// A computation for lanes of any width; see [`dispatch`].
+pub trait Kernel {
+    /// What it returns.
+    type Output;
+    /// Runs it. `zero` is 0 in every lane: the seed of all other lanes ([`Lane::same`], [`Lane::load`]).
+    fn run<F: Lane>(self, zero: F) -> Self::Output;
+}

@@ -1,0 +1,58 @@
+//! One lane: `f64` itself.
+use crate::{Lane, Mask};
+
+impl Lane for f64 {
+    type Mask = bool;
+    const LANES: usize = 1;
+    #[inline(always)]
+    fn same(self, a: f64) -> f64 {
+        a
+    }
+    #[inline(always)]
+    fn sqrt(self) -> f64 {
+        self.sqrt()
+    }
+    #[inline(always)]
+    fn abs(self) -> f64 {
+        self.abs()
+    }
+    #[inline(always)]
+    fn copysign(self, sign: f64) -> f64 {
+        self.copysign(sign)
+    }
+    #[inline(always)]
+    fn lt(self, other: f64) -> bool {
+        self < other
+    }
+    #[inline(always)]
+    fn lane(self, _: usize) -> f64 {
+        self
+    }
+    #[inline(always)]
+    fn each(self, mut f: impl FnMut(usize) -> f64) -> f64 {
+        f(0)
+    }
+    #[inline(always)]
+    fn load(self, from: &[f64]) -> f64 {
+        from[0]
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        to[0] = self;
+    }
+}
+
+impl Mask<f64> for bool {
+    #[inline(always)]
+    fn select(self, yes: f64, no: f64) -> f64 {
+        if self { yes } else { no }
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self
+    }
+    #[inline(always)]
+    fn at(self, _: usize) -> bool {
+        self
+    }
+}

@@ -1,0 +1,186 @@
+//! Many lanes: the vector registers of the CPU, through `pulp`.
+use crate::{Kernel, Lane, Mask};
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
+use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
+
+/// As many numbers as a vector register of the instruction set `S` holds.
+#[derive(Clone, Copy, Debug)]
+pub struct Wide<S: Simd> {
+    simd: S,
+    value: S::f64s,
+}
+
+/// As many truth values as [`Wide`] has numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct WideMask<S: Simd> {
+    simd: S,
+    value: S::m64s,
+}
+
+impl<S: Simd> Wide<S> {
+    #[inline(always)]
+    fn of(self, value: S::f64s) -> Self {
+        Wide { simd: self.simd, value }
+    }
+}
+
+macro_rules! binary {
+    ($($trait:ident $method:ident $op:ident),*) => { $(
+        impl<S: Simd> $trait for Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                self.of(self.simd.$op(self.value, other.value))
+            }
+        }
+    )* };
+}
+binary!(Add add add_f64s, Sub sub sub_f64s, Mul mul mul_f64s, Div div div_f64s);
+
+macro_rules! binary_with_constant {
+    ($($trait:ident $method:ident),*) => { $(
+        impl<S: Simd> $trait<f64> for Wide<S> {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, other: f64) -> Self {
+                self.$method(self.same(other))
+            }
+        }
+    )* };
+}
+binary_with_constant!(Add add, Sub sub, Mul mul);
+
+impl<S: Simd> Neg for Wide<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.of(self.simd.neg_f64s(self.value))
+    }
+}
+
+impl<S: Simd> Lane for Wide<S> {
+    type Mask = WideMask<S>;
+    const LANES: usize = S::F64_LANES;
+    #[inline(always)]
+    fn same(self, a: f64) -> Self {
+        self.of(self.simd.splat_f64s(a))
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.of(self.simd.sqrt_f64s(self.value))
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.of(self.simd.abs_f64s(self.value))
+    }
+    #[inline(always)]
+    fn copysign(self, sign: Self) -> Self {
+        let s = self.simd;
+        let bit = s.splat_f64s(-0.0);
+        self.of(s.or_f64s(s.abs_f64s(self.value), s.and_f64s(bit, sign.value)))
+    }
+    #[inline(always)]
+    fn lt(self, other: Self) -> WideMask<S> {
+        WideMask { simd: self.simd, value: self.simd.less_than_f64s(self.value, other.value) }
+    }
+    #[inline(always)]
+    fn lane(self, lane: usize) -> f64 {
+        pulp::bytemuck::cast_slice::<S::f64s, f64>(core::slice::from_ref(&self.value))[lane]
+    }
+    #[inline(always)]
+    fn each(self, mut f: impl FnMut(usize) -> f64) -> Self {
+        let mut to = self;
+        let lanes = pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut to.value));
+        for (i, lane) in lanes.iter_mut().enumerate() {
+            *lane = f(i);
+        }
+        to
+    }
+    #[inline(always)]
+    fn load(self, from: &[f64]) -> Self {
+        self.of(self.simd.partial_load_f64s(&from[..Self::LANES]))
+    }
+    #[inline(always)]
+    fn store(self, to: &mut [f64]) {
+        self.simd.partial_store_f64s(&mut to[..Self::LANES], self.value);
+    }
+}
+
+impl<S: Simd> BitAnd for WideMask<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        WideMask { simd: self.simd, value: self.simd.and_m64s(self.value, other.value) }
+    }
+}
+impl<S: Simd> BitOr for WideMask<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        WideMask { simd: self.simd, value: self.simd.or_m64s(self.value, other.value) }
+    }
+}
+impl<S: Simd> Not for WideMask<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn not(self) -> Self {
+        WideMask { simd: self.simd, value: self.simd.not_m64s(self.value) }
+    }
+}
+
+impl<S: Simd> Mask<Wide<S>> for WideMask<S> {
+    #[inline(always)]
+    fn select(self, yes: Wide<S>, no: Wide<S>) -> Wide<S> {
+        yes.of(self.simd.select_f64s(self.value, yes.value, no.value))
+    }
+    #[inline(always)]
+    fn any(self) -> bool {
+        self.simd.first_true_m64s(self.value) < S::F64_LANES
+    }
+    #[inline(always)]
+    fn at(self, lane: usize) -> bool {
+        let s = self.simd;
+        let ones = Wide { simd: s, value: s.splat_f64s(1.0) };
+        self.select(ones, ones.same(0.0)).lane(lane) != 0.0
+    }
+}
+
+/// Runs a kernel in the widest lanes this CPU has.
+pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
+    struct Run<K>(K);
+    impl<K: Kernel> WithSimd for Run<K> {
+        type Output = K::Output;
+        #[inline(always)]
+        fn with_simd<S: Simd>(self, simd: S) -> K::Output {
+            self.0.run(Wide { simd, value: simd.splat_f64s(0.0) })
+        }
+    }
+    Arch::new().dispatch(Run(kernel))
+}
+
+/// Runs `f` compiled for the best instruction set of this CPU, still one number at a time: the three-operand
+/// instructions of AVX save moves, and no bit of a result changes.
+pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
+    struct Run<F>(F);
+    impl<R, F: FnOnce() -> R> NullaryFnOnce for Run<F> {
+        type Output = R;
+        #[inline(always)]
+        fn call(self) -> R {
+            (self.0)()
+        }
+    }
+    Arch::new().dispatch(Run(f))
+}
+
+/// The name of the instruction set that [`dispatch`] uses on this CPU, and its number of lanes.
+pub fn instruction_set() -> (&'static str, usize) {
+    struct Name;
+    impl WithSimd for Name {
+        type Output = (&'static str, usize);
+        fn with_simd<S: Simd>(self, _: S) -> Self::Output {
+            let path = core::any::type_name::<S>();
+            (path.rsplit("::").next().unwrap_or(path), S::F64_LANES)
+        }
+    }
+    Arch::new().dispatch(Name)
+}
