@@ -1,0 +1,142 @@
+//! A piece of a planar boundary, as the sum of what anything may ask of it.
+use crate::{crossing::Crossing, path::Line};
+use core::fmt::Debug;
+use nalgebra::Vector2;
+
+/// Where a path lands on a piece.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Landing {
+    /// The point of the piece, projected onto it [L].
+    pub point: Vector2<f64>,
+    /// Unit normal there, into the table.
+    pub normal: Vector2<f64>,
+}
+
+/// A box with sides parallel to the axes; sides may lie at infinity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Least coordinates.
+    pub min: Vector2<f64>,
+    /// Greatest coordinates.
+    pub max: Vector2<f64>,
+}
+
+impl Extent {
+    /// The empty box, neutral in [`Extent::union`].
+    pub const EMPTY: Extent = Extent {
+        min: Vector2::new(f64::INFINITY, f64::INFINITY),
+        max: Vector2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+    };
+
+    /// The smallest box around some points.
+    pub fn of(points: impl IntoIterator<Item = Vector2<f64>>) -> Extent {
+        points.into_iter().fold(Extent::EMPTY, |e, p| Extent { min: e.min.inf(&p), max: e.max.sup(&p) })
+    }
+
+    /// The smallest box around both.
+    #[must_use]
+    pub fn union(self, other: Extent) -> Extent {
+        Extent { min: self.min.inf(&other.min), max: self.max.sup(&other.max) }
+    }
+
+    /// Whether no side lies at infinity and the box is not empty.
+    pub fn is_finite(&self) -> bool {
+        self.min.iter().chain(self.max.iter()).all(|x| x.is_finite())
+    }
+}
+
+/// The exact figure of a piece, for those who can use it: composite walls, offsets, pictures.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Figure {
+    /// A straight segment, table on its left.
+    Segment {
+        /// Its ends, in the order of traversal.
+        ends: [Vector2<f64>; 2],
+    },
+    /// Half a straight line.
+    Ray {
+        /// Its end.
+        from: Vector2<f64>,
+        /// Unit direction away from the end.
+        direction: Vector2<f64>,
+        /// Whether the table lies on the left of `direction`.
+        left: bool,
+    },
+    /// A whole straight line, table on its left.
+    Line {
+        /// A point of it.
+        through: Vector2<f64>,
+        /// Unit direction.
+        direction: Vector2<f64>,
+    },
+    /// Part of a circle, traversed with the table on the left: counter-clockwise where the table is inside.
+    Arc {
+        /// Centre.
+        center: Vector2<f64>,
+        /// Radius, positive.
+        radius: f64,
+        /// Its ends, in the order of traversal.
+        ends: [Vector2<f64>; 2],
+        /// Whether the table lies inside the circle (a focusing arc).
+        inside: bool,
+    },
+    /// A whole circle.
+    Circle {
+        /// Centre.
+        center: Vector2<f64>,
+        /// Radius, positive.
+        radius: f64,
+        /// Whether the table lies inside.
+        inside: bool,
+    },
+    /// Anything else.
+    Other,
+}
+
+/// A piece of a planar boundary. Object safe; a new shape is one implementation.
+///
+/// A piece is traversed with the table on its left; arc length `s` [L] runs from 0 to [`Piece::length`]. Infinite
+/// pieces have infinite length and measure `s` from their end or from a given point, with either sign.
+pub trait Piece: Debug + Send + Sync {
+    /// When the path first crosses the piece **outwards** (from the table's side).
+    ///
+    /// A start that lies outside by no more than rounding crosses at time 0. A start on the piece with a velocity
+    /// into the table does not cross there. Neighbours that share a vertex decide by the same sign of
+    /// `velocity × (vertex − point)`, so that no path slips through between them.
+    fn crossing(&self, path: &Line<2>) -> Crossing;
+
+    /// The point of the piece reached at `time`, projected onto the piece, and the normal there.
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing;
+
+    /// Curvature at a point of the piece [L⁻¹]: positive where the table is on the concave side (focusing), negative
+    /// where the wall bulges into the table (dispersing).
+    fn curvature(&self, point: &Vector2<f64>) -> f64;
+
+    /// Total arc length [L].
+    fn length(&self) -> f64;
+
+    /// The point at arc length `s`.
+    fn point_at(&self, s: f64) -> Vector2<f64>;
+
+    /// The arc length of the point of the piece closest to `point`.
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64;
+
+    /// The point of the piece closest to `point`, and the inward normal there.
+    fn closest(&self, point: &Vector2<f64>) -> Landing;
+
+    /// Start and end in the order of traversal; `None` for a closed curve. An end at infinity has infinite
+    /// coordinates.
+    fn ends(&self) -> Option<[Vector2<f64>; 2]>;
+
+    /// A box around the piece.
+    fn extent(&self) -> Extent;
+
+    /// `½ ∮ (x dy − y dx)` along the piece [L²]: the areas of the pieces of a closed boundary add up to the area of
+    /// the table. Infinite pieces return NaN.
+    fn area(&self) -> f64;
+
+    /// The exact figure, where it is one of the common ones.
+    fn figure(&self) -> Figure {
+        Figure::Other
+    }
+}

@@ -1,0 +1,212 @@
+//! An arc of a circle between two vertices.
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Figure, Landing, Piece},
+    plane::{cross, dot, from},
+    shapes::Circle,
+};
+use core::f64::consts::{FRAC_PI_2, PI};
+use lanes::{Lane, Mask};
+use nalgebra::Vector2;
+
+/// The arc from `a` to `b`: counter-clockwise with the table inside the circle, or clockwise with the table outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    circle: Circle,
+    a: [f64; 2],
+    b: [f64; 2],
+    /// Polar angle of `a`, and the positive angle from there to `b` in the sense of traversal.
+    start: f64,
+    sweep: f64,
+}
+
+impl Arc {
+    /// The arc from `a` to `b` about `center`; focusing (`inside`, counter-clockwise) or dispersing (clockwise).
+    ///
+    /// The vertices are kept as they are, since neighbours share them; the radius is their mean distance from the
+    /// centre.
+    ///
+    /// # Errors
+    /// [`Error::ZeroLength`] if `a = b` (use [`Circle`]), [`Error::Radius`] for a vertex at the centre, and
+    /// [`Error::OffCircle`] if the distances differ by more than 10⁻⁹ of the radius: such data were not meant.
+    pub fn new(center: Vector2<f64>, a: Vector2<f64>, b: Vector2<f64>, inside: bool) -> Result<Arc, Error> {
+        let (ra, rb) = (libm::hypot(a.x - center.x, a.y - center.y), libm::hypot(b.x - center.x, b.y - center.y));
+        let radius = 0.5 * (ra + rb);
+        if (ra - rb).abs() > 1e-9 * radius {
+            return Err(Error::OffCircle { start: ra, end: rb });
+        }
+        Arc::with_radius(center, radius, a, b, inside)
+    }
+
+    /// The same with the radius given, for vertices that were computed from it.
+    ///
+    /// # Errors
+    /// As [`Arc::new`].
+    pub fn with_radius(
+        center: Vector2<f64>,
+        radius: f64,
+        a: Vector2<f64>,
+        b: Vector2<f64>,
+        inside: bool,
+    ) -> Result<Arc, Error> {
+        if a == b {
+            return Err(Error::ZeroLength);
+        }
+        let circle = Circle::new(center, radius, inside)?;
+        for vertex in [a, b] {
+            let distance = libm::hypot(vertex.x - center.x, vertex.y - center.y);
+            if (distance - radius).abs() > 1e-9 * radius {
+                return Err(Error::OffCircle { start: distance, end: radius });
+            }
+        }
+        let (start, end) = (circle.angle(&a), circle.angle(&b));
+        let sweep = circle.turn() * (end - start);
+        let sweep = if sweep <= 0.0 { sweep + 2.0 * PI } else { sweep };
+        Ok(Arc { circle, a: a.into(), b: b.into(), start, sweep })
+    }
+
+    /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
+    ///
+    /// Seen along the path, the circle is crossed outwards at its far end if the table is inside and at its near end
+    /// if it is outside. That point lies on the arc if `a` is on the right and `b` on the left; or if both are on one
+    /// side and the arc goes round the other way.
+    #[inline(always)]
+    pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        let zero = x[0].same(0.0);
+        let (to_a, to_b) = (from(x, self.a), from(x, self.b));
+        let (a_left, b_left) = (zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b)));
+        let between = !a_left & b_left;
+        let chord = [zero.same(self.b[0] - self.a[0]), zero.same(self.b[1] - self.a[1])];
+        let forward = dot(v, chord) * self.circle.turn();
+        let around = (a_left & b_left & zero.lt(forward)) | (!a_left & !b_left & forward.lt(zero));
+        let roots = self.circle.roots(x, v);
+        self.circle.outward(&roots, between | (around & roots.meets))
+    }
+
+    /// The landing point and the normal; see [`Piece::landing`].
+    #[inline(always)]
+    pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        self.circle.land(x, v, time)
+    }
+
+    /// The angle from the start to `point`, in the sense of traversal, in [0, 2π).
+    fn angle_along(&self, point: &Vector2<f64>) -> f64 {
+        let angle = self.circle.turn() * (self.circle.angle(point) - self.start);
+        if angle < 0.0 { angle + 2.0 * PI } else { angle }
+    }
+}
+
+impl Piece for Arc {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.cross(path.point.into(), path.velocity.into())
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.circle.landing(path, time)
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        self.circle.curvature(point)
+    }
+    fn length(&self) -> f64 {
+        self.sweep * self.circle.radius
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.circle.at_angle(self.start + self.circle.turn() * s / self.circle.radius)
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        let angle = self.angle_along(point);
+        let nearest = if angle <= self.sweep {
+            angle
+        } else if angle - self.sweep < 2.0 * PI - angle {
+            self.sweep
+        } else {
+            0.0
+        };
+        nearest * self.circle.radius
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        if self.angle_along(point) <= self.sweep {
+            return self.circle.closest(point);
+        }
+        let [a, b] = [Vector2::from(self.a), Vector2::from(self.b)];
+        let end = if (point - a).norm_squared() <= (point - b).norm_squared() { a } else { b };
+        Landing { point: end, normal: self.circle.normal_at(&end) }
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        Some([self.a.into(), self.b.into()])
+    }
+    fn extent(&self) -> Extent {
+        let extremes = [0.0, FRAC_PI_2, PI, -FRAC_PI_2].map(|angle| self.circle.at_angle(angle));
+        let on_arc = extremes.into_iter().filter(|p| self.angle_along(p) <= self.sweep);
+        Extent::of(on_arc.chain([self.a.into(), self.b.into()]))
+    }
+    fn area(&self) -> f64 {
+        // chord, plus the circular segment between chord and arc
+        let segment = 0.5 * self.circle.radius * self.circle.radius * (self.sweep - libm::sin(self.sweep));
+        0.5 * cross(self.a, self.b) + self.circle.turn() * segment
+    }
+    fn figure(&self) -> Figure {
+        Figure::Arc {
+            center: self.circle.center.into(),
+            radius: self.circle.radius,
+            ends: [self.a.into(), self.b.into()],
+            inside: self.circle.inside,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn v(x: f64, y: f64) -> Vector2<f64> {
+        Vector2::new(x, y)
+    }
+    fn time(arc: &Arc, x: Vector2<f64>, velocity: Vector2<f64>) -> f64 {
+        arc.crossing(&Line { point: x, velocity }).time()
+    }
+
+    #[test]
+    fn two_arcs_of_a_circle_share_every_path_between_them() {
+        // minor + major, every direction from several points, the two vertices included
+        let (a, b) = (v(0.6, 0.8), v(-1.0, 0.0));
+        let minor = Arc::new(Vector2::zeros(), a, b, true).unwrap();
+        let major = Arc::new(Vector2::zeros(), b, a, true).unwrap();
+        for x in [v(0.0, 0.0), v(0.3, 0.2), v(-0.5, 0.4), v(0.1, -0.9)] {
+            let aimed = [a - x, b - x];
+            let fan = (0..360).map(|d| Vector2::new(libm::cos(f64::from(d)), libm::sin(f64::from(d))));
+            for direction in fan.chain(aimed) {
+                let hits = [&minor, &major].map(|arc| time(arc, x, direction) < f64::INFINITY);
+                assert!(hits[0] != hits[1], "from {x} along {direction}: {hits:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_dispersing_arc_is_met_on_its_near_side() {
+        // the lower half of the unit circle, table outside: clockwise from (1, 0) to (−1, 0)
+        let bump = Arc::new(Vector2::zeros(), v(1.0, 0.0), v(-1.0, 0.0), false).unwrap();
+        assert_eq!(time(&bump, v(0.0, -3.0), v(0.0, 1.0)), 2.0);
+        assert_eq!(time(&bump, v(0.0, 3.0), v(0.0, -1.0)), f64::INFINITY);
+        assert_eq!(time(&bump, v(0.0, -3.0), v(0.0, -1.0)), f64::INFINITY);
+        assert!((bump.length() - PI).abs() < 4.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn a_major_arc_is_met_on_both_sides_of_its_opening() {
+        // a pocket, open at the top, traversed counter-clockwise from the left lip
+        let (left, right) = (v(-0.75, 1.0), v(0.75, 1.0));
+        let pocket = Arc::new(Vector2::zeros(), left, right, true).unwrap();
+        assert_eq!(time(&pocket, v(0.0, 2.0), v(0.0, -1.0)), 3.25);
+        assert_eq!(time(&pocket, v(0.0, 0.0), v(0.0, 1.0)), f64::INFINITY);
+        assert_eq!(time(&pocket, v(0.0, 0.0), v(1.0, 0.0)), 1.25);
+    }
+
+    #[test]
+    fn arcs_know_their_area() {
+        let upper = Arc::new(Vector2::zeros(), v(1.0, 0.0), v(-1.0, 0.0), true).unwrap();
+        let lower = Arc::new(Vector2::zeros(), v(-1.0, 0.0), v(1.0, 0.0), true).unwrap();
+        assert!((upper.area() + lower.area() - PI).abs() < 4.0 * f64::EPSILON);
+    }
+}

@@ -1,0 +1,196 @@
+//! A whole circle, with the table inside or outside.
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Figure, Landing, Piece},
+    plane::{along, dot, from, slack},
+};
+use core::f64::consts::PI;
+use lanes::{Lane, Mask};
+use nalgebra::Vector2;
+
+/// A circle of radius `r` about `c`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circle {
+    pub(crate) center: [f64; 2],
+    pub(crate) radius: f64,
+    pub(crate) inside: bool,
+    /// `1/r²`
+    inverse_square: f64,
+    /// `±1/r`: from `p − c` to the inward normal.
+    to_normal: f64,
+    slack: f64,
+}
+
+/// The roots of `|x + v t − c|² = r²`, and what tells them apart.
+pub(crate) struct Roots<F: Lane> {
+    /// `(x − c)·v`: negative while the path comes closer to the centre.
+    pub(crate) b: F,
+    /// `|x − c|² − r²`
+    pub(crate) c: F,
+    /// `|v|²`
+    pub(crate) a: F,
+    /// `√(b² − a c)`, 0 where the path misses the circle.
+    pub(crate) root: F,
+    /// Whether the path's line meets the circle in two points.
+    pub(crate) meets: F::Mask,
+}
+
+impl Circle {
+    /// The circle with the table inside (`inside`) or outside.
+    ///
+    /// # Errors
+    /// [`Error::Radius`] unless the radius is positive and finite.
+    pub fn new(center: Vector2<f64>, radius: f64, inside: bool) -> Result<Circle, Error> {
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Error::Radius { radius });
+        }
+        Ok(Circle {
+            center: center.into(),
+            radius,
+            inside,
+            inverse_square: 1.0 / (radius * radius),
+            to_normal: if inside { -1.0 / radius } else { 1.0 / radius },
+            slack: slack([center.x, center.y, radius]),
+        })
+    }
+
+    /// The quadratic of the meeting times.
+    #[inline(always)]
+    pub(crate) fn roots<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Roots<F> {
+        let y = from(x, self.center).map(|d| -d);
+        let (a, b) = (dot(v, v), dot(y, v));
+        let c = dot(y, y) - self.radius * self.radius;
+        let discriminant = b * b - a * c;
+        let zero = a.same(0.0);
+        Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
+    }
+
+    /// The crossing outwards among the roots, wherever on the circle it lies, where `allowed`.
+    #[inline(always)]
+    pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, allowed: F::Mask) -> Crossing<F> {
+        let Roots { a, b, c, root, .. } = *roots;
+        let zero = a.same(0.0);
+        let q = b.abs() + root;
+        // 2 r × slack: how much |x − c|² − r² may be off
+        let off = zero.same(2.0 * self.radius * self.slack);
+        if self.inside {
+            // leaving the disk: the later root, in the form without cancellation
+            let coming = !zero.lt(b);
+            Crossing::when(allowed & zero.lt(q) & (coming | c.lt(off)), coming.select(q, -c), coming.select(a, q))
+        } else {
+            // entering the disk: the earlier root
+            Crossing::when(allowed & b.lt(zero) & (-off).lt(c), c, q)
+        }
+    }
+
+    /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
+    #[inline(always)]
+    pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        let roots = self.roots(x, v);
+        let allowed = if self.inside { x[0].lt(x[0].same(f64::INFINITY)) } else { roots.meets };
+        self.outward(&roots, allowed)
+    }
+
+    /// The landing point and the normal; see [`Piece::landing`].
+    #[inline(always)]
+    pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        let p = along(x, v, time);
+        let y = from(p, self.center).map(|d| -d);
+        // one Newton step towards |y| = r
+        let scale = (dot(y, y) * self.inverse_square) * -0.5 + 1.5;
+        let y = [y[0] * scale, y[1] * scale];
+        ([y[0] + self.center[0], y[1] + self.center[1]], [y[0] * self.to_normal, y[1] * self.to_normal])
+    }
+
+    /// Polar angle of a point as seen from the centre, in (−π, π].
+    pub(crate) fn angle(&self, point: &Vector2<f64>) -> f64 {
+        libm::atan2(point.y - self.center[1], point.x - self.center[0])
+    }
+    pub(crate) fn at_angle(&self, angle: f64) -> Vector2<f64> {
+        Vector2::from(self.center) + Vector2::new(libm::cos(angle), libm::sin(angle)) * self.radius
+    }
+    /// +1 where the table lies inside, and the circle is traversed counter-clockwise; −1 outside.
+    pub(crate) fn turn(&self) -> f64 {
+        if self.inside { 1.0 } else { -1.0 }
+    }
+    pub(crate) fn normal_at(&self, point: &Vector2<f64>) -> Vector2<f64> {
+        (point - Vector2::from(self.center)) * self.to_normal
+    }
+    /// The point of the circle closest to `point`; for the centre itself, the one at angle 0.
+    pub(crate) fn project(&self, point: &Vector2<f64>) -> Vector2<f64> {
+        let y = point - Vector2::from(self.center);
+        let d = libm::hypot(y.x, y.y);
+        if d > 0.0 { Vector2::from(self.center) + y * (self.radius / d) } else { self.at_angle(0.0) }
+    }
+}
+
+impl Piece for Circle {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.cross(path.point.into(), path.velocity.into())
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        let (point, normal) = self.land(path.point.into(), path.velocity.into(), time);
+        Landing { point: point.into(), normal: normal.into() }
+    }
+    fn curvature(&self, _: &Vector2<f64>) -> f64 {
+        self.turn() / self.radius
+    }
+    fn length(&self) -> f64 {
+        2.0 * PI * self.radius
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.at_angle(self.turn() * s / self.radius)
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        let angle = self.turn() * self.angle(point);
+        (if angle < 0.0 { angle + 2.0 * PI } else { angle }) * self.radius
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        let p = self.project(point);
+        Landing { point: p, normal: self.normal_at(&p) }
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        None
+    }
+    fn extent(&self) -> Extent {
+        let (c, r) = (Vector2::from(self.center), Vector2::repeat(self.radius));
+        Extent { min: c - r, max: c + r }
+    }
+    fn area(&self) -> f64 {
+        self.turn() * PI * self.radius * self.radius
+    }
+    fn figure(&self) -> Figure {
+        Figure::Circle { center: self.center.into(), radius: self.radius, inside: self.inside }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(x: f64, y: f64, vx: f64, vy: f64) -> Line<2> {
+        Line { point: Vector2::new(x, y), velocity: Vector2::new(vx, vy) }
+    }
+
+    #[test]
+    fn chords_of_the_unit_circle_end_on_it() {
+        let circle = Circle::new(Vector2::zeros(), 1.0, true).unwrap();
+        let p = path(1.0, 0.0, -0.6, 0.8);
+        let t = circle.crossing(&p).time();
+        assert!((t - 1.2).abs() < 4.0 * f64::EPSILON); // −2 x·v / |v|²
+        let at = circle.landing(&p, t);
+        assert!((at.point.norm() - 1.0).abs() < 2.0 * f64::EPSILON);
+        assert!((at.normal + at.point).norm() == 0.0);
+    }
+
+    #[test]
+    fn a_scatterer_is_met_from_outside_only() {
+        let disk = Circle::new(Vector2::new(2.0, 0.0), 1.0, false).unwrap();
+        assert_eq!(disk.crossing(&path(0.0, 0.0, 1.0, 0.0)).time(), 1.0);
+        assert_eq!(disk.crossing(&path(1.0, 0.0, -1.0, 0.0)).num, f64::INFINITY);
+        assert_eq!(disk.crossing(&path(0.0, 1.5, 1.0, 0.0)).num, f64::INFINITY);
+        assert_eq!(disk.crossing(&path(4.0, 0.0, 1.0, 0.0)).num, f64::INFINITY);
+    }
+}

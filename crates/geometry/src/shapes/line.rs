@@ -1,0 +1,97 @@
+//! An infinite straight wall.
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Figure, Landing, Piece},
+    plane::{along, dot, from, slack},
+};
+use lanes::{Lane, Mask};
+use nalgebra::Vector2;
+
+/// The straight line through `p` along a unit vector, table on its left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FullLine {
+    through: [f64; 2],
+    normal: [f64; 2],
+    slack: f64,
+}
+
+impl FullLine {
+    /// The line through a point along `direction`, which need not have length 1.
+    ///
+    /// # Errors
+    /// [`Error::ZeroLength`] if `direction` is zero.
+    pub fn new(through: Vector2<f64>, direction: Vector2<f64>) -> Result<FullLine, Error> {
+        let length = libm::hypot(direction.x, direction.y);
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(Error::ZeroLength);
+        }
+        let normal = [-direction.y / length, direction.x / length];
+        Ok(FullLine { through: through.into(), normal, slack: slack([through.x, through.y]) })
+    }
+
+    /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
+    #[inline(always)]
+    pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        let zero = x[0].same(0.0);
+        let to_line = from(x, self.through);
+        let distance = -(to_line[0] * self.normal[0] + to_line[1] * self.normal[1]);
+        let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
+        // an infinite wall bounds the whole table, so a start beyond it is rounding
+        Crossing::when(zero.lt(speed), distance, speed)
+    }
+
+    /// The landing point and the normal; see [`Piece::landing`].
+    #[inline(always)]
+    pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        let p = along(x, v, time);
+        let n = self.normal.map(|n| time.same(n));
+        let off = dot(from(p, self.through), n);
+        (along(p, n, off), n)
+    }
+
+    fn direction(&self) -> Vector2<f64> {
+        Vector2::new(self.normal[1], -self.normal[0])
+    }
+}
+
+impl Piece for FullLine {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.cross(path.point.into(), path.velocity.into())
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        let (point, normal) = self.land(path.point.into(), path.velocity.into(), time);
+        Landing { point: point.into(), normal: normal.into() }
+    }
+    fn curvature(&self, _: &Vector2<f64>) -> f64 {
+        0.0
+    }
+    fn length(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        Vector2::from(self.through) + self.direction() * s
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        (point - Vector2::from(self.through)).dot(&self.direction())
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        Landing { point: self.point_at(self.arc_length_at(point)), normal: self.normal.into() }
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        let far = |sign: f64| self.direction().map(|d| if d == 0.0 { 0.0 } else { sign * d * f64::INFINITY });
+        Some([far(-1.0), far(1.0)])
+    }
+    fn extent(&self) -> Extent {
+        let d = self.direction();
+        let side = |i: usize, sign: f64| if d[i] == 0.0 { self.through[i] } else { sign * f64::INFINITY };
+        Extent { min: Vector2::new(side(0, -1.0), side(1, -1.0)), max: Vector2::new(side(0, 1.0), side(1, 1.0)) }
+    }
+    fn area(&self) -> f64 {
+        f64::NAN
+    }
+    fn figure(&self) -> Figure {
+        Figure::Line { through: self.through.into(), direction: self.direction() }
+    }
+}

@@ -1,0 +1,12 @@
+//! Exact planar pieces, one shape per file.
+mod arc;
+mod circle;
+mod line;
+mod ray;
+mod segment;
+
+pub use arc::Arc;
+pub use circle::Circle;
+pub use line::FullLine;
+pub use ray::Ray;
+pub use segment::Segment;

@@ -1,0 +1,112 @@
+//! A half-infinite straight wall.
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Figure, Landing, Piece},
+    plane::{along, cross, dot, from, slack},
+};
+use lanes::{Lane, Mask};
+use nalgebra::Vector2;
+
+/// The ray from `a` along a unit vector `d`, table on its left or on its right.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    from: [f64; 2],
+    direction: [f64; 2],
+    /// +1 where the table lies on the left of `direction`, −1 on the right.
+    side: f64,
+    slack: f64,
+}
+
+impl Ray {
+    /// The ray from a point along `direction`, which need not have length 1; `left`: the table lies on its left.
+    ///
+    /// # Errors
+    /// [`Error::ZeroLength`] if `direction` is zero.
+    pub fn new(from: Vector2<f64>, direction: Vector2<f64>, left: bool) -> Result<Ray, Error> {
+        let length = libm::hypot(direction.x, direction.y);
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(Error::ZeroLength);
+        }
+        Ok(Ray {
+            from: from.into(),
+            direction: [direction.x / length, direction.y / length],
+            side: if left { 1.0 } else { -1.0 },
+            slack: slack([from.x, from.y]),
+        })
+    }
+
+    fn normal(&self) -> [f64; 2] {
+        [-self.side * self.direction[1], self.side * self.direction[0]]
+    }
+
+    /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
+    #[inline(always)]
+    pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        let zero = x[0].same(0.0);
+        let n = self.normal();
+        let to_end = from(x, self.from);
+        let distance = -(to_end[0] * n[0] + to_end[1] * n[1]);
+        let speed = -(v[0] * n[0] + v[1] * n[1]);
+        // a ray with the table on its left goes from its end to infinity: its end must not be on the left of the path
+        let end_left = zero.lt(cross(v, to_end));
+        let passes = if self.side > 0.0 { !end_left } else { end_left };
+        let far = (x[0].abs() + x[1].abs()) * (16.0 * f64::EPSILON) + self.slack;
+        Crossing::when(passes & (-far).lt(distance) & zero.lt(speed), distance, speed)
+    }
+
+    /// The landing point and the normal; see [`Piece::landing`].
+    #[inline(always)]
+    pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        let p = along(x, v, time);
+        let n = self.normal().map(|n| time.same(n));
+        let off = dot(from(p, self.from), n);
+        (along(p, n, off), n)
+    }
+
+    /// Arc length grows in the sense of traversal, towards the end of the ray if the table is on the right.
+    fn toward(&self) -> Vector2<f64> {
+        Vector2::from(self.direction) * self.side
+    }
+}
+
+impl Piece for Ray {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.cross(path.point.into(), path.velocity.into())
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        let (point, normal) = self.land(path.point.into(), path.velocity.into(), time);
+        Landing { point: point.into(), normal: normal.into() }
+    }
+    fn curvature(&self, _: &Vector2<f64>) -> f64 {
+        0.0
+    }
+    fn length(&self) -> f64 {
+        f64::INFINITY
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        Vector2::from(self.from) + self.toward() * s
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        let s = (point - Vector2::from(self.from)).dot(&self.toward());
+        if self.side * s < 0.0 { 0.0 } else { s }
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        Landing { point: self.point_at(self.arc_length_at(point)), normal: self.normal().into() }
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        let far = Vector2::from(self.direction).map(|d| if d == 0.0 { 0.0 } else { d * f64::INFINITY });
+        Some(if self.side > 0.0 { [self.from.into(), far] } else { [far, self.from.into()] })
+    }
+    fn extent(&self) -> Extent {
+        let far = |i: usize| if self.direction[i] == 0.0 { self.from[i] } else { self.direction[i] * f64::INFINITY };
+        Extent::of([self.from.into(), Vector2::new(far(0), far(1))])
+    }
+    fn area(&self) -> f64 {
+        f64::NAN
+    }
+    fn figure(&self) -> Figure {
+        Figure::Ray { from: self.from.into(), direction: self.direction.into(), left: self.side > 0.0 }
+    }
+}

@@ -1,0 +1,133 @@
+//! A straight segment between two vertices.
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Figure, Landing, Piece},
+    plane::{along, cross, dot, from, slack},
+};
+use lanes::{Lane, Mask};
+use nalgebra::Vector2;
+
+/// The segment from `a` to `b`, table on its left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    a: [f64; 2],
+    b: [f64; 2],
+    /// Unit normal into the table.
+    normal: [f64; 2],
+    length: f64,
+    slack: f64,
+}
+
+impl Segment {
+    /// The segment from `a` to `b` [L].
+    ///
+    /// # Errors
+    /// [`Error::ZeroLength`] if the ends coincide.
+    pub fn new(a: Vector2<f64>, b: Vector2<f64>) -> Result<Segment, Error> {
+        let d = b - a;
+        let length = libm::hypot(d.x, d.y);
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(Error::ZeroLength);
+        }
+        let normal = [-d.y / length, d.x / length];
+        Ok(Segment { a: a.into(), b: b.into(), normal, length, slack: slack([a.x, a.y, b.x, b.y]) })
+    }
+
+    /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
+    #[inline(always)]
+    pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        let zero = x[0].same(0.0);
+        let (to_a, to_b) = (from(x, self.a), from(x, self.b));
+        // outwards exactly where `a` is not on the left of the path and `b` is
+        let between = !zero.lt(cross(v, to_a)) & zero.lt(cross(v, to_b));
+        let distance = -(to_a[0] * self.normal[0] + to_a[1] * self.normal[1]);
+        let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
+        let ahead = zero.same(-self.slack).lt(distance) & zero.lt(speed);
+        Crossing::when(between & ahead, distance, speed)
+    }
+
+    /// The landing point and the normal; see [`Piece::landing`].
+    #[inline(always)]
+    pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        let p = along(x, v, time);
+        let n = self.normal.map(|n| time.same(n));
+        let off = dot(from(p, self.a), n);
+        (along(p, n, off), n)
+    }
+
+    fn direction(&self) -> Vector2<f64> {
+        Vector2::new(self.normal[1], -self.normal[0])
+    }
+}
+
+impl Piece for Segment {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.cross(path.point.into(), path.velocity.into())
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        let (point, normal) = self.land(path.point.into(), path.velocity.into(), time);
+        Landing { point: point.into(), normal: normal.into() }
+    }
+    fn curvature(&self, _: &Vector2<f64>) -> f64 {
+        0.0
+    }
+    fn length(&self) -> f64 {
+        self.length
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        Vector2::from(self.a) + self.direction() * s
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        (point - Vector2::from(self.a)).dot(&self.direction()).clamp(0.0, self.length)
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        Landing { point: self.point_at(self.arc_length_at(point)), normal: self.normal.into() }
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        Some([self.a.into(), self.b.into()])
+    }
+    fn extent(&self) -> Extent {
+        Extent::of([self.a.into(), self.b.into()])
+    }
+    fn area(&self) -> f64 {
+        0.5 * cross(self.a, self.b)
+    }
+    fn figure(&self) -> Figure {
+        Figure::Segment { ends: [self.a.into(), self.b.into()] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn floor() -> Segment {
+        Segment::new(Vector2::new(0.0, 0.0), Vector2::new(1.0, 0.0)).unwrap()
+    }
+    fn path(x: f64, y: f64, vx: f64, vy: f64) -> Line<2> {
+        Line { point: Vector2::new(x, y), velocity: Vector2::new(vx, vy) }
+    }
+
+    #[test]
+    fn a_segment_is_crossed_outwards_only() {
+        assert_eq!(floor().crossing(&path(0.25, 1.0, 0.5, -1.0)).time(), 1.0);
+        assert_eq!(floor().crossing(&path(0.25, -1.0, 0.0, 1.0)).num, f64::INFINITY);
+        assert_eq!(floor().crossing(&path(0.25, 0.0, 0.0, 1.0)).num, f64::INFINITY);
+        assert_eq!(floor().crossing(&path(0.25, -1.0, 0.0, -1.0)).num, f64::INFINITY);
+    }
+
+    #[test]
+    fn a_shared_vertex_belongs_to_exactly_one_neighbour() {
+        let wall = Segment::new(Vector2::new(1.0, 0.0), Vector2::new(2.0, 0.0)).unwrap();
+        let at_vertex = path(1.0, 1.0, 0.0, -1.0);
+        let hits = [floor(), wall].iter().filter(|s| s.crossing(&at_vertex).num < f64::INFINITY).count();
+        assert_eq!(hits, 1);
+    }
+
+    #[test]
+    fn a_segment_needs_length() {
+        assert_eq!(Segment::new(Vector2::zeros(), Vector2::zeros()), Err(Error::ZeroLength));
+    }
+}
