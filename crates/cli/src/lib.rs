@@ -1,1 +1,6 @@
-//! Being built.
+//! The command `billiards`: scene files in, pictures, records and reports out. No physics lives here.
+
+#![cfg_attr(test, allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values"))]
+
+pub mod expression;
+pub mod spelling;
