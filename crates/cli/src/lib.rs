@@ -2,5 +2,6 @@
 
 #![cfg_attr(test, allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values"))]
 
+pub mod document;
 pub mod expression;
 pub mod spelling;

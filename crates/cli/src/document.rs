@@ -1,0 +1,57 @@
+//! Input files as trees of values that remember where they stand, whether written in TOML or in JSON.
+//!
+//! Every later complaint, even one about geometry, can so point at the line and column of its cause.
+
+mod diagnostic;
+mod json;
+mod number;
+mod section;
+mod source;
+mod toml;
+
+pub use diagnostic::{Diagnostic, Place, Problems};
+pub use json::parse as parse_json;
+pub use number::{LARGEST, SMALLEST, count, nonnegative, number, positive, real, spell, vector};
+pub use section::Section;
+pub use source::{Source, Span, Spanned};
+pub use toml::parse as parse_toml;
+
+/// A value with its place in the source.
+pub type Item = Spanned<Value>;
+
+/// A value of an input file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// A whole number, kept exactly.
+    Integer(i128),
+    /// Any other number; may be NaN or infinite, which no reader accepts.
+    Float(f64),
+    /// A string.
+    Text(String),
+    /// `true` or `false`.
+    Boolean(bool),
+    /// A date or time, which no reader accepts.
+    Date,
+    /// JSON's `null`, which no reader accepts.
+    Null,
+    /// An array.
+    List(Vec<Item>),
+    /// A table (JSON: object), in the order of the file.
+    Table(Vec<(Spanned<String>, Item)>),
+}
+
+impl Value {
+    /// What the value is, with an article, for messages.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Integer(_) => "an integer",
+            Self::Float(_) => "a number",
+            Self::Text(_) => "a string",
+            Self::Boolean(_) => "a boolean",
+            Self::Date => "a date",
+            Self::Null => "null",
+            Self::List(_) => "an array",
+            Self::Table(_) => "a table",
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Errors in input files: what is wrong, where, and how to mend it.
+
+use std::fmt;
+
+use super::{Source, Span};
+
+/// Longest part of a source line that is shown, in characters.
+const SHOWN: usize = 120;
+
+/// A line and column of a file, and what stands there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// The line, or the part of it around the column, without control characters.
+    excerpt: String,
+    /// Characters of the excerpt before the column.
+    indent: usize,
+    /// Characters to underline, at least one.
+    width: usize,
+}
+
+/// One error in an input file.
+///
+/// Shown as
+/// ```text
+/// scenes/x.toml:12:1: error: unknown key "velocty" in [[orbit]]
+///    12 | velocty = [0.6, 0.8]
+///       | ^^^^^^^
+/// help: did you mean "velocity"?
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// The file, as the user named it.
+    pub file: String,
+    /// Where in the file; absent if the file as a whole is at fault.
+    pub place: Option<Place>,
+    /// What is wrong, in lower case.
+    pub what: String,
+    /// How to mend it.
+    pub help: Option<String>,
+}
+
+impl Diagnostic {
+    /// An error about a file as a whole.
+    pub fn of_file(file: &str, what: impl Into<String>) -> Self {
+        Self { file: file.into(), place: None, what: what.into(), help: None }
+    }
+
+    pub(super) fn at(source: &Source, span: Span, what: String) -> Self {
+        Self { file: source.name().into(), place: Some(Place::new(source.text(), span)), what, help: None }
+    }
+
+    /// Adds how to mend it.
+    #[must_use]
+    pub fn with_help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+}
+
+impl Place {
+    fn new(text: &str, span: Span) -> Self {
+        let start = floor_char_boundary(text, span.start);
+        let end = floor_char_boundary(text, span.end).max(start);
+        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
+        let before = text[line_start..start].chars().count();
+        let marked = text[start..end.min(line_end)].chars().count();
+        // Of a very long line, show the part around the column.
+        let skipped = before.saturating_sub(SHOWN / 2);
+        let shown = |c: char| if c.is_control() { ' ' } else { c };
+        let excerpt: String = text[line_start..line_end].chars().skip(skipped).take(SHOWN).map(shown).collect();
+        Self {
+            line: 1 + text[..start].matches('\n').count(),
+            column: before + 1,
+            excerpt: excerpt.trim_end().into(),
+            indent: before - skipped,
+            width: marked.clamp(1, SHOWN / 2),
+        }
+    }
+}
+
+fn floor_char_boundary(text: &str, mut at: usize) -> usize {
+    at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    at
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            None => write!(f, "{}: error: {}", self.file, self.what)?,
+            Some(place) => {
+                let Place { line, column, excerpt, indent, width } = place;
+                writeln!(f, "{}:{line}:{column}: error: {}", self.file, self.what)?;
+                writeln!(f, "{line:>5} | {excerpt}")?;
+                write!(f, "      | {:indent$}{:^>width$}", "", "")?;
+            }
+        }
+        match &self.help {
+            Some(help) => write!(f, "\nhelp: {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Collects the errors of one file, so that all of them can be shown at once.
+#[derive(Clone, Debug)]
+pub struct Problems {
+    source: Source,
+    found: Vec<(Span, Diagnostic)>,
+}
+
+impl Problems {
+    /// No problems yet.
+    pub fn new(source: &Source) -> Self {
+        Self { source: source.clone(), found: Vec::new() }
+    }
+
+    /// The file being read.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// Records an error.
+    pub fn add(&mut self, span: Span, what: impl Into<String>) {
+        self.found.push((span, self.source.diagnostic(span, what)));
+    }
+
+    /// Records an error and how to mend it.
+    pub fn add_with_help(&mut self, span: Span, what: impl Into<String>, help: impl Into<String>) {
+        self.found.push((span, self.source.diagnostic(span, what).with_help(help)));
+    }
+
+    /// Whether nothing is wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    /// The errors in the order of the file.
+    pub fn into_diagnostics(mut self) -> Vec<Diagnostic> {
+        self.found.sort_by_key(|(span, _)| span.start);
+        self.found.into_iter().map(|(_, diagnostic)| diagnostic).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_diagnostic_shows_line_column_caret_and_help() {
+        let source = Source::new("x.toml", "a = 1\nvelocty = [0, 1]\n");
+        let shown =
+            source.diagnostic(Span::new(6, 13), "unknown key").with_help("did you mean \"velocity\"?").to_string();
+        assert_eq!(
+            shown,
+            "x.toml:2:1: error: unknown key\n    2 | velocty = [0, 1]\n      | ^^^^^^^\nhelp: did you mean \"velocity\"?"
+        );
+    }
+
+    #[test]
+    fn columns_count_characters_and_spans_may_lie_anywhere() {
+        let source = Source::new("x", "\u{3b3}\u{b2} = \u{1b}\tx");
+        let place = source.diagnostic(Span::new(7, 8), "").place.unwrap();
+        assert_eq!((place.line, place.column, place.excerpt.as_str()), (1, 6, "\u{3b3}\u{b2} =   x"));
+        for start in 0..20 {
+            for end in 0..20 {
+                let _ = source.diagnostic(Span::new(start, end), "").to_string();
+            }
+        }
+    }
+
+    #[test]
+    fn of_a_long_line_the_part_around_the_column_is_shown() {
+        let text = "x".repeat(10_000);
+        let shown = Source::new("x", &text).diagnostic(Span::new(5000, 5001), "here").to_string();
+        assert!(shown.lines().all(|line| line.len() < SHOWN + 20), "{shown}");
+    }
+}

@@ -1,0 +1,137 @@
+//! Numbers of input files: literals or formulas, finite and of a sensible size.
+
+use super::{Item, Problems, Span, Spanned, Value};
+use crate::expression;
+
+/// Smallest accepted length or speed.
+pub const SMALLEST: f64 = 1e-150;
+/// Largest accepted length, coordinate or speed: squares of such numbers still are finite.
+pub const LARGEST: f64 = 1e150;
+/// Largest accepted count.
+const LARGEST_COUNT: u64 = 1_000_000_000_000;
+
+/// A finite number of any size: a literal, or a string that holds an expression.
+pub fn number(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
+    let x = match &item.value {
+        Value::Integer(n) => *n as f64,
+        Value::Float(x) if x.is_finite() => *x,
+        Value::Float(x) => {
+            let what = if x.is_nan() { "NaN is not a number" } else { "the number is infinite" };
+            problems.add(item.span, what);
+            return None;
+        }
+        Value::Text(text) => match expression::value(text) {
+            Ok(x) => x,
+            Err(error) => {
+                complain(text, item.span, &error, problems);
+                return None;
+            }
+        },
+        other => {
+            problems.add(item.span, format!("expected a number, found {}", other.kind()));
+            return None;
+        }
+    };
+    Some(Spanned::new(x, item.span))
+}
+
+/// Records an error of an expression, at its own column where the string is written without escapes.
+pub(super) fn complain(text: &str, span: Span, error: &expression::Error, problems: &mut Problems) {
+    let raw = problems.source().slice(span);
+    let verbatim = raw.get(1..raw.len().saturating_sub(1)) == Some(text);
+    let place = if verbatim {
+        let offset = text.char_indices().nth(error.column - 1).map_or(text.len(), |(i, _)| i);
+        let width = text[offset..].chars().next().map_or(1, char::len_utf8);
+        Span::new(span.start + 1 + offset, span.start + 1 + offset + width)
+    } else {
+        span
+    };
+    let what = if verbatim {
+        error.what.clone()
+    } else {
+        format!("{} (column {} of the expression)", error.what, error.column)
+    };
+    match &error.help {
+        Some(help) => problems.add_with_help(place, what, help.clone()),
+        None => problems.add(place, what),
+    }
+}
+
+/// A coordinate, angle or the like: at most [`LARGEST`] in absolute value.
+pub fn real(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
+    let x = number(item, problems)?;
+    if x.value.abs() > LARGEST {
+        problems.add(item.span, format!("{} is larger than {LARGEST:e}", spell(x.value)));
+        return None;
+    }
+    Some(x)
+}
+
+/// A length or speed: from [`SMALLEST`] to [`LARGEST`].
+pub fn positive(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
+    let x = number(item, problems)?;
+    if (SMALLEST..=LARGEST).contains(&x.value) {
+        return Some(x);
+    }
+    let what = if x.value <= 0.0 {
+        format!("{} is not positive", spell(x.value))
+    } else {
+        format!("{} is not between {SMALLEST:e} and {LARGEST:e}", spell(x.value))
+    };
+    problems.add(item.span, what);
+    None
+}
+
+/// Zero, or a length from [`SMALLEST`] to [`LARGEST`].
+pub fn nonnegative(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
+    let x = number(item, problems)?;
+    if x.value == 0.0 {
+        return Some(x);
+    }
+    if x.value < 0.0 {
+        problems.add(item.span, format!("{} is negative", spell(x.value)));
+        return None;
+    }
+    positive(item, problems)
+}
+
+/// A whole number from `least` to 10¹².
+pub fn count(item: &Item, least: u64, problems: &mut Problems) -> Option<Spanned<u64>> {
+    let x = number(item, problems)?;
+    let exact = match item.value {
+        Value::Integer(n) => u64::try_from(n).ok(),
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within range: just checked")]
+        _ if x.value % 1.0 == 0.0 && (0.0..=LARGEST_COUNT as f64).contains(&x.value) => Some(x.value as u64),
+        _ => None,
+    };
+    let found = exact.filter(|n| (least..=LARGEST_COUNT).contains(n));
+    if found.is_none() {
+        problems.add(item.span, format!("{} is not a whole number from {least} to 1e12", spell(x.value)));
+    }
+    found.map(|n| Spanned::new(n, item.span))
+}
+
+/// An array of exactly `dimension` numbers, each read by `read`.
+pub fn vector(
+    item: &Item,
+    dimension: usize,
+    read: fn(&Item, &mut Problems) -> Option<Spanned<f64>>,
+    problems: &mut Problems,
+) -> Option<Spanned<Vec<f64>>> {
+    let Value::List(items) = &item.value else {
+        problems.add(item.span, format!("expected an array of {dimension} numbers, found {}", item.value.kind()));
+        return None;
+    };
+    let read: Vec<_> = items.iter().map(|item| read(item, problems)).collect();
+    if items.len() != dimension {
+        problems.add(item.span, format!("expected {dimension} numbers, found {}", items.len()));
+        return None;
+    }
+    let values: Option<Vec<f64>> = read.into_iter().map(|x| x.map(|x| x.value)).collect();
+    values.map(|values| Spanned::new(values, item.span))
+}
+
+/// A number as one would write it: `0.25`, `1e-7`.
+pub fn spell(x: f64) -> String {
+    format!("{x:?}").trim_end_matches(".0").into()
+}

@@ -1,0 +1,143 @@
+//! Reading a table key by key, so that no key goes unnoticed.
+
+use super::{Item, Problems, Span, Spanned, Value};
+use crate::spelling;
+
+/// A table of an input file while it is read.
+///
+/// Every key asked for counts as known; [`finish`](Self::finish) then reports those the file has beyond them, and those
+/// it lacks.
+#[derive(Debug)]
+pub struct Section<'a> {
+    name: String,
+    span: Span,
+    entries: &'a [(Spanned<String>, Item)],
+    known: Vec<&'a str>,
+    missing: Vec<(&'a str, String)>,
+}
+
+impl<'a> Section<'a> {
+    /// Starts to read a table; anything else is recorded as an error. `name` is how messages call it: `[[orbit]]`.
+    pub fn new(item: &'a Item, name: impl Into<String>, problems: &mut Problems) -> Option<Self> {
+        let name = name.into();
+        match &item.value {
+            Value::Table(entries) => {
+                Some(Self { name, span: item.span, entries, known: Vec::new(), missing: Vec::new() })
+            }
+            other => {
+                problems.add(item.span, format!("{name} must be a table, found {}", other.kind()));
+                None
+            }
+        }
+    }
+
+    /// How messages call this table.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Where the table stands: its header, or its braces.
+    pub fn span(&self) -> Span {
+        self.span
+    }
+
+    /// The value of a key that may be absent.
+    pub fn optional(&mut self, key: &'a str) -> Option<&'a Item> {
+        self.known.push(key);
+        self.entries.iter().find(|(k, _)| k.value == key).map(|(_, item)| item)
+    }
+
+    /// The value of a key that must be there; `example` shows how to write it.
+    pub fn required(&mut self, key: &'a str, example: &str) -> Option<&'a Item> {
+        let found = self.optional(key);
+        if found.is_none() {
+            self.missing.push((key, example.into()));
+        }
+        found
+    }
+
+    /// The one present of several keys of which exactly one must be given, and its name.
+    pub fn one_of(&mut self, keys: &[&'a str], problems: &mut Problems) -> Option<(&'a str, &'a Item)> {
+        let found = self.at_most_one_of(keys, problems);
+        let any = self.entries.iter().any(|(k, _)| keys.contains(&k.value.as_str()));
+        if !any {
+            let unknown = self.entries.iter().any(|(k, _)| spelling::closest(&k.value, keys.iter().copied()).is_some());
+            if !unknown {
+                problems.add(self.span, format!("{} needs {}", self.name, alternatives(keys, "or")));
+            }
+        }
+        found
+    }
+
+    /// The one present of several keys of which at most one may be given, and its name.
+    pub fn at_most_one_of(&mut self, keys: &[&'a str], problems: &mut Problems) -> Option<(&'a str, &'a Item)> {
+        let present: Vec<_> = keys.iter().filter_map(|&key| Some((key, self.optional(key)?))).collect();
+        match present[..] {
+            [one] => Some(one),
+            [_, second, ..] => {
+                let names: Vec<_> = present.iter().map(|p| p.0).collect();
+                let key = self.entries.iter().find(|(k, _)| k.value == second.0).map_or(second.1.span, |(k, _)| k.span);
+                problems.add_with_help(
+                    key,
+                    format!(
+                        "{} has {}",
+                        self.name,
+                        if names.len() == 2 {
+                            format!("both {}", alternatives(&names, "and"))
+                        } else {
+                            alternatives(&names, "and")
+                        }
+                    ),
+                    "keep one of them",
+                );
+                None
+            }
+            [] => None,
+        }
+    }
+
+    /// The entries not asked for so far, for tables whose keys are free.
+    pub fn others(&self) -> impl Iterator<Item = &'a (Spanned<String>, Item)> {
+        self.entries.iter().filter(|(k, _)| !self.known.contains(&k.value.as_str()))
+    }
+
+    /// Reports unknown keys and missing ones.
+    pub fn finish(self, problems: &mut Problems) {
+        let unknown: Vec<_> = self.others().map(|(key, _)| key).collect();
+        let mut mended = Vec::new();
+        for key in unknown {
+            let absent = |k: &&&str| self.entries.iter().all(|(e, _)| e.value != **k);
+            // A misspelt key most likely stands for one that is missing.
+            let near = spelling::closest(&key.value, self.known.iter().filter(absent).copied())
+                .or_else(|| spelling::closest(&key.value, self.known.iter().copied()));
+            let what = format!("unknown key \"{}\" in {}", key.value, self.name);
+            let help = match near {
+                Some(near) => {
+                    mended.push(near);
+                    format!("did you mean \"{near}\"?")
+                }
+                None => format!("known keys: {}", self.known.join(", ")),
+            };
+            problems.add_with_help(key.span, what, help);
+        }
+        for (key, example) in &self.missing {
+            if !mended.contains(key) {
+                problems.add_with_help(
+                    self.span,
+                    format!("{} lacks the key \"{key}\"", self.name),
+                    format!("write for instance {example}"),
+                );
+            }
+        }
+    }
+}
+
+/// `"a", "b" or "c"`.
+fn alternatives(keys: &[&str], conjunction: &str) -> String {
+    let quoted: Vec<_> = keys.iter().map(|key| format!("\"{key}\"")).collect();
+    match &quoted[..] {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} {conjunction} {last}", first.join(", ")),
+    }
+}
