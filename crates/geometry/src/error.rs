@@ -32,4 +32,39 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
+    /// Sides that do not bound a convex (and, where asked for, centrally symmetric) polygon.
+    #[error("the sides do not bound a convex polygon of the kind asked for")]
+    NotConvex,
+    /// A boundary that ends in the middle of nowhere.
+    #[error("the boundary is open: piece {piece} ends {gap:e} away from the nearest start of another piece")]
+    Open {
+        /// The piece that ends.
+        piece: usize,
+        /// Distance to the nearest start.
+        gap: f64,
+    },
+    /// Two pieces that cross.
+    #[error("pieces {first} and {second} cross near ({}, {})", at[0], at[1])]
+    Crossing {
+        /// The one.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// About where.
+        at: [f64; 2],
+    },
+    /// A boundary traversed with the table on its right.
+    #[error(
+        "piece {piece} has the table on its right: the boundary must be traversed with the table on its left (counter-clockwise around the table, clockwise around holes)"
+    )]
+    Orientation {
+        /// A piece of the loop at fault.
+        piece: usize,
+    },
+    /// No piece at all.
+    #[error("the table has no boundary")]
+    Empty,
+    /// Lattice vectors that are dependent or too many.
+    #[error("the lattice vectors must be one or two, finite and independent")]
+    Lattice,
 }

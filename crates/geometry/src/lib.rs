@@ -1,16 +1,37 @@
-//! Billiard tables: what a particle can hit, and when.
+//! Billiard tables: what a particle can hit, when, and which way the wall faces.
+//!
+//! Three layers, each with one job:
+//!
+//! * A [`Piece`] is an exact curve: [`shapes`] has segments, rays, lines, arcs, circles and more. A shape of your own
+//!   is one implementation.
+//! * A [`Table`] is a numbered set of pieces that hang together ([`Outline`] draws them; `tables` has the classical
+//!   ones), perhaps repeated by a [`Lattice`].
+//! * [`walls`] answer the engine's one question, in lanes of any width: what is hit first? A table finds the fastest
+//!   walls for itself ([`Table::with_walls`]).
+//!
+//! Everything is oriented: the boundary is traversed with the table on its left, and normals point into the table.
+//! Nothing here has an absolute tolerance; scaling a table by a power of two scales every answer to the last bit.
 #![warn(clippy::unwrap_used, clippy::print_stdout)]
 
 mod boundary;
 mod crossing;
 mod error;
+mod lattice;
+mod outline;
 mod path;
 mod piece;
 mod plane;
 pub mod shapes;
+mod table;
+pub mod walls;
 
 pub use boundary::{Boundary, Hit};
 pub use crossing::Crossing;
 pub use error::Error;
+pub use lattice::Lattice;
+pub use nalgebra::{SVector, Vector2, Vector3};
+pub use outline::{Outline, Turn};
 pub use path::Line;
 pub use piece::{Extent, Figure, Landing, Piece};
+pub use table::Table;
+pub use walls::{WallHit, Walls, WithWalls};

@@ -8,7 +8,7 @@ use crate::{
     shapes::Circle,
 };
 use core::f64::consts::{FRAC_PI_2, PI};
-use lanes::{Lane, Mask};
+use lanes::Lane;
 use nalgebra::Vector2;
 
 /// The arc from `a` to `b`: counter-clockwise with the table inside the circle, or clockwise with the table outside.

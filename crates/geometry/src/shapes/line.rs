@@ -6,7 +6,7 @@ use crate::{
     piece::{Extent, Figure, Landing, Piece},
     plane::{along, dot, from, slack},
 };
-use lanes::{Lane, Mask};
+use lanes::Lane;
 use nalgebra::Vector2;
 
 /// The straight line through `p` along a unit vector, table on its left.

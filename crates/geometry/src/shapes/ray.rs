@@ -6,7 +6,7 @@ use crate::{
     piece::{Extent, Figure, Landing, Piece},
     plane::{along, cross, dot, from, slack},
 };
-use lanes::{Lane, Mask};
+use lanes::Lane;
 use nalgebra::Vector2;
 
 /// The ray from `a` along a unit vector `d`, table on its left or on its right.

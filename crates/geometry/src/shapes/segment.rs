@@ -6,7 +6,7 @@ use crate::{
     piece::{Extent, Figure, Landing, Piece},
     plane::{along, cross, dot, from, slack},
 };
-use lanes::{Lane, Mask};
+use lanes::Lane;
 use nalgebra::Vector2;
 
 /// The segment from `a` to `b`, table on its left.
@@ -55,6 +55,19 @@ impl Segment {
         let n = self.normal.map(|n| time.same(n));
         let off = dot(from(p, self.a), n);
         (along(p, n, off), n)
+    }
+
+    /// The first vertex.
+    pub(crate) fn start(&self) -> [f64; 2] {
+        self.a
+    }
+    /// The second vertex.
+    pub(crate) fn end(&self) -> [f64; 2] {
+        self.b
+    }
+    /// Unit normal into the table.
+    pub(crate) fn inward_normal(&self) -> [f64; 2] {
+        self.normal
     }
 
     fn direction(&self) -> Vector2<f64> {

@@ -1,0 +1,73 @@
+//! A piece moved by a vector: the translates of a lattice.
+use crate::{Crossing, Extent, Figure, Landing, Line, Piece};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// Another piece, translated.
+#[derive(Clone, Debug)]
+pub struct Translated {
+    piece: Arc<dyn Piece>,
+    by: Vector2<f64>,
+}
+
+impl Translated {
+    /// `piece` moved by the vector `by` [L].
+    pub fn new(piece: Arc<dyn Piece>, by: Vector2<f64>) -> Translated {
+        Translated { piece, by }
+    }
+    fn back(&self, path: &Line<2>) -> Line<2> {
+        Line { point: path.point - self.by, velocity: path.velocity }
+    }
+    fn forth(&self, landing: Landing) -> Landing {
+        Landing { point: landing.point + self.by, normal: landing.normal }
+    }
+}
+
+impl Piece for Translated {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.piece.crossing(&self.back(path))
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.forth(self.piece.landing(&self.back(path), time))
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        self.piece.curvature(&(point - self.by))
+    }
+    fn length(&self) -> f64 {
+        self.piece.length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.piece.point_at(s) + self.by
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        self.piece.arc_length_at(&(point - self.by))
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        self.forth(self.piece.closest(&(point - self.by)))
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        self.piece.ends().map(|e| e.map(|p| p + self.by))
+    }
+    fn extent(&self) -> Extent {
+        let e = self.piece.extent();
+        Extent { min: e.min + self.by, max: e.max + self.by }
+    }
+    fn area(&self) -> f64 {
+        // ½ ∮ (p + b) × dp = area + ½ b × (end − start)
+        let [a, b] = self.piece.ends().unwrap_or([Vector2::zeros(); 2]);
+        self.piece.area() + 0.5 * (self.by.x * (b.y - a.y) - self.by.y * (b.x - a.x))
+    }
+    fn figure(&self) -> Figure {
+        let by = self.by;
+        match self.piece.figure() {
+            Figure::Segment { ends } => Figure::Segment { ends: ends.map(|p| p + by) },
+            Figure::Ray { from, direction, left } => Figure::Ray { from: from + by, direction, left },
+            Figure::Line { through, direction } => Figure::Line { through: through + by, direction },
+            Figure::Arc { center, radius, ends, inside } => {
+                Figure::Arc { center: center + by, radius, ends: ends.map(|p| p + by), inside }
+            }
+            Figure::Circle { center, radius, inside } => Figure::Circle { center: center + by, radius, inside },
+            Figure::Other => Figure::Other,
+        }
+    }
+}

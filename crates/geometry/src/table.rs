@@ -1,0 +1,414 @@
+//! A table: its pieces, how they hang together, and the fastest walls for it.
+use crate::{
+    Error, Extent, Figure, Landing, Lattice, Piece,
+    shapes::{self, Segment},
+    walls::{Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Scatterer, Slab, Sphere, WithWalls, Zonogon},
+};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// A planar table: numbered boundary pieces, each traversed with the table on its left.
+///
+/// Pieces that meet share a vertex exactly. A vertex where the direction of the boundary jumps is a corner.
+#[derive(Clone, Debug)]
+pub struct Table {
+    pieces: Vec<Arc<dyn Piece>>,
+    /// For each piece, the one that starts where it ends.
+    next: Vec<Option<usize>>,
+    corners: Vec<Vector2<f64>>,
+    lattice: Option<Lattice>,
+}
+
+/// Two normals that differ by less than this belong to a smooth joint.
+///
+/// Rounding of the vertices of a joint meant to be smooth turns the normals by a few ulp of size over length of the
+/// shorter piece; no corner that anybody means is this flat.
+const SMOOTH: f64 = 1e-9;
+
+impl Table {
+    /// The table bounded by the given pieces.
+    ///
+    /// # Errors
+    /// [`Error::Empty`] without pieces, [`Error::Open`] where a piece ends and no other starts.
+    pub fn new(pieces: Vec<Box<dyn Piece>>) -> Result<Table, Error> {
+        Table::periodic(pieces, None)
+    }
+
+    /// The same on the plane modulo a lattice. Ends of the boundary may then lie on the edge of the cell.
+    ///
+    /// # Errors
+    /// As [`Table::new`].
+    pub fn periodic(pieces: Vec<Box<dyn Piece>>, lattice: Option<Lattice>) -> Result<Table, Error> {
+        if pieces.is_empty() {
+            return Err(Error::Empty);
+        }
+        let pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
+        let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(|p| p.ends()).collect();
+        let finite = |v: &Vector2<f64>| v.iter().all(|x| x.is_finite());
+        let mut starts: Vec<(Vector2<f64>, usize)> =
+            ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i))).collect();
+        let order = |a: &Vector2<f64>, b: &Vector2<f64>| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
+        starts.sort_by(|(a, _), (b, _)| order(a, b));
+        let starting_at = |v: &Vector2<f64>| {
+            let v = v.map(|x| x + 0.0); // −0 is 0
+            starts.binary_search_by(|(a, _)| order(&a.map(|x| x + 0.0), &v)).ok().map(|k| starts[k].1)
+        };
+        let mut next = vec![None; pieces.len()];
+        let mut corners = vec![];
+        for (i, end) in ends.iter().enumerate() {
+            let Some([_, b]) = end else {
+                next[i] = Some(i);
+                continue;
+            };
+            if !finite(b) {
+                continue;
+            }
+            next[i] = starting_at(b);
+            match next[i] {
+                Some(j) => {
+                    let (before, after) = (pieces[i].closest(b).normal, pieces[j].closest(b).normal);
+                    if (before - after).norm() > SMOOTH {
+                        corners.push(*b);
+                    }
+                }
+                None if lattice.is_some() => {}
+                None => {
+                    let gap = starts.iter().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
+                    return Err(Error::Open { piece: i, gap });
+                }
+            }
+        }
+        Ok(Table { pieces, next, corners, lattice })
+    }
+
+    /// The pieces, in the order of their numbers.
+    pub fn pieces(&self) -> &[Arc<dyn Piece>] {
+        &self.pieces
+    }
+
+    /// The vertices at which the direction of the boundary jumps.
+    pub fn corners(&self) -> &[Vector2<f64>] {
+        &self.corners
+    }
+
+    /// The translations that identify points, where there are any.
+    pub fn lattice(&self) -> Option<&Lattice> {
+        self.lattice.as_ref()
+    }
+
+    /// The closed loops and infinite chains of the boundary: piece numbers in the order of traversal.
+    pub fn chains(&self) -> Vec<Vec<usize>> {
+        let mut has_previous = vec![false; self.pieces.len()];
+        for &j in self.next.iter().flatten() {
+            has_previous[j] = true;
+        }
+        let mut seen = vec![false; self.pieces.len()];
+        let heads = (0..self.pieces.len()).filter(|&i| !has_previous[i]).chain(0..self.pieces.len());
+        let mut chains = vec![];
+        for head in heads {
+            let mut chain = vec![];
+            let mut at = Some(head);
+            while let Some(i) = at.filter(|&i| !seen[i]) {
+                seen[i] = true;
+                chain.push(i);
+                at = self.next[i];
+            }
+            if !chain.is_empty() {
+                chains.push(chain);
+            }
+        }
+        chains
+    }
+
+    /// Whether a chain of [`Table::chains`] closes.
+    pub fn is_closed(&self, chain: &[usize]) -> bool {
+        chain.last().is_some_and(|&last| self.next[last] == chain.first().copied())
+    }
+
+    /// Area of the table [L²], per unit cell on a lattice; infinite or NaN for infinite tables.
+    pub fn area(&self) -> f64 {
+        let enclosed: f64 = self.pieces.iter().map(|p| p.area()).sum();
+        match &self.lattice {
+            Some(lattice) if enclosed < 0.0 => lattice.cell_area() + enclosed,
+            _ => enclosed,
+        }
+    }
+
+    /// Length of the boundary [L], per unit cell on a lattice.
+    pub fn perimeter(&self) -> f64 {
+        self.pieces.iter().map(|p| p.length()).sum()
+    }
+
+    /// A box around all pieces; infinite where they are.
+    pub fn extent(&self) -> Extent {
+        self.pieces.iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union)
+    }
+
+    /// The piece closest to a point, the point of it that is closest, and its inward normal.
+    pub fn closest(&self, point: &Vector2<f64>) -> (usize, Landing) {
+        let mut best = (0, self.pieces[0].closest(point));
+        let mut distance = (best.1.point - point).norm_squared();
+        for (i, piece) in self.pieces.iter().enumerate().skip(1) {
+            let landing = piece.closest(point);
+            let d = (landing.point - point).norm_squared();
+            // at a shared vertex the piece that the point faces decides
+            let faces = |l: &Landing| l.normal.dot(&(point - l.point)).abs();
+            if d < distance || (d <= distance * (1.0 + 1e-12) && faces(&landing) > faces(&best.1)) {
+                best = (i, landing);
+                distance = d;
+            }
+        }
+        best
+    }
+
+    /// The distance from the boundary [L], negative outside the table.
+    pub fn signed_distance(&self, point: &Vector2<f64>) -> f64 {
+        let (_, landing) = self.closest(point);
+        let d = point - landing.point;
+        let distance = libm::hypot(d.x, d.y);
+        if d.dot(&landing.normal) < 0.0 { -distance } else { distance }
+    }
+
+    /// Whether a point lies in the table, off the boundary.
+    pub fn contains(&self, point: &Vector2<f64>) -> bool {
+        self.signed_distance(point) > 0.0
+    }
+
+    /// Arc length of the start of each piece, all pieces laid end to end in the order of their numbers.
+    pub fn arc_length_offsets(&self) -> Vec<f64> {
+        let mut sum = 0.0;
+        let before = |p: &Arc<dyn Piece>| {
+            let at = sum;
+            sum += p.length();
+            at
+        };
+        self.pieces.iter().map(before).collect()
+    }
+
+    /// Runs a computation with the best walls for this table.
+    pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
+        if let Some(lattice) = &self.lattice {
+            return match self.figures().as_slice() {
+                [Figure::Circle { center, radius, inside: false }] if self.inside_cell(*center, *radius, lattice) => {
+                    match Scatterer::new(*center, *radius, 0) {
+                        Ok(disk) => visit.run(&Periodic::new(disk, lattice)),
+                        Err(_) => visit.run(&Periodic::new(self.translates(lattice), lattice)),
+                    }
+                }
+                _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
+            };
+        }
+        let Some((container, rest)) = self.container() else { return visit.run(&self.list(0..self.pieces.len())) };
+        match container {
+            Container::Slab(walls) => self.with_rest(walls, &rest, visit),
+            Container::Rectangle(walls) => self.with_rest(walls, &rest, visit),
+            Container::Hexagon(walls) => self.with_rest(walls, &rest, visit),
+            Container::Convex(walls) => self.with_rest(walls, &rest, visit),
+            Container::Capsule(walls) => self.with_rest(walls, &rest, visit),
+            Container::Disk(walls) => self.with_rest(walls, &rest, visit),
+        }
+    }
+
+    fn with_rest<A: crate::Walls<2>, V: WithWalls<2>>(&self, container: A, rest: &[usize], visit: V) -> V::Output {
+        match rest {
+            [] => visit.run(&container),
+            [one] => match self.pieces[*one].figure() {
+                Figure::Circle { center, radius, inside: false } => match Scatterer::new(center, radius, *one) {
+                    Ok(disk) => visit.run(&Both(container, disk)),
+                    Err(_) => visit.run(&Both(container, self.list([*one]))),
+                },
+                _ => visit.run(&Both(container, self.list([*one]))),
+            },
+            many => visit.run(&Both(container, self.list(many.iter().copied()))),
+        }
+    }
+
+    /// Any table as a list of pieces, asked one by one: the reference for all other walls.
+    pub fn list(&self, numbers: impl IntoIterator<Item = usize>) -> List {
+        List::new(numbers.into_iter().map(|i| (i, self.pieces[i].clone())).collect(), &self.corners)
+    }
+
+    fn figures(&self) -> Vec<Figure> {
+        self.pieces.iter().map(|p| p.figure()).collect()
+    }
+
+    /// A chain of pieces that one composite wall can answer for, and all other pieces.
+    fn container(&self) -> Option<(Container, Vec<usize>)> {
+        let figures = self.figures();
+        let rest = |used: &[usize]| (0..self.pieces.len()).filter(|i| !used.contains(i)).collect();
+        for chain in self.chains() {
+            let of_chain: Vec<Figure> = chain.iter().map(|&i| figures[i]).collect();
+            if let Some(container) = Container::of(&chain, &of_chain) {
+                return Some((container, rest(&chain)));
+            }
+        }
+        if let [Figure::Line { .. }, Figure::Line { .. }] = figures[..]
+            && let Some(slab) = Container::slab(&figures)
+        {
+            return Some((slab, vec![]));
+        }
+        None
+    }
+
+    /// Whether a disk lies in the unit cell, so that no translate of it reaches in.
+    fn inside_cell(&self, center: Vector2<f64>, radius: f64, lattice: &Lattice) -> bool {
+        (0..lattice.vectors().len()).all(|i| {
+            let [f, g] = lattice.functional(i);
+            let (at, reach) = (f * center.x + g * center.y, radius * libm::hypot(f, g));
+            at - reach >= 0.0 && at + reach <= 1.0
+        })
+    }
+
+    /// Every piece that reaches into the unit cell, translated there.
+    fn translates(&self, lattice: &Lattice) -> List {
+        let corners: Vec<Vector2<f64>> = vec![];
+        let mut pieces = vec![];
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let extent = piece.extent();
+            let corners_of = [
+                extent.min,
+                Vector2::new(extent.max.x, extent.min.y),
+                extent.max,
+                Vector2::new(extent.min.x, extent.max.y),
+            ];
+            let mut range = [[0.0, 0.0]; 2];
+            for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
+                let [f, g] = lattice.functional(k);
+                let at = corners_of.map(|c| f * c.x + g * c.y);
+                let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
+                // translates by t reach into the cell where low + t < 1 and high + t > 0
+                *range = [-libm::floor(high), libm::ceil(1.0 - low) - 1.0];
+            }
+            let mut first = range[0][0];
+            while first <= range[0][1] {
+                let mut second = range[1][0];
+                while second <= range[1][1] {
+                    let by = lattice.translation([first, second]);
+                    let moved: Arc<dyn Piece> = if by == Vector2::zeros() {
+                        piece.clone()
+                    } else {
+                        Arc::new(shapes::Translated::new(piece.clone(), by))
+                    };
+                    pieces.push((i, moved));
+                    second += 1.0;
+                }
+                first += 1.0;
+            }
+        }
+        List::new(pieces, &corners)
+    }
+}
+
+/// A composite wall that encloses the particle.
+enum Container {
+    Slab(Slab<2>),
+    Rectangle(Cuboid<2>),
+    Hexagon(Zonogon<3>),
+    Convex(ConvexPolygon),
+    Capsule(Capsule),
+    Disk(Sphere<2>),
+}
+
+/// Polygons with more sides than this are better served piece by piece.
+const MOST_SIDES: usize = 16;
+
+impl Container {
+    fn of(chain: &[usize], figures: &[Figure]) -> Option<Container> {
+        if let [Figure::Circle { center, radius, inside: true }] = figures {
+            return Sphere::new(*center, *radius, chain[0]).ok().map(Container::Disk);
+        }
+        if chain.windows(2).any(|w| w[1] != w[0] + 1) {
+            return None; // composite walls number their pieces consecutively
+        }
+        Container::polygon(chain[0], figures).or_else(|| Container::capsule(chain, figures))
+    }
+
+    fn polygon(first: usize, figures: &[Figure]) -> Option<Container> {
+        if figures.len() > MOST_SIDES {
+            return None;
+        }
+        let side = |f: &Figure| match f {
+            Figure::Segment { ends: [a, b] } => Segment::new(*a, *b).ok(),
+            _ => None,
+        };
+        let sides: Vec<Segment> = figures.iter().map(side).collect::<Option<_>>()?;
+        Container::rectangle(first, &sides)
+            .or_else(|| Zonogon::new(&sides, first).ok().map(Container::Hexagon))
+            .or_else(|| ConvexPolygon::new(&sides, first).ok().map(Container::Convex))
+    }
+
+    fn rectangle(first: usize, sides: &[Segment]) -> Option<Container> {
+        if sides.len() != 4 {
+            return None;
+        }
+        let all: Vec<[f64; 2]> = sides.iter().map(Segment::start).collect();
+        let bound = |i: usize, pick: fn(f64, f64) -> f64| all.iter().map(|p| p[i]).reduce(pick).unwrap_or(0.0);
+        let (low, high) = ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
+        // the walls in the order of axes: lower and upper
+        let mut pieces = [[usize::MAX; 2]; 2];
+        for (k, s) in sides.iter().enumerate() {
+            let n = s.inward_normal();
+            let axis = usize::from(n[0] == 0.0);
+            if n[1 - axis] != 0.0 || s.start()[axis] != s.end()[axis] {
+                return None;
+            }
+            pieces[axis][usize::from(n[axis] < 0.0)] = first + k;
+        }
+        if pieces.iter().flatten().any(|&p| p == usize::MAX) {
+            return None;
+        }
+        Cuboid::new(low, high, pieces).ok().map(Container::Rectangle)
+    }
+
+    fn capsule(chain: &[usize], figures: &[Figure]) -> Option<Container> {
+        // in whatever order the loop starts: side, cap, side, cap
+        let k = figures.iter().position(|f| matches!(f, Figure::Segment { .. }))?;
+        let at = |i: usize| figures[(k + i) % figures.len()];
+        if figures.len() != 4 {
+            return None;
+        }
+        let (
+            Figure::Segment { ends: [a, b] },
+            Figure::Arc { center: head, radius, ends: [b1, c0], inside: true },
+            Figure::Segment { ends: [c, d] },
+            Figure::Arc { center: tail, radius: r2, ends: [d1, a1], inside: true },
+        ) = (at(0), at(1), at(2), at(3))
+        else {
+            return None;
+        };
+        let size = [a, b, c, d].iter().flat_map(|p| p.iter()).fold(0.0, |m: f64, x| m.max(x.abs()));
+        let near = |p: Vector2<f64>, q: Vector2<f64>| (p - q).amax() <= 16.0 * f64::EPSILON * size;
+        let axis = head - tail;
+        let length = libm::hypot(axis.x, axis.y);
+        let across = Vector2::new(axis.y, -axis.x) * (radius / length);
+        let fits = (radius - r2).abs() <= 16.0 * f64::EPSILON * size
+            && near(a, tail + across)
+            && near(b, head + across)
+            && near(c, head - across)
+            && near(d, tail - across)
+            && b == b1
+            && c == c0
+            && d == d1
+            && a == a1;
+        let pieces = [0, 1, 2, 3].map(|i| chain[(k + i) % 4]);
+        let center = (head + tail) * 0.5;
+        fits.then(|| Capsule::new(center, axis, 0.5 * length, radius, pieces).ok()).flatten().map(Container::Capsule)
+    }
+
+    fn slab(figures: &[Figure]) -> Option<Container> {
+        let [Figure::Line { through: p, direction: d }, Figure::Line { through: q, direction: e }] = figures else {
+            return None;
+        };
+        for axis in 0..2 {
+            let across = 1 - axis;
+            // along the axis `across`, opposite to one another; the table on the left of each
+            if d[axis] == 0.0 && e[axis] == 0.0 && d[across] == -e[across] {
+                let first_is_low = if axis == 1 { d.x > 0.0 } else { d.y < 0.0 };
+                let (low, high, pieces) =
+                    if first_is_low { (p[axis], q[axis], [0, 1]) } else { (q[axis], p[axis], [1, 0]) };
+                return Slab::new(axis, low, high, pieces).ok().map(Container::Slab);
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,61 @@
+//! A list of pieces of any kind.
+use super::{ByLane, CORNER, WallHit, Walls};
+use crate::{Boundary, Crossing, Hit, Line, Piece};
+use lanes::Lane;
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// Pieces asked one after another.
+#[derive(Clone, Debug)]
+pub struct List(ByLane<Pieces>);
+
+#[derive(Clone, Debug)]
+struct Pieces {
+    pieces: Vec<(usize, Arc<dyn Piece>)>,
+    /// Vertices at which the boundary has a corner, per piece.
+    corners: Vec<Vec<Vector2<f64>>>,
+    /// Square of the distance within which a hit counts as a corner.
+    near: f64,
+}
+
+impl List {
+    /// The pieces with their numbers, and the corners of the boundary.
+    pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
+        let size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
+        let own = |p: &Arc<dyn Piece>| -> Vec<Vector2<f64>> {
+            let ends = p.ends().map_or(vec![], Vec::from);
+            ends.into_iter().filter(|e| corners.contains(e)).collect()
+        };
+        let corners = pieces.iter().map(|(_, p)| own(p)).collect();
+        List(ByLane(Pieces { pieces, corners, near: (CORNER * size) * (CORNER * size) }))
+    }
+}
+
+impl Boundary<2> for Pieces {
+    fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
+        let mut first = (Crossing::NEVER, None);
+        for (k, (_, piece)) in self.pieces.iter().enumerate() {
+            let crossing = piece.crossing(path);
+            if crossing.before(&first.0) {
+                first = (crossing, Some(k));
+            }
+        }
+        let k = first.1?;
+        let time = first.0.time();
+        let landing = self.pieces[k].1.landing(path, time);
+        Some(Hit {
+            time,
+            point: landing.point,
+            normal: landing.normal,
+            piece: self.pieces[k].0,
+            corner: self.corners[k].iter().any(|c| (landing.point - c).norm_squared() <= self.near),
+        })
+    }
+}
+
+impl Walls<2> for List {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        self.0.first_hit(x, v)
+    }
+}

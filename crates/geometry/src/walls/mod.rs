@@ -1,0 +1,90 @@
+//! Walls: what the engine's loop asks, in lanes of any width.
+//!
+//! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
+//! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
+//! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, or a list of pieces.
+mod both;
+mod by_lane;
+mod capsule;
+mod convex;
+mod cuboid;
+mod list;
+mod periodic;
+mod scatterer;
+mod slab;
+mod sphere;
+mod zonogon;
+
+pub use both::Both;
+pub use by_lane::ByLane;
+pub use capsule::Capsule;
+pub use convex::ConvexPolygon;
+pub use cuboid::Cuboid;
+pub use list::List;
+pub use periodic::Periodic;
+pub use scatterer::Scatterer;
+pub use slab::Slab;
+pub use sphere::Sphere;
+pub use zonogon::Zonogon;
+
+use crate::{Hit, Line};
+use lanes::Lane;
+
+/// The first hit, in lanes.
+#[derive(Clone, Copy, Debug)]
+pub struct WallHit<F: Lane, const N: usize> {
+    /// Time of flight; infinite where there is no hit, and then nothing else means anything.
+    pub time: F,
+    /// The point hit, on the wall.
+    pub point: [F; N],
+    /// Unit normal into the table.
+    pub normal: [F; N],
+    /// Number of the piece.
+    pub piece: F,
+    /// Whether the hit is a corner, within rounding.
+    pub corner: F::Mask,
+}
+
+/// What a billiard's particle can hit, as the engine's loop asks it: for one orbit or for many side by side.
+///
+/// The same code runs in every lane width, so an ensemble has the bits of its single orbits.
+pub trait Walls<const N: usize>: Sync {
+    /// The first hit of the paths `x + t v`, `t ≥ 0`.
+    fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
+
+    /// The first hit of one path.
+    fn hit(&self, path: &Line<N>) -> Option<Hit<N>> {
+        let hit = self.first_hit::<f64>(&path.point.into(), &path.velocity.into());
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+        (hit.time < f64::INFINITY).then(|| Hit {
+            time: hit.time,
+            point: hit.point.into(),
+            normal: hit.normal.into(),
+            piece: hit.piece as usize,
+            corner: hit.corner,
+        })
+    }
+}
+
+/// A computation for walls of any type; see [`Table::with_walls`](crate::Table::with_walls).
+pub trait WithWalls<const N: usize> {
+    /// What it returns.
+    type Output;
+    /// Runs it.
+    fn run<W: Walls<N>>(self, walls: &W) -> Self::Output;
+}
+
+/// Within how many units of rounding of the table's size a point counts as a corner.
+///
+/// A landing point is right to about 2 ulp of the size along the wall; 8 covers it with a factor of four.
+pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
+
+/// `a · b`
+#[inline(always)]
+pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
+    let mut sum = a[0] * b[0];
+    for i in 1..N {
+        sum = sum + a[i] * b[i];
+    }
+    sum
+}

@@ -1,0 +1,69 @@
+//! The outside of a sphere: a scatterer.
+use super::{WallHit, Walls, dot};
+use crate::{Error, plane::slack};
+use lanes::{Lane, Mask};
+use nalgebra::SVector;
+
+/// The complement of the ball of radius `r` about `c` in ℝᴺ.
+#[derive(Clone, Debug)]
+pub struct Scatterer<const N: usize> {
+    center: [f64; N],
+    square: f64,
+    inverse: f64,
+    inverse_square: f64,
+    /// By how much `|x − c|² − r²` may be negative through rounding.
+    off: f64,
+    piece: f64,
+}
+
+impl<const N: usize> Scatterer<N> {
+    /// The scatterer about `center` [L] with a positive radius [L].
+    ///
+    /// # Errors
+    /// [`Error::Radius`] unless the radius is positive and finite.
+    pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Error::Radius { radius });
+        }
+        let square = radius * radius;
+        Ok(Scatterer {
+            center: center.into(),
+            square,
+            inverse: 1.0 / radius,
+            inverse_square: 1.0 / square,
+            off: 2.0 * radius * slack(center.iter().copied().chain([radius])),
+            piece: piece as f64,
+        })
+    }
+}
+
+impl<const N: usize> Walls<N> for Scatterer<N> {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
+        let mut y = *x;
+        for i in 0..N {
+            y[i] = y[i] - self.center[i];
+        }
+        let zero = v[0].same(0.0);
+        let (a, b, c) = (dot(v, v), dot(&y, v), dot(&y, &y) - self.square);
+        // the earlier root of |y + t v|² = r², without cancellation, where the path approaches and meets the ball
+        let discriminant = b * b - a * c;
+        let meets = zero.lt(discriminant) & b.lt(zero) & zero.same(-self.off).lt(c);
+        let q = discriminant.max(zero).sqrt() - b;
+        let time = meets.select(c.max(zero) / q, zero.same(f64::INFINITY));
+        let mut square = zero;
+        for i in 0..N {
+            y[i] = y[i] + time * v[i];
+            square = square + y[i] * y[i];
+        }
+        // one Newton step towards |y| = r
+        let scale = (square * self.inverse_square) * -0.5 + 1.5;
+        let (mut point, mut normal) = (y, y);
+        for i in 0..N {
+            y[i] = y[i] * scale;
+            point[i] = y[i] + self.center[i];
+            normal[i] = y[i] * self.inverse;
+        }
+        WallHit { time, point, normal, piece: zero.same(self.piece), corner: zero.lt(zero) }
+    }
+}

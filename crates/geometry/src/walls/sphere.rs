@@ -1,0 +1,67 @@
+//! The inside of a sphere: disk table and ball table.
+use super::{WallHit, Walls, dot};
+use crate::Error;
+use lanes::{Lane, Mask};
+use nalgebra::SVector;
+
+/// The ball of radius `r` about `c` in ℝᴺ, with the particle inside.
+#[derive(Clone, Debug)]
+pub struct Sphere<const N: usize> {
+    center: [f64; N],
+    square: f64,
+    inverse: f64,
+    inverse_square: f64,
+    piece: f64,
+}
+
+impl<const N: usize> Sphere<N> {
+    /// The ball about `center` [L] with a positive radius [L].
+    ///
+    /// # Errors
+    /// [`Error::Radius`] unless the radius is positive and finite.
+    pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Error::Radius { radius });
+        }
+        let square = radius * radius;
+        Ok(Sphere {
+            center: center.into(),
+            square,
+            inverse: 1.0 / radius,
+            inverse_square: 1.0 / square,
+            piece: piece as f64,
+        })
+    }
+}
+
+impl<const N: usize> Walls<N> for Sphere<N> {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
+        let mut y = *x;
+        for i in 0..N {
+            y[i] = y[i] - self.center[i];
+        }
+        let zero = v[0].same(0.0);
+        let (a, b, c) = (dot(v, v), dot(&y, v), dot(&y, &y) - self.square);
+        // the later root of |y + t v|² = r², without cancellation
+        let root = (b * b - a * c).max(zero).sqrt();
+        let q = b.abs() + root;
+        let leaving = zero.lt(b);
+        let num = leaving.select(-c, q);
+        let time = num.max(zero) / leaving.select(q, a);
+        let mut square = zero;
+        for i in 0..N {
+            y[i] = y[i] + time * v[i];
+            square = square + y[i] * y[i];
+        }
+        // one Newton step towards |y| = r
+        let scale = (square * self.inverse_square) * -0.5 + 1.5;
+        let (mut point, mut normal) = (y, y);
+        for i in 0..N {
+            y[i] = y[i] * scale;
+            point[i] = y[i] + self.center[i];
+            normal[i] = y[i] * -self.inverse;
+        }
+        WallHit { time, point, normal, piece: zero.same(self.piece), corner: zero.lt(zero) }
+    }
+}

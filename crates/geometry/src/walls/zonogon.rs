@@ -1,0 +1,113 @@
+//! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
+use super::{CORNER, WallHit, Walls, dot};
+use crate::{Error, shapes::Segment};
+use lanes::{Lane, Mask};
+
+/// A pair of opposite sides.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    /// Outward unit normal of the first side; the second one's is its opposite.
+    normal: [f64; 2],
+    /// Distance of each side from the centre.
+    distance: f64,
+    /// Tangential coordinate of the first side's middle along (−n₂, n₁), and half its length less the corner margin.
+    middle: f64,
+    half: f64,
+    pieces: [f64; 2],
+}
+
+/// The convex polygon with `K` pairs of opposite sides of equal length.
+///
+/// Only one side of each pair can be hit, the one that the particle moves towards: half the work of a general polygon.
+#[derive(Clone, Debug)]
+pub struct Zonogon<const K: usize> {
+    center: [f64; 2],
+    pairs: [Pair; K],
+}
+
+impl<const K: usize> Zonogon<K> {
+    /// The polygon with the given sides, counter-clockwise, where it is convex and centrally symmetric to within
+    /// rounding (16 ulp of its size); piece `i` is `first + i`.
+    ///
+    /// # Errors
+    /// [`Error::NotConvex`] where it is not.
+    pub fn new(sides: &[Segment], first: usize) -> Result<Self, Error> {
+        if sides.len() != 2 * K || K < 2 {
+            return Err(Error::NotConvex);
+        }
+        let vertex = |i: usize| sides[i % (2 * K)].start();
+        let mut center = [0.0; 2];
+        for i in 0..2 * K {
+            center[0] += vertex(i)[0];
+            center[1] += vertex(i)[1];
+        }
+        center = center.map(|c| c / (2 * K) as f64);
+        let size = (0..2 * K).flat_map(vertex).fold(0.0, |m: f64, c| m.max(c.abs()));
+        let near = |a: f64, b: f64| (a - b).abs() <= 16.0 * f64::EPSILON * size;
+        for i in 0..K {
+            let (p, q) = (vertex(i), vertex(i + K));
+            if !(near(p[0] - center[0], center[0] - q[0]) && near(p[1] - center[1], center[1] - q[1])) {
+                return Err(Error::NotConvex);
+            }
+        }
+        if !super::convex::turns_left(sides) {
+            return Err(Error::NotConvex);
+        }
+        let pairs = core::array::from_fn(|i| {
+            let inward = sides[i].inward_normal();
+            let n = [-inward[0], -inward[1]];
+            let (a, b) = (vertex(i), vertex(i + 1));
+            let rel = |p: [f64; 2]| [p[0] - center[0], p[1] - center[1]];
+            let (a, b) = (rel(a), rel(b));
+            let along = |p: [f64; 2]| p[1] * n[0] - p[0] * n[1];
+            Pair {
+                normal: n,
+                distance: 0.5 * (dot(&a, &n) + dot(&b, &n)),
+                middle: 0.5 * (along(a) + along(b)),
+                half: 0.5 * (along(b) - along(a)).abs() - CORNER * size,
+                pieces: [(first + i) as f64, (first + i + K) as f64],
+            }
+        });
+        Ok(Zonogon { center, pairs })
+    }
+}
+
+impl<const K: usize> Walls<2> for Zonogon<K> {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        let zero = v[0].same(0.0);
+        let one = zero.same(1.0);
+        let y = [x[0] - self.center[0], x[1] - self.center[1]];
+        let (mut num, mut den) = (zero.same(f64::INFINITY), one);
+        let (mut n, mut middle, mut half, mut wall, mut piece) = ([zero; 2], zero, zero, zero, zero);
+        for side in &self.pairs {
+            let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
+            let sign = one.copysign(speed);
+            let distance =
+                (zero.same(side.distance) - sign * (y[0] * side.normal[0] + y[1] * side.normal[1])).max(zero);
+            let speed = speed.abs();
+            let sooner = (distance * den).lt(num * speed) & zero.lt(speed);
+            num = sooner.select(distance, num);
+            den = sooner.select(speed, den);
+            n = [sooner.select(sign * side.normal[0], n[0]), sooner.select(sign * side.normal[1], n[1])];
+            middle = sooner.select(zero.same(side.middle), middle);
+            half = sooner.select(zero.same(side.half), half);
+            wall = sooner.select(zero.same(side.distance), wall);
+            let number = zero.lt(sign).select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
+            piece = sooner.select(number, piece);
+        }
+        let time = num / den;
+        let p = [y[0] + time * v[0], y[1] + time * v[1]];
+        // project onto the side
+        let off = wall - (p[0] * n[0] + p[1] * n[1]);
+        let p = [p[0] + off * n[0], p[1] + off * n[1]];
+        let along = p[1] * n[0] - p[0] * n[1] - middle;
+        WallHit {
+            time,
+            point: [p[0] + self.center[0], p[1] + self.center[1]],
+            normal: [-n[0], -n[1]],
+            piece,
+            corner: half.lt(along.abs()),
+        }
+    }
+}
