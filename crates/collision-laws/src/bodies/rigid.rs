@@ -1,0 +1,186 @@
+//! A rigid body in any dimension.
+
+use super::positive;
+use crate::{Body, Delassus, Error, Twist, symmetric::eigenframe};
+use nalgebra::{Matrix3, SMatrix, SVector, Unit};
+
+/// How a body resists turning, in one of the forms in use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Inertia<const N: usize> {
+    /// N = 2: the moment of inertia about the centre of mass \[M L²\].
+    Moment(f64),
+    /// N = 3: the inertia tensor about the centre of mass, in the space frame \[M L²\].
+    Tensor(SMatrix<f64, N, N>),
+    /// Any N: the second moments per unit mass `S`, in the space frame \[L²\]: `mS = ∫ r rᵀ dm`.
+    SecondMoments(SMatrix<f64, N, N>),
+}
+
+/// A rigid body in ℝᴺ, of any shape.
+///
+/// Its angular momentum is `Λ(Ω) = m (S Ω + Ω S)`, with `S` the second moments per unit mass. In an eigenframe of `S` this is
+/// `Λᵢⱼ = μᵢⱼ Ωᵢⱼ`, with `μᵢⱼ = m (λᵢ + λⱼ)` the principal moment of inertia about the 2-plane `(i, j)`; the body stores the
+/// frame and the `μᵢⱼ`, so that turning an impulse into a spin is N(N−1)/2 divisions. In the plane `μ₁₂` is the moment of
+/// inertia, in space the `μᵢⱼ` are the eigenvalues of the inertia tensor.
+///
+/// ```
+/// use collision_laws::{Body, Twist, bodies::{Inertia, RigidBody}};
+/// use nalgebra::{Matrix2, Vector2};
+///
+/// let rod = RigidBody::<2>::new(3.0, Inertia::SecondMoments(Matrix2::new(4.0, 0.0, 0.0, 0.0)))?;
+/// let same = RigidBody::<2>::new(3.0, Inertia::Moment(12.0))?; // I = m tr S
+/// let v = Twist::planar(Vector2::zeros(), 1.0);
+/// assert_eq!(rod.kinetic_energy(&v), same.kinetic_energy(&v));
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RigidBody<const N: usize> {
+    mass: f64,
+    /// Columns: an orthonormal eigenframe of the inertia, in the space frame.
+    frame: SMatrix<f64, N, N>,
+    /// Off the diagonal: the principal moment `μᵢⱼ` about the 2-plane of axes i and j.
+    moments: SMatrix<f64, N, N>,
+}
+
+impl<const N: usize> RigidBody<N> {
+    /// A body of the given mass \[M\] and inertia.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`] if the body
+    /// spins for free in some plane (a rod in space), [`Error::InertiaForm`] for a form of another dimension.
+    pub fn new(mass: f64, inertia: Inertia<N>) -> Result<Self, Error> {
+        let mass = positive("the mass", mass)?;
+        let form = |form, expected| Error::InertiaForm { form, expected, dimension: N };
+        let (frame, moments) = match inertia {
+            Inertia::Moment(_) if N != 2 => return Err(form("a moment of inertia", 2)),
+            Inertia::Tensor(_) if N != 3 => return Err(form("an inertia tensor", 3)),
+            Inertia::Moment(moment) => {
+                let moment = positive("the moment of inertia", moment)?;
+                (SMatrix::identity(), SMatrix::repeat(moment))
+            }
+            Inertia::Tensor(tensor) => {
+                let (axes, frame) = eigenframe(symmetric(&tensor)?);
+                (frame, SMatrix::from_fn(|i, j| if i == j { 0.0 } else { axes[3 - i - j] }))
+            }
+            Inertia::SecondMoments(s) => {
+                let (axes, frame) = eigenframe(symmetric(&s)?);
+                (frame, SMatrix::from_fn(|i, j| mass * (axes[i] + axes[j])))
+            }
+        };
+        let body = Self { mass, frame, moments };
+        for (i, j) in planes::<N>() {
+            let smallest = moments[(i, j)];
+            // below the rounding of the eigenvalues, a moment is zero
+            if smallest.is_nan() || smallest <= f64::EPSILON * moments.amax() || smallest.is_infinite() {
+                return Err(Error::InertiaNotPositive { smallest: body.smallest_moment() });
+            }
+        }
+        Ok(body)
+    }
+
+    /// The mass `m`.
+    #[inline]
+    pub fn mass(&self) -> f64 {
+        self.mass
+    }
+
+    fn smallest_moment(&self) -> f64 {
+        planes::<N>().map(|ij| self.moments[ij]).fold(f64::INFINITY, f64::min)
+    }
+}
+
+impl RigidBody<3> {
+    /// The inverse of the inertia tensor, in the space frame.
+    pub(super) fn inverse_tensor(&self) -> Matrix3<f64> {
+        let axis = |i: usize| 1.0 / self.moments[((i + 1) % 3, (i + 2) % 3)];
+        let scaled = self.frame * Matrix3::from_diagonal(&SVector::from_fn(|i, _| axis(i)));
+        scaled * self.frame.transpose()
+    }
+}
+
+/// The pairs of axes i > j.
+fn planes<const N: usize>() -> impl Iterator<Item = (usize, usize)> {
+    (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
+}
+
+/// `a`, if it is finite and symmetric up to rounding.
+fn symmetric<const N: usize>(a: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>, Error> {
+    if a.iter().any(|x| !x.is_finite()) {
+        return Err(Error::NotFinite { quantity: "the inertia" });
+    }
+    let defect = (a - a.transpose()).amax();
+    if defect > 4.0 * f64::EPSILON * a.amax() {
+        return Err(Error::InertiaNotSymmetric { defect });
+    }
+    Ok((a + a.transpose()) * 0.5)
+}
+
+impl<const N: usize> Body<N> for RigidBody<N> {
+    type Velocity = Twist<N>;
+
+    #[inline]
+    fn inner_product(&self, v: &Twist<N>, w: &Twist<N>) -> f64 {
+        let to_frame = self.frame.transpose();
+        let (a, b) = (to_frame * v.spin() * self.frame, to_frame * w.spin() * self.frame);
+        let spin: f64 = planes::<N>().map(|ij| self.moments[ij] * a[ij] * b[ij]).sum();
+        self.mass * v.linear.dot(&w.linear) + spin
+    }
+
+    #[inline]
+    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Twist<N>) -> SVector<f64, N> {
+        v.at(arm)
+    }
+
+    #[inline]
+    fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Twist<N>) -> Twist<N> {
+        let (r, q) = (self.frame.transpose() * arm, self.frame.transpose() * p);
+        let mut spin = SMatrix::<f64, N, N>::zeros();
+        for (i, j) in planes::<N>() {
+            spin[(i, j)] = (q[i] * r[j] - r[i] * q[j]) / self.moments[(i, j)];
+            spin[(j, i)] = -spin[(i, j)];
+        }
+        Twist::from_skew(v.linear + p / self.mass, &(v.spin() + self.frame * spin * self.frame.transpose()))
+    }
+
+    #[inline]
+    fn delassus(&self, arm: &SVector<f64, N>, _: &Unit<SVector<f64, N>>) -> Delassus<N> {
+        let r = self.frame.transpose() * arm;
+        let mut k = SMatrix::<f64, N, N>::identity() / self.mass;
+        for (i, j) in planes::<N>() {
+            let moment = self.moments[(i, j)];
+            k[(i, i)] += r[j] * r[j] / moment;
+            k[(j, j)] += r[i] * r[i] / moment;
+            k[(i, j)] = -r[i] * r[j] / moment;
+            k[(j, i)] = k[(i, j)];
+        }
+        let k = self.frame * k * self.frame.transpose();
+        Delassus::Dense((k + k.transpose()) * 0.5)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Matrix2, Matrix4};
+
+    #[test]
+    fn an_inertia_says_what_is_wrong_with_it() {
+        let built = |inertia| RigidBody::<3>::new(1.0, inertia).unwrap_err();
+        let mut tensor = Matrix3::identity();
+        assert_eq!(
+            built(Inertia::Moment(1.0)),
+            Error::InertiaForm { form: "a moment of inertia", expected: 2, dimension: 3 }
+        );
+        tensor[(0, 1)] = 0.5;
+        assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotSymmetric { defect: 0.5 });
+        tensor = Matrix3::from_diagonal(&[1.0, -2.0, 1.0].into());
+        assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotPositive { smallest: -2.0 });
+        let rod = Matrix3::from_diagonal(&[1.0, 0.0, 0.0].into());
+        assert_eq!(built(Inertia::SecondMoments(rod)), Error::InertiaNotPositive { smallest: 0.0 });
+        assert!(matches!(RigidBody::<2>::new(-1.0, Inertia::Moment(1.0)), Err(Error::NotPositive { .. })));
+        let tensor = Inertia::Tensor(Matrix4::identity());
+        assert!(matches!(RigidBody::<4>::new(1.0, tensor), Err(Error::InertiaForm { .. })));
+        let nan = Inertia::SecondMoments(Matrix2::repeat(f64::NAN));
+        assert!(matches!(RigidBody::<2>::new(1.0, nan), Err(Error::NotFinite { .. })));
+    }
+}

@@ -1,0 +1,131 @@
+//! The body: four maps are all that a contact sees of it.
+
+use crate::{Delassus, TangentVector};
+use nalgebra::{SVector, Unit};
+
+/// A rigid body, in its present pose, as one contact sees it.
+///
+/// `arm = Q − centre of mass`, the contact point seen from the body \[L\]. The four maps belong together:
+/// `J(v + G⁻¹Jᵀp) = J v + K p` and `⟨G⁻¹Jᵀp, v⟩ = p·J v`; [`check::body`](crate::check::body) tests that.
+///
+/// ```
+/// use collision_laws::{Body, Twist, bodies::Ball};
+/// use nalgebra::Vector2;
+///
+/// let hoop = Ball::<2>::shell(3.0, 2.0)?; // mass 3, radius 2: moment of inertia m R² = 12
+/// let spinning = Twist::planar(Vector2::zeros(), 1.0);
+/// assert_eq!(hoop.kinetic_energy(&spinning), 6.0);
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
+pub trait Body<const N: usize> {
+    /// The body's velocities: `Twist<N>` for a ball, `()` for [`Fixed`].
+    type Velocity: TangentVector<N>;
+
+    /// The kinetic-energy metric `⟨v, w⟩ = m v·w + ½ tr(Λ(Ω) Ω'ᵀ)` \[M L² T⁻²\], `Λ(Ω)` the angular momentum.
+    fn inner_product(&self, v: &Self::Velocity, w: &Self::Velocity) -> f64;
+
+    /// The velocity `J v` of the material point at `arm`.
+    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Self::Velocity) -> SVector<f64, N>;
+
+    /// The velocity `v + G⁻¹Jᵀ p` after an impulse `p` at `arm`.
+    fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Self::Velocity) -> Self::Velocity;
+
+    /// The Delassus operator `J G⁻¹ Jᵀ` of this body alone.
+    fn delassus(&self, arm: &SVector<f64, N>, normal: &Unit<SVector<f64, N>>) -> Delassus<N>;
+
+    /// The kinetic energy `½⟨v, v⟩` \[M L² T⁻²\].
+    #[inline]
+    fn kinetic_energy(&self, v: &Self::Velocity) -> f64 {
+        0.5 * self.inner_product(v, v)
+    }
+
+    /// The number of degrees of freedom: the dimension of the space of velocities, or 0 for a body that is held fixed.
+    fn degrees_of_freedom(&self) -> usize {
+        Self::Velocity::DIMENSION
+    }
+}
+
+/// The wall: a body that nothing moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Fixed;
+
+impl<const N: usize> Body<N> for Fixed {
+    type Velocity = ();
+
+    #[inline]
+    fn inner_product(&self, (): &(), (): &()) -> f64 {
+        0.0
+    }
+
+    #[inline]
+    fn contact_velocity(&self, _: &SVector<f64, N>, (): &()) -> SVector<f64, N> {
+        SVector::zeros()
+    }
+
+    #[inline]
+    fn apply_impulse(&self, _: &SVector<f64, N>, _: &SVector<f64, N>, (): &()) {}
+
+    #[inline]
+    fn delassus(&self, _: &SVector<f64, N>, _: &Unit<SVector<f64, N>>) -> Delassus<N> {
+        Delassus::ZERO
+    }
+}
+
+/// A body that may be held fixed: `None` stays at rest, whatever velocity it is said to have.
+///
+/// For choices made at run time; [`Fixed`] is the same wall known when the program is compiled.
+impl<const N: usize, B: Body<N>> Body<N> for Option<B> {
+    type Velocity = B::Velocity;
+
+    #[inline]
+    fn inner_product(&self, v: &B::Velocity, w: &B::Velocity) -> f64 {
+        self.as_ref().map_or(0.0, |body| body.inner_product(v, w))
+    }
+
+    #[inline]
+    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &B::Velocity) -> SVector<f64, N> {
+        self.as_ref().map_or_else(SVector::zeros, |body| body.contact_velocity(arm, v))
+    }
+
+    #[inline]
+    fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &B::Velocity) -> B::Velocity {
+        self.as_ref().map_or(*v, |body| body.apply_impulse(arm, p, v))
+    }
+
+    #[inline]
+    fn delassus(&self, arm: &SVector<f64, N>, normal: &Unit<SVector<f64, N>>) -> Delassus<N> {
+        self.as_ref().map_or(Delassus::ZERO, |body| body.delassus(arm, normal))
+    }
+
+    fn degrees_of_freedom(&self) -> usize {
+        self.as_ref().map_or(0, Body::degrees_of_freedom)
+    }
+}
+
+impl<const N: usize, B: Body<N> + ?Sized> Body<N> for &B {
+    type Velocity = B::Velocity;
+
+    #[inline]
+    fn inner_product(&self, v: &B::Velocity, w: &B::Velocity) -> f64 {
+        (**self).inner_product(v, w)
+    }
+
+    #[inline]
+    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &B::Velocity) -> SVector<f64, N> {
+        (**self).contact_velocity(arm, v)
+    }
+
+    #[inline]
+    fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &B::Velocity) -> B::Velocity {
+        (**self).apply_impulse(arm, p, v)
+    }
+
+    #[inline]
+    fn delassus(&self, arm: &SVector<f64, N>, normal: &Unit<SVector<f64, N>>) -> Delassus<N> {
+        (**self).delassus(arm, normal)
+    }
+
+    fn degrees_of_freedom(&self) -> usize {
+        (**self).degrees_of_freedom()
+    }
+}

@@ -1,0 +1,145 @@
+//! Trying laws, maps and bodies on random velocities.
+
+use super::{Axiom, Report, axioms};
+use crate::{Body, CollisionLaw, Contact, Fixed, Pair, TangentSpace, TangentVector, random::gaussian};
+use nalgebra::{DVector, SMatrix, SVector};
+use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
+
+/// Which random velocities to try: the same for the same seed, on every machine.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Samples {
+    /// How many.
+    pub count: usize,
+    /// The seed.
+    pub seed: u64,
+}
+
+impl Default for Samples {
+    fn default() -> Self {
+        Self { count: 16, seed: 0 }
+    }
+}
+
+/// A velocity of unit length in the metric, uniformly distributed in direction, in unit coordinates.
+fn direction(size: usize, stream: &mut ChaCha8Rng) -> DVector<f64> {
+    DVector::from_fn(size, |_, _| gaussian(stream)).normalize()
+}
+
+/// A velocity of approach with `|v|² = 2` (energy 1), in coordinates.
+fn approach<const N: usize>(space: &TangentSpace<N>, stream: &mut ChaCha8Rng) -> DVector<f64> {
+    let mut y = direction(space.dimension(), stream) * 2.0_f64.sqrt();
+    if space.normal().dot(&y) > 0.0 {
+        y = -y;
+    }
+    space.from_unit(&y)
+}
+
+/// How far `law` is from each axiom, for these two bodies at this contact.
+///
+/// Energy, momenta, the direction of the image, linearity and measure are tried at velocities of approach; the involution
+/// needs the law at the velocities of recession it leads to.
+pub fn law<A: Body<N>, B: Body<N>, L: CollisionLaw<N> + ?Sized, const N: usize>(
+    pair: &Pair<A, B, N>,
+    law: &L,
+    samples: Samples,
+) -> Report {
+    let collide = |x: &DVector<f64>| {
+        let v = pair.velocities(x.as_slice());
+        pair.coordinates(&pair.collide(law, &v).velocities)
+    };
+    map(&pair.tangent_space(), collide, samples)
+}
+
+/// How far a map of `T_qM`, given as a program in the coordinates of [`Pair::coordinates`], is from each axiom.
+pub fn map<const N: usize>(
+    space: &TangentSpace<N>,
+    map: impl Fn(&DVector<f64>) -> DVector<f64>,
+    samples: Samples,
+) -> Report {
+    let mut stream = ChaCha8Rng::seed_from_u64(samples.seed);
+    let mut report = Report::EMPTY;
+    for _ in 0..samples.count {
+        let v = approach(space, &mut stream);
+        let w = approach(space, &mut stream);
+        let after = map(&v);
+        report.note(Axiom::Energy, axioms::energy(space, &v, &after));
+        if let Some(defect) = axioms::linear_momentum(space, &v, &after) {
+            report.note(Axiom::LinearMomentum, defect);
+        }
+        if let Some(defect) = axioms::angular_momentum(space, &v, &after) {
+            report.note(Axiom::AngularMomentum, defect);
+        }
+        report.note(Axiom::Involution, axioms::involution(space, &map, &v));
+        report.note(Axiom::OutgoingToIngoing, axioms::outgoing_to_ingoing(space, &v, &after));
+        report.note(Axiom::ContactImpulse, axioms::contact_impulse(space, &v, &after));
+        report.note(Axiom::Linearity, axioms::linearity(space, &map, &v, &w));
+        report.note_measure_ratio(axioms::measure_ratio(space, &map, &v));
+    }
+    report
+}
+
+/// How well the maps of a [`Body`] fit together; all numbers are zero up to rounding.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyReport {
+    /// `|J(v + G⁻¹Jᵀp) − u − K p|`, relative to the terms.
+    pub contact_velocity: f64,
+    /// The work of the impulse against the gain of energy: `|E⁺ − E − p·(u + u⁺)/2|`, relative to the energies.
+    pub work: f64,
+    /// The largest `|Kᵢⱼ − Kⱼᵢ|`, relative to the largest entry.
+    pub symmetry: f64,
+    /// How far the contact point of the body strays from the point of space it touches, in rigid motions of all space.
+    pub rigid_motion: f64,
+}
+
+impl BodyReport {
+    /// The largest of the numbers.
+    pub fn worst(&self) -> f64 {
+        let all = [self.contact_velocity, self.work, self.symmetry, self.rigid_motion];
+        all.into_iter().fold(0.0, |worst, x| if x > worst || x.is_nan() { x } else { worst })
+    }
+}
+
+/// Whether the four maps of a body belong together, at one contact with the given arm, for random velocities and impulses.
+pub fn body<B: Body<N>, const N: usize>(
+    body: &B,
+    contact: &Contact<N>,
+    arm: &SVector<f64, N>,
+    samples: Samples,
+) -> BodyReport {
+    let mut stream = ChaCha8Rng::seed_from_u64(samples.seed);
+    let pair = Pair::new(*contact, (body, *arm), (Fixed, SVector::zeros()));
+    let space = pair.tangent_space();
+    let delassus = pair.delassus();
+    let k = delassus.to_matrix(&contact.normal);
+    let mut report = BodyReport {
+        contact_velocity: 0.0,
+        work: 0.0,
+        symmetry: (k - k.transpose()).amax() / k.amax(),
+        rigid_motion: 0.0,
+    };
+    let raise = |worst: &mut f64, x: f64| {
+        if x > *worst || x.is_nan() {
+            *worst = x;
+        }
+    };
+    for _ in 0..samples.count {
+        let v = pair.velocities(approach(&space, &mut stream).as_slice());
+        let p = SVector::<f64, N>::from_fn(|_, _| gaussian(&mut stream));
+        let p = p / p.dot(&(k * p)).sqrt(); // an impulse worth about as much energy as the velocity
+        let after = pair.apply_impulse(&p, &v);
+        let (u, u_after, change) =
+            (pair.contact_velocity(&v), pair.contact_velocity(&after), delassus.apply(&contact.normal, &p));
+        let gap = (u_after - u - change).norm();
+        raise(&mut report.contact_velocity, gap / (u.norm() + u_after.norm() + change.norm()));
+
+        let (before, gained) = (pair.kinetic_energy(&v), pair.kinetic_energy(&after));
+        let work = p.dot(&(u + u_after)) * 0.5;
+        raise(&mut report.work, (gained - before - work).abs() / (gained + before));
+
+        let a = SVector::<f64, N>::from_fn(|_, _| gaussian(&mut stream));
+        let turn = SMatrix::<f64, N, N>::from_fn(|_, _| gaussian(&mut stream)) / arm.norm().max(f64::MIN_POSITIVE);
+        let moving = B::Velocity::of_rigid_motion(arm, &a, &(turn - turn.transpose()));
+        raise(&mut report.rigid_motion, (body.contact_velocity(arm, &moving) - a).norm() / a.norm());
+    }
+    report
+}

@@ -1,0 +1,60 @@
+//! The Delassus operator: all that a law needs to know of the two bodies.
+
+use nalgebra::{SMatrix, SVector, Unit};
+
+/// The inverse contact mass `K = J G⁻¹ Jᵀ` \[M⁻¹\]: an impulse `p` at the contact changes the contact velocity by `K p`.
+///
+/// `K` is symmetric and positive. That of a pair is the sum over the bodies that move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Delassus<const N: usize> {
+    /// `K = normal·ν νᵀ + tangent·(1 − ν νᵀ)`, with the normal `ν` of the contact: points and balls.
+    Isotropic {
+        /// `ν·Kν`.
+        normal: f64,
+        /// The eigenvalue on the contact plane.
+        tangent: f64,
+    },
+    /// Any symmetric positive matrix: other bodies.
+    Dense(SMatrix<f64, N, N>),
+}
+
+impl<const N: usize> Delassus<N> {
+    /// The operator of a body that nothing moves.
+    pub const ZERO: Self = Self::Isotropic { normal: 0.0, tangent: 0.0 };
+
+    /// The operator of two bodies at one contact.
+    #[inline]
+    #[must_use]
+    pub fn plus(&self, other: &Self, normal: &Unit<SVector<f64, N>>) -> Self {
+        match (self, other) {
+            (Self::Isotropic { normal: a, tangent: b }, Self::Isotropic { normal: c, tangent: d }) => {
+                Self::Isotropic { normal: a + c, tangent: b + d }
+            }
+            _ => Self::Dense(self.to_matrix(normal) + other.to_matrix(normal)),
+        }
+    }
+
+    /// The change `K p` of contact velocity that an impulse `p` makes.
+    #[inline]
+    pub fn apply(&self, normal: &Unit<SVector<f64, N>>, p: &SVector<f64, N>) -> SVector<f64, N> {
+        match self {
+            Self::Isotropic { normal: kn, tangent: kt } => {
+                let along = normal.as_ref() * normal.dot(p);
+                along * *kn + (p - along) * *kt
+            }
+            Self::Dense(k) => k * p,
+        }
+    }
+
+    /// `K` as a matrix.
+    #[inline]
+    pub fn to_matrix(&self, normal: &Unit<SVector<f64, N>>) -> SMatrix<f64, N, N> {
+        match self {
+            Self::Isotropic { normal: kn, tangent: kt } => {
+                let along = normal.as_ref() * normal.transpose();
+                along * *kn + (SMatrix::identity() - along) * *kt
+            }
+            Self::Dense(k) => *k,
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What can be wrong with a body, a contact or a law when it is built.
+
+/// Bad input to this crate, found at construction.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A mass, radius, inertia or `γ²` that is zero, negative, infinite or NaN.
+    #[error("{quantity} must be positive and finite, not {value:e}")]
+    NotPositive {
+        /// What was given, in words.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A vector or matrix with an infinite or NaN entry.
+    #[error("{quantity} has an entry that is not a finite number")]
+    NotFinite {
+        /// What was given, in words.
+        quantity: &'static str,
+    },
+    /// A normal of length zero.
+    #[error("the normal of the contact plane has no direction: its length is zero")]
+    NoNormal,
+    /// An inertia tensor or second-moment matrix that differs from its transpose.
+    #[error("the inertia is not symmetric: an entry differs from its mirror image by {defect:e}")]
+    InertiaNotSymmetric {
+        /// Largest `|Aᵢⱼ − Aⱼᵢ|`.
+        defect: f64,
+    },
+    /// An inertia that lets the body spin for free in some plane.
+    #[error("the inertia is not positive: {smallest:e} in one plane of rotation")]
+    InertiaNotPositive {
+        /// The smallest principal moment of inertia about a 2-plane.
+        smallest: f64,
+    },
+    /// An inertia given in a form that another dimension uses.
+    #[error("{form} describes a body in dimension {expected}, not {dimension}")]
+    InertiaForm {
+        /// The form that was given, in words.
+        form: &'static str,
+        /// The dimension that form belongs to.
+        expected: usize,
+        /// The dimension of the body.
+        dimension: usize,
+    },
+    /// An angular velocity matrix that is not skew.
+    #[error("the spin is not skew: an entry and its mirror image add up to {defect:e}")]
+    SpinNotSkew {
+        /// Largest `|Ωᵢⱼ + Ωⱼᵢ|`.
+        defect: f64,
+    },
+    /// The wrong number of coordinates or of rows and columns.
+    #[error("{quantity} has {given} entries where {expected} are needed")]
+    WrongLength {
+        /// What was given, in words.
+        quantity: &'static str,
+        /// How many entries it has.
+        given: usize,
+        /// How many it must have.
+        expected: usize,
+    },
+    /// More rough directions than the contact plane has dimensions.
+    #[error("{given} rough directions are too many: the contact plane has dimension {most}")]
+    TooManyRoughDirections {
+        /// How many were given.
+        given: usize,
+        /// The dimension N−1 of the contact plane.
+        most: usize,
+    },
+    /// A rough direction that is the normal, or zero, up to rounding.
+    #[error("rough direction {index} is along the normal: it has no part in the contact plane")]
+    RoughDirectionAlongNormal {
+        /// Its position in the list, from 0.
+        index: usize,
+    },
+    /// A rough direction that the earlier ones and the normal span already.
+    #[error("rough direction {index} depends on the ones before it")]
+    DependentRoughDirections {
+        /// Its position in the list, from 0.
+        index: usize,
+    },
+    /// A coefficient of restitution outside its range.
+    #[error("the {which} restitution must lie in [{least}, 1], not {value:e}")]
+    RestitutionOutOfRange {
+        /// `"normal"` or `"tangential"`.
+        which: &'static str,
+        /// The lower end of its range: 0 (normal) or −1 (tangential).
+        least: f64,
+        /// The value given.
+        value: f64,
+    },
+    /// Two fixed bodies: nothing can move.
+    #[error("both bodies are fixed: there is nothing to collide")]
+    BothFixed,
+    /// Two bodies that move apart, or slide, at the contact.
+    #[error("the bodies are not approaching: the normal contact velocity is {normal_velocity:e}")]
+    NotApproaching {
+        /// `u·ν`, negative for bodies that approach.
+        normal_velocity: f64,
+    },
+    /// A Delassus operator that rounding has made singular.
+    #[error("the inverse contact mass is singular to working precision")]
+    SingularDelassus,
+}

@@ -1,0 +1,122 @@
+//! The law: from the contact velocity to the contact impulse, and the one formula behind every strict law.
+
+use crate::{Contact, Delassus, Roughness};
+use nalgebra::{SMatrix, SVector};
+use std::{fmt, sync::Arc};
+
+/// From the contact velocity `u` to the impulse `p` on body 1. Object safe.
+pub trait CollisionLaw<const N: usize> {
+    /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
+    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
+}
+
+/// A law that only chooses rough directions. Every strict law is a [`CollisionLaw`].
+///
+/// The choice may depend on the contact but not on the velocity, or the collision map is not linear.
+pub trait StrictLaw<const N: usize> {
+    /// The rough directions at `contact`.
+    fn roughness(&self, contact: &Contact<N>) -> Roughness<N>;
+}
+
+impl<const N: usize, L: StrictLaw<N> + ?Sized> CollisionLaw<N> for L {
+    #[inline]
+    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
+        reflect(&self.roughness(contact), contact, delassus, u)
+    }
+}
+
+impl<const N: usize, L: StrictLaw<N> + ?Sized> StrictLaw<N> for &L {
+    #[inline]
+    fn roughness(&self, contact: &Contact<N>) -> Roughness<N> {
+        (**self).roughness(contact)
+    }
+}
+
+impl<const N: usize, L: StrictLaw<N> + ?Sized> StrictLaw<N> for Box<L> {
+    #[inline]
+    fn roughness(&self, contact: &Contact<N>) -> Roughness<N> {
+        (**self).roughness(contact)
+    }
+}
+
+impl<const N: usize, L: StrictLaw<N> + ?Sized> StrictLaw<N> for Arc<L> {
+    #[inline]
+    fn roughness(&self, contact: &Contact<N>) -> Roughness<N> {
+        (**self).roughness(contact)
+    }
+}
+
+/// The impulse of the strict law with the given rough directions: the reflection `u⁺ = u + K p`.
+///
+/// With `P` the projector onto the rough directions and `Q = ν νᵀ + P`, it is the solution of `(Q K Q + 1 − Q) p = −2 Q u`;
+/// in words, the components of `u` along the normal and the rough directions reverse, and the impulse lies in their span.
+/// (The term `1 − Q` only makes the matrix invertible; it is scaled to the size of `K`.)
+///
+/// The result is NaN if `K` is singular to working precision; [`Pair::try_collide`](crate::Pair::try_collide) says so.
+#[inline]
+pub fn reflect<const N: usize>(
+    roughness: &Roughness<N>,
+    contact: &Contact<N>,
+    delassus: &Delassus<N>,
+    u: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    let nu = contact.normal.as_ref();
+    match (delassus, roughness) {
+        (Delassus::Isotropic { normal, .. }, Roughness::Smooth) => nu * (-2.0 * nu.dot(u) / normal),
+        (Delassus::Isotropic { normal, tangent }, Roughness::Rough) => {
+            let along = nu.dot(u);
+            nu * (-2.0 * along / normal) + (u - nu * along) * (-2.0 / tangent)
+        }
+        (Delassus::Isotropic { normal, tangent }, Roughness::Along(subspace)) => {
+            nu * (-2.0 * nu.dot(u) / normal) + subspace.projector() * u * (-2.0 / tangent)
+        }
+        (Delassus::Dense(k), Roughness::Smooth) => nu * (-2.0 * nu.dot(u) / nu.dot(&(k * nu))),
+        (Delassus::Dense(k), Roughness::Rough) => solve(*k, u * -2.0),
+        (Delassus::Dense(k), Roughness::Along(subspace)) => {
+            let q = nu * nu.transpose() + subspace.projector();
+            let size = nu.dot(&(k * nu)); // between the extreme eigenvalues of K on the span
+            solve(q * k * q + (SMatrix::identity() - q) * size, q * u * -2.0)
+        }
+    }
+}
+
+/// The solution of `a x = b` for a symmetric positive `a`; NaN if it is not positive.
+fn solve<const N: usize>(a: SMatrix<f64, N, N>, b: SVector<f64, N>) -> SVector<f64, N> {
+    match a.cholesky() {
+        Some(factor) => factor.solve(&b),
+        None => SVector::repeat(f64::NAN),
+    }
+}
+
+/// Any collision law, chosen at run time.
+///
+/// `Box<dyn StrictLaw<N>>` is a law already; this holds the others too.
+///
+/// ```
+/// use collision_laws::{AnyLaw, laws::{NoSlip, Restitution}};
+///
+/// let laws: [AnyLaw<3>; 2] = [AnyLaw::new(NoSlip), AnyLaw::new(Restitution::new(0.9, 0.4)?)];
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
+#[derive(Clone)]
+pub struct AnyLaw<const N: usize>(Arc<dyn CollisionLaw<N> + Send + Sync>);
+
+impl<const N: usize> AnyLaw<N> {
+    /// Takes hold of `law`.
+    pub fn new(law: impl CollisionLaw<N> + Send + Sync + 'static) -> Self {
+        Self(Arc::new(law))
+    }
+}
+
+impl<const N: usize> CollisionLaw<N> for AnyLaw<N> {
+    #[inline]
+    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
+        self.0.impulse(contact, delassus, u)
+    }
+}
+
+impl<const N: usize> fmt::Debug for AnyLaw<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("AnyLaw")
+    }
+}

@@ -1,0 +1,41 @@
+//! The no-slip collision, the law of rough bodies.
+
+use crate::{Contact, DiskLaw, DiskMap, Roughness, StrictLaw};
+
+/// Perfectly rough contact: the contact velocity is reversed, `u⁺ = −u`.
+///
+/// `p = −2 K⁻¹ u`; `u` [L T⁻¹], `p` [M L T⁻¹], `K` [M⁻¹]. Roughness rank N−1.
+/// Source: Broomhead and Gutkin (1993); Cox and Feres, *No-slip billiards in dimension two*, equation (update2), for a uniform
+/// disk against a fixed wall.
+///
+/// ```
+/// use collision_laws::{Contact, Fixed, Pair, Twist, bodies::Ball, laws::NoSlip};
+/// use nalgebra::{Vector3};
+///
+/// let contact = Contact::new(Vector3::zeros(), Vector3::new(0.0, 0.0, 1.0), 0)?;
+/// let ball = Ball::<3>::uniform(1.0, 0.5)?;
+/// let pair = Pair::new(contact, (ball, Vector3::new(0.0, 0.0, -0.5)), (Fixed, Vector3::zeros()));
+/// let before = (Twist::spatial(Vector3::new(1.0, 2.0, -3.0), Vector3::new(4.0, 5.0, 6.0)), ());
+/// let once = pair.collide(&NoSlip, &before);
+/// let twice = pair.collide(&NoSlip, &once.velocities);
+/// assert!((pair.contact_velocity(&once.velocities) + once.u_minus).norm() < 1e-14);
+/// assert!((twice.velocities.0.linear - before.0.linear).norm() < 1e-14); // applied twice, it changes nothing
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct NoSlip;
+
+impl<const N: usize> StrictLaw<N> for NoSlip {
+    #[inline]
+    fn roughness(&self, _: &Contact<N>) -> Roughness<N> {
+        Roughness::Rough
+    }
+}
+
+impl DiskLaw for NoSlip {
+    fn disk_map(&self, gamma: f64) -> DiskMap {
+        let square = gamma * gamma;
+        let (cos, sin) = ((1.0 - square) / (1.0 + square), 2.0 * gamma / (1.0 + square));
+        DiskMap { spin_spin: -cos, spin_tangent: sin, tangent_spin: sin, tangent_tangent: cos, normal: -1.0 }
+    }
+}

@@ -1,0 +1,172 @@
+//! Two bodies in contact, and the collision map `C_q`. A wall is a body like any other, so this is the only code path.
+
+use crate::{Body, CollisionLaw, Contact, Delassus, Error, TangentSpace, TangentVector};
+use nalgebra::{DMatrix, DVector, SVector};
+
+/// Two bodies at a contact: a point `q` of the boundary of their configuration space.
+///
+/// ```
+/// use collision_laws::{Contact, Fixed, Pair, Twist, bodies::Ball, laws::{NoSlip, Specular}};
+/// use nalgebra::Vector2;
+///
+/// // A spinning disk drops straight onto a floor.
+/// let contact = Contact::new(Vector2::zeros(), Vector2::new(0.0, 1.0), 0)?;
+/// let disk = Ball::<2>::uniform(1.0, 1.0)?;
+/// let pair = Pair::new(contact, (disk, Vector2::new(0.0, -1.0)), (Fixed, Vector2::zeros()));
+/// let falling = (Twist::planar(Vector2::new(0.0, -1.0), 3.0), ());
+///
+/// let (specular, ()) = pair.collide(&Specular, &falling).velocities;
+/// assert_eq!(specular, Twist::planar(Vector2::new(0.0, 1.0), 3.0));
+///
+/// // Without slip the spin reverses in part, and sends the disk sideways.
+/// let (no_slip, ()) = pair.collide(&NoSlip, &falling).velocities;
+/// assert!((no_slip.linear.x + 2.0).abs() < 1e-15 && (no_slip.angular_velocity() + 1.0).abs() < 1e-15);
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair<A, B, const N: usize> {
+    /// Where the bodies touch; the normal points into `first`.
+    pub contact: Contact<N>,
+    /// Body 1.
+    pub first: A,
+    /// Body 2, the wall.
+    pub second: B,
+    /// The contact point as seen from each centre of mass, `Q − centre` \[L\].
+    pub arms: [SVector<f64, N>; 2],
+}
+
+/// The velocities of both bodies: an element of `T_qM`.
+pub type Velocities<A, B, const N: usize> = (<A as Body<N>>::Velocity, <B as Body<N>>::Velocity);
+
+/// The outcome of a collision; `V` is the type of the pair's velocities.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Collision<V, const N: usize> {
+    /// The velocities after the collision.
+    pub velocities: V,
+    /// The impulse on body 1; body 2 received its opposite.
+    pub impulse: SVector<f64, N>,
+    /// The contact velocity `u⁻` before the collision.
+    pub u_minus: SVector<f64, N>,
+}
+
+impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
+    /// Two bodies, each with its arm `Q − centre of mass`, in contact. The arm of a fixed body does not matter.
+    #[inline]
+    pub fn new(contact: Contact<N>, first: (A, SVector<f64, N>), second: (B, SVector<f64, N>)) -> Self {
+        Self { contact, first: first.0, second: second.0, arms: [first.1, second.1] }
+    }
+
+    /// Two bodies, each with its centre of mass, in contact.
+    #[inline]
+    pub fn from_centres(contact: Contact<N>, first: (A, SVector<f64, N>), second: (B, SVector<f64, N>)) -> Self {
+        let (r1, r2) = (contact.point - first.1, contact.point - second.1);
+        Self::new(contact, (first.0, r1), (second.0, r2))
+    }
+
+    /// The contact velocity `u = J v`: that of the first touching point minus that of the second.
+    #[inline]
+    pub fn contact_velocity(&self, v: &Velocities<A, B, N>) -> SVector<f64, N> {
+        self.first.contact_velocity(&self.arms[0], &v.0) - self.second.contact_velocity(&self.arms[1], &v.1)
+    }
+
+    /// The velocities `v + G⁻¹Jᵀ p` after an impulse `p` on body 1 and `−p` on body 2.
+    #[inline]
+    pub fn apply_impulse(&self, p: &SVector<f64, N>, v: &Velocities<A, B, N>) -> Velocities<A, B, N> {
+        (self.first.apply_impulse(&self.arms[0], p, &v.0), self.second.apply_impulse(&self.arms[1], &-p, &v.1))
+    }
+
+    /// The Delassus operator `K = J G⁻¹ Jᵀ`.
+    #[inline]
+    pub fn delassus(&self) -> Delassus<N> {
+        let normal = &self.contact.normal;
+        self.first.delassus(&self.arms[0], normal).plus(&self.second.delassus(&self.arms[1], normal), normal)
+    }
+
+    /// The kinetic-energy metric `⟨v, w⟩` of the pair.
+    #[inline]
+    pub fn inner_product(&self, v: &Velocities<A, B, N>, w: &Velocities<A, B, N>) -> f64 {
+        self.first.inner_product(&v.0, &w.0) + self.second.inner_product(&v.1, &w.1)
+    }
+
+    /// The kinetic energy `½⟨v, v⟩` of the pair.
+    #[inline]
+    pub fn kinetic_energy(&self, v: &Velocities<A, B, N>) -> f64 {
+        self.first.kinetic_energy(&v.0) + self.second.kinetic_energy(&v.1)
+    }
+
+    /// The collision: the law applied to the contact velocity, whatever its direction.
+    #[inline]
+    pub fn collide<L: CollisionLaw<N> + ?Sized>(
+        &self,
+        law: &L,
+        v: &Velocities<A, B, N>,
+    ) -> Collision<Velocities<A, B, N>, N> {
+        let u_minus = self.contact_velocity(v);
+        let impulse = law.impulse(&self.contact, &self.delassus(), &u_minus);
+        Collision { velocities: self.apply_impulse(&impulse, v), impulse, u_minus }
+    }
+
+    /// The collision, if there is one: the same as [`collide`](Self::collide) for bodies that can move and do approach.
+    ///
+    /// # Errors
+    /// [`Error::BothFixed`], [`Error::NotApproaching`] if `u·ν ≥ 0`, [`Error::SingularDelassus`] if the inertias are too far
+    /// apart for the impulse to be computed.
+    pub fn try_collide<L: CollisionLaw<N> + ?Sized>(
+        &self,
+        law: &L,
+        v: &Velocities<A, B, N>,
+    ) -> Result<Collision<Velocities<A, B, N>, N>, Error> {
+        if self.first.degrees_of_freedom() + self.second.degrees_of_freedom() == 0 {
+            return Err(Error::BothFixed);
+        }
+        let normal_velocity = self.contact.normal.dot(&self.contact_velocity(v));
+        if normal_velocity >= 0.0 {
+            return Err(Error::NotApproaching { normal_velocity });
+        }
+        let collision = self.collide(law, v);
+        if collision.impulse.iter().all(|p| p.is_finite()) { Ok(collision) } else { Err(Error::SingularDelassus) }
+    }
+
+    /// The matrix of the collision map `C_q` of a law that is linear in the velocity, in the coordinates of
+    /// [`tangent_space`](Self::tangent_space).
+    pub fn collision_map<L: CollisionLaw<N> + ?Sized>(&self, law: &L) -> DMatrix<f64> {
+        let size = self.degrees_of_freedom();
+        let mut map = DMatrix::zeros(size, size);
+        for j in 0..size {
+            let mut unit = DVector::zeros(size);
+            unit[j] = 1.0;
+            let image = self.collide(law, &self.velocities(unit.as_slice())).velocities;
+            map.set_column(j, &self.coordinates(&image));
+        }
+        map
+    }
+
+    /// The tangent space `T_qM`: coordinates, metric and the subspaces that the axioms speak of.
+    pub fn tangent_space(&self) -> TangentSpace<N> {
+        TangentSpace::new(self)
+    }
+
+    /// The dimension of `T_qM`.
+    pub fn degrees_of_freedom(&self) -> usize {
+        self.first.degrees_of_freedom() + self.second.degrees_of_freedom()
+    }
+
+    /// The coordinates of velocities: those of body 1, then those of body 2; a body that is held fixed has none.
+    ///
+    /// For a [`Twist`](crate::Twist) they are the linear velocity, then the spin coordinates.
+    pub fn coordinates(&self, v: &Velocities<A, B, N>) -> DVector<f64> {
+        let mut first = v.0.coordinates();
+        first.truncate(self.first.degrees_of_freedom());
+        let mut second = v.1.coordinates();
+        second.truncate(self.second.degrees_of_freedom());
+        first.extend(second);
+        DVector::from_vec(first)
+    }
+
+    /// The velocities with the given coordinates; missing ones are zero.
+    pub fn velocities(&self, coordinates: &[f64]) -> Velocities<A, B, N> {
+        let (first, second) = coordinates.split_at(self.first.degrees_of_freedom().min(coordinates.len()));
+        let second = &second[..self.second.degrees_of_freedom().min(second.len())];
+        (TangentVector::from_coordinates(first), TangentVector::from_coordinates(second))
+    }
+}

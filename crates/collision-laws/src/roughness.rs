@@ -1,0 +1,199 @@
+//! Roughness: the directions of the contact plane in which a contact can push.
+
+use crate::Error;
+use nalgebra::{SMatrix, SVector, Unit};
+
+/// A direction counts as lost when projecting leaves less than this share of its length, a few roundings per coordinate.
+const LOST: f64 = 64.0 * f64::EPSILON;
+
+/// A point of the Grassmannian `Gr(k, ν⊥)`: the choice a strict law makes at one contact.
+///
+/// By [CFW] (in the paper: Theorem 1.1) the strict collision maps at a contact are exactly these, k = 0 … N−1, whatever the
+/// bodies' inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Roughness<const N: usize> {
+    /// k = 0: only the normal pushes.
+    Smooth,
+    /// k = N−1: every direction pushes.
+    Rough,
+    /// 0 < k < N−1: the directions of a subspace of the contact plane push.
+    Along(RoughSubspace<N>),
+}
+
+impl<const N: usize> Roughness<N> {
+    /// The roughness in the given directions: what they span, projected into the contact plane of `normal`.
+    ///
+    /// The directions need be neither unit, nor orthogonal, nor tangent.
+    ///
+    /// # Errors
+    /// [`Error::TooManyRoughDirections`], [`Error::RoughDirectionAlongNormal`], [`Error::DependentRoughDirections`], or
+    /// [`Error::NotFinite`].
+    pub fn spanned_by(normal: &Unit<SVector<f64, N>>, directions: &[SVector<f64, N>]) -> Result<Self, Error> {
+        if directions.len() + 1 > N {
+            return Err(Error::TooManyRoughDirections { given: directions.len(), most: N - 1 });
+        }
+        let mut basis = Basis::new(normal);
+        for (index, direction) in directions.iter().enumerate() {
+            if direction.iter().any(|x| !x.is_finite()) {
+                return Err(Error::NotFinite { quantity: "a rough direction" });
+            }
+            match basis.add(direction) {
+                Added::New => {}
+                Added::AlongNormal => return Err(Error::RoughDirectionAlongNormal { index }),
+                Added::Dependent => return Err(Error::DependentRoughDirections { index }),
+            }
+        }
+        Ok(basis.roughness())
+    }
+
+    /// Like [`spanned_by`](Self::spanned_by), but a direction that adds nothing lowers the rank instead of being an error.
+    ///
+    /// This is what a law with fixed directions does where one of them happens to be the normal. At most N−1 of the
+    /// directions can count.
+    pub fn of_span<'a>(
+        normal: &Unit<SVector<f64, N>>,
+        directions: impl IntoIterator<Item = &'a SVector<f64, N>>,
+    ) -> Self {
+        let mut basis = Basis::new(normal);
+        for direction in directions {
+            basis.add(direction);
+        }
+        basis.roughness()
+    }
+
+    /// The number k of rough directions.
+    #[inline]
+    pub fn rank(&self) -> usize {
+        match self {
+            Self::Smooth => 0,
+            Self::Rough => N - 1,
+            Self::Along(subspace) => subspace.rank,
+        }
+    }
+
+    /// The orthogonal projector `P` of ℝᴺ onto the rough subspace.
+    #[inline]
+    pub fn projector(&self, normal: &Unit<SVector<f64, N>>) -> SMatrix<f64, N, N> {
+        match self {
+            Self::Smooth => SMatrix::zeros(),
+            Self::Rough => SMatrix::identity() - normal.as_ref() * normal.transpose(),
+            Self::Along(subspace) => subspace.projector,
+        }
+    }
+}
+
+/// A proper subspace of the contact plane, stored as its orthogonal projector, so that equal subspaces are equal values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoughSubspace<const N: usize> {
+    projector: SMatrix<f64, N, N>,
+    rank: usize,
+}
+
+impl<const N: usize> RoughSubspace<N> {
+    /// The orthogonal projector `P` of ℝᴺ onto the subspace.
+    #[inline]
+    pub fn projector(&self) -> &SMatrix<f64, N, N> {
+        &self.projector
+    }
+
+    /// The dimension k of the subspace.
+    #[inline]
+    pub fn rank(&self) -> usize {
+        self.rank
+    }
+}
+
+/// An orthonormal basis of rough directions under construction: columns 1 … rank, after the normal in column 0.
+struct Basis<const N: usize> {
+    columns: SMatrix<f64, N, N>,
+    rank: usize,
+}
+
+enum Added {
+    New,
+    AlongNormal,
+    Dependent,
+}
+
+impl<const N: usize> Basis<N> {
+    fn new(normal: &Unit<SVector<f64, N>>) -> Self {
+        let mut columns = SMatrix::<f64, N, N>::zeros();
+        columns.set_column(0, normal);
+        Self { columns, rank: 0 }
+    }
+
+    /// Gram–Schmidt, twice, since one pass leaves an error of ε over the share of length that is left.
+    fn add(&mut self, direction: &SVector<f64, N>) -> Added {
+        let size = direction.amax();
+        if size == 0.0 {
+            return Added::AlongNormal;
+        }
+        let mut x = direction / size;
+        x /= x.norm();
+        for column in 0..=self.rank {
+            if column == 1 && x.norm() <= LOST {
+                return Added::AlongNormal;
+            }
+            x -= self.columns.column(column) * self.columns.column(column).dot(&x);
+        }
+        if self.rank + 1 == N || x.norm() <= LOST {
+            return if self.rank == 0 { Added::AlongNormal } else { Added::Dependent };
+        }
+        x /= x.norm();
+        for column in 0..=self.rank {
+            x -= self.columns.column(column) * self.columns.column(column).dot(&x);
+        }
+        self.rank += 1;
+        self.columns.set_column(self.rank, &(x / x.norm()));
+        Added::New
+    }
+
+    fn roughness(&self) -> Roughness<N> {
+        if self.rank == 0 {
+            Roughness::Smooth
+        } else if self.rank + 1 == N {
+            Roughness::Rough
+        } else {
+            let t = self.columns.columns(1, self.rank);
+            Roughness::Along(RoughSubspace { projector: t * t.transpose(), rank: self.rank })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Vector2, Vector3};
+
+    #[test]
+    fn only_the_span_with_the_normal_matters() {
+        let normal = Vector3::z_axis();
+        let a = Roughness::spanned_by(&normal, &[Vector3::new(3.0, 0.0, 7.0)]).unwrap();
+        let b = Roughness::spanned_by(&normal, &[Vector3::new(-1e-200, 0.0, 0.0)]).unwrap();
+        assert_eq!((a, a.rank()), (b, 1));
+    }
+
+    #[test]
+    fn a_line_in_the_plane_is_all_of_the_contact_plane() {
+        let roughness = Roughness::spanned_by(&Vector2::y_axis(), &[Vector2::new(1.0, 5.0)]);
+        assert_eq!(roughness, Ok(Roughness::Rough));
+    }
+
+    #[test]
+    fn bad_directions_say_which_and_why() {
+        let normal = Vector3::z_axis();
+        let (x, z) = (Vector3::x(), Vector3::z());
+        let spanned = |d: &[Vector3<f64>]| Roughness::spanned_by(&normal, d).unwrap_err();
+        assert_eq!(spanned(&[x, z]), Error::RoughDirectionAlongNormal { index: 1 });
+        assert_eq!(spanned(&[Vector3::zeros()]), Error::RoughDirectionAlongNormal { index: 0 });
+        assert_eq!(spanned(&[x, z - x * 2.0]), Error::DependentRoughDirections { index: 1 });
+        assert_eq!(spanned(&[x, x, x]), Error::TooManyRoughDirections { given: 3, most: 2 });
+        assert_eq!(spanned(&[x * f64::NAN]), Error::NotFinite { quantity: "a rough direction" });
+    }
+
+    #[test]
+    fn a_direction_that_meets_the_normal_lowers_the_rank() {
+        assert_eq!(Roughness::of_span(&Vector3::z_axis(), &[Vector3::z()]), Roughness::Smooth);
+        assert_eq!(Roughness::of_span(&Vector3::z_axis(), &[Vector3::z(), Vector3::x()]).rank(), 1);
+    }
+}
