@@ -4,4 +4,6 @@
 
 pub mod document;
 pub mod expression;
+pub mod picture;
+pub mod scene;
 pub mod spelling;

@@ -1,7 +1,7 @@
 //! Numbers of input files: literals or formulas, finite and of a sensible size.
 
 use super::{Item, Problems, Span, Spanned, Value};
-use crate::expression;
+use crate::expression::{self, Expression};
 
 /// Smallest accepted length or speed.
 pub const SMALLEST: f64 = 1e-150;
@@ -35,8 +35,19 @@ pub fn number(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
     Some(Spanned::new(x, item.span))
 }
 
+/// A formula in the given variables.
+pub fn formula(text: &Spanned<String>, variables: &[&str], problems: &mut Problems) -> Option<Expression> {
+    match Expression::parse(&text.value, variables) {
+        Ok(expression) => Some(expression),
+        Err(error) => {
+            complain(&text.value, text.span, &error, problems);
+            None
+        }
+    }
+}
+
 /// Records an error of an expression, at its own column where the string is written without escapes.
-pub(super) fn complain(text: &str, span: Span, error: &expression::Error, problems: &mut Problems) {
+fn complain(text: &str, span: Span, error: &expression::Error, problems: &mut Problems) {
     let raw = problems.source().slice(span);
     let verbatim = raw.get(1..raw.len().saturating_sub(1)) == Some(text);
     let place = if verbatim {

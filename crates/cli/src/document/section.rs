@@ -13,7 +13,15 @@ pub struct Section<'a> {
     span: Span,
     entries: &'a [(Spanned<String>, Item)],
     known: Vec<&'a str>,
-    missing: Vec<(&'a str, String)>,
+    missing: Vec<Missing<'a>>,
+}
+
+/// Something the table lacks, unless a misspelt key turns out to stand for it.
+#[derive(Debug)]
+struct Missing<'a> {
+    keys: Vec<&'a str>,
+    what: String,
+    help: Option<String>,
 }
 
 impl<'a> Section<'a> {
@@ -51,7 +59,11 @@ impl<'a> Section<'a> {
     pub fn required(&mut self, key: &'a str, example: &str) -> Option<&'a Item> {
         let found = self.optional(key);
         if found.is_none() {
-            self.missing.push((key, example.into()));
+            self.missing.push(Missing {
+                keys: vec![key],
+                what: format!("{} lacks the key \"{key}\"", self.name),
+                help: Some(format!("write for instance {example}")),
+            });
         }
         found
     }
@@ -61,10 +73,8 @@ impl<'a> Section<'a> {
         let found = self.at_most_one_of(keys, problems);
         let any = self.entries.iter().any(|(k, _)| keys.contains(&k.value.as_str()));
         if !any {
-            let unknown = self.entries.iter().any(|(k, _)| spelling::closest(&k.value, keys.iter().copied()).is_some());
-            if !unknown {
-                problems.add(self.span, format!("{} needs {}", self.name, alternatives(keys, "or")));
-            }
+            let what = format!("{} needs {}", self.name, alternatives(keys, "or"));
+            self.missing.push(Missing { keys: keys.to_vec(), what, help: None });
         }
         found
     }
@@ -72,28 +82,16 @@ impl<'a> Section<'a> {
     /// The one present of several keys of which at most one may be given, and its name.
     pub fn at_most_one_of(&mut self, keys: &[&'a str], problems: &mut Problems) -> Option<(&'a str, &'a Item)> {
         let present: Vec<_> = keys.iter().filter_map(|&key| Some((key, self.optional(key)?))).collect();
-        match present[..] {
-            [one] => Some(one),
-            [_, second, ..] => {
-                let names: Vec<_> = present.iter().map(|p| p.0).collect();
-                let key = self.entries.iter().find(|(k, _)| k.value == second.0).map_or(second.1.span, |(k, _)| k.span);
-                problems.add_with_help(
-                    key,
-                    format!(
-                        "{} has {}",
-                        self.name,
-                        if names.len() == 2 {
-                            format!("both {}", alternatives(&names, "and"))
-                        } else {
-                            alternatives(&names, "and")
-                        }
-                    ),
-                    "keep one of them",
-                );
-                None
-            }
-            [] => None,
+        if present.len() > 1 {
+            let names: Vec<_> = present.iter().map(|p| p.0).collect();
+            let both = if names.len() == 2 { "both " } else { "" };
+            let what = format!("{} has {both}{}", self.name, alternatives(&names, "and"));
+            let later = self.entries.iter().map(|(k, _)| k).filter(|k| names.contains(&k.value.as_str()));
+            let span = later.map(|k| k.span).max().unwrap_or(self.span);
+            problems.add_with_help(span, what, "keep one of them");
+            return None;
         }
+        present.first().copied()
     }
 
     /// The entries not asked for so far, for tables whose keys are free.
@@ -103,6 +101,16 @@ impl<'a> Section<'a> {
 
     /// Reports unknown keys and missing ones.
     pub fn finish(self, problems: &mut Problems) {
+        self.report(true, problems);
+    }
+
+    /// Reports missing keys, and unknown ones only where they look like a known one: for a table of which an earlier
+    /// mistake hides what keys it may have.
+    pub fn finish_leniently(self, problems: &mut Problems) {
+        self.report(false, problems);
+    }
+
+    fn report(self, strict: bool, problems: &mut Problems) {
         let unknown: Vec<_> = self.others().map(|(key, _)| key).collect();
         let mut mended = Vec::new();
         for key in unknown {
@@ -116,17 +124,18 @@ impl<'a> Section<'a> {
                     mended.push(near);
                     format!("did you mean \"{near}\"?")
                 }
-                None => format!("known keys: {}", self.known.join(", ")),
+                None if strict => format!("known keys: {}", self.known.join(", ")),
+                None => continue,
             };
             problems.add_with_help(key.span, what, help);
         }
-        for (key, example) in &self.missing {
-            if !mended.contains(key) {
-                problems.add_with_help(
-                    self.span,
-                    format!("{} lacks the key \"{key}\"", self.name),
-                    format!("write for instance {example}"),
-                );
+        for Missing { keys, what, help } in self.missing {
+            if keys.iter().any(|key| mended.contains(key)) {
+                continue;
+            }
+            match help {
+                Some(help) => problems.add_with_help(self.span, what, help),
+                None => problems.add(self.span, what),
             }
         }
     }

@@ -11,26 +11,27 @@ use super::{Item, Problems, Span, Spanned, Value};
 pub fn parse(problems: &mut Problems) -> Option<Item> {
     let source = problems.source().clone();
     let (document, errors) = DeTable::parse_recoverable(source.text());
-    let mut last_line = None;
-    let mut readable = true;
-    for error in &errors {
-        let duplicate = error.message().starts_with("duplicate key");
-        readable &= duplicate;
-        let span = error.span().map_or(Span::default(), Span::from);
-        // One slip often upsets the rest of its line: its first complaint is the one that helps.
-        let line = source.text().get(..span.start).map(|before| before.matches('\n').count());
-        if last_line == Some(line) {
-            continue;
-        }
-        last_line = Some(line);
-        if duplicate {
-            problems.add(span, format!("duplicate key \"{}\"", source.slice(span)));
-        } else {
-            problems.add(span, error.message());
+    let place = |error: &::toml::de::Error| error.span().map_or(Span::default(), Span::from);
+    let line = |span: Span| source.text().get(..span.start).map_or(0, |before| before.matches('\n').count());
+    let (duplicates, faults): (Vec<_>, Vec<_>) = errors.iter().partition(|e| e.message().starts_with("duplicate key"));
+    // One slip often upsets the lines that follow: of a run of lines with faults, the first complaint is the one that helps.
+    let mut upset = None;
+    for fault in &faults {
+        let (span, after) = (place(fault), upset);
+        upset = Some(line(span) + 1);
+        if after.is_none_or(|after| line(span) > after) {
+            problems.add(span, fault.message());
         }
     }
+    if !faults.is_empty() {
+        return None;
+    }
+    for duplicate in duplicates {
+        let span = place(duplicate);
+        problems.add(span, format!("duplicate key \"{}\"", source.slice(span)));
+    }
     let whole = Span::new(0, 0);
-    readable.then(|| Spanned::new(table(document.into_inner()), whole))
+    Some(Spanned::new(table(document.into_inner()), whole))
 }
 
 fn table(table: DeTable<'_>) -> Value {

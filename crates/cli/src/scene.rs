@@ -1,0 +1,201 @@
+//! Scene files: what moves, where, under which law, for how long, and what is kept of it.
+//!
+//! A scene is read into plain data in which every value remembers its place, so that whoever builds the table and runs
+//! the orbits can still point at the line that is at fault ([`Source::diagnostic`]).
+
+mod boundary;
+mod law;
+mod output;
+mod parameters;
+mod particle;
+mod run;
+mod shapes;
+mod start;
+mod table;
+mod tables;
+
+use crate::document::{self, Diagnostic, Problems, Section, Source, Span, Spanned, Value};
+
+pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
+pub use law::{LAWS, Law, LawKind};
+pub use output::{Output, RecordFormat};
+pub use parameters::{Argument, Arguments, Default, Kind, Model, Parameter};
+pub use particle::{INERTIAS, Inertia, Particle};
+pub use run::Limit;
+pub use shapes::SHAPES;
+pub use start::{Ensemble, Orbit, SAMPLES, Starts};
+pub use table::{PieceLaw, Table, TableShape};
+pub use tables::TABLES;
+
+/// A scene file, read and checked as far as that is possible without geometry.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The file.
+    pub source: Source,
+    /// The title, if it has one.
+    pub title: Option<String>,
+    /// Dimension of space, 2 or 3.
+    pub dimension: usize,
+    /// The law of every piece without one of its own.
+    pub law: Law,
+    /// The table.
+    pub table: Table,
+    /// What moves.
+    pub particle: Particle,
+    /// Where it starts.
+    pub starts: Starts,
+    /// When an orbit ends; absent only if [`Request::needs_limit`] was false.
+    pub limit: Option<Limit>,
+    /// What is kept.
+    pub output: Output,
+}
+
+/// What the command line says beside the scene file.
+#[derive(Clone, Debug)]
+pub struct Request {
+    /// A law that takes the place of the scene's; pieces with a law of their own keep it.
+    pub law: Option<LawKind>,
+    /// A number of collisions per orbit that takes the place of the scene's limit.
+    pub collisions: Option<u64>,
+    /// Whether a scene without a limit is an error.
+    pub needs_limit: bool,
+}
+
+impl std::default::Default for Request {
+    fn default() -> Self {
+        Self { law: None, collisions: None, needs_limit: true }
+    }
+}
+
+impl Scene {
+    /// Reads a scene.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it, in the order of the file.
+    ///
+    /// ```
+    /// use billiards_cli::{document::Source, scene::{Request, Scene}};
+    ///
+    /// let text = r#"
+    /// law = "no-slip"
+    /// table = { name = "circle" }
+    /// orbit = [{ position = [0, 0], velocty = [1, 0] }]
+    /// run = { collisions = 10 }
+    /// "#;
+    /// let errors = Scene::parse(&Source::new("x.toml", text), &Request::default()).unwrap_err();
+    /// assert_eq!(errors[0].help.as_deref(), Some("did you mean \"velocity\"?"));
+    /// ```
+    pub fn parse(source: &Source, request: &Request) -> Result<Self, Vec<Diagnostic>> {
+        let mut problems = Problems::new(source);
+        let scene = document::parse_toml(&mut problems).and_then(|item| {
+            let root = Section::new(&item, "the scene", &mut problems)?;
+            read(root, request, &mut problems)
+        });
+        match scene {
+            Some(scene) if problems.is_empty() => Ok(scene),
+            _ => Err(problems.into_diagnostics()),
+        }
+    }
+}
+
+fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Option<Scene> {
+    let title = root.optional("title").and_then(|item| text(item, problems)).map(|title| title.value);
+    let table_item = root.required("table", "[table] with name = \"stadium\"");
+    let dimension = table_item.map_or(Some(2), |item| table::dimension(item, problems));
+    // Vectors of an unknown dimension cannot be checked; 2 is the best guess for the rest.
+    let n = dimension.unwrap_or(2);
+    let table = table_item.and_then(|item| table::read(item, n, problems));
+    let law = match &request.law {
+        Some(kind) => {
+            law::at_most_one(&mut root, n, problems);
+            Some(Law { kind: kind.clone(), span: Span::default() })
+        }
+        None => law::exactly_one(&mut root, n, problems),
+    };
+    let particle = particle::read(root.optional("particle"), n, problems);
+    let starts = start::read(&mut root, n, problems);
+    let limit = run::read(&mut root, request, problems);
+    let output = output::read(root.optional("output"), problems);
+    root.finish(problems);
+    Some(Scene {
+        source: problems.source().clone(),
+        title,
+        dimension: dimension?,
+        law: law?,
+        table: table?,
+        particle: particle?,
+        starts: starts?,
+        limit,
+        output: output?,
+    })
+}
+
+/// A string.
+fn text(item: &document::Item, problems: &mut Problems) -> Option<Spanned<String>> {
+    match &item.value {
+        Value::Text(text) => Some(Spanned::new(text.clone(), item.span)),
+        other => {
+            problems.add(item.span, format!("expected a string, found {}", other.kind()));
+            None
+        }
+    }
+}
+
+/// One of a few words; `what` is what they name, for messages.
+fn choice<T: Clone>(item: &document::Item, what: &str, choices: &[(&str, T)], problems: &mut Problems) -> Option<T> {
+    let word = text(item, problems)?.value;
+    if let Some((_, value)) = choices.iter().find(|(name, _)| *name == word) {
+        return Some(value.clone());
+    }
+    let names = choices.iter().map(|c| c.0);
+    unknown(item.span, what, &word, names, problems);
+    None
+}
+
+/// Records that a word is none of the known ones.
+fn unknown<'a>(
+    span: Span,
+    what: &str,
+    word: &str,
+    known: impl Iterator<Item = &'a str> + Clone,
+    problems: &mut Problems,
+) {
+    let help = match crate::spelling::closest(word, known.clone()) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("known: {}", known.collect::<Vec<_>>().join(", ")),
+    };
+    problems.add_with_help(span, format!("unknown {what} \"{word}\""), help);
+}
+
+/// The items of an array.
+fn list<'a>(item: &'a document::Item, what: &str, problems: &mut Problems) -> Option<&'a [document::Item]> {
+    match &item.value {
+        Value::List(items) => Some(items),
+        other => {
+            problems.add(item.span, format!("{what} must be an array, found {}", other.kind()));
+            None
+        }
+    }
+}
+
+/// A point: coordinates of at most 10¹⁵⁰ in absolute value.
+fn point(item: &document::Item, dimension: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
+    document::vector(item, dimension, document::real, problems)
+}
+
+/// A vector with a direction: not zero, and of a length that squares to a normal number.
+fn direction(item: &document::Item, dimension: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
+    let vector = point(item, dimension, problems)?;
+    let length = vector.value.iter().fold(0.0, |length, x| libm::hypot(length, *x));
+    if length == 0.0 {
+        problems.add(item.span, "the zero vector has no direction");
+    } else if !(document::SMALLEST..=document::LARGEST).contains(&length) {
+        problems.add(
+            item.span,
+            format!("its length {length:e} is not between {:e} and {:e}", document::SMALLEST, document::LARGEST),
+        );
+    } else {
+        return Some(vector);
+    }
+    None
+}

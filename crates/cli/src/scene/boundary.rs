@@ -1,0 +1,296 @@
+//! `[[table.boundary]]`: a boundary piece by piece.
+
+use super::law::{self, Law};
+use super::parameters::{self, Arguments, Model};
+use super::{choice, direction, list, point, text};
+use crate::document::{Item, Problems, Section, Span, Spanned, positive, real, vector};
+use crate::expression::Expression;
+
+/// One entry of an explicit boundary.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Where the entry stands.
+    pub span: Span,
+    /// What it is.
+    pub border: Border,
+    /// The law of its pieces, if not the scene's.
+    pub law: Option<Law>,
+}
+
+/// What a boundary entry can be. Points and vectors have as many coordinates as the scene has dimensions.
+#[derive(Clone, Debug)]
+pub enum Border {
+    /// `loop = { from = [x1, x2], edges = […] }`: a closed chain with the domain on its left.
+    Loop {
+        /// First vertex, which must also be the last.
+        from: Spanned<Vec<f64>>,
+        /// Edges, each from the end of the one before it.
+        edges: Vec<Edge>,
+    },
+    /// `circle` (in space: `sphere`) `= { center, radius, domain }`.
+    Circle {
+        /// Centre.
+        center: Spanned<Vec<f64>>,
+        /// Radius.
+        radius: Spanned<f64>,
+        /// Where the domain lies.
+        domain: Domain,
+    },
+    /// `ellipse = { center, semi_axes, angle, domain }`.
+    Ellipse {
+        /// Centre.
+        center: Spanned<Vec<f64>>,
+        /// Half of each axis.
+        semi_axes: Spanned<Vec<f64>>,
+        /// From the x1 axis to the first axis, counter-clockwise.
+        angle: Spanned<f64>,
+        /// Where the domain lies.
+        domain: Domain,
+    },
+    /// `line = { through, direction }`: a whole line with the domain on its left.
+    Line {
+        /// A point of it.
+        through: Spanned<Vec<f64>>,
+        /// Its direction.
+        direction: Spanned<Vec<f64>>,
+    },
+    /// `ray = { from, direction, domain }`.
+    Ray {
+        /// Its end.
+        from: Spanned<Vec<f64>>,
+        /// Its direction.
+        direction: Spanned<Vec<f64>>,
+        /// Where the domain lies.
+        domain: Side,
+    },
+    /// `plane = { through, normal }`, in space only; the normal points into the domain.
+    Plane {
+        /// A point of it.
+        through: Spanned<Vec<f64>>,
+        /// Direction into the domain.
+        normal: Spanned<Vec<f64>>,
+    },
+    /// `curve = { polar = "1 + 0.2*cos(5*t)" }` or `curve = { implicit = "x^2/4 + y^2 - 1" }`.
+    Curve {
+        /// Its formula.
+        curve: Curve,
+        /// The formula as written.
+        formula: Spanned<String>,
+        /// What the formula calls the origin.
+        center: Spanned<Vec<f64>>,
+        /// Where the domain lies.
+        domain: Domain,
+    },
+    /// `shape = { name = "capsule", … }`.
+    Shape {
+        /// Which shape.
+        model: &'static Model,
+        /// Its parameters.
+        arguments: Arguments,
+        /// Where the domain lies; outside unless it says otherwise.
+        domain: Domain,
+    },
+    /// `outline = "file.svg"` (or `GeoJSON`): loops from a file.
+    Outline {
+        /// Path, relative to the scene file.
+        file: Spanned<String>,
+    },
+}
+
+/// An edge of a loop.
+#[derive(Clone, Debug)]
+pub struct Edge {
+    /// Where the edge stands.
+    pub span: Span,
+    /// Its shape and end.
+    pub path: EdgePath,
+    /// Its law, if not the entry's.
+    pub law: Option<Law>,
+}
+
+/// Shape and end of an edge.
+#[derive(Clone, Debug)]
+pub enum EdgePath {
+    /// `{ line_to = [x1, x2] }`.
+    Line {
+        /// Its end.
+        to: Spanned<Vec<f64>>,
+    },
+    /// `{ arc_to = [x1, x2], center = [c1, c2], turn = "ccw" }`.
+    Arc {
+        /// Its end.
+        to: Spanned<Vec<f64>>,
+        /// Centre of its circle.
+        center: Spanned<Vec<f64>>,
+        /// Sense in which it is run through.
+        turn: Turn,
+    },
+}
+
+/// Sense of rotation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Turn {
+    /// `"ccw"`: counter-clockwise.
+    CounterClockwise,
+    /// `"cw"`: clockwise.
+    Clockwise,
+}
+
+/// Where the domain of a closed curve lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// Inside the curve.
+    Inside,
+    /// Outside the curve.
+    Outside,
+}
+
+/// Where the domain of a ray lies, seen along its direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// On the left.
+    Left,
+    /// On the right.
+    Right,
+}
+
+/// A smooth closed curve given by a formula.
+#[derive(Clone, Debug)]
+pub enum Curve {
+    /// The distance `r(t) > 0` from the centre in the direction `t`, with period 2π.
+    Polar(Expression),
+    /// The zeros of a function of `x` and `y` that is negative inside.
+    Implicit(Expression),
+}
+
+const PLANAR: &[&str] = &["loop", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
+const SPATIAL: &[&str] = &["sphere", "plane", "shape"];
+
+pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Entry> {
+    let mut section = Section::new(item, "[[table.boundary]]", problems)?;
+    let law = law::at_most_one(&mut section, dimension, problems);
+    let found = section.one_of(if dimension == 2 { PLANAR } else { SPATIAL }, problems);
+    let border = found.and_then(|(key, item)| match key {
+        "outline" => text(item, problems).map(|file| Border::Outline { file }),
+        _ => border(key, Section::new(item, key, problems)?, dimension, problems),
+    });
+    section.finish(problems);
+    Some(Entry { span: item.span, border: border?, law })
+}
+
+fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<Border> {
+    let origin = if n == 2 { "[0, 0]" } else { "[0, 0, 0]" };
+    let border = match key {
+        "loop" => {
+            let from = section.required("from", "from = [0, 0]").and_then(|item| point(item, n, problems));
+            let edges =
+                section.required("edges", "edges = [{ line_to = [1, 0] }, ...]").and_then(|item| edges(item, problems));
+            (|| Some(Border::Loop { from: from?, edges: edges? }))()
+        }
+        "circle" | "sphere" => {
+            let center =
+                section.required("center", &format!("center = {origin}")).and_then(|item| point(item, n, problems));
+            let radius = section.required("radius", "radius = 1").and_then(|item| positive(item, problems));
+            let domain = domain(&mut section, Domain::Inside, problems);
+            (|| Some(Border::Circle { center: center?, radius: radius?, domain: domain? }))()
+        }
+        "ellipse" => {
+            let center = section.required("center", "center = [0, 0]").and_then(|item| point(item, n, problems));
+            let semi_axes = section
+                .required("semi_axes", "semi_axes = [2, 1]")
+                .and_then(|item| vector(item, 2, positive, problems));
+            let angle =
+                section.optional("angle").map_or(Some(Spanned::new(0.0, section.span())), |item| real(item, problems));
+            let domain = domain(&mut section, Domain::Inside, problems);
+            (|| Some(Border::Ellipse { center: center?, semi_axes: semi_axes?, angle: angle?, domain: domain? }))()
+        }
+        "line" => {
+            let through = section.required("through", "through = [0, 0]").and_then(|item| point(item, n, problems));
+            let direction =
+                section.required("direction", "direction = [1, 0]").and_then(|item| direction(item, n, problems));
+            (|| Some(Border::Line { through: through?, direction: direction? }))()
+        }
+        "ray" => {
+            let from = section.required("from", "from = [0, 0]").and_then(|item| point(item, n, problems));
+            let direction =
+                section.required("direction", "direction = [1, 0]").and_then(|item| direction(item, n, problems));
+            let sides = [("left", Side::Left), ("right", Side::Right)];
+            let domain =
+                section.optional("domain").map_or(Some(Side::Left), |item| choice(item, "side", &sides, problems));
+            (|| Some(Border::Ray { from: from?, direction: direction?, domain: domain? }))()
+        }
+        "plane" => {
+            let through = section.required("through", "through = [0, 0, 0]").and_then(|item| point(item, n, problems));
+            let normal = section.required("normal", "normal = [0, 0, 1]").and_then(|item| direction(item, n, problems));
+            (|| Some(Border::Plane { through: through?, normal: normal? }))()
+        }
+        "curve" => curve(&mut section, problems),
+        _ => return shape(section, n, problems),
+    };
+    section.finish(problems);
+    border
+}
+
+fn shape(mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<Border> {
+    let Some(item) = section.required("name", "name = \"capsule\"") else {
+        section.finish_leniently(problems);
+        return None;
+    };
+    // Which keys belong to an unknown shape is unknown too.
+    let model = parameters::model(item, "shape", super::SHAPES, n, problems)?;
+    let arguments = parameters::arguments(&mut section, item.span, model, problems);
+    let domain = domain(&mut section, Domain::Outside, problems);
+    section.finish(problems);
+    Some(Border::Shape { model, arguments: arguments?, domain: domain? })
+}
+
+fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -> Option<Domain> {
+    let domains = [("inside", Domain::Inside), ("outside", Domain::Outside)];
+    section.optional("domain").map_or(Some(default), |item| choice(item, "domain", &domains, problems))
+}
+
+fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
+    let found = section.one_of(&["polar", "implicit"], problems);
+    let center = section
+        .optional("center")
+        .map_or(Some(Spanned::new(vec![0.0; 2], section.span())), |item| point(item, 2, problems));
+    let domain = domain(section, Domain::Inside, problems);
+    let (key, item) = found?;
+    let formula = text(item, problems)?;
+    let variables: &[&str] = if key == "polar" { &["t"] } else { &["x", "y"] };
+    let expression = crate::document::formula(&formula, variables, problems)?;
+    let curve = if key == "polar" { Curve::Polar(expression) } else { Curve::Implicit(expression) };
+    Some(Border::Curve { curve, formula, center: center?, domain: domain? })
+}
+
+fn edges(item: &Item, problems: &mut Problems) -> Option<Vec<Edge>> {
+    let items = list(item, "edges", problems)?;
+    let edges: Vec<_> = items.iter().map(|item| edge(item, problems)).collect();
+    if edges.len() < 2 {
+        problems.add(item.span, format!("a loop has at least two edges, not {}", edges.len()));
+        return None;
+    }
+    edges.into_iter().collect()
+}
+
+fn edge(item: &Item, problems: &mut Problems) -> Option<Edge> {
+    let mut section = Section::new(item, "an edge", problems)?;
+    let law = law::at_most_one(&mut section, 2, problems);
+    let path = match section.one_of(&["line_to", "arc_to"], problems) {
+        Some(("line_to", item)) => point(item, 2, problems).map(|to| EdgePath::Line { to }),
+        Some((_, item)) => {
+            let to = point(item, 2, problems);
+            let center = section.required("center", "center = [0, 0]").and_then(|item| point(item, 2, problems));
+            let turns = [("ccw", Turn::CounterClockwise), ("cw", Turn::Clockwise)];
+            let turn =
+                section.required("turn", "turn = \"ccw\"").and_then(|item| choice(item, "turn", &turns, problems));
+            (|| Some(EdgePath::Arc { to: to?, center: center?, turn: turn? }))()
+        }
+        None => {
+            section.finish_leniently(problems);
+            return None;
+        }
+    };
+    section.finish(problems);
+    Some(Edge { span: item.span, path: path?, law })
+}

@@ -1,0 +1,208 @@
+//! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`.
+
+use super::{choice, direction, list};
+use crate::document::{Item, Problems, Section, Span, Value, count, number};
+
+/// A collision law and where it was chosen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Law {
+    /// The law.
+    pub kind: LawKind,
+    /// Its place in the scene; empty if it comes from the command line.
+    pub span: Span,
+}
+
+/// The laws a scene can name.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LawKind {
+    /// Only the normal velocity reverses.
+    Specular,
+    /// The whole contact velocity reverses.
+    NoSlip,
+    /// The contact velocity reverses along the normal and these directions, projected into the contact plane.
+    Rough(Vec<Vec<f64>>),
+    /// Rough directions drawn anew at each collision, uniformly among the subspaces of this dimension.
+    Random {
+        /// Number of rough directions.
+        rank: usize,
+        /// Seed of the choice.
+        seed: u64,
+    },
+    /// Not strict: the share of the contact velocity that comes back.
+    Restitution {
+        /// Along the normal, 0 … 1.
+        normal: f64,
+        /// Along the contact plane, −1 (no effect) … 1 (all of it reverses).
+        tangential: f64,
+    },
+}
+
+/// A law as `billiards laws` describes it.
+#[derive(Clone, Copy, Debug)]
+pub struct LawModel {
+    /// Its name in a scene.
+    pub name: &'static str,
+    /// How a scene writes it.
+    pub example: &'static str,
+    /// What it does, in one line.
+    pub summary: &'static str,
+}
+
+/// Every law a scene can name.
+pub const LAWS: &[LawModel] = &[
+    LawModel {
+        name: "specular",
+        example: "law = \"specular\"",
+        summary: "the normal velocity reverses, spin and tangential velocity stay (k = 0)",
+    },
+    LawModel {
+        name: "no-slip",
+        example: "law = \"no-slip\"",
+        summary: "the whole velocity of the contact point reverses (k = N-1)",
+    },
+    LawModel {
+        name: "rough",
+        example: "rough = [[1, 2, -3]]",
+        summary: "the contact velocity reverses along the normal and the given directions (k = their number)",
+    },
+    LawModel {
+        name: "random",
+        example: "law = { name = \"random\", rank = 1, seed = 0 }",
+        summary: "k rough directions drawn anew at each collision, uniformly",
+    },
+    LawModel {
+        name: "restitution",
+        example: "law = { name = \"restitution\", normal = 0.9, tangential = 0 }",
+        summary: "loses energy: u.n -> -normal u.n, the tangential part of u -> -tangential u (not strict)",
+    },
+];
+
+impl std::str::FromStr for LawKind {
+    type Err = String;
+
+    /// A law without parameters, by its name.
+    fn from_str(name: &str) -> Result<Self, String> {
+        match name {
+            "specular" => Ok(Self::Specular),
+            "no-slip" => Ok(Self::NoSlip),
+            _ => match LAWS.iter().find(|law| law.name == name) {
+                Some(law) => Err(format!("this law has parameters: write {} in the scene", law.example)),
+                None => Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
+                    Some(near) => format!("unknown law; did you mean \"{near}\"?"),
+                    None => "unknown law; `billiards laws` lists them".into(),
+                }),
+            },
+        }
+    }
+}
+
+/// The law of a table that must have one.
+pub(super) fn exactly_one(section: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Law> {
+    let found = section.one_of(&["law", "rough"], problems)?;
+    read(found, dimension, problems)
+}
+
+/// The law of a table that may have one; nothing, too, if it is wrong, which is then recorded.
+pub(super) fn at_most_one(section: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Law> {
+    let found = section.at_most_one_of(&["law", "rough"], problems)?;
+    read(found, dimension, problems)
+}
+
+fn read((key, item): (&str, &Item), dimension: usize, problems: &mut Problems) -> Option<Law> {
+    let kind = if key == "rough" { rough(item, dimension, problems) } else { named(item, dimension, problems) };
+    kind.map(|kind| Law { kind, span: item.span })
+}
+
+/// A law by name, or by name with parameters.
+pub(super) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
+    let names: Vec<_> = LAWS.iter().filter(|law| law.name != "rough").map(|law| (law.name, law.name)).collect();
+    if let Value::Text(word) = &item.value {
+        if word == "rough" {
+            problems.add_with_help(
+                item.span,
+                "the law \"rough\" needs its directions",
+                "write rough = [[...]] in place of law",
+            );
+            return None;
+        }
+        let name = choice(item, "law", &names, problems)?;
+        return match name.parse() {
+            Ok(kind) => Some(kind),
+            Err(what) => {
+                problems.add(item.span, what);
+                None
+            }
+        };
+    }
+    let mut section = Section::new(item, "law", problems)?;
+    let name =
+        section.required("name", "name = \"restitution\"").and_then(|item| choice(item, "law", &names, problems));
+    let kind = match name {
+        Some("specular") => Some(LawKind::Specular),
+        Some("no-slip") => Some(LawKind::NoSlip),
+        Some("random") => {
+            let rank = section.required("rank", "rank = 1").and_then(|item| {
+                let rank = usize::try_from(count(item, 0, problems)?.value).ok().filter(|rank| *rank < dimension);
+                if rank.is_none() {
+                    problems.add(item.span, format!("in dimension {dimension} the rank is at most {}", dimension - 1));
+                }
+                rank
+            });
+            let seed = section.optional("seed").map_or(Some(0), |item| count(item, 0, problems).map(|n| n.value));
+            (|| Some(LawKind::Random { rank: rank?, seed: seed? }))()
+        }
+        Some(_) => {
+            let normal = section.required("normal", "normal = 0.9").and_then(|item| coefficient(item, 0.0, problems));
+            let tangential =
+                section.required("tangential", "tangential = 0").and_then(|item| coefficient(item, -1.0, problems));
+            (|| Some(LawKind::Restitution { normal: normal?, tangential: tangential? }))()
+        }
+        // Which keys belong to an unknown law is unknown too.
+        None => {
+            section.finish_leniently(problems);
+            return None;
+        }
+    };
+    section.finish(problems);
+    kind
+}
+
+fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> {
+    let x = number(item, problems)?.value;
+    if (least..=1.0).contains(&x) {
+        return Some(x);
+    }
+    problems.add(item.span, format!("{x} is not between {least} and 1"));
+    None
+}
+
+fn rough(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
+    let items = list(item, "rough", problems)?;
+    let read: Vec<_> = items.iter().map(|item| direction(item, dimension, problems)).collect();
+    if items.len() >= dimension {
+        problems.add(
+            item.span,
+            format!("{} rough directions, but the contact plane has dimension {}", items.len(), dimension - 1),
+        );
+        return None;
+    }
+    let directions: Vec<Vec<f64>> = read.into_iter().map(|d| d.map(|d| d.value)).collect::<Option<_>>()?;
+    if let [a, b] = &directions[..]
+        && parallel(a, b)
+    {
+        problems.add(items[1].span, "this rough direction is parallel to the first");
+        return None;
+    }
+    Some(LawKind::Rough(directions))
+}
+
+/// Whether two nonzero vectors of space are parallel up to a few roundings of their components.
+fn parallel(a: &[f64], b: &[f64]) -> bool {
+    let scaled = |v: &[f64]| {
+        let size = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        [v[0] / size, v[1] / size, v[2] / size]
+    };
+    let (a, b) = (scaled(a), scaled(b));
+    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    cross.iter().all(|c| c.abs() <= 8.0 * f64::EPSILON)
+}

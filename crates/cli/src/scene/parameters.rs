@@ -1,0 +1,216 @@
+//! Things known by name with named parameters: tables and shapes.
+
+use super::{point, text, unknown};
+use crate::document::{self, Item, Problems, Section, Span, Spanned};
+
+/// Something a scene can name, with its parameters.
+#[derive(Clone, Copy, Debug)]
+pub struct Model {
+    /// Its name in a scene.
+    pub name: &'static str,
+    /// Dimension of space it lives in, 2 or 3.
+    pub dimension: usize,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    /// Where it lies, and how its pieces are numbered.
+    pub placement: &'static str,
+    /// Its parameters.
+    pub parameters: &'static [Parameter],
+}
+
+/// A named parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Parameter {
+    /// Its key.
+    pub name: &'static str,
+    /// What values it takes.
+    pub kind: Kind,
+    /// What it is if absent.
+    pub default: Default,
+}
+
+/// What values a parameter takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A positive length.
+    Length,
+    /// A length that may be zero.
+    Distance,
+    /// Any real number: a coordinate, an angle in radians, a signed length.
+    Real,
+    /// A whole number, at least this.
+    Count(u64),
+    /// This many positive lengths.
+    Lengths(usize),
+    /// A point of space.
+    Point,
+    /// At least this many points of space.
+    Points(usize),
+}
+
+/// What a parameter is if absent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Default {
+    /// It must be given.
+    Required,
+    /// These numbers.
+    Numbers(&'static [f64]),
+}
+
+impl Parameter {
+    /// A parameter that must be given.
+    pub const fn required(name: &'static str, kind: Kind) -> Self {
+        Self { name, kind, default: Default::Required }
+    }
+
+    /// A parameter with a default.
+    pub const fn with_default(name: &'static str, kind: Kind, default: &'static [f64]) -> Self {
+        Self { name, kind, default: Default::Numbers(default) }
+    }
+
+    /// How one writes it: `size = [2, 1]`, or the name alone if it has no default.
+    pub fn signature(&self) -> String {
+        match self.default {
+            Default::Required => self.name.into(),
+            Default::Numbers([x]) => format!("{} = {}", self.name, document::spell(*x)),
+            Default::Numbers(xs) => {
+                let numbers: Vec<_> = xs.iter().map(|x| document::spell(*x)).collect();
+                format!("{} = [{}]", self.name, numbers.join(", "))
+            }
+        }
+    }
+
+    fn example(&self) -> String {
+        let value = match self.kind {
+            Kind::Length | Kind::Distance | Kind::Real => "1",
+            Kind::Count(_) => "5",
+            Kind::Lengths(2) => "[2, 1]",
+            Kind::Lengths(_) => "[1, 1, 1]",
+            Kind::Point => "[0, 0]",
+            Kind::Points(_) => "[[0, 0], [4, 0], [1, 3]]",
+        };
+        format!("{} = {value}", self.name)
+    }
+}
+
+/// The value of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Argument {
+    /// One number or several.
+    Numbers(Vec<f64>),
+    /// Points, each with its place.
+    Points(Vec<Spanned<Vec<f64>>>),
+}
+
+/// The values of all parameters of a [`Model`], defaults included.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arguments {
+    values: Vec<(&'static str, Spanned<Argument>)>,
+    /// Where the model was named.
+    span: Span,
+}
+
+impl Arguments {
+    /// Where a parameter was given, or the model named if it was not.
+    pub fn span(&self, name: &str) -> Span {
+        self.find(name).map_or(self.span, |argument| argument.span)
+    }
+
+    /// The numbers of a parameter: one for a length, as many as it has for a list of lengths, none for points.
+    pub fn numbers(&self, name: &str) -> &[f64] {
+        match self.find(name).map(|argument| &argument.value) {
+            Some(Argument::Numbers(numbers)) => numbers,
+            _ => &[],
+        }
+    }
+
+    /// A parameter that is one number; NaN, which no table accepts, if the model has no such parameter.
+    pub fn number(&self, name: &str) -> f64 {
+        self.numbers(name).first().copied().unwrap_or(f64::NAN)
+    }
+
+    /// The points of a parameter.
+    pub fn points(&self, name: &str) -> &[Spanned<Vec<f64>>] {
+        match self.find(name).map(|argument| &argument.value) {
+            Some(Argument::Points(points)) => points,
+            _ => &[],
+        }
+    }
+
+    fn find(&self, name: &str) -> Option<&Spanned<Argument>> {
+        self.values.iter().find(|(known, _)| *known == name).map(|(_, argument)| argument)
+    }
+}
+
+/// The model a name stands for.
+pub(super) fn model(
+    item: &Item,
+    what: &str,
+    models: &'static [Model],
+    dimension: usize,
+    problems: &mut Problems,
+) -> Option<&'static Model> {
+    let word = text(item, problems)?.value;
+    let fitting = models.iter().filter(|model| model.dimension == dimension);
+    if let Some(model) = fitting.clone().find(|model| model.name == word) {
+        return Some(model);
+    }
+    if let Some(other) = models.iter().find(|model| model.name == word) {
+        let n = other.dimension;
+        problems.add_with_help(
+            item.span,
+            format!("the {what} \"{word}\" is {n}-dimensional"),
+            format!("say dimension = {n} in [table]"),
+        );
+        return None;
+    }
+    unknown(item.span, what, &word, fitting.map(|model| model.name), problems);
+    None
+}
+
+/// Reads the parameters of a model from the keys of a section.
+pub(super) fn arguments(
+    section: &mut Section<'_>,
+    span: Span,
+    model: &'static Model,
+    problems: &mut Problems,
+) -> Option<Arguments> {
+    let mut values = Vec::new();
+    let mut complete = true;
+    for parameter in model.parameters {
+        let given = match parameter.default {
+            Default::Required => section.required(parameter.name, &parameter.example()),
+            Default::Numbers(_) => section.optional(parameter.name),
+        };
+        let value = match (given, parameter.default) {
+            (Some(item), _) => argument(item, parameter.kind, model.dimension, problems),
+            (None, Default::Numbers(numbers)) => Some(Spanned::new(Argument::Numbers(numbers.to_vec()), span)),
+            (None, Default::Required) => None,
+        };
+        complete &= value.is_some();
+        values.extend(value.map(|value| (parameter.name, value)));
+    }
+    complete.then_some(Arguments { values, span })
+}
+
+fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) -> Option<Spanned<Argument>> {
+    let one = |x: Spanned<f64>| Argument::Numbers(vec![x.value]);
+    let value = match kind {
+        Kind::Length => one(document::positive(item, problems)?),
+        Kind::Distance => one(document::nonnegative(item, problems)?),
+        Kind::Real => one(document::real(item, problems)?),
+        Kind::Count(least) => Argument::Numbers(vec![document::count(item, least, problems)?.value as f64]),
+        Kind::Lengths(n) => Argument::Numbers(document::vector(item, n, document::positive, problems)?.value),
+        Kind::Point => Argument::Numbers(point(item, dimension, problems)?.value),
+        Kind::Points(least) => {
+            let items = super::list(item, "a list of points", problems)?;
+            let points: Vec<_> = items.iter().map(|item| point(item, dimension, problems)).collect();
+            if points.len() < least {
+                problems.add(item.span, format!("expected at least {least} points, found {}", points.len()));
+                return None;
+            }
+            Argument::Points(points.into_iter().collect::<Option<_>>()?)
+        }
+    };
+    Some(Spanned::new(value, item.span))
+}

@@ -1,0 +1,114 @@
+//! `[[orbit]]` or `[ensemble]`: where orbits start.
+
+use super::{choice, direction, list, point};
+use crate::document::{Item, Problems, Section, Span, Spanned, Value, count, positive, real};
+
+/// Where orbits start.
+#[derive(Clone, Debug)]
+pub enum Starts {
+    /// One by one.
+    Orbits(Vec<Orbit>),
+    /// Drawn or laid out by rule.
+    Ensemble(Ensemble),
+}
+
+/// One start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Orbit {
+    /// Where the orbit stands in the file.
+    pub span: Span,
+    /// Centre of the particle.
+    pub position: Spanned<Vec<f64>>,
+    /// Its velocity, not zero.
+    pub velocity: Spanned<Vec<f64>>,
+    /// In the plane v0 = γ R θ̇ (one number), in space W = γ R ω (three).
+    pub spin: Spanned<Vec<f64>>,
+    /// In the plane x0 = γ R θ; 0 in space.
+    pub angle: Spanned<f64>,
+}
+
+/// Many starts by rule. Start `i` depends on `seed` and `i` alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ensemble {
+    /// Where `[ensemble]` stands.
+    pub span: Span,
+    /// How many.
+    pub count: Spanned<u64>,
+    /// Seed of the random choices.
+    pub seed: u64,
+    /// How they are chosen: a name from [`SAMPLES`].
+    pub sample: &'static str,
+    /// Length of the whole velocity, spin included.
+    pub speed: Spanned<f64>,
+}
+
+/// Ways to choose the starts of an ensemble, and what each does.
+pub const SAMPLES: &[(&str, &str)] = &[
+    ("canonical", "the invariant measure: positions uniform in the table, velocities uniform on their sphere"),
+    ("grid", "evenly spaced in the reduced phase space"),
+];
+
+pub(super) fn read(root: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Starts> {
+    match root.one_of(&["orbit", "ensemble"], problems)? {
+        ("orbit", item) => orbits(item, dimension, problems).map(Starts::Orbits),
+        (_, item) => ensemble(item, problems).map(Starts::Ensemble),
+    }
+}
+
+fn orbits(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Orbit>> {
+    if let Value::Table(_) = item.value {
+        // A single [orbit] can only mean a single [[orbit]].
+        return orbit(item, dimension, problems).map(|orbit| vec![orbit]);
+    }
+    let items = list(item, "[[orbit]]", problems)?;
+    if items.is_empty() {
+        problems.add(item.span, "there are no orbits");
+    }
+    let orbits: Vec<_> = items.iter().map(|item| orbit(item, dimension, problems)).collect();
+    orbits.into_iter().collect()
+}
+
+fn orbit(item: &Item, n: usize, problems: &mut Problems) -> Option<Orbit> {
+    let mut section = Section::new(item, "[[orbit]]", problems)?;
+    let position = section
+        .required("position", if n == 2 { "position = [0, 0]" } else { "position = [0, 0, 0]" })
+        .and_then(|item| point(item, n, problems));
+    let velocity = section
+        .required("velocity", if n == 2 { "velocity = [0.6, 0.8]" } else { "velocity = [0.6, 0, 0.8]" })
+        .and_then(|item| direction(item, n, problems));
+    let spin = match (section.optional("spin"), n) {
+        (Some(item), 2) => real(item, problems).map(|spin| spin.map(|spin| vec![spin])),
+        (Some(item), _) => point(item, 3, problems),
+        (None, _) => Some(Spanned::new(vec![0.0; if n == 2 { 1 } else { 3 }], item.span)),
+    };
+    let angle = match if n == 2 { section.optional("angle") } else { None } {
+        Some(item) => real(item, problems),
+        None => Some(Spanned::new(0.0, item.span)),
+    };
+    section.finish(problems);
+    Some(Orbit { span: item.span, position: position?, velocity: velocity?, spin: spin?, angle: angle? })
+}
+
+fn ensemble(item: &Item, problems: &mut Problems) -> Option<Ensemble> {
+    let mut section = Section::new(item, "[ensemble]", problems)?;
+    let number = section.required("count", "count = 1000").and_then(|item| count(item, 1, problems));
+    let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
+    let samples: Vec<_> = SAMPLES.iter().map(|sample| (sample.0, sample.0)).collect();
+    let sample =
+        section.optional("sample").map_or(Some(SAMPLES[0].0), |item| choice(item, "sample", &samples, problems));
+    let speed = section.optional("speed").map_or(Some(Spanned::new(1.0, item.span)), |item| positive(item, problems));
+    section.finish(problems);
+    Some(Ensemble { span: item.span, count: number?, seed: seed?, sample: sample?, speed: speed? })
+}
+
+/// A whole number from 0 to 2⁶⁴ − 1.
+fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
+    let seed = match item.value {
+        Value::Integer(n) => u64::try_from(n).ok(),
+        _ => None,
+    };
+    if seed.is_none() {
+        problems.add(item.span, "a seed is a whole number from 0 to 18446744073709551615");
+    }
+    seed
+}

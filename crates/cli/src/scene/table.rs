@@ -1,0 +1,125 @@
+//! `[table]`: a built-in table by name, or a boundary piece by piece; perhaps repeated on a lattice.
+
+use super::boundary::{self, Entry};
+use super::law::{self, LawKind};
+use super::parameters::{self, Arguments, Model};
+use super::{direction, list};
+use crate::document::{Item, Problems, Section, Span, Spanned, Value, count};
+
+/// The table of a scene.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// Where `[table]` stands.
+    pub span: Span,
+    /// What bounds it.
+    pub shape: TableShape,
+    /// Translations that identify points of space: none, one (a channel) or as many as the dimension (a flat torus).
+    pub lattice: Vec<Spanned<Vec<f64>>>,
+    /// `laws = { 0 = "specular" }`: laws of single pieces, by their numbers.
+    pub laws: Vec<PieceLaw>,
+}
+
+/// The law of one piece of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PieceLaw {
+    /// Number of the piece and its place.
+    pub piece: Spanned<usize>,
+    /// Its law.
+    pub law: LawKind,
+}
+
+/// What bounds a table.
+#[derive(Clone, Debug)]
+pub enum TableShape {
+    /// A built-in table.
+    Named {
+        /// Which one.
+        model: &'static Model,
+        /// Its parameters.
+        arguments: Arguments,
+        /// Where it is named.
+        span: Span,
+    },
+    /// `[[table.boundary]]`, in the order of the file.
+    Boundary(Vec<Entry>),
+}
+
+/// The dimension a table declares: 2 unless it says otherwise.
+pub(super) fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
+    let Value::Table(entries) = &item.value else { return Some(2) };
+    let Some((_, item)) = entries.iter().find(|(key, _)| key.value == "dimension") else { return Some(2) };
+    let dimension = count(item, 0, problems)?.value;
+    match dimension {
+        2 => Some(2),
+        3 => Some(3),
+        _ => {
+            problems.add(item.span, "the dimension is 2 or 3");
+            None
+        }
+    }
+}
+
+pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Table> {
+    let mut section = Section::new(item, "[table]", problems)?;
+    section.optional("dimension");
+    let lattice = section.optional("lattice").map_or(Some(Vec::new()), |item| lattice(item, dimension, problems));
+    let laws = section.optional("laws").map_or(Some(Vec::new()), |item| laws(item, dimension, problems));
+    let found = section.one_of(&["name", "boundary"], problems);
+    let shape = match found {
+        Some(("name", item)) => {
+            // Which keys belong to an unknown table is unknown too.
+            let model = parameters::model(item, "table", super::TABLES, dimension, problems)?;
+            parameters::arguments(&mut section, item.span, model, problems).map(|arguments| TableShape::Named {
+                model,
+                arguments,
+                span: item.span,
+            })
+        }
+        Some((_, item)) => entries(item, dimension, problems).map(TableShape::Boundary),
+        None => {
+            section.finish_leniently(problems);
+            return None;
+        }
+    };
+    section.finish(problems);
+    Some(Table { span: item.span, shape: shape?, lattice: lattice?, laws: laws? })
+}
+
+fn entries(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Entry>> {
+    let items = list(item, "[[table.boundary]]", problems)?;
+    if items.is_empty() {
+        problems.add(item.span, "the boundary has no entries");
+    }
+    let read: Vec<_> = items.iter().map(|item| boundary::read(item, dimension, problems)).collect();
+    read.into_iter().collect()
+}
+
+fn lattice(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Spanned<Vec<f64>>>> {
+    let items = list(item, "lattice", problems)?;
+    let vectors: Vec<_> = items.iter().map(|item| direction(item, dimension, problems)).collect();
+    if vectors.is_empty() || vectors.len() > dimension {
+        problems.add(item.span, format!("a lattice has 1 to {dimension} translations, not {}", vectors.len()));
+        return None;
+    }
+    vectors.into_iter().collect()
+}
+
+fn laws(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<PieceLaw>> {
+    let section = Section::new(item, "laws", problems)?;
+    let read: Vec<_> = section
+        .others()
+        .map(|(key, item)| {
+            let piece = key.value.parse().ok();
+            if piece.is_none() {
+                problems.add_with_help(
+                    key.span,
+                    format!("\"{}\" is not the number of a piece", key.value),
+                    "write for instance laws = { 0 = \"specular\" }",
+                );
+            }
+            let law = law::named(item, dimension, problems);
+            Some(PieceLaw { piece: Spanned::new(piece?, key.span), law: law? })
+        })
+        .collect();
+    read.into_iter().collect()
+}

@@ -1,0 +1,371 @@
+//! Scene files: what is accepted, and what each mistake is called.
+
+#![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values")]
+
+use billiards_cli::document::Source;
+use billiards_cli::scene::{
+    Border, Curve, Domain, EdgePath, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES, TableShape, Turn,
+};
+use proptest::prelude::*;
+
+const NAMED: &str = r#"
+title = "No-slip stadium"
+law   = "no-slip"
+
+[table]
+name = "stadium"
+half_length = 1
+radius = "2/2"
+
+[particle]
+radius  = 0
+inertia = "uniform-disk"
+
+[[orbit]]
+position = [0.1, "sqrt(2)/4"]
+velocity = [0.6, 0.8]
+spin     = 0.25
+angle    = 0
+
+[run]
+collisions = 1000
+
+[output]
+collisions = "csv"
+pictures   = ["orbit", "velocity-portrait"]
+"#;
+
+const BOUNDARY: &str = r#"
+law = "no-slip"
+[table]
+lattice = [[10, 0], [0, 10]]
+[[table.boundary]]
+loop = { from = [-1, -1], edges = [
+  { line_to = [1, -1] },
+  { arc_to = [1, 1], center = [1, 0], turn = "ccw" },
+  { line_to = [-1, 1], law = "specular" },
+  { arc_to = [-1, -1], center = [-1, 0], turn = "ccw" },
+] }
+[[table.boundary]]
+circle = { center = [0, 0], radius = 0.25, domain = "outside" }
+[[table.boundary]]
+ellipse = { center = [0, 0], semi_axes = [2, 1], angle = 0, domain = "inside" }
+[[table.boundary]]
+line = { through = [0, 0], direction = [1, 0] }
+[[table.boundary]]
+ray = { from = [0, 0], direction = ["sin(pi/6)", "cos(pi/6)"], domain = "left" }
+[[table.boundary]]
+curve = { polar = "1+0.2*cos(5*t)" }
+law = { name = "restitution", normal = 0.9, tangential = 0 }
+[[table.boundary]]
+curve = { implicit = "x^2/4+y^2-1", domain = "outside" }
+[[table.boundary]]
+shape = { name = "capsule", from = [0, 0], to = [1, 0], radius = 0.1 }
+[[table.boundary]]
+outline = "island.svg"
+[ensemble]
+count = 1e5
+seed = 18446744073709551615
+sample = "canonical"
+[run]
+time = 250.0
+"#;
+
+const SPATIAL: &str = r#"
+rough = [[1, 2, -3]]
+[table]
+dimension = 3
+name = "box"
+laws = { 4 = "specular", 5 = { name = "random", rank = 1 } }
+[particle]
+gamma_squared = "2/5"
+[[orbit]]
+position = [0.5, 0.5, 0.5]
+velocity = [0.6, 0, 0.8]
+spin = [0, 0.25, 0]
+[run]
+collisions = 10
+"#;
+
+fn parse(text: &str) -> Result<Scene, Vec<String>> {
+    Scene::parse(&Source::new("x.toml", text), &Request::default()).map_err(|errors| {
+        errors
+            .iter()
+            .map(|e| {
+                let (line, column) = e.place.as_ref().map_or((0, 0), |p| (p.line, p.column));
+                format!("{line}:{column}: {}", e.what)
+            })
+            .collect()
+    })
+}
+
+/// The valid scene with one replacement, and the errors of that.
+fn errors_of(valid: &str, old: &str, new: &str) -> Vec<String> {
+    assert!(valid.contains(old), "{old}");
+    parse(&valid.replacen(old, new, 1)).expect_err(new)
+}
+
+#[test]
+fn a_named_table_and_an_orbit_are_read() {
+    let scene = parse(NAMED).unwrap();
+    assert_eq!(scene.title.as_deref(), Some("No-slip stadium"));
+    assert_eq!((scene.dimension, scene.law.kind), (2, LawKind::NoSlip));
+    let TableShape::Named { model, arguments, .. } = &scene.table.shape else { panic!() };
+    assert_eq!((model.name, arguments.number("radius"), arguments.number("half_length")), ("stadium", 1.0, 1.0));
+    assert_eq!((scene.particle.radius.value, scene.particle.gamma_squared.value), (0.0, 0.5));
+    let Starts::Orbits(orbits) = &scene.starts else { panic!() };
+    assert_eq!(orbits[0].position.value, [0.1, 2f64.sqrt() / 4.0]);
+    assert_eq!((&orbits[0].velocity.value[..], &orbits[0].spin.value[..]), (&[0.6, 0.8][..], &[0.25][..]));
+    assert!(matches!(scene.limit, Some(Limit::Collisions(n)) if n.value == 1000));
+    assert_eq!(scene.output.collisions, Some(RecordFormat::Csv));
+    assert_eq!(scene.output.pictures.iter().map(|p| p.0).collect::<Vec<_>>(), ["orbit", "velocity-portrait"]);
+}
+
+#[test]
+fn values_remember_where_they_stand() {
+    let scene = parse(NAMED).unwrap();
+    let Starts::Orbits(orbits) = &scene.starts else { panic!() };
+    let place = scene.source.diagnostic(orbits[0].position.span, "outside the table").place.unwrap();
+    assert_eq!((place.line, place.column), (15, 12));
+    assert_eq!(scene.source.slice(orbits[0].velocity.span), "[0.6, 0.8]");
+}
+
+#[test]
+fn every_kind_of_boundary_entry_is_read() {
+    let scene = parse(BOUNDARY).unwrap();
+    let TableShape::Boundary(entries) = &scene.table.shape else { panic!() };
+    assert_eq!((entries.len(), scene.table.lattice.len()), (9, 2));
+    let Border::Loop { edges, .. } = &entries[0].border else { panic!() };
+    let EdgePath::Arc { turn, .. } = edges[1].path else { panic!() };
+    assert_eq!(turn, Turn::CounterClockwise);
+    assert_eq!(edges[2].law.as_ref().unwrap().kind, LawKind::Specular);
+    assert_eq!(entries[5].law.as_ref().unwrap().kind, LawKind::Restitution { normal: 0.9, tangential: 0.0 });
+    let Border::Curve { curve: Curve::Polar(r), domain: Domain::Inside, .. } = &entries[5].border else { panic!() };
+    assert_eq!(r.evaluate(&[0.0]), 1.2);
+    let Border::Curve { curve: Curve::Implicit(f), domain: Domain::Outside, .. } = &entries[6].border else { panic!() };
+    assert_eq!(f.evaluate(&[2.0, 1.0]), 1.0);
+    let Border::Shape { arguments, domain: Domain::Outside, .. } = &entries[7].border else { panic!() };
+    assert_eq!((arguments.numbers("to"), arguments.number("radius")), (&[1.0, 0.0][..], 0.1));
+    let Starts::Ensemble(ensemble) = &scene.starts else { panic!() };
+    assert_eq!((ensemble.count.value, ensemble.seed, ensemble.sample), (100_000, u64::MAX, "canonical"));
+    assert!(matches!(scene.limit, Some(Limit::Time(t)) if t.value == 250.0));
+}
+
+#[test]
+fn a_scene_in_space_is_read() {
+    let scene = parse(SPATIAL).unwrap();
+    assert_eq!((scene.dimension, scene.law.kind), (3, LawKind::Rough(vec![vec![1.0, 2.0, -3.0]])));
+    assert_eq!(scene.particle.gamma_squared.value, 0.4);
+    assert_eq!(scene.table.laws[1].law, LawKind::Random { rank: 1, seed: 0 });
+    let Starts::Orbits(orbits) = &scene.starts else { panic!() };
+    assert_eq!(orbits[0].spin.value, [0.0, 0.25, 0.0]);
+}
+
+#[test]
+fn every_built_in_table_is_read_with_its_required_parameters_alone() {
+    for model in TABLES {
+        let extra = match model.name {
+            "wedge" => "angle = \"pi/3\"",
+            "triangle" => "vertices = [[0, 0], [1, 0], [0, 1]]",
+            "polygon" => "sides = 7",
+            "perturbed-polygon" => "amount = 0.01",
+            "lorentz" => "radius = 0.4",
+            "channel" => "sagitta = 0.1",
+            _ => "",
+        };
+        let (n, zeros) = (model.dimension, ["0"].repeat(model.dimension).join(", "));
+        let text = format!(
+            "law = \"specular\"\ntable = {{ dimension = {n}, name = \"{}\", {extra} }}\n\
+             orbit = [{{ position = [{zeros}], velocity = [{}] }}]\nrun = {{ time = 1 }}",
+            model.name,
+            zeros.replacen('0', "1", 1)
+        );
+        parse(&text).unwrap_or_else(|e| panic!("{}: {e:?}", model.name));
+    }
+}
+
+#[test]
+fn the_command_line_takes_the_place_of_law_and_limit() {
+    let bare = NAMED.replace("law   = \"no-slip\"", "").replace("[run]\ncollisions = 1000", "");
+    let source = Source::new("x.toml", &bare);
+    assert_eq!(Scene::parse(&source, &Request::default()).unwrap_err().len(), 2);
+    let request = Request { law: Some(LawKind::Specular), collisions: Some(7), needs_limit: true };
+    let scene = Scene::parse(&source, &request).unwrap();
+    assert_eq!(scene.law.kind, LawKind::Specular);
+    assert!(matches!(scene.limit, Some(Limit::Collisions(n)) if n.value == 7));
+    let request = Request { law: Some(LawKind::Specular), ..Request { needs_limit: false, ..Request::default() } };
+    assert!(Scene::parse(&source, &request).unwrap().limit.is_none());
+    let replaced = Request { collisions: Some(7), ..Request::default() };
+    let scene = Scene::parse(&Source::new("x.toml", NAMED), &replaced).unwrap();
+    assert!(matches!(scene.limit, Some(Limit::Collisions(n)) if n.value == 7));
+}
+
+#[test]
+fn each_mistake_has_its_own_message_at_its_own_place() {
+    let mut wrong = Vec::new();
+    for (valid, old, new, expected) in [
+        (NAMED, "velocity = [", "velocty = [", "16:1: unknown key \"velocty\" in [[orbit]]"),
+        (NAMED, "velocity = [0.6, 0.8]", "", "14:1: [[orbit]] lacks the key \"velocity\""),
+        (NAMED, "[0.6, 0.8]", "[0, 0]", "16:12: the zero vector has no direction"),
+        (NAMED, "[0.6, 0.8]", "[0.6, 0.8, 1]", "16:12: expected 2 numbers, found 3"),
+        (NAMED, "[0.6, 0.8]", "[0.6, nan]", "16:18: NaN is not a number"),
+        (NAMED, "[0.6, 0.8]", "[-inf, 1]", "16:13: the number is infinite"),
+        (NAMED, "[0.6, 0.8]", "[1e151, 1]", "16:13: 1e151 is larger than 1e150"),
+        (NAMED, "[0.6, 0.8]", "[1e-160, 0]", "16:12: its length 1e-160 is not between 1e-150 and 1e150"),
+        (NAMED, "sqrt(2)/4", "sqrt(2)/0", "15:26: division by zero"),
+        (NAMED, "sqrt(2)/4", "sqt(2)/4", "15:19: unknown name \"sqt\""),
+        (NAMED, "\"sqrt(2)/4\"", "true", "15:18: expected a number, found a boolean"),
+        (NAMED, "radius = \"2/2\"", "radius = -1", "8:10: -1 is not positive"),
+        (NAMED, "radius = \"2/2\"", "radius = 0", "8:10: 0 is not positive"),
+        (NAMED, "radius = \"2/2\"", "radus = 1", "8:1: unknown key \"radus\" in [table]"),
+        (NAMED, "radius  = 0", "radius = -0.5", "11:10: -0.5 is negative"),
+        (NAMED, "radius  = 0", "radius = 1e-200", "11:10: 1e-200 is not between 1e-150 and 1e150"),
+        (NAMED, "\"uniform-disk\"", "\"uniform\"", "12:11: unknown inertia \"uniform\""),
+        (NAMED, "inertia", "gamma_squared = 1\ninertia", "13:1: [particle] has both \"inertia\" and \"gamma_squared\""),
+        (NAMED, "\"stadium\"", "\"stadion\"", "6:8: unknown table \"stadion\""),
+        (NAMED, "\"stadium\"", "\"slab\"", "6:8: the table \"slab\" is 3-dimensional"),
+        (NAMED, "name = \"stadium\"", "", "5:1: [table] needs \"name\" or \"boundary\""),
+        (NAMED, "\"no-slip\"", "\"noslip\"", "3:9: unknown law \"noslip\""),
+        (NAMED, "law   = \"no-slip\"", "", "1:1: the scene needs \"law\" or \"rough\""),
+        (NAMED, "title =", "rough = []\ntitle =", "4:1: the scene has both \"law\" and \"rough\""),
+        (
+            NAMED,
+            "[particle]",
+            "[ensemble]\ncount = 1\n[particle]",
+            "16:3: the scene has both \"orbit\" and \"ensemble\"",
+        ),
+        (NAMED, "collisions = 1000", "collisions = 0", "21:14: 0 is not a whole number from 1 to 1e12"),
+        (NAMED, "collisions = 1000", "collisions = 1.5", "21:14: 1.5 is not a whole number from 1 to 1e12"),
+        (NAMED, "collisions = 1000", "collisions = 1\ntime = 2", "22:1: [run] has both \"collisions\" and \"time\""),
+        (NAMED, "collisions = 1000", "", "20:1: [run] needs \"collisions\" or \"time\""),
+        (NAMED, "[run]\ncollisions = 1000", "", "1:1: the scene lacks the key \"run\""),
+        (NAMED, "\"csv\"", "\"xls\"", "24:14: unknown format \"xls\""),
+        (NAMED, "\"orbit\"", "\"orbits\"", "25:15: unknown picture \"orbits\""),
+        (NAMED, "\"velocity-portrait\"", "\"orbit\"", "25:24: the picture \"orbit\" is listed twice"),
+        (NAMED, "angle    = 0", "angle = 0\nangle = 1", "19:1: duplicate key \"angle\""),
+        (NAMED, "[table]", "[[table]]", "5:1: [table] must be a table, found an array"),
+        (NAMED, "\"No-slip stadium\"", "3", "2:9: expected a string, found an integer"),
+        (BOUNDARY, "turn = \"ccw\"", "turn = \"left\"", "8:46: unknown turn \"left\""),
+        (BOUNDARY, ", turn = \"ccw\"", "", "8:3: an edge lacks the key \"turn\""),
+        (BOUNDARY, "line_to = [1, -1]", "curve_to = [1, -1]", "7:3: an edge needs \"line_to\" or \"arc_to\""),
+        (BOUNDARY, "[1, 0] }\n", "[0, 0] }\n", "17:40: the zero vector has no direction"),
+        (BOUNDARY, "1+0.2*cos(5*t)", "1+0.2*cos(5*x)", "21:32: unknown name \"x\""),
+        (BOUNDARY, "name = \"capsule\", ", "", "26:9: shape lacks the key \"name\""),
+        (BOUNDARY, "count = 1e5", "count = 1e13", "30:9: 10000000000000 is not a whole number from 1 to 1e12"),
+        (BOUNDARY, "seed = 18446744073709551615", "seed = -1", "31:8: a seed is a whole number"),
+        (BOUNDARY, "\"canonical\"", "\"random\"", "32:10: unknown sample \"random\""),
+        (BOUNDARY, "[[10, 0], [0, 10]]", "[]", "4:11: a lattice has 1 to 2 translations, not 0"),
+        (BOUNDARY, "domain = \"outside\"", "domain = \"out\"", "13:53: unknown domain \"out\""),
+        (SPATIAL, "[[1, 2, -3]]", "[[1, 2]]", "2:10: expected 3 numbers, found 2"),
+        (SPATIAL, "[[1, 2, -3]]", "[[1, 2, -3], [-2, -4, 6]]", "2:22: this rough direction is parallel to the first"),
+        (SPATIAL, "[[1, 2, -3]]", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "2:9: 3 rough directions, but"),
+        (SPATIAL, "dimension = 3", "dimension = 4", "4:13: the dimension is 2 or 3"),
+        (SPATIAL, "rank = 1", "rank = 3", "6:56: in dimension 3 the rank is at most 2"),
+        (SPATIAL, "4 =", "floor =", "6:10: \"floor\" is not the number of a piece"),
+        (SPATIAL, "spin =", "angle = 0\nspin =", "12:1: unknown key \"angle\" in [[orbit]]"),
+    ] {
+        let errors = errors_of(valid, old, new);
+        if !errors.iter().any(|e| e.starts_with(expected)) {
+            wrong.push(format!("{new}\n  expected {expected}\n  found {errors:?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn one_slip_gives_one_error() {
+    for (valid, old, new) in [
+        (NAMED, "velocity = [", "velocty = ["),
+        (NAMED, "[table]", "[tabel]"),
+        (NAMED, "position = [", "pos"),
+        (NAMED, "\"stadium\"", "\"stadion\""),
+        (NAMED, "name = \"stadium\"", "nam = \"stadium\""),
+        (NAMED, "collisions = 1000", "collision = 1000"),
+        (BOUNDARY, "loop =", "lop ="),
+        (BOUNDARY, "[[table.boundary]]", "[[table.boundry]]"),
+        (BOUNDARY, "{ line_to = [1, -1] },", "{ line_to = [1, -1] "),
+    ] {
+        let errors = errors_of(valid, old, new);
+        assert_eq!(errors.len(), 1, "{new}: {errors:?}");
+    }
+}
+
+#[test]
+fn all_mistakes_are_reported_in_the_order_of_the_file() {
+    let text =
+        NAMED.replace("0.6", "nan").replace("\"no-slip\"", "\"noslip\"").replace("1000", "-1").replace("spin", "spn");
+    let errors = parse(&text).unwrap_err();
+    let lines: Vec<_> = errors.iter().map(|e| e.split(':').next().unwrap()).collect();
+    assert_eq!(lines, ["3", "16", "17", "21"], "{errors:?}");
+}
+
+#[test]
+fn mistakes_are_shown_with_caret_and_help() {
+    let text = NAMED.replace("velocity = [", "velocty = [");
+    let errors = Scene::parse(&Source::new("scenes/x.toml", &text), &Request::default()).unwrap_err();
+    assert_eq!(
+        errors[0].to_string(),
+        "scenes/x.toml:16:1: error: unknown key \"velocty\" in [[orbit]]\n   16 | velocty = [0.6, 0.8]\n      | ^^^^^^^\n\
+         help: did you mean \"velocity\"?"
+    );
+}
+
+#[test]
+fn dotted_keys_and_brackets_nested_without_end_are_refused() {
+    let n = 200_000;
+    for text in [
+        format!("{}b = 1", "a.".repeat(n)),
+        format!("[{}a]", "a.".repeat(n)),
+        format!("a = {}", "[".repeat(n)),
+        format!("a = {}1{}", "[".repeat(n), "]".repeat(n)),
+        format!("a = {}", "{ b = ".repeat(n)),
+        format!("law = \"{}\"", "x".repeat(n)),
+    ] {
+        assert!(parse(&text).is_err());
+    }
+}
+
+/// One change to a text: replace `length` bytes at a place by something else.
+fn mutate(text: &str, changes: &[(usize, usize, String)]) -> Vec<u8> {
+    let mut bytes = text.as_bytes().to_vec();
+    for (at, length, new) in changes {
+        let at = at % (bytes.len() + 1);
+        let end = (at + length).min(bytes.len());
+        bytes.splice(at..end, new.bytes());
+    }
+    bytes
+}
+
+proptest! {
+    #[test]
+    fn no_mutation_of_a_valid_scene_makes_the_reader_panic(
+        which in 0..3usize,
+        changes in proptest::collection::vec(
+            (any::<usize>(), 0..12usize, prop_oneof![
+                any::<String>(),
+                "[\\[\\]{}=,.\"'\\n #a-z0-9\\-]{0,6}",
+                proptest::sample::select(vec!["nan", "inf", "1e999", "-1", "[]", "{}", "[[", "]]", "\"\"", "true", "'''", "1979-05-27",
+                    "law", "rough", "loop", "edges", "= 0", "0x10", "9999999999999999999999999999999999999999999"])
+                    .prop_map(String::from),
+            ]),
+            1..4,
+        ),
+    ) {
+        let bytes = mutate([NAMED, BOUNDARY, SPATIAL][which], &changes);
+        if let Ok(source) = Source::from_bytes("x.toml", &bytes)
+            && let Err(errors) = Scene::parse(&source, &Request::default())
+        {
+            prop_assert!(!errors.is_empty());
+            for error in errors {
+                let _ = error.to_string();
+            }
+        }
+    }
+
+    #[test]
+    fn no_bytes_make_the_reader_panic(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
+        if let Ok(source) = Source::from_bytes("x.toml", &bytes) {
+            prop_assert!(Scene::parse(&source, &Request::default()).is_err());
+        }
+    }
+}
