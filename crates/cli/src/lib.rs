@@ -5,5 +5,7 @@
 pub mod document;
 pub mod expression;
 pub mod picture;
+pub mod record;
 pub mod scene;
 pub mod spelling;
+pub mod whole_file;

@@ -1,0 +1,108 @@
+//! `NumPy` arrays (NPY format 1.0).
+//!
+//! The array has one dimension and a structured type: every column is a named field, whole numbers `<i8`, all others
+//! `<f8`. So `a = numpy.load("collisions.npy")` gives `a["x1"]` by name, and counts and cells stay exact.
+
+use std::io::{self, Seek, SeekFrom, Write};
+
+use super::{Columns, Finish, RecordWriter, Row};
+
+/// Digits kept free for the number of rows, known only at the end.
+const DIGITS: usize = 19;
+
+/// A structured `NumPy` array.
+#[derive(Debug)]
+pub struct Npy<W> {
+    to: W,
+    columns: Columns,
+    rows: u64,
+    bytes: Vec<u8>,
+}
+
+impl<W: Write + Seek> Npy<W> {
+    /// Starts a record.
+    ///
+    /// # Errors
+    /// The header cannot be written.
+    pub fn new(mut to: W, columns: Columns) -> io::Result<Self> {
+        to.write_all(&header(columns, 0))?;
+        Ok(Self { to, columns, rows: 0, bytes: Vec::new() })
+    }
+}
+
+/// The header of an array with this many rows; its length does not depend on them.
+fn header(columns: Columns, rows: u64) -> Vec<u8> {
+    let field = |name| format!("('{name}', '{}')", if Columns::is_whole(name) { "<i8" } else { "<f8" });
+    let fields: Vec<_> = columns.names().map(field).collect();
+    let shape = format!("({rows},)");
+    let mut text = format!(
+        "{{'descr': [{}], 'fortran_order': False, 'shape': {shape:width$}, }}",
+        fields.join(", "),
+        width = DIGITS + 3
+    );
+    // Magic string, version and length take 10 bytes; with them the header is a multiple of 64 long and ends in a newline.
+    let unpadded = 10 + text.len() + 1;
+    text.push_str(&" ".repeat(unpadded.next_multiple_of(64) - unpadded));
+    text.push('\n');
+    let length = u16::try_from(text.len()).unwrap_or(u16::MAX);
+    [b"\x93NUMPY\x01\x00", &length.to_le_bytes()[..], text.as_bytes()].concat()
+}
+
+impl<W: Write + Seek + Finish> RecordWriter for Npy<W> {
+    fn row(&mut self, row: &Row<'_>) -> io::Result<()> {
+        let bytes = &mut self.bytes;
+        bytes.clear();
+        bytes.extend(row.orbit.to_le_bytes());
+        bytes.extend(row.n.to_le_bytes());
+        bytes.extend(row.time.to_le_bytes());
+        bytes.extend(row.piece.to_le_bytes());
+        bytes.extend(row.state.iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend(row.cell.iter().flat_map(|cell| cell.to_le_bytes()));
+        self.rows += 1;
+        self.to.write_all(bytes)
+    }
+
+    fn finish(mut self: Box<Self>) -> io::Result<()> {
+        self.to.seek(SeekFrom::Start(0))?;
+        self.to.write_all(&header(self.columns, self.rows))?;
+        self.to.finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_header_names_the_fields_and_counts_the_rows_at_the_end() {
+        let mut to = io::Cursor::new(Vec::new());
+        let mut npy = Npy::new(&mut to, Columns { dimension: 2, lattice: false }).unwrap();
+        for n in 1..=3 {
+            npy.row(&Row { orbit: 0, n, time: 0.5, piece: 2, state: &[0.0, 1.0, 2.0, 3.0, 4.0, 5.5], cell: &[] })
+                .unwrap();
+        }
+        Box::new(npy).finish().unwrap();
+        let bytes = to.into_inner();
+        assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
+        let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+        assert_eq!((10 + length) % 64, 0);
+        let text = std::str::from_utf8(&bytes[10..10 + length]).unwrap();
+        assert!(
+            text.starts_with(
+                "{'descr': [('orbit', '<i8'), ('n', '<i8'), ('t', '<f8'), ('piece', '<i8'), ('x0', '<f8')"
+            )
+        );
+        assert!(text.contains("'shape': (3,) "), "{text}");
+        assert!(text.ends_with('\n'));
+        let data = &bytes[10 + length..];
+        assert_eq!(data.len(), 3 * 10 * 8);
+        assert_eq!(data[80 + 8..80 + 16], 2u64.to_le_bytes());
+        assert_eq!(data[72..80], 5.5f64.to_le_bytes());
+    }
+
+    #[test]
+    fn the_length_of_the_header_does_not_depend_on_the_number_of_rows() {
+        let columns = Columns { dimension: 3, lattice: true };
+        assert_eq!(header(columns, 0).len(), header(columns, u64::MAX / 2).len());
+    }
+}

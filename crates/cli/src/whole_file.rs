@@ -1,0 +1,117 @@
+//! Files that appear whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// A file written under a temporary name in the same folder; [`finish`](Self::finish) gives it its own.
+///
+/// Whoever sees the file under its own name sees all of it, and an earlier file of that name stays until then. Dropped
+/// unfinished, it leaves nothing behind.
+#[derive(Debug)]
+pub struct WholeFile {
+    path: PathBuf,
+    temporary: PathBuf,
+    /// `None` once finished.
+    file: Option<BufWriter<File>>,
+}
+
+impl WholeFile {
+    /// Starts a file, and makes its folder if need be.
+    ///
+    /// # Errors
+    /// The folder or the temporary file cannot be made, or the path names no file.
+    pub fn create(path: &Path) -> io::Result<Self> {
+        let name =
+            path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not the name of a file"))?;
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        fs::create_dir_all(folder)?;
+        let mut hidden = std::ffi::OsString::from(".");
+        hidden.push(name);
+        hidden.push(format!(".{}.partial", std::process::id()));
+        let temporary = folder.join(hidden);
+        let file = BufWriter::with_capacity(1 << 16, File::create(&temporary)?);
+        Ok(Self { path: path.into(), temporary, file: Some(file) })
+    }
+
+    /// Writes a whole file at once.
+    ///
+    /// # Errors
+    /// It cannot be made or written.
+    pub fn write(path: &Path, content: &[u8]) -> io::Result<()> {
+        let mut file = Self::create(path)?;
+        file.write_all(content)?;
+        file.finish()
+    }
+
+    /// Brings the file to disk and gives it its name.
+    ///
+    /// # Errors
+    /// It cannot be written or renamed.
+    pub fn finish(mut self) -> io::Result<()> {
+        if let Some(file) = self.file.take() {
+            let written = file.into_inner().map_err(io::IntoInnerError::into_error).and_then(|file| file.sync_all());
+            let done = written.and_then(|()| fs::rename(&self.temporary, &self.path));
+            if done.is_err() {
+                // The write's own error says more than that of cleaning up after it.
+                let _ = fs::remove_file(&self.temporary);
+            }
+            done?;
+        }
+        Ok(())
+    }
+
+    fn inner(&mut self) -> io::Result<&mut BufWriter<File>> {
+        self.file.as_mut().ok_or_else(|| io::Error::other("the file is finished"))
+    }
+}
+
+impl Write for WholeFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.inner()?.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.inner()?.flush()
+    }
+}
+
+impl Seek for WholeFile {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        self.inner()?.seek(to)
+    }
+}
+
+impl Drop for WholeFile {
+    fn drop(&mut self) {
+        if let Some(file) = self.file.take() {
+            // Without writing what is still in the buffer; nobody is left to hear of an error.
+            let _ = file.into_parts();
+            let _ = fs::remove_file(&self.temporary);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_appears_only_when_it_is_finished() {
+        let folder = std::env::temp_dir().join(format!("billiards-whole-{}", std::process::id()));
+        let path = folder.join("deep").join("x.txt");
+        let mut file = WholeFile::create(&path).unwrap();
+        file.write_all(b"abc").unwrap();
+        assert!(!path.exists());
+        drop(file);
+        assert_eq!(fs::read_dir(path.parent().unwrap()).unwrap().count(), 0);
+        WholeFile::write(&path, b"abc").unwrap();
+        let mut file = WholeFile::create(&path).unwrap();
+        file.write_all(b"other").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"abc");
+        file.finish().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"other");
+        assert_eq!(fs::read_dir(path.parent().unwrap()).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+}
