@@ -20,7 +20,7 @@ pub struct Circle {
     inverse_square: f64,
     /// `±1/r`: from `p − c` to the inward normal.
     to_normal: f64,
-    slack: f64,
+    pub(crate) slack: f64,
 }
 
 /// The roots of `|x + v t − c|² = r²`, and what tells them apart.

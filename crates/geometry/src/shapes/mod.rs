@@ -1,13 +1,21 @@
 //! Exact planar pieces, one shape per file.
 mod arc;
+mod bump;
 mod circle;
+pub mod curve;
+mod ellipse;
+mod elliptic_arc;
+mod elliptic_integral;
 mod line;
 mod ray;
 mod segment;
 mod translated;
 
 pub use arc::Arc;
+pub use bump::Bump;
 pub use circle::Circle;
+pub use ellipse::Ellipse;
+pub use elliptic_arc::EllipticArc;
 pub use line::FullLine;
 pub use ray::Ray;
 pub use segment::Segment;

@@ -1,0 +1,218 @@
+//! Arc length along a parametrised curve, and the closest point of it.
+use super::rising_root;
+use crate::piece::Extent;
+use nalgebra::Vector2;
+
+/// A curve with a parameter.
+pub(crate) trait Parametric {
+    /// The point and its derivative with respect to the parameter.
+    fn at(&self, u: f64) -> [Vector2<f64>; 2];
+}
+
+/// Abscissas > 0 and weights of the Gauss–Legendre rule with ten nodes on [−1, 1].
+const GAUSS: [[f64; 2]; 5] = [
+    [0.148_874_338_981_631_21, 0.295_524_224_714_752_87],
+    [0.433_395_394_129_247_2, 0.269_266_719_309_996_35],
+    [0.679_409_568_299_024_4, 0.219_086_362_515_982_04],
+    [0.865_063_366_688_984_5, 0.149_451_349_150_580_6],
+    [0.973_906_528_517_171_7, 0.066_671_344_308_688_14],
+];
+
+/// `∫ f du` from `a` to `b`, exact for polynomials up to degree 19.
+fn integral(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+    half * GAUSS.iter().map(|[x, w]| w * (f(middle - half * x) + f(middle + half * x))).sum::<f64>()
+}
+
+fn speed(curve: &impl Parametric, u: f64) -> f64 {
+    let [_, d] = curve.at(u);
+    libm::hypot(d.x, d.y)
+}
+
+/// A point of the table.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    u: f64,
+    /// Arc length from the start.
+    s: f64,
+    at: [Vector2<f64>; 2],
+}
+
+/// Arc length as a function of the parameter, tabulated so densely that one Gauss rule between neighbours is exact to
+/// rounding.
+#[derive(Clone, Debug)]
+pub(crate) struct ArcLength {
+    nodes: Vec<Node>,
+}
+
+/// Halvings of one interval; a curve that needs more is not smooth.
+const HALVINGS: u32 = 24;
+
+impl ArcLength {
+    /// Tabulates a curve from parameter values in rising order, at least two.
+    pub(crate) fn new(curve: &impl Parametric, parameters: impl IntoIterator<Item = f64>) -> ArcLength {
+        let mut nodes: Vec<Node> = Vec::new();
+        for u in parameters {
+            if let Some(last) = nodes.last().copied() {
+                extend(curve, &mut nodes, last.u, u, HALVINGS);
+            } else {
+                nodes.push(Node { u, s: 0.0, at: curve.at(u) });
+            }
+        }
+        ArcLength { nodes }
+    }
+
+    pub(crate) fn length(&self) -> f64 {
+        self.nodes.last().map_or(0.0, |node| node.s)
+    }
+
+    /// `½ ∮ (x dy − y dx)` of a closed curve, positive if it is traversed counter-clockwise.
+    pub(crate) fn enclosed_area(&self, curve: &impl Parametric) -> f64 {
+        let Some(base) = self.nodes.first().map(|node| node.at[0]) else { return 0.0 };
+        let form = |u: f64| {
+            let [p, d] = curve.at(u);
+            0.5 * (p - base).perp(&d)
+        };
+        self.nodes.windows(2).map(|w| integral(form, w[0].u, w[1].u)).sum()
+    }
+
+    /// The box around the curve: its ends and the points where it runs along an axis.
+    pub(crate) fn extent(&self, curve: &impl Parametric) -> Extent {
+        let mut extent = Extent::of(self.points());
+        for w in self.nodes.windows(2) {
+            for i in 0..2 {
+                let [before, after] = [w[0].at[1][i], w[1].at[1][i]];
+                if before * after < 0.0 {
+                    let rise = |u: f64| [curve.at(u)[1][i] * after.signum(), 0.0];
+                    extent = extent.union(Extent::of([curve.at(rising_root(rise, [w[0].u, w[1].u]))[0]]));
+                }
+            }
+        }
+        extent
+    }
+
+    /// Arc length up to the parameter `u` of the table's range.
+    pub(crate) fn at_parameter(&self, curve: &impl Parametric, u: f64) -> f64 {
+        let below = self.nodes.partition_point(|node| node.u <= u).clamp(1, self.nodes.len()) - 1;
+        let node = self.nodes[below];
+        node.s + integral(|u| speed(curve, u), node.u, u)
+    }
+
+    /// The parameter at arc length `s`, which is cut to the table's range.
+    pub(crate) fn parameter(&self, curve: &impl Parametric, s: f64) -> f64 {
+        let above = self.nodes.partition_point(|node| node.s <= s).clamp(1, self.nodes.len() - 1);
+        let [low, high] = [self.nodes[above - 1], self.nodes[above]];
+        if s <= low.s {
+            return low.u;
+        }
+        if s >= high.s {
+            return high.u;
+        }
+        let rest = |u: f64| [low.s + integral(|u| speed(curve, u), low.u, u) - s, speed(curve, u)];
+        rising_root(rest, [low.u, high.u])
+    }
+
+    /// The parameter of the point of the curve that is closest to `point`.
+    pub(crate) fn closest(&self, curve: &impl Parametric, point: &Vector2<f64>) -> f64 {
+        closest_parameter(curve, self.nodes.iter().map(|node| (node.u, node.at)), point)
+    }
+
+    /// The tabulated points.
+    pub(crate) fn points(&self) -> impl Iterator<Item = Vector2<f64>> + '_ {
+        self.nodes.iter().map(|node| node.at[0])
+    }
+}
+
+/// Adds nodes up to `u`, halving until the rule on the whole agrees with the rule on the halves.
+fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, from: f64, u: f64, halvings: u32) {
+    let middle = 0.5 * (from + u);
+    let rate = |u: f64| speed(curve, u);
+    let (left, right) = (integral(rate, from, middle), integral(rate, middle, u));
+    let agree = (integral(rate, from, u) - (left + right)).abs() <= 8.0 * f64::EPSILON * (left + right);
+    if agree || halvings == 0 {
+        let s = nodes.last().map_or(0.0, |node| node.s);
+        // the halves are there: they make the search for closest points safer
+        nodes.push(Node { u: middle, s: s + left, at: curve.at(middle) });
+        nodes.push(Node { u, s: s + (left + right), at: curve.at(u) });
+    } else {
+        extend(curve, nodes, from, middle, halvings - 1);
+        extend(curve, nodes, middle, u, halvings - 1);
+    }
+}
+
+/// The parameter of the point closest to `point`, given parameters in rising order with their points and derivatives.
+///
+/// Candidates are the nodes and the roots of `(x(u) − point)·x'(u)` between two of them at which it rises. The nodes
+/// must be so dense that there is at most one such root between neighbours, or that their distances are equal to
+/// rounding (near a centre of curvature).
+pub(crate) fn closest_parameter(
+    curve: &impl Parametric,
+    nodes: impl Iterator<Item = (f64, [Vector2<f64>; 2])> + Clone,
+    point: &Vector2<f64>,
+) -> f64 {
+    let distance = |p: Vector2<f64>| libm::hypot(p.x - point.x, p.y - point.y);
+    let slope = |[p, d]: [Vector2<f64>; 2]| (p - point).dot(&d);
+    let (mut best, mut parameter) = (f64::INFINITY, f64::NAN);
+    for (u, at) in nodes.clone() {
+        if distance(at[0]) < best {
+            (best, parameter) = (distance(at[0]), u);
+        }
+    }
+    let mut last: Option<(f64, [Vector2<f64>; 2])> = None;
+    for (u, at) in nodes {
+        if let Some((before, from)) = last
+            && slope(from) < 0.0
+            && slope(at) >= 0.0
+            // twice the chord is more than the way between the nodes
+            && distance(at[0]).min(distance(from[0])) - 2.0 * (at[0] - from[0]).norm() <= best
+        {
+            let root = rising_root(
+                |u| {
+                    let at = curve.at(u);
+                    [slope(at), at[1].norm_squared()]
+                },
+                [before, u],
+            );
+            let there = distance(curve.at(root)[0]);
+            if there <= best {
+                (best, parameter) = (there, root);
+            }
+        }
+        last = Some((u, at));
+    }
+    parameter
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::PI;
+
+    /// A cycloid arch: length 8, area 3π.
+    struct Cycloid;
+    impl Parametric for Cycloid {
+        fn at(&self, u: f64) -> [Vector2<f64>; 2] {
+            let (sin, cos) = (libm::sin(u), libm::cos(u));
+            [Vector2::new(sin - u, 1.0 - cos), Vector2::new(cos - 1.0, sin)]
+        }
+    }
+
+    #[test]
+    fn a_cycloid_arch_is_four_diameters_long() {
+        let table = ArcLength::new(&Cycloid, [0.0, PI, 2.0 * PI]);
+        assert!((table.length() - 8.0).abs() < 1e-14);
+        assert!((table.enclosed_area(&Cycloid) - 3.0 * PI).abs() < 2e-14);
+        for k in 1..40 {
+            let s = 0.2 * f64::from(k);
+            let u = table.parameter(&Cycloid, s);
+            assert!((4.0 * (1.0 - libm::cos(0.5 * u)) - s).abs() < 1e-14); // its closed form
+            assert!((table.at_parameter(&Cycloid, u) - s).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_top_of_a_cycloid_is_closest_to_points_above_it() {
+        let table = ArcLength::new(&Cycloid, [0.0, PI, 2.0 * PI]);
+        assert!((table.closest(&Cycloid, &Vector2::new(-PI, 5.0)) - PI).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,406 @@
+//! A closed curve given by an equation `f(x, y) = 0`.
+use super::{ArcLength, Interval, Parametric, Smooth, first_rise};
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Landing, Piece},
+    plane::slack,
+};
+use core::fmt::Debug;
+use nalgebra::Vector2;
+
+/// A function `f` of the plane, twice differentiable, negative inside one smooth closed curve and positive outside it.
+///
+/// All five functions are required. `hessian_over` is what makes the first hit certain: write the same formulas as in
+/// `hessian` with [`Interval`]s. Who only knows a bound `|f_xx|, |f_xy|, |f_yy| ≤ c` may return
+/// `[Interval::new(-c, c); 3]`.
+///
+/// ```
+/// use geometry::{Extent, Line, Piece, Vector2, shapes::curve::{Implicit, ImplicitFormula, Interval}};
+///
+/// /// `x⁴ + y⁴ = 1`
+/// #[derive(Debug)]
+/// struct Fermat;
+/// impl ImplicitFormula for Fermat {
+///     fn value(&self, [x, y]: [f64; 2]) -> f64 {
+///         x * x * x * x + y * y * y * y - 1.0
+///     }
+///     fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+///         [4.0 * x * x * x, 4.0 * y * y * y]
+///     }
+///     fn hessian(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+///         [12.0 * x * x, 0.0, 12.0 * y * y]
+///     }
+///     fn hessian_over(&self, [x, y]: [Interval; 2]) -> [Interval; 3] {
+///         [x.square() * 12.0, Interval::from(0.0), y.square() * 12.0]
+///     }
+///     fn extent(&self) -> Extent {
+///         Extent { min: Vector2::new(-1.0, -1.0), max: Vector2::new(1.0, 1.0) }
+///     }
+/// }
+/// let table = Implicit::new(Fermat, true)?;
+/// let diagonal = Line { point: Vector2::zeros(), velocity: Vector2::new(1.0, 1.0) };
+/// assert!((table.crossing(&diagonal).time() - libm::pow(0.5, 0.25)).abs() < 2.0 * f64::EPSILON);
+/// # Ok::<(), geometry::Error>(())
+/// ```
+pub trait ImplicitFormula: Debug + Send + Sync {
+    /// `f` at a point.
+    fn value(&self, point: [f64; 2]) -> f64;
+
+    /// `[f_x, f_y]`; not zero on the curve.
+    fn gradient(&self, point: [f64; 2]) -> [f64; 2];
+
+    /// `[f_xx, f_xy, f_yy]`
+    fn hessian(&self, point: [f64; 2]) -> [f64; 3];
+
+    /// Intervals that contain `f_xx`, `f_xy` and `f_yy` everywhere in a box; the narrower, the faster.
+    fn hessian_over(&self, region: [Interval; 2]) -> [Interval; 3];
+
+    /// A box that contains the curve, not very much larger than it.
+    fn extent(&self) -> Extent;
+}
+
+/// The closed curve `f = 0`, with the table inside or outside.
+///
+/// Along a path `f` is a function of time; [`first_rise`] finds where it first changes sign in the right sense.
+///
+/// Traversed counter-clockwise with the table inside, clockwise with it outside, from the rightmost point on the
+/// horizontal line through the middle of [`ImplicitFormula::extent`], if that line meets the curve.
+#[derive(Clone, Debug)]
+pub struct Implicit<F> {
+    formula: F,
+    inside: bool,
+    /// The formula's box, a little larger.
+    region: Extent,
+    /// What `f` may be on the curve.
+    noise: f64,
+    /// Points of the curve, so close to each other that it is a graph over each chord; the last is the first.
+    vertices: Vec<Vector2<f64>>,
+    table: ArcLength,
+    area: f64,
+    extent: Extent,
+}
+
+/// Cosine of the greatest angle between a chord and the curve at its ends: 0.15.
+const STRAIGHT: f64 = 0.988_77;
+/// Most chords; a curve that needs more is not smooth, or not closed.
+const CHORDS: usize = 100_000;
+/// Points on a side of the grid on which the sign of `f` is compared with the curve.
+const GRID: u32 = 48;
+
+impl<F: ImplicitFormula> Implicit<F> {
+    /// The curve `f = 0`, with the table inside (`inside`) or outside.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] if the box is empty or infinite, holds no curve, cuts it, or holds more than one (as far as
+    /// a grid of 48 × 48 points can tell); if the curve is not smooth; if `f` is positive inside.
+    pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
+        let given = formula.extent();
+        let size = (given.max - given.min).amax();
+        if !(given.is_finite() && given.min.x < given.max.x && given.min.y < given.max.y && size.is_finite()) {
+            return Err(Error::Parameter { name: "extent", must: "a finite box that is not empty", value: size });
+        }
+        // a curve may touch the box that was given
+        let room = Vector2::repeat(size / 1_048_576.0);
+        let region = Extent { min: given.min - room, max: given.max + room };
+        let start = seed(&formula, &region).ok_or(Error::Parameter {
+            name: "formula",
+            must: "zero somewhere in its extent, and change sign there",
+            value: formula.value(((given.min + given.max) * 0.5).into()),
+        })?;
+        let vertices = trace(&formula, &region, start)?;
+        let chords = Chords { formula: &formula, vertices: &vertices };
+        let count = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
+        let table = ArcLength::new(&chords, (0..count).map(f64::from));
+        let area = table.enclosed_area(&chords);
+        if area <= 0.0 || area.is_nan() {
+            return Err(Error::Parameter { name: "formula", must: "negative inside the curve", value: area });
+        }
+        single(&formula, &region, &table)?;
+        let extent = table.extent(&chords);
+        let position = slack([region.min.x, region.min.y, region.max.x, region.max.y]);
+        let noise = vertices.iter().fold(0.0_f64, |noise, p| {
+            let [fx, fy] = formula.gradient((*p).into());
+            noise.max(4.0 * formula.value((*p).into()).abs()).max(position * libm::hypot(fx, fy))
+        });
+        Ok(Implicit { formula, inside, region, noise, vertices, table, area, extent })
+    }
+
+    /// The formula.
+    pub fn formula(&self) -> &F {
+        &self.formula
+    }
+
+    fn chords(&self) -> Chords<'_, F> {
+        Chords { formula: &self.formula, vertices: &self.vertices }
+    }
+
+    fn side(&self) -> f64 {
+        if self.inside { 1.0 } else { -1.0 }
+    }
+
+    /// A point within rounding of the curve, put on it, and the normal there.
+    fn project(&self, point: Vector2<f64>) -> Landing {
+        let (mut p, mut gradient) = (point, Vector2::from(self.formula.gradient(point.into())));
+        for _ in 0..2 {
+            let step = gradient * (self.formula.value(p.into()) / gradient.norm_squared());
+            if step.x.is_finite() && step.y.is_finite() {
+                p -= step;
+                gradient = self.formula.gradient(p.into()).into();
+            }
+        }
+        Landing { point: p, normal: gradient * (-self.side() / libm::hypot(gradient.x, gradient.y)) }
+    }
+
+    /// From arc length counter-clockwise to arc length in the sense of traversal, and back.
+    fn traversed(&self, s: f64) -> f64 {
+        if self.inside || s == 0.0 { s } else { self.table.length() - s }
+    }
+
+    /// The times between which a path is in the region; none if it never is.
+    fn stay(&self, path: &Line<2>) -> Option<[f64; 2]> {
+        let [mut enter, mut leave] = [0.0_f64, f64::INFINITY];
+        for i in 0..2 {
+            let (x, v) = (path.point[i], path.velocity[i]);
+            let (low, high) = (self.region.min[i], self.region.max[i]);
+            if v == 0.0 {
+                if x < low || x > high {
+                    return None;
+                }
+            } else {
+                let (a, b) = ((low - x) / v, (high - x) / v);
+                enter = enter.max(a.min(b));
+                leave = leave.min(a.max(b));
+            }
+        }
+        (enter < leave && leave.is_finite()).then_some([enter, leave])
+    }
+}
+
+/// A point of the curve: the rightmost zero on the horizontal line through the middle of the box, or on another one.
+fn seed<F: ImplicitFormula>(formula: &F, region: &Extent) -> Option<Vector2<f64>> {
+    let at = |x: f64, y: f64| region.min + (region.max - region.min).component_mul(&Vector2::new(x, y));
+    let negative = |x: f64, y: f64| formula.value(at(x, y).into()) < 0.0;
+    let columns = 512;
+    // 1/2, 1/4, 3/4, 1/8, 3/8, …
+    let rows = (1..=8).flat_map(|level: u32| {
+        let parts = 1_u32 << level;
+        (1..parts).step_by(2).map(move |k| f64::from(k) / f64::from(parts))
+    });
+    for y in rows {
+        let column = |k: u32| f64::from(k) / f64::from(columns);
+        let Some(k) = (0..columns).rev().find(|&k| negative(column(k), y) != negative(column(k + 1), y)) else {
+            continue;
+        };
+        let (mut low, mut high) = (column(k), column(k + 1));
+        let left = negative(low, y);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if negative(middle, y) == left {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        return Some(at(high, y));
+    }
+    None
+}
+
+/// Newton's method along the gradient: the point, and the unit tangent there with `f < 0` on its left.
+fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>) -> Option<[Vector2<f64>; 2]> {
+    let mut last = f64::INFINITY;
+    for _ in 0..16 {
+        let gradient = Vector2::from(formula.gradient(p.into()));
+        let step = gradient * (formula.value(p.into()) / gradient.norm_squared());
+        let length = libm::hypot(step.x, step.y);
+        if !length.is_finite() {
+            return None;
+        }
+        if length >= 0.5 * last {
+            break;
+        }
+        p -= step;
+        last = length;
+    }
+    let gradient = Vector2::from(formula.gradient(p.into()));
+    let size = libm::hypot(gradient.x, gradient.y);
+    (size > 0.0 && size.is_finite()).then(|| [p, Vector2::new(-gradient.y, gradient.x) / size])
+}
+
+/// Vertices along the curve, counter-clockwise, the last equal to the first.
+fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) -> Result<Vec<Vector2<f64>>, Error> {
+    let rough = |p: Vector2<f64>| Error::Parameter {
+        name: "formula",
+        must: "smooth along the curve: its gradient vanishes there, or turns without end",
+        value: formula.value(p.into()),
+    };
+    let size = (region.max - region.min).amax();
+    let straight = |[p, t]: [Vector2<f64>; 2], [q, u]: [Vector2<f64>; 2]| {
+        let chord = q - p;
+        let least = STRAIGHT * chord.norm();
+        chord.dot(&t) >= least && chord.dot(&u) >= least && t.dot(&u) > 0.0
+    };
+    let first = onto(formula, start).ok_or_else(|| rough(start))?;
+    let mut here = first;
+    let mut vertices = vec![first[0]];
+    let mut step = size / 64.0;
+    while vertices.len() < CHORDS {
+        let home = first[0] - here[0];
+        if vertices.len() > 2 && home.norm() <= 2.0 * step && straight(here, first) {
+            vertices.push(first[0]);
+            return Ok(vertices);
+        }
+        match onto(formula, here[0] + here[1] * step) {
+            Some(next) if straight(here, next) && (next[0] - here[0]).norm() <= 2.0 * step => {
+                let [p, _] = next;
+                let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
+                if !(inside(0) && inside(1)) {
+                    let value = formula.value(p.into());
+                    return Err(Error::Parameter {
+                        name: "extent",
+                        must: "a box that contains the whole curve",
+                        value,
+                    });
+                }
+                here = next;
+                vertices.push(p);
+                step = (1.5 * step).min(size / 16.0);
+            }
+            _ => step *= 0.5,
+        }
+        if step < size / 1_073_741_824.0 {
+            return Err(rough(here[0]));
+        }
+    }
+    Err(rough(here[0]))
+}
+
+/// Compares the sign of `f` with the curve that was traced.
+fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -> Result<(), Error> {
+    let points: Vec<Vector2<f64>> = table.points().collect();
+    let longest = points.windows(2).fold(0.0_f64, |m, w| m.max((w[1] - w[0]).norm()));
+    for k in 0..GRID * GRID {
+        let part = Vector2::new(f64::from(k % GRID) + 0.5, f64::from(k / GRID) + 0.5) / f64::from(GRID);
+        let p = region.min + (region.max - region.min).component_mul(&part);
+        // crossings of the half-line to the right of p
+        let crossings = points.windows(2).filter(|w| {
+            (w[0].y <= p.y) != (w[1].y <= p.y) && {
+                let side = (w[1] - w[0]).perp(&(p - w[0]));
+                (side > 0.0) == (w[0].y < w[1].y)
+            }
+        });
+        let value = formula.value(p.into());
+        let agree = (crossings.count() % 2 == 1) == (value < 0.0);
+        if !agree && points.iter().all(|q| (q - p).norm() > longest) {
+            return Err(Error::Parameter {
+                name: "formula",
+                must: "zero on a single closed curve in its extent",
+                value,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The curve as a graph over each chord; the parameter counts chords.
+struct Chords<'a, F> {
+    formula: &'a F,
+    vertices: &'a [Vector2<f64>],
+}
+
+impl<F: ImplicitFormula> Parametric for Chords<'_, F> {
+    fn at(&self, u: f64) -> [Vector2<f64>; 2] {
+        let last = self.vertices.len() - 2;
+        // u is not negative and far below 2⁵³
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked by min and max")]
+        let chord = (u.max(0.0) as usize).min(last);
+        let (a, b) = (self.vertices[chord], self.vertices[chord + 1]);
+        let along = b - a;
+        let across = Vector2::new(-along.y, along.x);
+        let base = a + along * (u - chord as f64);
+        let (mut height, mut last) = (0.0, f64::INFINITY);
+        let mut slope = 0.0;
+        for _ in 0..16 {
+            let p = base + across * height;
+            let gradient = Vector2::from(self.formula.gradient(p.into()));
+            let rate = gradient.dot(&across);
+            slope = -gradient.dot(&along) / rate;
+            let step = -self.formula.value(p.into()) / rate;
+            if step.abs() >= 0.5 * last || step.is_nan() {
+                break;
+            }
+            height += step;
+            last = step.abs();
+        }
+        [base + across * height, along + across * slope]
+    }
+}
+
+/// `±f` along a path.
+struct Along<'a, F> {
+    formula: &'a F,
+    path: Line<2>,
+    side: f64,
+}
+
+impl<F: ImplicitFormula> Smooth for Along<'_, F> {
+    fn jet(&self, t: f64) -> [f64; 2] {
+        let p = self.path.at(t);
+        let gradient = Vector2::from(self.formula.gradient(p.into()));
+        [self.side * self.formula.value(p.into()), self.side * gradient.dot(&self.path.velocity)]
+    }
+
+    fn second_derivative(&self, over: Interval) -> Interval {
+        let (x, v) = (self.path.point, self.path.velocity);
+        let [xx, xy, yy] = self.formula.hessian_over([over * v.x + x.x, over * v.y + x.y]);
+        (xx * (v.x * v.x) + xy * (2.0 * v.x * v.y) + yy * (v.y * v.y)) * self.side
+    }
+}
+
+impl<F: ImplicitFormula> Piece for Implicit<F> {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        let Some([enter, leave]) = self.stay(path) else { return Crossing::NEVER };
+        let start = Line { point: path.at(enter), velocity: path.velocity };
+        let along = Along { formula: &self.formula, path: start, side: self.side() };
+        match first_rise(&along, Interval { low: 0.0, high: leave - enter }, self.noise) {
+            Some(time) => Crossing { num: enter + time, den: 1.0 },
+            None => Crossing::NEVER,
+        }
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.project(path.at(time))
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        let [fx, fy] = self.formula.gradient((*point).into());
+        let [fxx, fxy, fyy] = self.formula.hessian((*point).into());
+        let size = libm::hypot(fx, fy);
+        let (nx, ny) = (fx / size, fy / size);
+        self.side() * (fxx * ny * ny - 2.0 * fxy * nx * ny + fyy * nx * nx) / size
+    }
+    fn length(&self) -> f64 {
+        self.table.length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        let s = s - libm::floor(s / self.length()) * self.length();
+        self.chords().at(self.table.parameter(&self.chords(), self.traversed(s)))[0]
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        let u = self.table.closest(&self.chords(), point);
+        self.traversed(self.table.at_parameter(&self.chords(), u))
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        let u = self.table.closest(&self.chords(), point);
+        self.project(self.chords().at(u)[0])
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        None
+    }
+    fn extent(&self) -> Extent {
+        self.extent
+    }
+    fn area(&self) -> f64 {
+        self.side() * self.area
+    }
+}

@@ -1,0 +1,334 @@
+//! Interval arithmetic: what a formula can be anywhere in a box, rounding included.
+use core::f64::consts::{FRAC_PI_2, PI};
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// All real numbers from `low` to `high`.
+///
+/// Every operation returns an interval that contains all values the exact operation takes on its arguments: results are
+/// widened by a unit in the last place, those of `libm`'s functions by two (they are accurate to less than one).
+///
+/// ```
+/// use geometry::shapes::curve::Interval;
+/// let x = Interval::new(-1.0, 2.0);
+/// assert!((x * x).contains(-2.0)); // a product does not know that its factors are equal
+/// assert!(!x.square().contains(-1e-300));
+/// assert!((Interval::from(1.0) / Interval::from(3.0)).contains(1.0 / 3.0));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// Least number.
+    pub low: f64,
+    /// Greatest number.
+    pub high: f64,
+}
+
+impl From<f64> for Interval {
+    fn from(a: f64) -> Interval {
+        Interval { low: a, high: a }
+    }
+}
+
+impl Interval {
+    /// All real numbers: what is known of a value about which nothing is known.
+    pub const ENTIRE: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
+
+    /// The numbers between `a` and `b`, in either order; everything if one is NaN.
+    pub fn new(a: f64, b: f64) -> Interval {
+        if a.is_nan() || b.is_nan() { Interval::ENTIRE } else { Interval { low: a.min(b), high: a.max(b) } }
+    }
+
+    /// Whether `a` belongs to it.
+    pub fn contains(self, a: f64) -> bool {
+        self.low <= a && a <= self.high
+    }
+
+    /// The smallest interval around both.
+    #[must_use]
+    pub fn union(self, other: Interval) -> Interval {
+        Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The greatest absolute value.
+    pub fn magnitude(self) -> f64 {
+        self.low.abs().max(self.high.abs())
+    }
+
+    /// `high − low`
+    pub fn width(self) -> f64 {
+        self.high - self.low
+    }
+
+    /// Widened by some units in the last place.
+    fn widened(low: f64, high: f64, units: u32) -> Interval {
+        if low.is_nan() || high.is_nan() {
+            return Interval::ENTIRE;
+        }
+        Interval { low: (0..units).fold(low, |a, _| a.next_down()), high: (0..units).fold(high, |a, _| a.next_up()) }
+    }
+
+    /// A function that rises, from `libm`.
+    fn rising(self, f: impl Fn(f64) -> f64) -> Interval {
+        Interval::widened(f(self.low), f(self.high), 2)
+    }
+
+    /// The part between `low` and `high`: the domain of a function.
+    fn within(self, low: f64, high: f64) -> Interval {
+        Interval { low: self.low.clamp(low, high), high: self.high.clamp(low, high) }
+    }
+
+    /// `|x|`
+    #[must_use]
+    pub fn abs(self) -> Interval {
+        let low = if self.contains(0.0) { 0.0 } else { self.low.abs().min(self.high.abs()) };
+        Interval { low, high: self.magnitude() }
+    }
+
+    /// `x²`
+    #[must_use]
+    pub fn square(self) -> Interval {
+        let Interval { low, high } = self.abs();
+        let square = Interval::widened(low * low, high * high, 1);
+        Interval { low: square.low.max(0.0), high: square.high }
+    }
+
+    /// `xⁿ` for a whole `n`.
+    #[must_use]
+    pub fn powi(self, n: i32) -> Interval {
+        if n < 0 {
+            return Interval::from(1.0) / self.powi(n.saturating_neg());
+        }
+        if n == 0 {
+            return Interval::from(1.0);
+        }
+        if n % 2 == 0 {
+            return self.square().powi_positive(n / 2);
+        }
+        // odd powers rise
+        let [low, high] = [self.low, self.high].map(|a| Interval::from(a).powi_positive(n));
+        Interval { low: low.low, high: high.high }
+    }
+
+    /// `xⁿ` by repeated squaring, for an interval that does not change sign, and `n ≥ 1`.
+    fn powi_positive(self, n: i32) -> Interval {
+        let (mut power, mut rest, mut result) = (self, n, Interval::from(1.0));
+        while rest > 0 {
+            if rest % 2 == 1 {
+                result = result * power;
+            }
+            rest /= 2;
+            if rest > 0 {
+                power = power.square();
+            }
+        }
+        result
+    }
+
+    /// `xʸ = exp(y ln x)`, of the positive part of `x`.
+    #[must_use]
+    pub fn powf(self, y: Interval) -> Interval {
+        (y * self.ln()).exp()
+    }
+
+    /// `√x`, of the part of `x` that is not negative.
+    #[must_use]
+    pub fn sqrt(self) -> Interval {
+        let x = self.within(0.0, f64::INFINITY);
+        let root = Interval::widened(x.low.sqrt(), x.high.sqrt(), 1);
+        Interval { low: root.low.max(0.0), high: root.high }
+    }
+
+    /// `eˣ`
+    #[must_use]
+    pub fn exp(self) -> Interval {
+        let exp = self.rising(libm::exp);
+        Interval { low: exp.low.max(0.0), high: exp.high }
+    }
+
+    /// The natural logarithm of the positive part of `x`.
+    #[must_use]
+    pub fn ln(self) -> Interval {
+        self.within(0.0, f64::INFINITY).rising(libm::log)
+    }
+
+    /// `cos x`
+    #[must_use]
+    pub fn cos(self) -> Interval {
+        let (a, b) = (libm::cos(self.low), libm::cos(self.high));
+        let bounds = Interval::widened(a.min(b), a.max(b), 2);
+        let high = if self.reaches(0.0) { 1.0 } else { bounds.high.min(1.0) };
+        let low = if self.reaches(PI) { -1.0 } else { bounds.low.max(-1.0) };
+        Interval { low, high }
+    }
+
+    /// `sin x`
+    #[must_use]
+    pub fn sin(self) -> Interval {
+        let (a, b) = (libm::sin(self.low), libm::sin(self.high));
+        let bounds = Interval::widened(a.min(b), a.max(b), 2);
+        let high = if self.reaches(FRAC_PI_2) { 1.0 } else { bounds.high.min(1.0) };
+        let low = if self.reaches(-FRAC_PI_2) { -1.0 } else { bounds.low.max(-1.0) };
+        Interval { low, high }
+    }
+
+    /// Whether it may contain `angle + 2πk` for a whole number `k`, with room for rounding.
+    fn reaches(self, angle: f64) -> bool {
+        let room = 8.0 * f64::EPSILON * (1.0 + self.magnitude());
+        let (low, high) = (self.low - room - angle, self.high + room - angle);
+        !(low.is_finite() && high.is_finite()) || libm::floor(high / (2.0 * PI)) * (2.0 * PI) >= low
+    }
+
+    /// `tan x`; everything if a pole may lie inside.
+    #[must_use]
+    pub fn tan(self) -> Interval {
+        if self.reaches(FRAC_PI_2) || self.reaches(-FRAC_PI_2) { Interval::ENTIRE } else { self.rising(libm::tan) }
+    }
+
+    /// The arcsine of the part of `x` in [−1, 1].
+    #[must_use]
+    pub fn asin(self) -> Interval {
+        self.within(-1.0, 1.0).rising(libm::asin)
+    }
+
+    /// The arccosine of the part of `x` in [−1, 1].
+    #[must_use]
+    pub fn acos(self) -> Interval {
+        let x = self.within(-1.0, 1.0);
+        Interval::widened(libm::acos(x.high), libm::acos(x.low), 2)
+    }
+
+    /// `arctan x`
+    #[must_use]
+    pub fn atan(self) -> Interval {
+        self.rising(libm::atan)
+    }
+
+    /// The angle of the points `(x, y)`, in [−π, π], where `self` is `y`.
+    #[must_use]
+    pub fn atan2(self, x: Interval) -> Interval {
+        if self.contains(0.0) && x.low <= 0.0 {
+            return Interval::widened(-PI, PI, 1);
+        }
+        let corners = [(self.low, x.low), (self.low, x.high), (self.high, x.low), (self.high, x.high)];
+        let angles = corners.map(|(y, x)| Interval::from(libm::atan2(y, x)));
+        let around = angles.into_iter().fold(angles[0], Interval::union);
+        Interval::widened(around.low, around.high, 2)
+    }
+}
+
+impl Neg for Interval {
+    type Output = Interval;
+    fn neg(self) -> Interval {
+        Interval { low: -self.high, high: -self.low }
+    }
+}
+
+impl Add for Interval {
+    type Output = Interval;
+    fn add(self, other: Interval) -> Interval {
+        Interval::widened(self.low + other.low, self.high + other.high, 1)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Interval;
+    fn sub(self, other: Interval) -> Interval {
+        self + -other
+    }
+}
+
+impl Mul for Interval {
+    type Output = Interval;
+    fn mul(self, other: Interval) -> Interval {
+        // 0 · ∞ is 0 here: an infinite end stands for numbers of any size, not for ∞ itself
+        let product = |a: f64, b: f64| if a == 0.0 || b == 0.0 { 0.0 } else { a * b };
+        let ends = [
+            product(self.low, other.low),
+            product(self.low, other.high),
+            product(self.high, other.low),
+            product(self.high, other.high),
+        ];
+        let low = ends.into_iter().fold(f64::INFINITY, f64::min);
+        let high = ends.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        Interval::widened(low, high, 1)
+    }
+}
+
+impl Div for Interval {
+    type Output = Interval;
+    /// Everything if the divisor contains 0.
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is a product with the reciprocals")]
+    fn div(self, other: Interval) -> Interval {
+        if other.contains(0.0) {
+            return Interval::ENTIRE;
+        }
+        self * Interval::widened(1.0 / other.high, 1.0 / other.low, 1)
+    }
+}
+
+impl Mul<f64> for Interval {
+    type Output = Interval;
+    fn mul(self, a: f64) -> Interval {
+        self * Interval::from(a)
+    }
+}
+
+impl Add<f64> for Interval {
+    type Output = Interval;
+    fn add(self, a: f64) -> Interval {
+        self + Interval::from(a)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn interval() -> impl Strategy<Value = (Interval, f64)> {
+        // an interval, small or large, and a point of it
+        (-8.0..8.0, -12..2_i32, 0.0..=1.0).prop_map(|(low, e, part): (f64, i32, f64)| {
+            let high = low + libm::exp2(f64::from(e));
+            (Interval::new(low, high), (low + part * (high - low)).clamp(low, high))
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn every_operation_encloses_the_values_it_takes((a, x) in interval(), (b, y) in interval()) {
+            prop_assert!((a + b).contains(x + y));
+            prop_assert!((a - b).contains(x - y));
+            prop_assert!((a * b).contains(x * y));
+            prop_assert!((a / b).contains(x / y));
+            prop_assert!(a.square().contains(x * x));
+            prop_assert!(a.abs().contains(x.abs()));
+            prop_assert!(a.powi(3).contains(x * x * x));
+            prop_assert!(a.powi(4).contains((x * x) * (x * x)));
+            prop_assert!(a.sin().contains(libm::sin(x)));
+            prop_assert!(a.cos().contains(libm::cos(x)));
+            prop_assert!(a.tan().contains(libm::tan(x)));
+            prop_assert!(a.atan().contains(libm::atan(x)));
+            prop_assert!(a.exp().contains(libm::exp(x)));
+            prop_assert!(a.atan2(b).contains(libm::atan2(x, y)));
+            if x >= 0.0 {
+                prop_assert!(a.sqrt().contains(x.sqrt()));
+                prop_assert!(a.ln().contains(libm::log(x)));
+                prop_assert!(a.powf(b).contains(libm::pow(x, y)));
+            }
+            if x.abs() <= 1.0 {
+                prop_assert!(a.asin().contains(libm::asin(x)));
+                prop_assert!(a.acos().contains(libm::acos(x)));
+            }
+        }
+
+        #[test]
+        fn narrow_intervals_stay_narrow((a, x) in interval()) {
+            let point = Interval::from(x);
+            let wide = |i: Interval| i.width() / (1.0 + i.magnitude());
+            // the widening itself: at most 2 units either way per operation
+            prop_assert!(wide(point.sin()) <= 4.0 * f64::EPSILON);
+            prop_assert!(wide(point.cos()) <= 4.0 * f64::EPSILON);
+            prop_assert!(wide(point.powi(5)) <= 16.0 * f64::EPSILON);
+            prop_assert!(a.sin().width() <= a.width() + 4.0 * f64::EPSILON + 2.0 * a.sin().width() * f64::from(u8::from(a.width() > 0.1)));
+        }
+    }
+}

@@ -1,0 +1,242 @@
+//! A closed curve given as a radius for every direction.
+use super::{ArcLength, Interval, Parametric, Smooth, first_rise};
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Landing, Piece},
+    plane::slack,
+};
+use core::f64::consts::{FRAC_PI_2, PI};
+use core::fmt::Debug;
+use nalgebra::Vector2;
+
+/// A radius `r(φ) > 0` as a function of the polar angle: twice differentiable, with period 2π.
+///
+/// Both functions are required. `jet_over` is what makes the first hit certain: write the same three formulas with
+/// [`Interval`]s.
+///
+/// ```
+/// use geometry::{Piece, Vector2, shapes::curve::{Interval, Polar, PolarFormula}};
+///
+/// /// `r = 1 + a cos 3φ`
+/// #[derive(Debug)]
+/// struct Clover {
+///     a: f64,
+/// }
+/// impl PolarFormula for Clover {
+///     fn jet(&self, angle: f64) -> [f64; 3] {
+///         let (sin, cos) = (libm::sin(3.0 * angle), libm::cos(3.0 * angle));
+///         [1.0 + self.a * cos, -3.0 * self.a * sin, -9.0 * self.a * cos]
+///     }
+///     fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+///         let (sin, cos) = ((angle * 3.0).sin(), (angle * 3.0).cos());
+///         [cos * self.a + 1.0, sin * (-3.0 * self.a), cos * (-9.0 * self.a)]
+///     }
+/// }
+/// let table = Polar::new(Vector2::zeros(), Clover { a: 0.1 }, true)?;
+/// assert!((table.area() - core::f64::consts::PI * (1.0 + 0.005)).abs() < 1e-14); // π (1 + a²/2)
+/// # Ok::<(), geometry::Error>(())
+/// ```
+pub trait PolarFormula: Debug + Send + Sync {
+    /// `r`, `r′` and `r″` [L] at any angle (radians, not reduced to one turn).
+    fn jet(&self, angle: f64) -> [f64; 3];
+
+    /// Intervals that contain `r`, `r′` and `r″` everywhere between two angles; the narrower, the faster.
+    fn jet_over(&self, angle: Interval) -> [Interval; 3];
+}
+
+/// The curve `c + r(φ) (cos φ, sin φ)`, with the table inside or outside.
+///
+/// A path at distance `d` from the centre has `ρ cos ψ = d`, where `ψ` is the angle from the foot of the perpendicular,
+/// so it is inside where `d − r(φ) cos ψ < 0`: a smooth function of an angle that runs over less than a turn, whatever
+/// the path. [`first_rise`] finds its first root.
+///
+/// Traversed from `φ = 0`: counter-clockwise with the table inside, clockwise with it outside.
+#[derive(Clone, Debug)]
+pub struct Polar<F> {
+    center: Vector2<f64>,
+    formula: F,
+    inside: bool,
+    slack: f64,
+    table: ArcLength,
+    area: f64,
+    extent: Extent,
+}
+
+/// Sectors in which `r > 0` must be provable.
+const SECTORS: u32 = 4096;
+
+impl<F: PolarFormula> Polar<F> {
+    /// The curve about `center`, with the table inside (`inside`) or outside.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] unless `r` is finite and provably positive, and the same after a whole turn (to 10⁻⁹).
+    pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
+        let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
+        let mut greatest = 0.0_f64;
+        for k in 0..SECTORS {
+            let [r, ..] = formula.jet_over(Interval::new(whole(k), whole(k + 1)));
+            if !(r.low > 0.0 && r.high.is_finite()) {
+                return Err(Error::Parameter {
+                    name: "r(φ)",
+                    must: "positive and finite at every angle",
+                    value: r.low,
+                });
+            }
+            greatest = greatest.max(r.high);
+        }
+        let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
+        if (start - end).abs() > 1e-9 * greatest || end.is_nan() {
+            return Err(Error::Parameter { name: "r(2π)", must: "equal to r(0)", value: end });
+        }
+        let slack = slack([center.x, center.y, greatest]);
+        let about = About { center, formula: &formula };
+        let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
+        let area = table.enclosed_area(&about);
+        let extent = table.extent(&about);
+        Ok(Polar { center, formula, inside, slack, table, area, extent })
+    }
+
+    /// The formula.
+    pub fn formula(&self) -> &F {
+        &self.formula
+    }
+
+    fn about(&self) -> About<'_, F> {
+        About { center: self.center, formula: &self.formula }
+    }
+
+    fn angle(&self, point: &Vector2<f64>) -> f64 {
+        let y = point - self.center;
+        libm::atan2(y.y, y.x)
+    }
+
+    /// The point in the direction `y` from the centre, and the normal there.
+    fn towards(&self, y: Vector2<f64>) -> Landing {
+        let [r, slope, _] = self.formula.jet(libm::atan2(y.y, y.x));
+        let distance = libm::hypot(y.x, y.y);
+        let radial = if distance > 0.0 { y / distance } else { Vector2::x() };
+        // the tangent is r′ e_r + r e_φ, counter-clockwise; the table lies on the left of it if it lies inside
+        let tangent = radial * slope + Vector2::new(-radial.y, radial.x) * r;
+        let speed = libm::hypot(slope, r) * if self.inside { 1.0 } else { -1.0 };
+        Landing { point: self.center + radial * r, normal: Vector2::new(-tangent.y, tangent.x) / speed }
+    }
+
+    /// From arc length counter-clockwise to arc length in the sense of traversal, and back.
+    fn traversed(&self, s: f64) -> f64 {
+        if self.inside || s == 0.0 { s } else { self.table.length() - s }
+    }
+}
+
+/// The curve by its angle.
+struct About<'a, F> {
+    center: Vector2<f64>,
+    formula: &'a F,
+}
+
+impl<F: PolarFormula> Parametric for About<'_, F> {
+    fn at(&self, angle: f64) -> [Vector2<f64>; 2] {
+        let [r, slope, _] = self.formula.jet(angle);
+        let radial = Vector2::new(libm::cos(angle), libm::sin(angle));
+        [self.center + radial * r, radial * slope + Vector2::new(-radial.y, radial.x) * r]
+    }
+}
+
+/// `±(d − r(φ) cos ψ) |v|` along a path, as a function of `ψ`, with `φ = φᵥ + σ (ψ − π/2)`.
+struct Sweep<'a, F> {
+    formula: &'a F,
+    /// `d |v|`
+    moment: f64,
+    speed: f64,
+    /// The direction of the velocity.
+    heading: f64,
+    /// +1 where the path passes the centre counter-clockwise, −1 clockwise.
+    sense: f64,
+    /// +1 with the table inside, −1 outside.
+    side: f64,
+}
+
+impl<F: PolarFormula> Sweep<'_, F> {
+    fn angle(&self, psi: f64) -> f64 {
+        self.heading + self.sense * (psi - FRAC_PI_2)
+    }
+}
+
+impl<F: PolarFormula> Smooth for Sweep<'_, F> {
+    fn jet(&self, psi: f64) -> [f64; 2] {
+        let [r, slope, _] = self.formula.jet(self.angle(psi));
+        let (sin, cos) = (libm::sin(psi), libm::cos(psi));
+        let rate = r * sin - self.sense * slope * cos;
+        [self.side * (self.moment - r * cos * self.speed), self.side * rate * self.speed]
+    }
+
+    fn second_derivative(&self, over: Interval) -> Interval {
+        let angles = Interval::new(self.angle(over.low), self.angle(over.high));
+        let [r, slope, second] = self.formula.jet_over(angles);
+        let bend = (r - second) * over.cos() + slope * over.sin() * (2.0 * self.sense);
+        bend * (self.side * self.speed)
+    }
+}
+
+impl<F: PolarFormula> Piece for Polar<F> {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        let (y, v) = (path.point - self.center, path.velocity);
+        let speed = v.norm();
+        if speed == 0.0 {
+            return Crossing::NEVER;
+        }
+        let (moment, ahead) = (y.perp(&v), y.dot(&v));
+        let sweep = Sweep {
+            formula: &self.formula,
+            moment: moment.abs(),
+            speed,
+            heading: libm::atan2(v.y, v.x),
+            sense: if moment < 0.0 { -1.0 } else { 1.0 },
+            side: if self.inside { 1.0 } else { -1.0 },
+        };
+        // a little more than a right angle: a path through the centre meets the curve at π/2 exactly
+        let over = Interval { low: libm::atan2(ahead, moment.abs()), high: FRAC_PI_2 + 0.125 };
+        let Some(psi) = first_rise(&sweep, over, self.slack * speed) else { return Crossing::NEVER };
+        let [r, ..] = self.formula.jet(sweep.angle(psi));
+        let way = r * libm::sin(psi) * speed - ahead;
+        if way < -self.slack * speed {
+            return Crossing::NEVER;
+        }
+        Crossing { num: way.max(0.0), den: v.norm_squared() }
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.towards(path.at(time) - self.center)
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        let [r, slope, second] = self.formula.jet(self.angle(point));
+        let speed = libm::hypot(r, slope);
+        // (r² + 2 r′² − r r″) / (r² + r′²)^{3/2}
+        let curvature = ((r / speed) * ((r - second) / speed) + 2.0 * (slope / speed) * (slope / speed)) / speed;
+        if self.inside { curvature } else { -curvature }
+    }
+    fn length(&self) -> f64 {
+        self.table.length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        let s = s - libm::floor(s / self.length()) * self.length();
+        self.about().at(self.table.parameter(&self.about(), self.traversed(s)))[0]
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        let angle = self.table.closest(&self.about(), point);
+        self.traversed(self.table.at_parameter(&self.about(), angle))
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        let angle = self.table.closest(&self.about(), point);
+        self.towards(Vector2::new(libm::cos(angle), libm::sin(angle)))
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        None
+    }
+    fn extent(&self) -> Extent {
+        self.extent
+    }
+    fn area(&self) -> f64 {
+        if self.inside { self.area } else { -self.area }
+    }
+}

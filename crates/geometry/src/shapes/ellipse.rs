@@ -1,0 +1,349 @@
+//! A whole ellipse, with the table inside or outside.
+//!
+//! The affine map onto the unit circle keeps straight lines, their times and the sides of the curve, so meeting an
+//! ellipse is meeting a circle.
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Landing, Piece},
+    plane::{dot, from, slack},
+    shapes::{Circle, curve::rising_root, elliptic_integral::second_kind},
+};
+use core::f64::consts::{FRAC_PI_2, PI};
+use lanes::Lane;
+use nalgebra::Vector2;
+
+/// The ellipse `|A (x − c)| = 1` with `A = diag(1/a, 1/b) R(−angle)`.
+///
+/// Traversed from the end of the first semi-axis: counter-clockwise with the table inside, clockwise with it outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipse {
+    center: [f64; 2],
+    semi_axes: [f64; 2],
+    /// Unit vector along the first semi-axis.
+    axis: [f64; 2],
+    /// Rows of `A` [L⁻¹].
+    to_unit: [[f64; 2]; 2],
+    /// Columns of `A⁻¹` [L].
+    from_unit: [[f64; 2]; 2],
+    /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
+    to_normal: [[f64; 2]; 2],
+    /// What the ellipse becomes under `A`.
+    unit: Circle,
+}
+
+impl Ellipse {
+    /// The ellipse with semi-axes `[a, b]` [L], the first at `angle` (radians, counter-clockwise) to the x₁ axis, and
+    /// the table inside (`inside`) or outside.
+    ///
+    /// # Errors
+    /// [`Error::Radius`] unless both semi-axes are positive and finite, [`Error::Parameter`] for an angle or a centre
+    /// that is not finite.
+    pub fn new(center: Vector2<f64>, semi_axes: [f64; 2], angle: f64, inside: bool) -> Result<Ellipse, Error> {
+        if let Some(&radius) = semi_axes.iter().find(|&&r| !(r > 0.0 && r.is_finite())) {
+            return Err(Error::Radius { radius });
+        }
+        for (name, value) in [("angle", angle), ("center", center.x), ("center", center.y)] {
+            if !value.is_finite() {
+                return Err(Error::Parameter { name, must: "finite", value });
+            }
+        }
+        let [a, b] = semi_axes;
+        let axis = [libm::cos(angle), libm::sin(angle)];
+        let (e1, e2) = (axis, [-axis[1], axis[0]]);
+        let mut unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
+        unit.slack = slack([center.x, center.y, a, b]) / a.min(b);
+        let inward = if inside { -1.0 } else { 1.0 };
+        Ok(Ellipse {
+            center: center.into(),
+            semi_axes,
+            axis,
+            to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
+            from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
+            to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
+            unit,
+        })
+    }
+
+    /// The semi-axes `[a, b]` [L], as given.
+    pub fn semi_axes(&self) -> [f64; 2] {
+        self.semi_axes
+    }
+
+    /// The two foci [L].
+    pub fn foci(&self) -> [Vector2<f64>; 2] {
+        let [a, b] = self.semi_axes;
+        let distance = ((a - b).abs() * (a + b)).sqrt();
+        let axis = if a < b { [-self.axis[1], self.axis[0]] } else { self.axis };
+        [-distance, distance].map(|d| Vector2::from(self.center) + Vector2::from(axis) * d)
+    }
+
+    /// The path `(x, v)` as seen in the picture where the ellipse is the unit circle.
+    #[inline(always)]
+    pub(crate) fn affine<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> ([F; 2], [F; 2]) {
+        let d = from(x, self.center).map(|d| -d);
+        let map = |d: [F; 2]| self.to_unit.map(|row| d[0] * row[0] + d[1] * row[1]);
+        (map(d), map(v))
+    }
+
+    /// The unit circle.
+    pub(crate) fn unit(&self) -> &Circle {
+        &self.unit
+    }
+
+    /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
+    #[inline(always)]
+    pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        let (y, w) = self.affine(x, v);
+        self.unit.cross(y, w)
+    }
+
+    /// The landing point and the normal; see [`Piece::landing`].
+    #[inline(always)]
+    pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        let (y, w) = self.affine(x, v);
+        let (y, _) = self.unit.land(y, w, time);
+        let p = combine(self.from_unit, y);
+        let n = combine(self.to_normal, y);
+        let length = dot(n, n).sqrt();
+        ([p[0] + self.center[0], p[1] + self.center[1]], n.map(|n| n / length))
+    }
+
+    /// Where a point of the plane is in the picture of the unit circle.
+    pub(crate) fn eccentric(&self, point: &Vector2<f64>) -> [f64; 2] {
+        self.affine((*point).into(), [0.0; 2]).0
+    }
+
+    /// The point of the ellipse at `y` on the unit circle, and the normal there.
+    pub(crate) fn at(&self, y: [f64; 2]) -> Landing {
+        let [n0, n1] = combine(self.to_normal, y);
+        let length = (n0 * n0 + n1 * n1).sqrt();
+        Landing {
+            point: Vector2::from(self.center) + Vector2::from(combine(self.from_unit, y)),
+            normal: Vector2::new(n0 / length, n1 / length),
+        }
+    }
+
+    /// Derivative of the point with respect to the eccentric angle, counter-clockwise.
+    pub(crate) fn tangent(&self, y: [f64; 2]) -> Vector2<f64> {
+        Vector2::from(combine(self.from_unit, [-y[1], y[0]]))
+    }
+
+    /// Arc length from the end of the first semi-axis, counter-clockwise, to `y` on the unit circle, in [0, 4 Q].
+    pub(crate) fn arc_length_of(&self, y: [f64; 2]) -> f64 {
+        let in_quarter = self.quarter_to(y[1].abs(), y[0].abs());
+        match (y[0] > 0.0, y[1] >= 0.0) {
+            (true, true) => in_quarter,
+            (false, true) => 2.0 * self.quarter() - in_quarter,
+            (false, false) => 2.0 * self.quarter() + in_quarter,
+            (true, false) => 4.0 * self.quarter() - in_quarter,
+        }
+    }
+
+    /// The inverse of [`Ellipse::arc_length_of`], for any `s`.
+    pub(crate) fn at_arc_length(&self, s: f64) -> [f64; 2] {
+        let quarter = self.quarter();
+        let count = libm::floor(s / quarter);
+        let odd = count - 2.0 * libm::floor(0.5 * count) > 0.0;
+        let back = libm::floor(0.5 * count) - 2.0 * libm::floor(0.25 * count) > 0.0;
+        let rest = if odd { (count + 1.0) * quarter - s } else { s - count * quarter };
+        let [a, b] = self.semi_axes;
+        let along = |angle: f64| {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            [self.quarter_to(sin, cos) - rest, b * (cos * cos + (a / b) * (a / b) * sin * sin).sqrt()]
+        };
+        let angle = rising_root(along, [0.0, FRAC_PI_2]);
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let y = if odd { [-cos, sin] } else { [cos, sin] };
+        if back { y.map(|y| -y) } else { y }
+    }
+
+    /// Length of a quarter of the ellipse.
+    fn quarter(&self) -> f64 {
+        self.quarter_to(1.0, 0.0)
+    }
+
+    /// Arc length from the end of the first semi-axis to the eccentric angle with this sine and cosine, both ≥ 0.
+    fn quarter_to(&self, sin: f64, cos: f64) -> f64 {
+        let [a, b] = self.semi_axes;
+        b * second_kind(sin, cos, (a / b) * (a / b))
+    }
+
+    /// The point of the unit circle below the point of the ellipse closest to `point`.
+    ///
+    /// With `A (point − c) = z` the closest point has `yᵢ = aᵢ² zᵢ / (aᵢ² + u)`, where `u` is the greatest root of
+    /// `|y| = 1`. In `t = 1 + u/b²` (`b` the minor semi-axis) that function is convex and falling, and Newton's method
+    /// climbs to the root from below without overshooting (after Eberly, *Distance from a point to an ellipse*).
+    pub(crate) fn closest_eccentric(&self, point: &Vector2<f64>) -> [f64; 2] {
+        let z = self.eccentric(point);
+        let [a, b] = self.semi_axes;
+        let (major, minor) = if a < b { (1, 0) } else { (0, 1) };
+        let (long, short) = (self.semi_axes[major], self.semi_axes[minor]);
+        let ratio = long / short;
+        let (n, m) = (ratio * ratio * z[major].abs(), z[minor].abs());
+        let gap = (ratio - 1.0) * (ratio + 1.0); // a²/b² − 1
+        let mut t = m.max(n - gap);
+        let mut y = [0.0; 2];
+        if t > 0.0 {
+            // 64 steps are never needed: the convergence is quadratic
+            for _ in 0..64 {
+                let (p, q) = (n / (t + gap), m / t);
+                y = [p, q];
+                let step = 0.5 * (p * p + q * q - 1.0) / (p * p / (t + gap) + q * q / t);
+                if t + step <= t || step.is_nan() {
+                    break;
+                }
+                t += step;
+            }
+        } else if gap > 0.0 {
+            // on the major axis between the centres of curvature of its ends
+            let p = n / gap;
+            y = [p, (1.0 - p * p).max(0.0).sqrt()];
+        } else {
+            y = [1.0, 0.0]; // the centre of a circle
+        }
+        let norm = libm::hypot(y[0], y[1]);
+        let mut closest = [0.0; 2];
+        for (i, y) in [(major, y[0]), (minor, y[1])] {
+            closest[i] = if z[i] < 0.0 { -y / norm } else { y / norm };
+        }
+        closest
+    }
+
+    /// Curvature at `y` on the unit circle: `a b / (b² y₁² + a² y₂²)^{3/2}` inside.
+    pub(crate) fn curvature_at(&self, y: [f64; 2]) -> f64 {
+        let [a, b] = self.semi_axes;
+        let h = libm::hypot(b * y[0], a * y[1]) / libm::hypot(y[0], y[1]);
+        self.unit.turn() * (a / h) * (b / h) / h
+    }
+
+    /// Eccentric angle of a point, in (−π, π].
+    pub(crate) fn eccentric_angle(&self, point: &Vector2<f64>) -> f64 {
+        let y = self.eccentric(point);
+        libm::atan2(y[1], y[0])
+    }
+
+    /// The points of greatest and least coordinates.
+    pub(crate) fn extremes(&self) -> [Vector2<f64>; 4] {
+        let [u, w] = self.from_unit;
+        let [x, y] = [0, 1].map(|i| {
+            let h = libm::hypot(u[i], w[i]);
+            [u[i] / h, w[i] / h]
+        });
+        [x, x.map(|x| -x), y, y.map(|y| -y)].map(|e| self.at(e).point)
+    }
+}
+
+/// `y₁ c₁ + y₂ c₂` for the columns `c` of a matrix.
+#[inline(always)]
+fn combine<F: Lane>(columns: [[f64; 2]; 2], y: [F; 2]) -> [F; 2] {
+    [y[0] * columns[0][0] + y[1] * columns[1][0], y[0] * columns[0][1] + y[1] * columns[1][1]]
+}
+
+impl Piece for Ellipse {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        self.cross(path.point.into(), path.velocity.into())
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        let (point, normal) = self.land(path.point.into(), path.velocity.into(), time);
+        Landing { point: point.into(), normal: normal.into() }
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        self.curvature_at(self.eccentric(point))
+    }
+    fn length(&self) -> f64 {
+        4.0 * self.quarter()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.at(self.at_arc_length(self.unit.turn() * s)).point
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        let s = self.arc_length_of(self.closest_eccentric(point));
+        if self.unit.inside || s == 0.0 { s } else { self.length() - s }
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        self.at(self.closest_eccentric(point))
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        None
+    }
+    fn extent(&self) -> Extent {
+        Extent::of(self.extremes())
+    }
+    fn area(&self) -> f64 {
+        self.unit.turn() * PI * self.semi_axes[0] * self.semi_axes[1]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn path(x: f64, y: f64, vx: f64, vy: f64) -> Line<2> {
+        Line { point: Vector2::new(x, y), velocity: Vector2::new(vx, vy) }
+    }
+
+    #[test]
+    fn an_ellipse_is_met_at_the_ends_of_its_axes() {
+        let e = Ellipse::new(Vector2::new(1.0, 0.0), [2.0, 0.5], FRAC_PI_2, true).unwrap();
+        let up = path(1.0, 0.0, 0.0, 1.0);
+        assert_eq!(e.crossing(&up).time(), 2.0);
+        let at = e.landing(&up, 2.0);
+        // cos(π/2) is 6e-17 in f64, not 0
+        assert!((at.point - Vector2::new(1.0, 2.0)).norm() < 2.0 * f64::EPSILON);
+        // … which moves the end of the axis sideways, and the curvature there is 8
+        assert!((at.normal - Vector2::new(0.0, -1.0)).norm() < 16.0 * f64::EPSILON);
+        assert_eq!(e.curvature(&Vector2::new(1.0, 2.0)), 8.0); // a/b²
+        assert_eq!(e.curvature(&Vector2::new(1.5, 0.0)), 0.125); // b/a²
+    }
+
+    #[test]
+    fn an_ellipse_with_equal_axes_is_a_circle_to_the_last_bits() {
+        let round = Ellipse::new(Vector2::zeros(), [1.0, 1.0], 0.0, true).unwrap();
+        let circle = Circle::new(Vector2::zeros(), 1.0, true).unwrap();
+        for k in 0..100 {
+            let k = f64::from(k);
+            let p = path(0.3, -0.2, libm::cos(k), libm::sin(k));
+            let t = circle.crossing(&p).time();
+            assert_eq!(round.crossing(&p).time(), t);
+            assert_eq!(round.landing(&p, t).point, circle.landing(&p, t).point);
+            let q = path(0.0, 0.0, k - 50.0, 50.5 - k).velocity;
+            assert!((round.closest(&q).point - circle.closest(&q).point).norm() < 4.0 * f64::EPSILON);
+            assert!((round.arc_length_at(&q) - circle.arc_length_at(&q)).abs() < 16.0 * f64::EPSILON);
+        }
+    }
+
+    #[test]
+    fn the_closest_point_is_reached_along_the_normal() {
+        for (inside, axes) in [(true, [2.0, 1.0]), (false, [0.01, 3.0])] {
+            let e = Ellipse::new(Vector2::new(0.5, -1.0), axes, 0.7, inside).unwrap();
+            for k in 0..200 {
+                let (u, w) = (libm::sin(f64::from(k) * 1.7), libm::cos(f64::from(k * k) * 0.9));
+                let p = Vector2::new(0.5 + 3.0 * u, -1.0 + 3.0 * w);
+                let at = e.closest(&p);
+                let (off, n) = (p - at.point, at.normal);
+                // parallel to the normal, and no sampled point is closer
+                assert!((off.x * n.y - off.y * n.x).abs() < 1e-13, "{p} {}", off.x * n.y - off.y * n.x);
+                let best = (0..720).map(|i| (e.point_at(e.length() * f64::from(i) / 720.0) - p).norm());
+                assert!(best.fold(f64::INFINITY, f64::min) >= off.norm() - 1e-13);
+            }
+        }
+    }
+
+    #[test]
+    fn points_on_the_axes_have_closest_points() {
+        let e = Ellipse::new(Vector2::zeros(), [2.0, 1.0], 0.0, true).unwrap();
+        let closest = |x, y| e.closest(&Vector2::new(x, y)).point;
+        assert_eq!(closest(0.0, 0.0), Vector2::new(0.0, 1.0));
+        assert_eq!(closest(5.0, 0.0), Vector2::new(2.0, 0.0));
+        assert_eq!(closest(0.0, -0.25), Vector2::new(0.0, -1.0));
+        assert_eq!(closest(1.5, 0.0), Vector2::new(2.0, 0.0)); // the centre of curvature of the end
+        assert!((closest(0.75, 0.0) - Vector2::new(1.0, 0.75_f64.sqrt())).norm() < 2.0 * f64::EPSILON);
+    }
+
+    #[test]
+    fn axes_must_be_positive() {
+        assert_eq!(Ellipse::new(Vector2::zeros(), [1.0, 0.0], 0.0, true), Err(Error::Radius { radius: 0.0 }));
+    }
+}
