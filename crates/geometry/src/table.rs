@@ -2,7 +2,7 @@
 use crate::{
     Error, Extent, Figure, Landing, Lattice, Piece,
     shapes::{self, Segment},
-    walls::{Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Scatterer, Slab, Sphere, WithWalls, Zonogon},
+    walls::{Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon},
 };
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -200,11 +200,13 @@ impl Table {
         }
         let Some((container, rest)) = self.container() else { return visit.run(&self.list(0..self.pieces.len())) };
         match container {
-            Container::Slab(walls) => self.with_rest(walls, &rest, visit),
+            Container::Level(walls) => self.with_rest(walls, &rest, visit),
+            Container::Upright(walls) => self.with_rest(walls, &rest, visit),
             Container::Rectangle(walls) => self.with_rest(walls, &rest, visit),
             Container::Hexagon(walls) => self.with_rest(walls, &rest, visit),
             Container::Convex(walls) => self.with_rest(walls, &rest, visit),
             Container::Capsule(walls) => self.with_rest(walls, &rest, visit),
+            Container::RotatedCapsule(walls) => self.with_rest(walls, &rest, visit),
             Container::Disk(walls) => self.with_rest(walls, &rest, visit),
         }
     }
@@ -301,11 +303,13 @@ impl Table {
 
 /// A composite wall that encloses the particle.
 enum Container {
-    Slab(Slab<2>),
+    Level(Slab<2, 1>),
+    Upright(Slab<2, 0>),
     Rectangle(Cuboid<2>),
     Hexagon(Zonogon<3>),
     Convex(ConvexPolygon),
     Capsule(Capsule),
+    RotatedCapsule(Rotated<Capsule>),
     Disk(Sphere<2>),
 }
 
@@ -391,8 +395,18 @@ impl Container {
             && d == d1
             && a == a1;
         let pieces = [0, 1, 2, 3].map(|i| chain[(k + i) % 4]);
-        let center = (head + tail) * 0.5;
-        fits.then(|| Capsule::new(center, axis, 0.5 * length, radius, pieces).ok()).flatten().map(Container::Capsule)
+        if !fits {
+            return None;
+        }
+        // in the capsule's own frame, along whose first axis the centres lie
+        let [c, s] = [axis.x / length, axis.y / length];
+        let middle = (head + tail) * 0.5;
+        let center = Vector2::new(middle.x * c + middle.y * s, middle.y * c - middle.x * s);
+        let capsule = Capsule::new(center, 0.5 * length, radius, pieces).ok()?;
+        if axis.y == 0.0 && axis.x > 0.0 {
+            return Some(Container::Capsule(capsule));
+        }
+        Rotated::new(capsule, axis).ok().map(Container::RotatedCapsule)
     }
 
     fn slab(figures: &[Figure]) -> Option<Container> {
@@ -406,7 +420,11 @@ impl Container {
                 let first_is_low = if axis == 1 { d.x > 0.0 } else { d.y < 0.0 };
                 let (low, high, pieces) =
                     if first_is_low { (p[axis], q[axis], [0, 1]) } else { (q[axis], p[axis], [1, 0]) };
-                return Slab::new(axis, low, high, pieces).ok().map(Container::Slab);
+                return if axis == 1 {
+                    Slab::new(low, high, pieces).ok().map(Container::Level)
+                } else {
+                    Slab::new(low, high, pieces).ok().map(Container::Upright)
+                };
             }
         }
         None

@@ -102,3 +102,14 @@ pub trait Kernel {
     /// Runs it. `zero` is 0 in every lane: the seed of all other lanes ([`Lane::same`], [`Lane::load`]).
     fn run<F: Lane>(self, zero: F) -> Self::Output;
 }
+
+/// A computation with one lane; see [`vectorized`].
+///
+/// A trait and not a closure, so that an implementation can be marked `#[inline(always)]`: only then does its code
+/// end up inside the function that is compiled for the instruction set.
+pub trait Task {
+    /// What it returns.
+    type Output;
+    /// Runs it.
+    fn run(self) -> Self::Output;
+}

@@ -1,5 +1,5 @@
 //! Many lanes: the vector registers of the CPU, through `pulp`.
-use crate::{Kernel, Lane, Mask};
+use crate::{Kernel, Lane, Mask, Task};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
 
@@ -158,18 +158,18 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     Arch::new().dispatch(Run(kernel))
 }
 
-/// Runs `f` compiled for the best instruction set of this CPU, still one number at a time: the three-operand
+/// Runs a task compiled for the best instruction set of this CPU, still one number at a time: the three-operand
 /// instructions of AVX save moves, and no bit of a result changes.
-pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
-    struct Run<F>(F);
-    impl<R, F: FnOnce() -> R> NullaryFnOnce for Run<F> {
-        type Output = R;
+pub fn vectorized<T: Task>(task: T) -> T::Output {
+    struct Run<T>(T);
+    impl<T: Task> NullaryFnOnce for Run<T> {
+        type Output = T::Output;
         #[inline(always)]
-        fn call(self) -> R {
-            (self.0)()
+        fn call(self) -> T::Output {
+            self.0.run()
         }
     }
-    Arch::new().dispatch(Run(f))
+    Arch::new().dispatch(Run(task))
 }
 
 /// The name of the instruction set that [`dispatch`] uses on this CPU, and its number of lanes.

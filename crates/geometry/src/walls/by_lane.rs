@@ -29,6 +29,7 @@ impl<B: Boundary<N> + Sync, const N: usize> Walls<N> for ByLane<B> {
                 corner = put(corner, if h.corner { 1.0 } else { 0.0 });
             }
         }
-        WallHit { time, point, normal, piece, corner: zero.lt(corner) }
+        let one = zero.same(1.0);
+        WallHit { time, point, normal, inverse: one, inverse_square: one, piece, corner: zero.lt(corner) }
     }
 }

@@ -1,43 +1,33 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
 use super::{WallHit, Walls};
-use crate::{
-    Error,
-    plane::{cross, dot},
-};
+use crate::Error;
 use lanes::{Lane, Mask};
 use nalgebra::Vector2;
 
-/// The stadium of half-length `h` along a unit vector `u` and radius `r` about a centre.
+/// The stadium of half-length `h` along the first axis and radius `r` about a centre.
 #[derive(Clone, Debug)]
 pub struct Capsule {
-    center: [f64; 2],
-    axis: [f64; 2],
+    /// First coordinate of the centres of the left and the right cap, and their common second coordinate.
+    left: f64,
+    right: f64,
+    middle: f64,
+    /// First coordinate of the centre, and half the distance of the caps.
+    center: f64,
     half_length: f64,
     radius: f64,
     square: f64,
     inverse: f64,
     inverse_square: f64,
-    /// Numbers of: right side (at −r on the left of `u`), cap at +h, left side, cap at −h.
+    /// Numbers of: lower side, right cap, upper side, left cap.
     pieces: [f64; 4],
 }
 
 impl Capsule {
-    /// The stadium about `center` along `axis` (any length but 0); pieces: the side on the right of the axis, the cap
-    /// at its head, the side on the left, the cap at its tail.
+    /// The stadium about `center`; pieces: lower side, right cap, upper side, left cap.
     ///
     /// # Errors
     /// [`Error::Parameter`] or [`Error::Radius`] for sizes that are not positive and finite.
-    pub fn new(
-        center: Vector2<f64>,
-        axis: Vector2<f64>,
-        half_length: f64,
-        radius: f64,
-        pieces: [usize; 4],
-    ) -> Result<Self, Error> {
-        let length = libm::hypot(axis.x, axis.y);
-        if !(length > 0.0 && length.is_finite()) {
-            return Err(Error::ZeroLength);
-        }
+    pub fn new(center: Vector2<f64>, half_length: f64, radius: f64, pieces: [usize; 4]) -> Result<Self, Error> {
         if !(half_length > 0.0 && half_length.is_finite()) {
             return Err(Error::Parameter { name: "half_length", must: "positive and finite", value: half_length });
         }
@@ -46,8 +36,10 @@ impl Capsule {
         }
         let square = radius * radius;
         Ok(Capsule {
-            center: center.into(),
-            axis: [axis.x / length, axis.y / length],
+            left: center.x - half_length,
+            right: center.x + half_length,
+            middle: center.y,
+            center: center.x,
             half_length,
             radius,
             square,
@@ -62,43 +54,38 @@ impl Walls<2> for Capsule {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
-        let u = self.axis.map(|a| zero.same(a));
-        let y = [x[0] - self.center[0], x[1] - self.center[1]];
-        // along the axis and to its left
-        let (px, py) = (dot(u, y), cross(u, y));
-        let (vx, vy) = (dot(u, *v), cross(u, *v));
-        // where the path meets the line of the side ahead, times |vy|: no division yet
-        let speed = vy.abs();
-        let left = zero.lt(vy);
-        let distance = (zero.same(self.radius) - left.select(py, -py)).max(zero);
-        let meet = px * speed + distance * vx;
+        let one = zero.same(1.0);
+        let y = x[1] - self.middle;
+        // where the path meets the line of the side ahead, times |v₂|: no division yet
+        let up = zero.lt(v[1]);
+        let speed = v[1].abs();
+        let distance = (zero.same(self.radius) - up.select(y, -y)).max(zero);
+        let meet = (x[0] - self.center) * speed + distance * v[0];
         let flat = meet.abs().lt(speed * self.half_length);
         // otherwise the cap on that side
-        let head = zero.same(self.half_length).copysign(meet);
-        let qx = px - head;
-        let (a, b) = (vx * vx + vy * vy, qx * vx + py * vy);
-        let c = qx * qx + py * py - self.square;
+        let cap = zero.lt(meet).select(zero.same(self.right), zero.same(self.left));
+        let q1 = x[0] - cap;
+        let (a, b) = (v[0] * v[0] + v[1] * v[1], q1 * v[0] + y * v[1]);
+        let c = q1 * q1 + y * y - self.square;
         let root = (b * b - a * c).max(zero).sqrt();
         let q = b.abs() + root;
         let leaving = zero.lt(b);
         let num = flat.select(distance, leaving.select((-c).max(zero), q));
         let den = flat.select(speed, leaving.select(q, a));
         let time = num / den;
-        // land, in the capsule's frame
-        let (lx, ly) = (qx + time * vx, py + time * vy);
-        let scale = ((lx * lx + ly * ly) * self.inverse_square) * -0.5 + 1.5;
-        let side = zero.same(self.radius).copysign(vy);
-        let (lx, ly) = (flat.select(lx, lx * scale), flat.select(side, ly * scale));
-        let nx = flat.select(zero, lx * -self.inverse);
-        let ny = flat.select(zero.same(-1.0).copysign(-vy), ly * -self.inverse);
-        let at = lx + head;
-        let [right_side, head_cap, left_side, tail_cap] = self.pieces.map(|p| zero.same(p));
-        let piece = flat.select(left.select(left_side, right_side), zero.lt(head).select(head_cap, tail_cap));
+        let (l1, l2) = (q1 + time * v[0], y + time * v[1]);
+        // |l|² is r² up to rounding on a cap: one Newton step each
+        let ratio = (l1 * l1 + l2 * l2) * self.inverse_square;
+        let scale = ratio * -0.5 + 1.5;
+        let side = zero.same(self.radius).copysign(v[1]);
+        let [lower, right, upper, left] = self.pieces.map(|p| zero.same(p));
         WallHit {
             time,
-            point: [u[0] * at - u[1] * ly + self.center[0], u[1] * at + u[0] * ly + self.center[1]],
-            normal: [u[0] * nx - u[1] * ny, u[1] * nx + u[0] * ny],
-            piece,
+            point: [flat.select(l1, l1 * scale) + cap, flat.select(side, l2 * scale) + self.middle],
+            normal: [flat.select(zero, -l1), flat.select(-one.copysign(v[1]), -l2)],
+            inverse: flat.select(one, scale * self.inverse),
+            inverse_square: flat.select(one, (one.same(2.0) - ratio) * self.inverse_square),
+            piece: flat.select(up.select(upper, lower), zero.lt(meet).select(right, left)),
             corner: zero.lt(zero),
         }
     }

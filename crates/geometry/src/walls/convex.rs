@@ -82,6 +82,14 @@ impl Walls<2> for ConvexPolygon {
         let off = wall - (p[0] * n[0] + p[1] * n[1]);
         let point = [p[0] + off * n[0], p[1] + off * n[1]];
         let along = point[1] * n[0] - point[0] * n[1] - middle;
-        WallHit { time, point, normal: [-n[0], -n[1]], piece, corner: half.lt(along.abs()) }
+        WallHit {
+            time,
+            point,
+            normal: [-n[0], -n[1]],
+            inverse: zero.same(1.0),
+            inverse_square: zero.same(1.0),
+            piece,
+            corner: half.lt(along.abs()),
+        }
     }
 }

@@ -68,6 +68,6 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
             let number = up.select(zero.same(self.pieces[i][1]), zero.same(self.pieces[i][0]));
             piece = first[i].select(number, piece);
         }
-        WallHit { time, point, normal, piece, corner }
+        WallHit { time, point, normal, inverse: zero.same(1.0), inverse_square: zero.same(1.0), piece, corner }
     }
 }

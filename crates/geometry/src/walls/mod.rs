@@ -10,6 +10,7 @@ mod convex;
 mod cuboid;
 mod list;
 mod periodic;
+mod rotated;
 mod scatterer;
 mod slab;
 mod sphere;
@@ -22,13 +23,14 @@ pub use convex::ConvexPolygon;
 pub use cuboid::Cuboid;
 pub use list::List;
 pub use periodic::Periodic;
+pub use rotated::Rotated;
 pub use scatterer::Scatterer;
 pub use slab::Slab;
 pub use sphere::Sphere;
 pub use zonogon::Zonogon;
 
 use crate::{Hit, Line};
-use lanes::Lane;
+use lanes::{Lane, Mask};
 
 /// The first hit, in lanes.
 #[derive(Clone, Copy, Debug)]
@@ -37,12 +39,55 @@ pub struct WallHit<F: Lane, const N: usize> {
     pub time: F,
     /// The point hit, on the wall.
     pub point: [F; N],
-    /// Unit normal into the table.
+    /// A normal into the table. Its length is whatever the wall has at hand: see the next two.
     pub normal: [F; N],
+    /// `1/|normal|`, to about 2 ulp.
+    pub inverse: F,
+    /// `1/|normal|²`, to about 2 ulp: reflecting with it is exact for a normal of any length.
+    pub inverse_square: F,
     /// Number of the piece.
     pub piece: F,
     /// Whether the hit is a corner, within rounding.
     pub corner: F::Mask,
+}
+
+impl<F: Lane, const N: usize> WallHit<F, N> {
+    /// The unit normal into the table.
+    #[inline(always)]
+    pub fn unit_normal(&self) -> [F; N] {
+        self.normal.map(|n| n * self.inverse)
+    }
+
+    /// No hit, in lanes like those of `x`.
+    #[inline(always)]
+    pub fn never(x: [F; N]) -> Self {
+        let one = x[0].same(1.0);
+        WallHit {
+            time: x[0].same(f64::INFINITY),
+            point: x,
+            normal: x,
+            inverse: one,
+            inverse_square: one,
+            piece: x[0].same(0.0),
+            corner: one.lt(one),
+        }
+    }
+
+    /// This one, or `other` where `second`.
+    #[inline(always)]
+    #[must_use]
+    pub fn or(mut self, second: F::Mask, other: &Self) -> Self {
+        self.time = second.select(other.time, self.time);
+        for i in 0..N {
+            self.point[i] = second.select(other.point[i], self.point[i]);
+            self.normal[i] = second.select(other.normal[i], self.normal[i]);
+        }
+        self.inverse = second.select(other.inverse, self.inverse);
+        self.inverse_square = second.select(other.inverse_square, self.inverse_square);
+        self.piece = second.select(other.piece, self.piece);
+        self.corner = (second & other.corner) | (!second & self.corner);
+        self
+    }
 }
 
 /// What a billiard's particle can hit, as the engine's loop asks it: for one orbit or for many side by side.
@@ -59,7 +104,7 @@ pub trait Walls<const N: usize>: Sync {
         (hit.time < f64::INFINITY).then(|| Hit {
             time: hit.time,
             point: hit.point.into(),
-            normal: hit.normal.into(),
+            normal: hit.unit_normal().into(),
             piece: hit.piece as usize,
             corner: hit.corner,
         })

@@ -37,7 +37,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
         let one = zero.same(1.0);
         let mut x = *x;
         let mut flown = zero;
-        let mut best = WallHit { time: never, point: x, normal: x, piece: zero, corner: zero.lt(zero) };
+        let mut best = WallHit::never(x);
         let mut flying = !zero.lt(zero);
         for _ in 0..MOST_CELLS {
             let hit = self.walls.first_hit(&x, v);
@@ -56,13 +56,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             }
             // a hit within this cell, or in a direction that leaves none
             let here = flying & !exit.lt(hit.time);
-            best.time = here.select(flown + hit.time, best.time);
-            for i in 0..2 {
-                best.point[i] = here.select(hit.point[i], best.point[i]);
-                best.normal[i] = here.select(hit.normal[i], best.normal[i]);
-            }
-            best.piece = here.select(hit.piece, best.piece);
-            best.corner = (here & hit.corner) | (!here & best.corner);
+            best = best.or(here, &WallHit { time: flown + hit.time, ..hit });
             flying = flying & !here;
             if !flying.any() {
                 break;

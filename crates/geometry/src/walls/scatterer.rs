@@ -49,6 +49,9 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
         // the earlier root of |y + t v|² = r², without cancellation, where the path approaches and meets the ball
         let discriminant = b * b - a * c;
         let meets = zero.lt(discriminant) & b.lt(zero) & zero.same(-self.off).lt(c);
+        if !meets.any() {
+            return WallHit::never(*x);
+        }
         let q = discriminant.max(zero).sqrt() - b;
         let time = meets.select(c.max(zero) / q, zero.same(f64::INFINITY));
         let mut square = zero;
@@ -56,14 +59,21 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
             y[i] = y[i] + time * v[i];
             square = square + y[i] * y[i];
         }
-        // one Newton step towards |y| = r
-        let scale = (square * self.inverse_square) * -0.5 + 1.5;
-        let (mut point, mut normal) = (y, y);
+        // |y|² is r² up to rounding: one Newton step each for y on the sphere, 1/|y| and 1/|y|²
+        let ratio = square * self.inverse_square;
+        let scale = ratio * -0.5 + 1.5;
+        let mut point = y;
         for i in 0..N {
-            y[i] = y[i] * scale;
-            point[i] = y[i] + self.center[i];
-            normal[i] = y[i] * self.inverse;
+            point[i] = y[i] * scale + self.center[i];
         }
-        WallHit { time, point, normal, piece: zero.same(self.piece), corner: zero.lt(zero) }
+        WallHit {
+            time,
+            point,
+            normal: y,
+            inverse: scale * self.inverse,
+            inverse_square: (zero.same(2.0) - ratio) * self.inverse_square,
+            piece: zero.same(self.piece),
+            corner: zero.lt(zero),
+        }
     }
 }

@@ -106,6 +106,8 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
             time,
             point: [p[0] + self.center[0], p[1] + self.center[1]],
             normal: [-n[0], -n[1]],
+            inverse: one,
+            inverse_square: one,
             piece,
             corner: half.lt(along.abs()),
         }

@@ -1,0 +1,85 @@
+//! Strict laws of a ball in space: specular, no-slip, and the rough directions between.
+use crate::billiard::BallLaw;
+use geometry::WallHit;
+use lanes::{Lane, Mask};
+use nalgebra::Vector3;
+
+/// A ball in ℝ³ whose wall is rough along some directions.
+///
+/// With `W = γ R ω`, inward normal `ν`, and `Π` the projector onto the rough directions in the contact plane,
+/// `q = Π(γ v − W × ν)`:
+///
+/// `v⁺ = v − 2 (v·ν) ν − (2γ/(1+γ²)) q`, `W⁺ = W + (2/(1+γ²)) ν × q`.
+///
+/// This is the strict law of [CFW] for a ball and a fixed wall; the spin about the normal never changes.
+#[derive(Clone, Copy, Debug)]
+pub struct RoughBall {
+    gamma: f64,
+    /// `2/(1+γ²)`
+    factor: f64,
+    rough: Rough,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Rough {
+    All,
+    /// k = 1: the tangential part of a fixed vector.
+    Along([f64; 3]),
+}
+
+impl RoughBall {
+    /// No-slip: both tangential directions are rough.
+    pub fn no_slip(gamma: f64) -> RoughBall {
+        RoughBall { gamma, factor: 2.0 / (1.0 + gamma * gamma), rough: Rough::All }
+    }
+
+    /// Rough along the tangential part of `direction` alone (k = 1); smooth where the direction is normal to the wall.
+    pub fn along(gamma: f64, direction: Vector3<f64>) -> RoughBall {
+        RoughBall { rough: Rough::Along(direction.into()), ..RoughBall::no_slip(gamma) }
+    }
+}
+
+#[inline(always)]
+fn dot<F: Lane>(a: &[F; 3], b: &[F; 3]) -> F {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+#[inline(always)]
+fn cross<F: Lane>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+impl BallLaw<3, 3> for RoughBall {
+    #[inline(always)]
+    fn collide<F: Lane>(&self, hit: &WallHit<F, 3>, velocity: &mut [F; 3], spin: &mut [F; 3]) {
+        let n = &hit.unit_normal();
+        let vn = dot(velocity, n);
+        let wn = cross(spin, n);
+        // γ u without its normal part; W × ν has none
+        let mut slip = [vn; 3];
+        for i in 0..3 {
+            slip[i] = (velocity[i] - vn * n[i]) * self.gamma - wn[i];
+        }
+        let q = match self.rough {
+            Rough::All => slip,
+            Rough::Along(direction) => {
+                let d = direction.map(|d| vn.same(d));
+                let along = dot(&d, n);
+                let mut t = d;
+                for i in 0..3 {
+                    t[i] = d[i] - along * n[i];
+                }
+                let square = dot(&t, &t);
+                // a direction along the normal, within rounding, leaves the wall smooth
+                let smooth = square.lt(dot(&d, &d) * (f64::EPSILON * f64::EPSILON * 16.0));
+                let part = smooth.select(vn.same(0.0), dot(&t, &slip) / square);
+                t.map(|t| t * part)
+            }
+        };
+        let turn = cross(n, &q);
+        let twice = vn + vn;
+        for i in 0..3 {
+            velocity[i] = velocity[i] - twice * n[i] - q[i] * (self.factor * self.gamma);
+            spin[i] = spin[i] + turn[i] * self.factor;
+        }
+    }
+}

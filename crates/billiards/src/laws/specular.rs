@@ -1,0 +1,23 @@
+//! The specular law: frictionless contact. Spin is neither read nor written.
+use crate::billiard::BallLaw;
+use geometry::WallHit;
+use lanes::Lane;
+
+/// `v⁺ = v − 2 (v·ν) ν`, in any dimension, whatever the spin.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Specular;
+
+impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
+    #[inline(always)]
+    fn collide<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], _: &mut [F; S]) {
+        let n = &hit.normal;
+        let mut vn = velocity[0] * n[0];
+        for i in 1..N {
+            vn = vn + velocity[i] * n[i];
+        }
+        let twice = (vn + vn) * hit.inverse_square;
+        for i in 0..N {
+            velocity[i] = velocity[i] - twice * n[i];
+        }
+    }
+}

@@ -1,0 +1,35 @@
+//! Measurements: one per file. The engine calls, an observer looks and may stop the run.
+use crate::run::Collision;
+use core::ops::ControlFlow;
+
+/// Watches a run.
+pub trait Observer<const N: usize, const S: usize, K, T> {
+    /// A collision has just happened. `Break` ends the orbit.
+    fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()>;
+}
+
+/// Nobody watches: costs nothing.
+impl<const N: usize, const S: usize, K, T> Observer<N, S, K, T> for () {
+    #[inline(always)]
+    fn collision(&mut self, _: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}
+
+/// Two observers see the same run.
+impl<const N: usize, const S: usize, K, T, A: Observer<N, S, K, T>, B: Observer<N, S, K, T>> Observer<N, S, K, T>
+    for (A, B)
+{
+    #[inline(always)]
+    fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
+        self.0.collision(collision)?;
+        self.1.collision(collision)
+    }
+}
+
+impl<const N: usize, const S: usize, K, T, O: Observer<N, S, K, T> + ?Sized> Observer<N, S, K, T> for &mut O {
+    #[inline(always)]
+    fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
+        (**self).collision(collision)
+    }
+}

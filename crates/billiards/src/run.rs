@@ -1,0 +1,174 @@
+//! The engine's loop.
+use crate::{
+    billiard::{BallLaw, Billiard},
+    energy::EnergyKeeper,
+    observe::Observer,
+    orbit::{Orbit, square_speed},
+    track::{Timed, Track},
+};
+use core::ops::ControlFlow;
+use geometry::{WallHit, Walls};
+use lanes::Task;
+
+/// How long an orbit runs.
+pub trait Limit<T> {
+    /// Whether collision number `n` (from 1), `flight` after the last one, is beyond the limit.
+    fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool;
+}
+
+/// So many collisions.
+#[derive(Clone, Copy, Debug)]
+pub struct Collisions(pub u64);
+
+/// So much time [T] since the start.
+#[derive(Clone, Copy, Debug)]
+pub struct Time(pub f64);
+
+impl<T> Limit<T> for Collisions {
+    #[inline(always)]
+    fn is_beyond(&self, n: u64, _: &T, _: f64) -> bool {
+        n > self.0
+    }
+}
+
+impl<T: Timed<f64>> Limit<T> for Time {
+    #[inline(always)]
+    fn is_beyond(&self, _: u64, track: &T, flight: f64) -> bool {
+        track.time() + flight > self.0
+    }
+}
+
+/// Why an orbit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Stop {
+    /// The limit was reached.
+    Finished,
+    /// An observer had seen enough.
+    Observer,
+    /// The path ends in a corner, where no normal is defined.
+    Corner,
+    /// The ball leaves the wall so flat that the next flight cannot be told from rounding.
+    Grazing,
+    /// The path meets no wall any more.
+    Escaped,
+    /// Many collisions without any progress: the end of a cusp.
+    Stalled,
+}
+
+impl Stop {
+    /// The word for it in summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stop::Finished => "finished",
+            Stop::Observer => "observer",
+            Stop::Corner => "corner",
+            Stop::Grazing => "grazing",
+            Stop::Escaped => "escaped",
+            Stop::Stalled => "stalled",
+        }
+    }
+}
+
+/// How a run ended: why, and after how many collisions. The orbit holds the state at that moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// Why.
+    pub stop: Stop,
+    /// Collisions made.
+    pub collisions: u64,
+}
+
+/// A collision that has just happened, as an observer sees it.
+#[derive(Debug)]
+pub struct Collision<'a, const N: usize, const S: usize, K, T> {
+    /// Its number, from 1.
+    pub n: u64,
+    /// Where it was.
+    pub hit: &'a WallHit<f64, N>,
+    /// The state right after it.
+    pub orbit: &'a Orbit<f64, N, S, K, T>,
+}
+
+impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
+    /// Number of the piece hit.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+    pub fn piece(&self) -> usize {
+        self.hit.piece as usize
+    }
+}
+
+/// So many flights of no length in a row are no motion: two curves that touch can hold a particle for ever.
+const MOST_IDLE: u32 = 64;
+
+/// A normal speed below this fraction of the speed cannot be told from rounding.
+const GRAZING: f64 = f64::EPSILON;
+
+/// Runs an orbit from collision to collision until the limit, an observer or physics ends it.
+pub fn run<W, L, const N: usize, const S: usize, K, T, O>(
+    billiard: &Billiard<'_, W, L>,
+    orbit: &mut Orbit<f64, N, S, K, T>,
+    limit: &impl Limit<T>,
+    observer: &mut O,
+) -> Outcome
+where
+    W: Walls<N>,
+    L: BallLaw<N, S>,
+    K: EnergyKeeper<f64, N, S>,
+    T: Track<f64, N, S>,
+    O: Observer<N, S, K, T>,
+{
+    lanes::vectorized(Run { billiard, orbit, limit, observer })
+}
+
+/// The arguments of [`run`], to be run by code for the instruction set at hand.
+struct Run<'a, W, L, const N: usize, const S: usize, K, T, M, O> {
+    billiard: &'a Billiard<'a, W, L>,
+    orbit: &'a mut Orbit<f64, N, S, K, T>,
+    limit: &'a M,
+    observer: &'a mut O,
+}
+
+impl<W, L, const N: usize, const S: usize, K, T, M, O> Task for Run<'_, W, L, N, S, K, T, M, O>
+where
+    W: Walls<N>,
+    L: BallLaw<N, S>,
+    K: EnergyKeeper<f64, N, S>,
+    T: Track<f64, N, S>,
+    M: Limit<T>,
+    O: Observer<N, S, K, T>,
+{
+    type Output = Outcome;
+    #[inline(always)]
+    fn run(self) -> Outcome {
+        let Run { billiard, orbit, limit, observer } = self;
+        let slow = GRAZING * GRAZING * square_speed(&orbit.velocity, &orbit.spin);
+        let mut n = 0;
+        let mut idle = 0;
+        let stop = loop {
+            let hit = billiard.flight(orbit);
+            if limit.is_beyond(n + 1, &orbit.track, hit.time) {
+                break Stop::Finished;
+            }
+            if !(hit.time < f64::INFINITY) {
+                break Stop::Escaped;
+            }
+            if hit.corner {
+                break Stop::Corner;
+            }
+            idle = if hit.time > 0.0 { 0 } else { idle + 1 };
+            if idle > MOST_IDLE {
+                break Stop::Stalled;
+            }
+            billiard.collide(orbit, &hit);
+            n += 1;
+            if let ControlFlow::Break(()) = observer.collision(&Collision { n, hit: &hit, orbit }) {
+                break Stop::Observer;
+            }
+            let normal_speed: f64 = (0..N).map(|i| orbit.velocity[i] * hit.normal[i]).sum();
+            if normal_speed * normal_speed * hit.inverse_square <= slow {
+                break Stop::Grazing;
+            }
+        };
+        Outcome { stop, collisions: n }
+    }
+}

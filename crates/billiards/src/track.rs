@@ -1,0 +1,109 @@
+//! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
+use geometry::{Lattice, Vector2, WallHit};
+use lanes::{Double, Lane};
+use std::sync::Arc;
+
+/// Something that each flight from one collision to the next adds to.
+pub trait Track<F: Lane, const N: usize, const S: usize> {
+    /// A flight with this velocity and spin from `from` to the hit.
+    fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
+}
+
+/// A track that knows the time.
+pub trait Timed<F: Lane> {
+    /// The time since the start [T].
+    fn time(&self) -> F;
+}
+
+impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for () {
+    #[inline(always)]
+    fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], _: &WallHit<F, N>) {}
+}
+
+impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, S>> Track<F, N, S> for (A, B) {
+    #[inline(always)]
+    fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>) {
+        self.0.fly(from, velocity, spin, hit);
+        self.1.fly(from, velocity, spin, hit);
+    }
+}
+
+/// The time since the start [T], as a compensated sum: its error does not grow with the number of collisions.
+#[derive(Clone, Copy, Debug)]
+pub struct Clock<F = f64>(pub Double<F>);
+
+impl<F: Lane> Clock<F> {
+    /// A clock at 0, in as many lanes as `zero`.
+    pub fn new(zero: F) -> Self {
+        Clock(Double::new(zero))
+    }
+}
+
+impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Clock<F> {
+    #[inline(always)]
+    fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], hit: &WallHit<F, N>) {
+        self.0.add(hit.time);
+    }
+}
+
+impl<F: Lane> Timed<F> for Clock<F> {
+    #[inline(always)]
+    fn time(&self) -> F {
+        self.0.value()
+    }
+}
+
+impl<F: Lane, B> Timed<F> for (Clock<F>, B) {
+    #[inline(always)]
+    fn time(&self) -> F {
+        self.0.time()
+    }
+}
+
+/// The scaled spin position `x₀ = γ R θ` of a disk [L], not reduced modulo a turn, as a compensated sum.
+#[derive(Clone, Copy, Debug)]
+pub struct Angle<F = f64>(pub Double<F>);
+
+impl<F: Lane> Angle<F> {
+    /// The spin position at the start.
+    pub fn new(start: F) -> Self {
+        Angle(Double::new(start))
+    }
+}
+
+impl<F: Lane, const N: usize> Track<F, N, 1> for Angle<F> {
+    #[inline(always)]
+    fn fly(&mut self, _: &[F; N], _: &[F; N], spin: &[F; 1], hit: &WallHit<F, N>) {
+        self.0.add(spin[0] * hit.time);
+    }
+}
+
+/// The translation accumulated on a lattice, in multiples of its vectors.
+#[derive(Clone, Debug)]
+pub struct Cell<F = f64> {
+    lattice: Arc<Lattice>,
+    /// Position in the plane = position in the unit cell + `cell` · lattice vectors.
+    pub cell: [F; 2],
+}
+
+impl<F: Lane> Cell<F> {
+    /// In the unit cell, in as many lanes as `zero`.
+    pub fn new(lattice: Arc<Lattice>, zero: F) -> Self {
+        Cell { lattice, cell: [zero; 2] }
+    }
+}
+
+impl<F: Lane, const S: usize> Track<F, 2, S> for Cell<F> {
+    #[inline(always)]
+    fn fly(&mut self, from: &[F; 2], velocity: &[F; 2], _: &[F; S], hit: &WallHit<F, 2>) {
+        for lane in 0..F::LANES {
+            let lifted = |i: usize| from[i].lane(lane) + velocity[i].lane(lane) * hit.time.lane(lane);
+            let moved = Vector2::new(lifted(0) - hit.point[0].lane(lane), lifted(1) - hit.point[1].lane(lane));
+            let step = self.lattice.nearest(&moved);
+            for i in 0..2 {
+                let old = self.cell[i];
+                self.cell[i] = old.each(|k| if k == lane { old.lane(k) + step[i] } else { old.lane(k) });
+            }
+        }
+    }
+}
