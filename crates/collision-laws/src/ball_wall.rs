@@ -3,7 +3,7 @@
 use crate::{CollisionLaw, Twist, bodies::Ball};
 use nalgebra::{SVector, Vector3};
 
-/// The collision map of a disk and a fixed wall, in the velocities `v₀ = γ R θ̇`, `vₜ = v·t`, `vₙ = v·ν` [L T⁻¹].
+/// The collision map of a disk and a fixed wall, in the velocities `v₀ = γ R θ̇`, `vₜ = v·t`, `vₙ = v·ν` \[L T⁻¹\].
 ///
 /// `t = J ν`, with `J(x, y) = (−y, x)` and `ν` into the table; the kinetic energy is `(m/2)(v₀² + vₜ² + vₙ²)`. For a law that is the
 /// same at every contact this is one constant matrix, blocked into spin and tangent, and the normal.
@@ -51,7 +51,7 @@ pub trait DiskLaw: CollisionLaw<2> {
 }
 
 impl Ball<2> {
-    /// The scaled spin `v₀ = γ R θ̇` [L T⁻¹] of a velocity.
+    /// The scaled spin `v₀ = γ R θ̇` \[L T⁻¹\] of a velocity.
     #[inline]
     pub fn scaled_spin(&self, v: &Twist<2>) -> f64 {
         self.gamma() * self.radius() * v.angular_velocity()
@@ -65,7 +65,7 @@ impl Ball<2> {
 }
 
 impl Ball<3> {
-    /// The scaled spin `W = γ R ω` [L T⁻¹], an axial vector in the space frame; the energy is `(m/2)(|v|² + |W|²)`.
+    /// The scaled spin `W = γ R ω` \[L T⁻¹\], an axial vector in the space frame; the energy is `(m/2)(|v|² + |W|²)`.
     #[inline]
     pub fn scaled_spin(&self, v: &Twist<3>) -> Vector3<f64> {
         v.angular_velocity() * (self.gamma() * self.radius())

@@ -81,10 +81,10 @@ fn defects<const N: usize>(space: &TangentSpace<N>, c: &DMatrix<f64>) -> Report 
     // C maps {⟨v, N̂⟩ ≤ 0} into {⟨v, N̂⟩ ≥ 0} exactly if CᵀN̂ = −c N̂ with c ≥ 0 (Farkas)
     let image = c.tr_mul(space.normal());
     let factor = (-space.normal().dot(&image)).max(0.0);
-    report.note(Axiom::OutgoingToIngoing, (image + space.normal() * factor).norm());
+    report.note(Axiom::OutgoingToIngoing, (&image + space.normal() * factor).norm());
     let inside = space.impulse_space() * space.impulse_space().tr_mul(&change);
     report.note(Axiom::ContactImpulse, (change - inside).norm());
-    report.note_measure_ratio(c.determinant().abs() * factor);
+    report.note_measure_ratio((c.determinant() * space.normal().dot(&image)).abs());
     report
 }
 

@@ -1,5 +1,6 @@
 //! The Delassus operator: all that a law needs to know of the two bodies.
 
+use crate::symmetric::eigenframe;
 use nalgebra::{SMatrix, SVector, Unit};
 
 /// The inverse contact mass `K = J G⁻¹ Jᵀ` \[M⁻¹\]: an impulse `p` at the contact changes the contact velocity by `K p`.
@@ -46,6 +47,16 @@ impl<const N: usize> Delassus<N> {
         }
     }
 
+    /// Whether the smallest eigenvalue is lost in the rounding of the largest.
+    pub fn is_singular(&self) -> bool {
+        let eigenvalues = match self {
+            Self::Isotropic { normal, tangent } => return !(normal.is_normal() && tangent.is_normal()),
+            Self::Dense(k) => eigenframe(*k).0,
+        };
+        let rounding = 4.0 * N as f64 * f64::EPSILON * eigenvalues.amax();
+        eigenvalues.iter().any(|x| x.is_nan() || *x <= rounding)
+    }
+
     /// `K` as a matrix.
     #[inline]
     pub fn to_matrix(&self, normal: &Unit<SVector<f64, N>>) -> SMatrix<f64, N, N> {
@@ -56,5 +67,19 @@ impl<const N: usize> Delassus<N> {
             }
             Self::Dense(k) => *k,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Matrix2;
+
+    #[test]
+    fn a_body_that_hardly_resists_turning_is_singular() {
+        let k = |ratio: f64| Delassus::Dense(Matrix2::new(1.0 + ratio, ratio, ratio, 1.0 + ratio));
+        assert!(!k(1e12).is_singular());
+        assert!(k(1e17).is_singular());
+        assert!(Delassus::<2>::ZERO.is_singular());
     }
 }

@@ -109,8 +109,8 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     /// The collision, if there is one: the same as [`collide`](Self::collide) for bodies that can move and do approach.
     ///
     /// # Errors
-    /// [`Error::BothFixed`], [`Error::NotApproaching`] if `u·ν ≥ 0`, [`Error::SingularDelassus`] if the inertias are too far
-    /// apart for the impulse to be computed.
+    /// [`Error::BothFixed`], [`Error::NotApproaching`] if `u·ν ≥ 0`, [`Error::SingularDelassus`] if `K` has a
+    /// condition number above 1/ε ≈ 1e16, so that the tangential impulse would be noise.
     pub fn try_collide<L: CollisionLaw<N> + ?Sized>(
         &self,
         law: &L,
@@ -123,8 +123,10 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
         if normal_velocity >= 0.0 {
             return Err(Error::NotApproaching { normal_velocity });
         }
-        let collision = self.collide(law, v);
-        if collision.impulse.iter().all(|p| p.is_finite()) { Ok(collision) } else { Err(Error::SingularDelassus) }
+        if self.delassus().is_singular() {
+            return Err(Error::SingularDelassus);
+        }
+        Ok(self.collide(law, v))
     }
 
     /// The matrix of the collision map `C_q` of a law that is linear in the velocity, in the coordinates of

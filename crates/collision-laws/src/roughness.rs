@@ -8,7 +8,7 @@ const LOST: f64 = 64.0 * f64::EPSILON;
 
 /// A point of the Grassmannian `Gr(k, ν⊥)`: the choice a strict law makes at one contact.
 ///
-/// By [CFW] (in the paper: Theorem 1.1) the strict collision maps at a contact are exactly these, k = 0 … N−1, whatever the
+/// By \[CFW\] (Theorem 1.1 of Cox and Feres, *No-slip billiards in dimension two*) the strict collision maps at a contact are exactly these, k = 0 … N−1, whatever the
 /// bodies' inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Roughness<const N: usize> {

@@ -6,7 +6,7 @@ use nalgebra::{SVector, Unit};
 
 /// A point mass in ℝᴺ.
 ///
-/// `K = 1/m`, so no-slip reverses its velocity: `v⁺ = −v`.
+/// It touches where it is: its arm is zero. `K = 1/m`, so no-slip reverses its velocity: `v⁺ = −v`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     mass: f64,

@@ -4,8 +4,7 @@
 //! are as they should be, and the second is even reversible; but neither is linear in the velocity, and that is the
 //! hypothesis the measure needs. A check that passes them is no check.
 //!
-//! Angles are those of an orthonormal frame of the contact plane; `ψ` is that of the tangential contact velocity `uₜ`. The
-//! statements hold for a ball, where reversing the part of `uₜ` along `φ` turns `ψ` into `2φ + π − ψ` and keeps `|uₜ|`.
+//! `ψ` is the angle of the tangential contact velocity `uₜ` ([`slip_angle`]), `φ` that of the rough direction. The statements hold for a ball, where reversing the part of `uₜ` along `φ` turns `ψ` into `2φ + π − ψ` and keeps `|uₜ|`.
 
 use crate::{CollisionLaw, Contact, Delassus, Roughness, reflect};
 use nalgebra::{SVector, Vector3};
@@ -60,6 +59,20 @@ impl CollisionLaw<3> for ReversiblyChasing {
     }
 }
 
+/// The angle `ψ` of the tangential part of `u`, in the frame of the contact plane that the controls use.
+pub fn slip_angle(contact: &Contact<3>, u: &SVector<f64, 3>) -> f64 {
+    let [t1, t2] = frame(contact);
+    libm::atan2(t2.dot(u), t1.dot(u))
+}
+
+/// An orthonormal frame of the contact plane.
+fn frame(contact: &Contact<3>) -> [Vector3<f64>; 2] {
+    let normal = contact.normal.as_ref();
+    let across = if normal.x.abs() < 0.5 { Vector3::x() } else { Vector3::y() };
+    let t1 = normal.cross(&across).normalize();
+    [t1, normal.cross(&t1)]
+}
+
 /// The reflection with the rough direction at angle `phi(ψ)`.
 fn rough_along(
     phi: impl Fn(f64) -> f64,
@@ -67,11 +80,8 @@ fn rough_along(
     delassus: &Delassus<3>,
     u: &SVector<f64, 3>,
 ) -> SVector<f64, 3> {
-    let normal = contact.normal.as_ref();
-    let across = if normal.x.abs() < 0.5 { Vector3::x() } else { Vector3::y() };
-    let t1 = normal.cross(&across).normalize();
-    let t2 = normal.cross(&t1);
-    let angle = phi(libm::atan2(t2.dot(u), t1.dot(u)));
+    let [t1, t2] = frame(contact);
+    let angle = phi(slip_angle(contact, u));
     let direction = t1 * libm::cos(angle) + t2 * libm::sin(angle);
     reflect(&Roughness::of_span(&contact.normal, &[direction]), contact, delassus, u)
 }

@@ -117,6 +117,8 @@ pub fn body<B: Body<N>, const N: usize>(
         symmetry: (k - k.transpose()).amax() / k.amax(),
         rigid_motion: 0.0,
     };
+    // a spin that moves the contact about as fast as the translation does
+    let spin_scale = if arm.norm() > 0.0 { 1.0 / arm.norm() } else { 1.0 };
     let raise = |worst: &mut f64, x: f64| {
         if x > *worst || x.is_nan() {
             *worst = x;
@@ -137,7 +139,7 @@ pub fn body<B: Body<N>, const N: usize>(
         raise(&mut report.work, (gained - before - work).abs() / (gained + before));
 
         let a = SVector::<f64, N>::from_fn(|_, _| gaussian(&mut stream));
-        let turn = SMatrix::<f64, N, N>::from_fn(|_, _| gaussian(&mut stream)) / arm.norm().max(f64::MIN_POSITIVE);
+        let turn = SMatrix::<f64, N, N>::from_fn(|_, _| gaussian(&mut stream)) * spin_scale;
         let moving = B::Velocity::of_rigid_motion(arm, &a, &(turn - turn.transpose()));
         raise(&mut report.rigid_motion, (body.contact_velocity(arm, &moving) - a).norm() / a.norm());
     }

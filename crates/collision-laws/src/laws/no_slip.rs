@@ -4,7 +4,7 @@ use crate::{Contact, DiskLaw, DiskMap, Roughness, StrictLaw};
 
 /// Perfectly rough contact: the contact velocity is reversed, `u⁺ = −u`.
 ///
-/// `p = −2 K⁻¹ u`; `u` [L T⁻¹], `p` [M L T⁻¹], `K` [M⁻¹]. Roughness rank N−1.
+/// `p = −2 K⁻¹ u`; `u` \[L T⁻¹\], `p` \[M L T⁻¹\], `K` \[M⁻¹\]. Roughness rank N−1.
 /// Source: Broomhead and Gutkin (1993); Cox and Feres, *No-slip billiards in dimension two*, equation (update2), for a uniform
 /// disk against a fixed wall.
 ///

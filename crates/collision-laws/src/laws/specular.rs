@@ -4,7 +4,7 @@ use crate::{Contact, DiskLaw, DiskMap, Roughness, StrictLaw};
 
 /// Smooth contact: only the normal component of the contact velocity reverses.
 ///
-/// `p = −2 ν (ν·u)/(ν·Kν)`; `u` [L T⁻¹], `p` [M L T⁻¹], `K` [M⁻¹]. Roughness rank 0.
+/// `p = −2 ν (ν·u)/(ν·Kν)`; `u` \[L T⁻¹\], `p` \[M L T⁻¹\], `K` \[M⁻¹\]. Roughness rank 0.
 ///
 /// A ball keeps its spin; a body whose arm is not along the normal does not:
 ///

@@ -1,0 +1,211 @@
+//! Every certified single collision of `tests/data/collisions`, dimensions 2 to 5, all k.
+
+use collision_laws::{
+    Contact, Pair, TangentVector, Twist,
+    bodies::{Ball, Inertia, Planar, RigidBody, Spatial},
+    laws::RoughPlane,
+};
+use nalgebra::{SMatrix, SVector};
+use serde_json::Value;
+use std::path::Path;
+
+/// The files give 45 digits; the numbers in a case are of order 1 to 2²⁰, so 1e-12 leaves a factor of 1e3 over rounding.
+const TOLERANCE: f64 = 1e-12;
+
+type Free<const N: usize> = Option<RigidBody<N>>;
+
+fn number(value: &Value) -> f64 {
+    let text = value.get("dec").unwrap_or(value);
+    text.as_str().expect("a decimal string").parse().expect("a number")
+}
+
+fn vector<const N: usize>(value: &Value) -> SVector<f64, N> {
+    SVector::from_fn(|i, _| number(&value[i]))
+}
+
+fn matrix<const N: usize>(value: &Value) -> SMatrix<f64, N, N> {
+    SMatrix::from_fn(|i, j| number(&value[i][j]))
+}
+
+fn body<const N: usize>(value: &Value) -> Free<N> {
+    if value["mass"] == "inf" {
+        return None;
+    }
+    let inertia = match N {
+        2 => Inertia::Moment(number(&value["inertia"])),
+        3 => Inertia::Tensor(matrix(&value["inertia"])),
+        _ => Inertia::SecondMoments(matrix(&value["S"])),
+    };
+    Some(RigidBody::new(number(&value["mass"]), inertia).expect("a body"))
+}
+
+fn twist<const N: usize>(value: &Value) -> Twist<N> {
+    let v = vector(&value["v"]);
+    match N {
+        2 => Twist::with_spin_coordinates(v, &[number(&value["w"])]),
+        3 => Twist::with_spin_coordinates(v, vector::<3>(&value["w"]).as_slice()),
+        _ => Twist::new(v, matrix(&value["w"])),
+    }
+    .expect("a velocity")
+}
+
+fn contact<const N: usize>(case: &Value) -> Contact<N> {
+    Contact::new(vector(&case["contact_point"]), vector(&case["normal"]), 0).expect("a contact")
+}
+
+fn relative<const N: usize>(found: &SVector<f64, N>, expected: &SVector<f64, N>) -> f64 {
+    (found - expected).norm() / expected.norm().max(f64::MIN_POSITIVE)
+}
+
+/// Largest relative error over the linear velocity and the spin of each body.
+fn velocity_error<const N: usize>(found: &Twist<N>, expected: &Twist<N>) -> f64 {
+    let spin = (found.spin() - expected.spin()).norm() / expected.spin().norm().max(f64::MIN_POSITIVE);
+    relative(&found.linear, &expected.linear).max(spin)
+}
+
+fn cases(dimension: usize) -> Vec<Value> {
+    let path = format!("{}/../../tests/data/collisions/cases_{dimension}d.json", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(Path::new(&path)).expect("the certified cases");
+    let file: Value = serde_json::from_str(&text).expect("JSON");
+    file["cases"].as_array().expect("a list of cases").clone()
+}
+
+/// Calls `f` with each case, each of its results, and the law of that result.
+fn for_each_result<const N: usize>(mut f: impl FnMut(&Value, &Value, &RoughPlane<N>)) -> usize {
+    let mut count = 0;
+    for case in cases(N) {
+        for result in case["results"].as_array().expect("results") {
+            let rough: Vec<SVector<f64, N>> =
+                result["rough"].as_array().expect("directions").iter().map(vector).collect();
+            let law = RoughPlane::new(&rough).expect("rough directions");
+            assert_eq!(law.at(&contact(&case)).expect("independent directions").rank(), rough.len());
+            f(&case, result, &law);
+            count += 1;
+        }
+    }
+    count
+}
+
+fn matches_every_certified_number<const N: usize>(results: usize) {
+    let mut worst = 0.0_f64;
+    let count = for_each_result::<N>(|case, result, law| {
+        let id = &case["id"];
+        let centre = |i: usize| vector(&case["bodies"][i]["position"]);
+        let [first, second]: [Free<N>; 2] = [0, 1].map(|i| body(&case["bodies"][i]));
+        let pair = Pair::from_centres(contact(case), (first, centre(0)), (second, centre(1)));
+        let before = (twist(&case["pre"][0]), twist(&case["pre"][1]));
+        let collision = pair.try_collide(law, &before).expect("a collision");
+
+        let k = pair.delassus().to_matrix(&pair.contact.normal);
+        let expected_k = matrix::<N>(&case["K"]);
+        let after = &collision.velocities;
+        let errors = [
+            (k - expected_k).norm() / expected_k.norm(),
+            relative(&collision.impulse, &vector(&result["impulse_on_body_1"])),
+            relative(&collision.u_minus, &vector(&result["u_minus"])),
+            relative(&pair.contact_velocity(after), &vector(&result["u_plus"])),
+            velocity_error(&after.0, &twist(&result["post"][0])),
+            velocity_error(&after.1, &twist(&result["post"][1])),
+            (pair.kinetic_energy(&before) / number(&case["energy"]) - 1.0).abs(),
+            (pair.kinetic_energy(after) / number(&case["energy"]) - 1.0).abs(),
+        ];
+        for error in errors {
+            assert!(error <= TOLERANCE, "{id}, k = {}: {errors:?}", result["k"]);
+            worst = worst.max(error);
+        }
+    });
+    assert_eq!(count, results, "every k from 0 to N−1 of every case");
+    assert!(worst > 0.0, "exact agreement of rounded numbers: the test compared nothing");
+}
+
+#[test]
+fn planar_collisions_match_the_certified_ones() {
+    matches_every_certified_number::<2>(24);
+}
+
+#[test]
+fn spatial_collisions_match_the_certified_ones() {
+    matches_every_certified_number::<3>(36);
+}
+
+#[test]
+fn collisions_in_four_dimensions_match_the_certified_ones() {
+    matches_every_certified_number::<4>(20);
+}
+
+#[test]
+fn collisions_in_five_dimensions_match_the_certified_ones() {
+    matches_every_certified_number::<5>(15);
+}
+
+#[test]
+fn a_planar_body_matches_the_certified_ones() {
+    for_each_result::<2>(|case, result, law| {
+        let centre = |i: usize| vector(&case["bodies"][i]["position"]);
+        let [first, second] = [0, 1].map(|i| {
+            let body = &case["bodies"][i];
+            (body["mass"] != "inf")
+                .then(|| Planar::new(number(&body["mass"]), number(&body["inertia"])).expect("a body"))
+        });
+        let pair = Pair::from_centres(contact(case), (first, centre(0)), (second, centre(1)));
+        let after = pair.collide(law, &(twist(&case["pre"][0]), twist(&case["pre"][1]))).velocities;
+        assert!(velocity_error(&after.0, &twist(&result["post"][0])) <= TOLERANCE, "{}", case["id"]);
+        assert!(velocity_error(&after.1, &twist(&result["post"][1])) <= TOLERANCE, "{}", case["id"]);
+    });
+}
+
+#[test]
+fn a_spatial_body_matches_the_certified_ones() {
+    for_each_result::<3>(|case, result, law| {
+        let centre = |i: usize| vector(&case["bodies"][i]["position"]);
+        let [first, second] = [0, 1].map(|i| {
+            let body = &case["bodies"][i];
+            (body["mass"] != "inf")
+                .then(|| Spatial::new(number(&body["mass"]), matrix(&body["inertia"])).expect("a body"))
+        });
+        let pair = Pair::from_centres(contact(case), (first, centre(0)), (second, centre(1)));
+        let after = pair.collide(law, &(twist(&case["pre"][0]), twist(&case["pre"][1]))).velocities;
+        assert!(velocity_error(&after.0, &twist(&result["post"][0])) <= TOLERANCE, "{}", case["id"]);
+        assert!(velocity_error(&after.1, &twist(&result["post"][1])) <= TOLERANCE, "{}", case["id"]);
+    });
+}
+
+/// The cases of kind `ball_wall` and `ball_ball`, with the isotropic bodies they describe.
+fn balls_match<const N: usize>(moment: impl Fn(&Value) -> f64) -> usize {
+    let mut count = 0;
+    for_each_result::<N>(|case, result, law| {
+        if !case["kind"].as_str().is_some_and(|kind| kind.starts_with("ball")) {
+            return;
+        }
+        count += 1;
+        let contact: Contact<N> = contact(case);
+        let [first, second] = [0, 1].map(|i| {
+            let (body, centre): (_, SVector<f64, N>) = (&case["bodies"][i], vector(&case["bodies"][i]["position"]));
+            let (mass, radius) = (&body["mass"], (contact.point - centre).norm());
+            let ball = (mass != "inf").then(|| {
+                Ball::<N>::with_gamma_squared(number(mass), radius, moment(body) / (number(mass) * radius * radius))
+                    .expect("a ball")
+            });
+            (ball, centre)
+        });
+        let pair = Pair::from_centres(contact, first, second);
+        let after = pair.collide(law, &(twist(&case["pre"][0]), twist(&case["pre"][1]))).velocities;
+        assert!(velocity_error(&after.0, &twist(&result["post"][0])) <= TOLERANCE, "{}", case["id"]);
+        assert!(velocity_error(&after.1, &twist(&result["post"][1])) <= TOLERANCE, "{}", case["id"]);
+    });
+    count
+}
+
+#[test]
+fn balls_match_the_certified_ones() {
+    assert!(balls_match::<2>(|body| number(&body["inertia"])) >= 8);
+    assert!(balls_match::<3>(|body| number(&body["inertia"][0][0])) >= 12);
+    assert!(balls_match::<4>(|body| 2.0 * number(&body["mass"]) * number(&body["S"][0][0])) >= 8);
+    assert!(balls_match::<5>(|body| 2.0 * number(&body["mass"]) * number(&body["S"][0][0])) >= 5);
+}
+
+#[test]
+fn coordinates_of_certified_spins_come_back() {
+    let pre: Twist<5> = twist(&cases(5)[0]["pre"][0]);
+    assert_eq!(Twist::from_coordinates(&pre.coordinates()), pre);
+}
