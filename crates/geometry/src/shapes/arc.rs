@@ -20,6 +20,37 @@ pub struct Arc {
     /// Polar angle of `a`, and the positive angle from there to `b` in the sense of traversal.
     start: f64,
     sweep: f64,
+    around: Around,
+}
+
+/// Tells on which side of a path an arc passes whose ends are both on the other one.
+///
+/// Where a line meets the circle and both ends lie on its left, all that lies on its right belongs to one arc, and so
+/// does the point farthest right, `c + r n`. It is on the arc from `a` to `b`, which lies on the right of that chord,
+/// if `r v·(b−a) > |v| (b−a)×(c−a)`: a statement about directions only, so rounding cannot open a gap at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Around {
+    /// From `a` to `b`, times the sense of traversal.
+    chord: [f64; 2],
+    /// The square of `(b−a)×(c−a) / r`, with its sign, times the sense of traversal.
+    square: f64,
+}
+
+impl Around {
+    /// Of the arc from `a` to `b` on a circle; `turn` is the sense of traversal, +1 for counter-clockwise.
+    pub(crate) fn new(center: [f64; 2], radius: f64, a: [f64; 2], b: [f64; 2], turn: f64) -> Around {
+        let chord = [0, 1].map(|i| turn * (b[i] - a[i]));
+        let height = cross(chord, [center[0] - a[0], center[1] - a[1]]) / radius;
+        Around { chord, square: height * height.abs() }
+    }
+
+    /// Whether the arc meets a path along `v` that meets the circle with both ends on its left, or both on its right.
+    #[inline(always)]
+    pub(crate) fn meets<F: Lane>(&self, v: [F; 2], a_left: F::Mask, b_left: F::Mask) -> F::Mask {
+        let forward = v[0] * self.chord[0] + v[1] * self.chord[1];
+        let (forward, least) = (forward * forward.abs(), dot(v, v) * self.square);
+        (a_left & b_left & least.lt(forward)) | (!a_left & !b_left & forward.lt(-least))
+    }
 }
 
 impl Arc {
@@ -64,7 +95,8 @@ impl Arc {
         let (start, end) = (circle.angle(&a), circle.angle(&b));
         let sweep = circle.turn() * (end - start);
         let sweep = if sweep <= 0.0 { sweep + 2.0 * PI } else { sweep };
-        Ok(Arc { circle, a: a.into(), b: b.into(), start, sweep })
+        let around = Around::new(center.into(), radius, a.into(), b.into(), circle.turn());
+        Ok(Arc { circle, a: a.into(), b: b.into(), start, sweep, around })
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
@@ -78,9 +110,7 @@ impl Arc {
         let (to_a, to_b) = (from(x, self.a), from(x, self.b));
         let (a_left, b_left) = (zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b)));
         let between = !a_left & b_left;
-        let chord = [zero.same(self.b[0] - self.a[0]), zero.same(self.b[1] - self.a[1])];
-        let forward = dot(v, chord) * self.circle.turn();
-        let around = (a_left & b_left & zero.lt(forward)) | (!a_left & !b_left & forward.lt(zero));
+        let around = self.around.meets(v, a_left, b_left);
         let roots = self.circle.roots(x, v);
         self.circle.outward(&roots, between | (around & roots.meets))
     }
@@ -179,6 +209,30 @@ mod tests {
             for direction in fan.chain(aimed) {
                 let hits = [&minor, &major].map(|arc| time(arc, x, direction) < f64::INFINITY);
                 assert!(hits[0] != hits[1], "from {x} along {direction}: {hits:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_met_lies_on_the_arc() {
+        // arcs of every length, both senses; paths from inside, in every direction
+        let at = |degrees: f64| v(libm::cos(degrees.to_radians()), libm::sin(degrees.to_radians()));
+        for (end, inside) in (1..36).flat_map(|k| [(10.0 * f64::from(k), true), (10.0 * f64::from(k), false)]) {
+            let (a, b) = if inside { (at(0.0), at(end)) } else { (at(end), at(0.0)) };
+            let arc = Arc::new(Vector2::zeros(), a, b, inside).unwrap();
+            let circle = Circle::new(Vector2::zeros(), 1.0, inside).unwrap();
+            for k in 0..5000 {
+                let direction = at(37.1 * f64::from(k));
+                // inside: any point of the disk; outside: a point that looks at the disk
+                let offset = -1.0 + f64::from(2 * (k % 83) + 1) / 83.0;
+                let along = if inside { offset * (1.0 - offset * offset).sqrt() } else { -2.0 };
+                let x = direction * along + v(-direction.y, direction.x) * offset;
+                let path = Line { point: x, velocity: direction };
+                let t = circle.crossing(&path).time();
+                let angle = libm::atan2(path.at(t).y, path.at(t).x).to_degrees();
+                let angle = if angle < 0.0 { angle + 360.0 } else { angle };
+                let on_arc = angle < end;
+                assert_eq!(time(&arc, x, direction), if on_arc { t } else { f64::INFINITY }, "{end} {inside} {angle}");
             }
         }
     }

@@ -4,9 +4,10 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{cross, dot, from},
+    plane::{cross, from},
     shapes::{
         Ellipse,
+        arc::Around,
         curve::{Parametric, closest_parameter},
     },
 };
@@ -20,8 +21,8 @@ pub struct EllipticArc {
     ellipse: Ellipse,
     a: [f64; 2],
     b: [f64; 2],
-    /// From `a` to `b` in the picture where the ellipse is the unit circle, times the sense of traversal.
-    chord: [f64; 2],
+    /// In the picture where the ellipse is the unit circle.
+    around: Around,
     /// Arc length of `a` from the end of the first semi-axis, and from `a` to `b`, in the sense of traversal.
     start: f64,
     length: f64,
@@ -59,7 +60,7 @@ impl EllipticArc {
             ellipse,
             a: a.into(),
             b: b.into(),
-            chord: [0, 1].map(|i| turn * (ends[1][i] - ends[0][i])),
+            around: Around::new([0.0; 2], 1.0, ends[0], ends[1], turn),
             start,
             length: along(end - start, ellipse.length()),
             angle,
@@ -69,8 +70,9 @@ impl EllipticArc {
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     ///
-    /// As for an arc of a circle: the crossing lies on the arc if `a` is on the right of the path and `b` on the left;
-    /// or if both are on one side and the arc goes round the other way.
+    /// Seen along the path, the ellipse is crossed outwards at its far end if the table is inside and at its near end
+    /// if it is outside. That point lies on the arc if `a` is on the right of the path and `b` on the left; or if both
+    /// are on one side and the arc goes round the other way, as in the picture of the unit circle.
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
         let zero = x[0].same(0.0);
@@ -78,8 +80,7 @@ impl EllipticArc {
         let (a_left, b_left) = (zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b)));
         let between = !a_left & b_left;
         let (y, w) = self.ellipse.affine(x, v);
-        let forward = dot(w, self.chord.map(|c| zero.same(c)));
-        let around = (a_left & b_left & zero.lt(forward)) | (!a_left & !b_left & forward.lt(zero));
+        let around = self.around.meets(w, a_left, b_left);
         let roots = self.ellipse.unit().roots(y, w);
         self.ellipse.unit().outward(&roots, between | (around & roots.meets))
     }
@@ -152,7 +153,7 @@ impl Piece for EllipticArc {
         self.length
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
-        self.ellipse.point_at(self.ellipse.unit().turn() * self.start + s)
+        self.ellipse.point_at(self.start + s)
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         self.along(self.foot(point))
