@@ -67,4 +67,54 @@ pub enum Error {
     /// Lattice vectors that are dependent or too many.
     #[error("the lattice vectors must be one or two, finite and independent")]
     Lattice,
+    /// A shape that cannot bound a table in the way asked for.
+    #[error("{shape}: {why}")]
+    Shape {
+        /// The kind of shape.
+        shape: &'static str,
+        /// What stands in the way.
+        why: &'static str,
+    },
+    /// A field of the description of a shape that is wrong.
+    #[error("{field} must be {must}")]
+    Field {
+        /// Its name, with the numbers of entries: `vertices[3]`, `compound[1].shape.radius`.
+        field: String,
+        /// What it must be.
+        must: &'static str,
+    },
+    /// A parameter that a named table does not have.
+    #[error("{table} has no parameter {name}; it has {known}")]
+    Unknown {
+        /// The parameter given.
+        name: String,
+        /// The table.
+        table: &'static str,
+        /// The parameters that there are.
+        known: String,
+    },
+    /// A parameter that a named table needs.
+    #[error("{name} is required")]
+    Missing {
+        /// The parameter.
+        name: &'static str,
+    },
+    /// A parameter that is not of the form asked for.
+    #[error("{name} must be {must}, not {found}")]
+    Form {
+        /// The parameter.
+        name: &'static str,
+        /// What it must be.
+        must: &'static str,
+        /// What it is.
+        found: String,
+    },
+    /// A named table of another dimension.
+    #[error("{table} is a table in {dimension} dimensions")]
+    Dimension {
+        /// The table.
+        table: &'static str,
+        /// Its dimension.
+        dimension: usize,
+    },
 }

@@ -23,6 +23,7 @@ mod piece;
 mod plane;
 pub mod shapes;
 mod table;
+pub mod tables;
 pub mod walls;
 
 pub use boundary::{Boundary, Hit};

@@ -1,0 +1,23 @@
+//! Regular polygons.
+use super::registry::{Build, Entry, Parameter};
+use super::vertices::{number_of, on_circumcircle, positive, sides};
+use crate::{Error, Table};
+
+/// The regular polygon with `n` sides of length `a` [L] about the origin, vertex 0 on the +x₁ axis; piece i starts at
+/// vertex i. Area `n a²/(4 tan(π/n))`, perimeter `n a`.
+///
+/// # Errors
+/// [`Error::Parameter`] unless there are 3 to 1 000 000 sides, of positive and finite length.
+pub fn polygon(n: usize, side: f64) -> Result<Table, Error> {
+    number_of("sides", n, 3, "between 3 and 1000000")?;
+    positive("side", side)?;
+    let vertices: Vec<_> = (0..n).map(|k| on_circumcircle(2 * k, n, side)).collect();
+    Table::new(sides(&vertices)?)
+}
+
+pub(super) const ENTRY: Entry = Entry {
+    name: "polygon",
+    summary: "a regular polygon about the origin, a vertex on the +x1 axis",
+    parameters: &[Parameter::count("sides", 5.0).required(), Parameter::length("side", 1.0)],
+    build: Build::Planar(|v| polygon(v.count("sides")?, v.number("side")?)),
+};

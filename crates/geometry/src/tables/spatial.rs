@@ -1,0 +1,104 @@
+//! Tables in space whose walls answer in closed form.
+use crate::walls::{Cuboid, Slab, Sphere, WithWalls};
+use core::f64::consts::PI;
+use nalgebra::Vector3;
+
+/// A named table in space.
+#[derive(Clone, Debug)]
+pub struct SpatialTable {
+    figure: Figure,
+}
+
+#[derive(Clone, Debug)]
+enum Figure {
+    Slab { height: f64, walls: Slab<3, 2> },
+    Cuboid { size: [f64; 3], walls: Cuboid<3> },
+    Ball { radius: f64, walls: Sphere<3> },
+}
+
+impl SpatialTable {
+    pub(super) fn slab(height: f64, walls: Slab<3, 2>) -> SpatialTable {
+        SpatialTable { figure: Figure::Slab { height, walls } }
+    }
+    pub(super) fn cuboid(size: [f64; 3], walls: Cuboid<3>) -> SpatialTable {
+        SpatialTable { figure: Figure::Cuboid { size, walls } }
+    }
+    pub(super) fn ball(radius: f64, walls: Sphere<3>) -> SpatialTable {
+        SpatialTable { figure: Figure::Ball { radius, walls } }
+    }
+
+    /// Its name in scene files.
+    pub fn name(&self) -> &'static str {
+        match self.figure {
+            Figure::Slab { .. } => "slab",
+            Figure::Cuboid { .. } => "box",
+            Figure::Ball { .. } => "ball",
+        }
+    }
+
+    /// What its pieces are, in the order of their numbers.
+    pub fn pieces(&self) -> &'static [&'static str] {
+        match self.figure {
+            Figure::Slab { .. } => &["floor", "ceiling"],
+            Figure::Cuboid { .. } => &["x1 = 0", "x1 = size 1", "x2 = 0", "x2 = size 2", "x3 = 0", "x3 = size 3"],
+            Figure::Ball { .. } => &["sphere"],
+        }
+    }
+
+    /// Volume [L³]; infinite for a slab.
+    pub fn volume(&self) -> f64 {
+        match self.figure {
+            Figure::Slab { .. } => f64::INFINITY,
+            Figure::Cuboid { size: [a, b, c], .. } => a * b * c,
+            Figure::Ball { radius, .. } => 4.0 / 3.0 * PI * radius * radius * radius,
+        }
+    }
+
+    /// Area of the boundary [L²]; infinite for a slab.
+    pub fn surface_area(&self) -> f64 {
+        match self.figure {
+            Figure::Slab { .. } => f64::INFINITY,
+            Figure::Cuboid { size: [a, b, c], .. } => 2.0 * (a * b + b * c + c * a),
+            Figure::Ball { radius, .. } => 4.0 * PI * radius * radius,
+        }
+    }
+
+    /// Opposite corners of a box around the table [L]; infinite where the table is.
+    pub fn extent(&self) -> [Vector3<f64>; 2] {
+        let inf = f64::INFINITY;
+        match self.figure {
+            Figure::Slab { height, .. } => [Vector3::new(-inf, -inf, 0.0), Vector3::new(inf, inf, height)],
+            Figure::Cuboid { size, .. } => [Vector3::zeros(), size.into()],
+            Figure::Ball { radius, .. } => [Vector3::repeat(-radius), Vector3::repeat(radius)],
+        }
+    }
+
+    /// The distance from the boundary [L], negative outside the table.
+    pub fn signed_distance(&self, point: &Vector3<f64>) -> f64 {
+        match self.figure {
+            Figure::Slab { height, .. } => point.z.min(height - point.z),
+            Figure::Cuboid { size, .. } => {
+                // beyond a wall by so much, per axis; inside, all are negative
+                let beyond = Vector3::from_fn(|i, _| (-point[i]).max(point[i] - size[i]));
+                let outside = beyond.map(|d| d.max(0.0));
+                let far = outside.amax();
+                if far > 0.0 { -far * (outside / far).norm() } else { -beyond.max() }
+            }
+            Figure::Ball { radius, .. } => radius - libm::hypot(libm::hypot(point.x, point.y), point.z),
+        }
+    }
+
+    /// Whether a point lies in the table, off the boundary.
+    pub fn contains(&self, point: &Vector3<f64>) -> bool {
+        self.signed_distance(point) > 0.0
+    }
+
+    /// Runs a computation with the walls.
+    pub fn with_walls<V: WithWalls<3>>(&self, visit: V) -> V::Output {
+        match &self.figure {
+            Figure::Slab { walls, .. } => visit.run(walls),
+            Figure::Cuboid { walls, .. } => visit.run(walls),
+            Figure::Ball { walls, .. } => visit.run(walls),
+        }
+    }
+}
