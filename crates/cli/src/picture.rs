@@ -1,16 +1,99 @@
-//! Pictures of orbits and phase space.
+//! Pictures of orbits and of phase space, for print: thin lines, a serif face, true proportions, nothing superfluous.
+//!
+//! Pictures know nothing of tables and laws. They are drawn from [`Material`], plain numbers that a run has collected.
+
+mod axes;
+mod grid;
+mod ink;
+mod orbit;
+mod png;
+mod stroke;
+mod svg;
+mod velocity_portrait;
+mod view;
+
+pub use axes::{Axis, Label, ticks};
+pub use grid::{Grid, Shading};
+pub use ink::{Colour, ORBITS};
+pub use orbit::draw as orbit;
+pub use png::Raster;
+pub use stroke::Stroke;
+pub use svg::{Anchor, Outline, Style, Svg};
+pub use velocity_portrait::{dense as dense_velocity_portrait, draw as velocity_portrait, grid as velocity_grid};
+pub use view::{View, Window};
+
+/// Width of a picture in points of 1/72 inch: one column of 8 cm.
+pub const COLUMN: f64 = 226.8;
+/// Most legs of orbits that a picture shows: beyond, lines only blacken the page.
+pub const MOST_LEGS: usize = 20_000;
+/// Most dots drawn one by one; more become a [`Grid`].
+pub const MOST_DOTS: usize = 20_000;
 
 /// A picture a scene can ask for.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture {
-    /// Its name in a scene.
+    /// Its name in a scene, and of its files.
     pub name: &'static str,
     /// What it shows, in one line.
     pub summary: &'static str,
+    /// What it is drawn from.
+    pub needs: Needs,
+    /// Draws it.
+    pub draw: fn(&Material) -> Vec<File>,
+}
+
+/// What a run must collect for a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// [`Material::outline`] and [`Material::paths`].
+    Paths,
+    /// [`Material::velocities`].
+    Velocities,
+}
+
+/// What a run has collected.
+#[derive(Clone, Debug, Default)]
+pub struct Material {
+    /// The walls.
+    pub outline: Vec<Stroke>,
+    /// Each orbit in the plane.
+    pub paths: Vec<Path>,
+    /// Velocities after collisions.
+    pub velocities: Velocities,
+}
+
+/// An orbit in the plane.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Path {
+    /// Connected parts, each a chain of points; more than one where it crosses the edge of a lattice cell.
+    pub chains: Vec<Vec<[f64; 2]>>,
+    /// Last point and direction of an orbit that leaves for ever.
+    pub escape: Option<[[f64; 2]; 2]>,
+}
+
+/// Velocities after collisions, scaled to length one: the pairs (v0, v·t), where t = J ν.
+#[derive(Clone, Debug)]
+pub enum Velocities {
+    /// Dot by dot, per orbit.
+    Dots(Vec<Vec<[f64; 2]>>),
+    /// Counted on the grid of [`velocity_grid`].
+    Counted(Grid),
+}
+
+impl Default for Velocities {
+    fn default() -> Self {
+        Self::Dots(Vec::new())
+    }
+}
+
+/// A file of a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct File {
+    /// Its name, without a folder.
+    pub name: String,
+    /// What it holds.
+    pub content: Vec<u8>,
 }
 
 /// Every picture a scene can ask for.
-pub const PICTURES: &[Picture] = &[
-    Picture { name: "orbit", summary: "the table and the orbits in it" },
-    Picture { name: "velocity-portrait", summary: "velocities after each collision, spin against tangential part" },
-];
+pub const PICTURES: &[Picture] = &[orbit::PICTURE, velocity_portrait::PICTURE];

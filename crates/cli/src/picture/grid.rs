@@ -1,0 +1,160 @@
+//! Counts of very many points on a grid, and their shading.
+
+use super::ink::Colour;
+use super::png::Raster;
+use super::view::Window;
+
+/// Points counted per cell of a grid over a window, with the colours they came in. Adding and merging in any order gives
+/// the same grid.
+#[derive(Clone, Debug)]
+pub struct Grid {
+    window: Window,
+    width: usize,
+    height: usize,
+    counts: Vec<u64>,
+    /// Sums of the colours of the points, per cell.
+    tints: Vec<[u64; 3]>,
+}
+
+/// How counts become depth of colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shading {
+    /// By the logarithm of the count, up to the count that 1 in 200 cells exceeds: true to orders of magnitude.
+    Log,
+    /// By the rank of the count among all counts: every depth is used for equally many cells.
+    Equalised,
+}
+
+/// Depth of the faintest cell that is not empty.
+const FAINTEST: f64 = 0.22;
+
+impl Grid {
+    /// An empty grid over a window, this many cells wide; cells are square.
+    pub fn new(window: Window, width: usize) -> Self {
+        let [w, h] = window.size();
+        let width = width.clamp(1, 16_384);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few thousand")]
+        let height = ((width as f64 * h / w + 0.5).clamp(1.0, 16_384.0)) as usize;
+        Self { window, width, height, counts: vec![0; width * height], tints: vec![[0; 3]; width * height] }
+    }
+
+    /// The window.
+    pub fn window(&self) -> Window {
+        self.window
+    }
+
+    /// Width and height in cells.
+    pub fn size(&self) -> [usize; 2] {
+        [self.width, self.height]
+    }
+
+    /// How many points were counted.
+    pub fn total(&self) -> u64 {
+        self.counts.iter().sum()
+    }
+
+    /// Counts a point; one outside the window is left out.
+    #[inline]
+    pub fn add(&mut self, [x, y]: [f64; 2], colour: Colour) {
+        let Window { low, high } = self.window;
+        let column = (x - low[0]) / (high[0] - low[0]) * self.width as f64;
+        let row = (high[1] - y) / (high[1] - low[1]) * self.height as f64;
+        if column >= 0.0 && column < self.width as f64 && row >= 0.0 && row < self.height as f64 {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "just checked")]
+            let cell = row as usize * self.width + column as usize;
+            self.counts[cell] += 1;
+            for (sum, part) in self.tints[cell].iter_mut().zip([colour.0, colour.1, colour.2]) {
+                *sum += u64::from(part);
+            }
+        }
+    }
+
+    /// Both counts together; of grids of different shape, the first one.
+    #[must_use]
+    pub fn merge(mut self, other: &Self) -> Self {
+        if (self.window, self.width, self.height) == (other.window, other.width, other.height) {
+            for (a, b) in self.counts.iter_mut().zip(&other.counts) {
+                *a += b;
+            }
+            for (a, b) in self.tints.iter_mut().zip(&other.tints) {
+                for (a, b) in a.iter_mut().zip(b) {
+                    *a += b;
+                }
+            }
+        }
+        self
+    }
+
+    /// The picture of the counts: empty cells white, full ones in the mean colour of their points.
+    pub fn shade(&self, shading: Shading) -> Raster {
+        let depth = self.depths(shading);
+        let colour = |(&count, tint): (&u64, &[u64; 3])| {
+            if count == 0 {
+                return Colour::WHITE;
+            }
+            #[allow(clippy::cast_possible_truncation, reason = "a mean of bytes")]
+            let [r, g, b] = tint.map(|sum| ((sum + count / 2) / count) as u8);
+            let depth = depth(count);
+            // From a pale tint through the full one towards black, so that more than one order of magnitude shows.
+            let full = Colour(r, g, b);
+            if depth < 0.7 {
+                Colour::WHITE.mix(full, depth / 0.7)
+            } else {
+                full.mix(Colour::BLACK, (depth - 0.7) / 0.45)
+            }
+        };
+        Raster::new(self.width, self.counts.iter().zip(&self.tints).map(colour))
+    }
+
+    /// The depth of colour, 0 … 1, of a count that is not zero.
+    fn depths(&self, shading: Shading) -> impl Fn(u64) -> f64 {
+        let mut sorted: Vec<u64> = self.counts.iter().copied().filter(|count| *count > 0).collect();
+        sorted.sort_unstable();
+        // Without the few cells of periodic orbits, which all else would be pale beside.
+        let most = sorted.get(sorted.len().saturating_sub(1 + sorted.len() / 200)).copied().unwrap_or(1);
+        move |count| {
+            let share = match shading {
+                Shading::Log if most == 1 => 1.0,
+                Shading::Log => (libm::log(count as f64) / libm::log(most as f64)).min(1.0),
+                Shading::Equalised => {
+                    // The middle of the ranks of equal counts.
+                    let below = sorted.partition_point(|c| *c < count);
+                    let upto = sorted.partition_point(|c| *c <= count);
+                    (below + upto) as f64 / (2 * sorted.len()) as f64
+                }
+            };
+            FAINTEST + (1.0 - FAINTEST) * share
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_are_counted_once_and_only_inside() {
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [2.0, 1.0] }, 4);
+        assert_eq!(grid.size(), [4, 2]);
+        for point in [[0.0, 1.0], [1.99, 0.01], [2.0, 0.5], [-0.1, 0.5], [f64::NAN, 0.5]] {
+            grid.add(point, Colour::BLACK);
+        }
+        assert_eq!(grid.counts, [1, 0, 0, 0, 0, 0, 0, 1]);
+        let doubled = grid.clone().merge(&grid);
+        assert_eq!((doubled.total(), doubled.counts[7]), (4, 2));
+    }
+
+    #[test]
+    fn more_points_are_never_paler() {
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [4.0, 1.0] }, 4);
+        for (cell, count) in [(0.5, 1), (1.5, 10), (2.5, 100)] {
+            for _ in 0..count {
+                grid.add([cell, 0.5], Colour(0, 0, 200));
+            }
+        }
+        for shading in [Shading::Log, Shading::Equalised] {
+            let depth = grid.depths(shading);
+            assert!(depth(1) < depth(10) && depth(10) < depth(100) && depth(100) <= 1.0);
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! The table and the orbits in it.
+
+use super::ink::{Colour, ORBITS};
+use super::svg::{Outline, Style, Svg};
+use super::view::{View, Window};
+use super::{COLUMN, File, Material, Needs, Picture};
+
+/// Width of walls.
+const WALL: f64 = 0.8;
+/// White around the picture.
+const MARGIN: f64 = 3.0;
+/// Legs drawn by one element.
+const PART: usize = 50;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "orbit",
+    summary: "the table and the orbits in it (SVG)",
+    needs: Needs::Paths,
+    draw: |material| vec![File { name: "orbit.svg".into(), content: draw(material).to_string().into_bytes() }],
+};
+
+/// Draws walls and orbits in true proportions, without axes; each start is marked by a dot.
+pub fn draw(material: &Material) -> Svg {
+    let walls = material.outline.iter().flat_map(super::Stroke::extent);
+    let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
+    let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
+    let unbounded = material.outline.iter().any(|s| matches!(s, super::Stroke::Line(..) | super::Stroke::Ray(..)))
+        || material.paths.iter().any(|path| path.escape.is_some());
+    let tight = Window::around(walls.chain(points)).unwrap_or(whole);
+    // What goes on for ever is seen to go on.
+    let window = tight.padded(if unbounded { 0.06 } else { 0.0 });
+    let inner = COLUMN - 2.0 * MARGIN;
+    let view = View::fit(window.padded(1e-3), [MARGIN, MARGIN], inner, 1.2 * inner);
+    let [width, height] = view.size();
+    let mut svg = Svg::new(width + 2.0 * MARGIN, height + 2.0 * MARGIN);
+    let wall = Style::line(Colour::BLACK, WALL);
+    for stroke in material.outline.iter().filter(|stroke| stroke.is_solid()) {
+        svg.path(&stroke.outline(&view), Style::area(Colour::SOLID));
+    }
+    let corner = [MARGIN - 0.5 * WALL, MARGIN - 0.5 * WALL];
+    svg.clipped(corner, [width + WALL, height + WALL], |svg| orbits(svg, &view, material));
+    for stroke in &material.outline {
+        svg.path(&stroke.outline(&view), wall);
+    }
+    svg
+}
+
+fn orbits(svg: &mut Svg, view: &View, material: &Material) {
+    let legs: usize = material.paths.iter().flat_map(|path| &path.chains).map(Vec::len).sum();
+    // The more lines, the thinner, so that the picture keeps its greys.
+    let (width, opacity) = match legs {
+        0..=60 => (0.6, 1.0),
+        61..=400 => (0.4, 1.0),
+        401..=2000 => (0.25, 0.7),
+        2001..=8000 => (0.2, 0.35),
+        _ => (0.15, 0.2),
+    };
+    for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
+        let style = Style::line(colour, width).with_opacity(opacity);
+        // Lines of one element do not darken each other: a few at a time, so that what is visited often gets dark.
+        for part in path.chains.iter().flat_map(|chain| parts(chain)) {
+            svg.path(Outline::new().chain(part.iter().map(|p| view.place(*p))), style);
+        }
+        if let Some([point, direction]) = path.escape
+            && let Some(ends) = view.window().clip(point, direction, 0.0)
+        {
+            svg.path(Outline::new().chain(ends.map(|p| view.place(p))), style);
+        }
+    }
+    for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
+        if let Some(start) = path.chains.first().and_then(|chain| chain.first())
+            && material.paths.len() <= 50
+        {
+            svg.circle(view.place(*start), 1.5, Style::line(Colour::WHITE, 0.5).filled(colour));
+        }
+    }
+}
+
+/// A chain cut into overlapping parts of at most [`PART`] legs.
+fn parts(chain: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
+    (0..chain.len().saturating_sub(1)).step_by(PART).map(|i| &chain[i..chain.len().min(i + PART + 1)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::{Path, Stroke};
+
+    #[test]
+    fn parts_overlap_in_one_point_and_cover_the_chain() {
+        let chain: Vec<_> = (0..200).map(|i| [f64::from(i), 0.0]).collect();
+        let parts: Vec<_> = parts(&chain).collect();
+        assert_eq!(parts.iter().map(|part| part.len() - 1).sum::<usize>(), 199);
+        assert!(parts.windows(2).all(|w| w[0].last() == w[1].first()));
+        assert_eq!(super::parts(&[]).count() + super::parts(&chain[..1]).count(), 0);
+    }
+
+    #[test]
+    fn every_kind_of_wall_and_path_gives_a_finite_picture() {
+        let material = Material {
+            outline: vec![
+                Stroke::Segment([0.0, 0.0], [1.0, 0.0]),
+                Stroke::Line([0.0, 1.0], [1.0, 0.0]),
+                Stroke::Ray([0.0, 0.0], [1.0, 2.0]),
+                Stroke::Arc { center: [0.0, 0.0], radius: 1.0, start: 0.5, sweep: -6.0 },
+                Stroke::Circle { center: [3.0, 0.0], radius: 0.5, solid: true },
+                Stroke::Chain { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], solid: true },
+            ],
+            paths: vec![
+                Path { chains: vec![vec![[0.0, 0.0], [2.0, 2.0]], vec![]], escape: Some([[2.0, 2.0], [1.0, 1.0]]) },
+                Path { chains: vec![vec![[f64::NAN, 0.0]]], escape: None },
+            ],
+            ..Material::default()
+        };
+        for material in [material, Material::default()] {
+            let svg = draw(&material);
+            assert!(svg.size().iter().all(|x| x.is_finite() && *x > 0.0));
+            roxmltree::Document::parse(&svg.to_string()).unwrap();
+        }
+    }
+}
