@@ -6,6 +6,7 @@ mod energy;
 pub mod laws;
 pub mod observe;
 mod orbit;
+mod planar;
 mod run;
 mod track;
 
@@ -15,5 +16,6 @@ pub use energy::{Conserved, EnergyKeeper, Free};
 pub use geometry;
 pub use observe::Observer;
 pub use orbit::Orbit;
+pub use planar::Planar;
 pub use run::{Collision, Collisions, Limit, Outcome, Stop, Time, run};
 pub use track::{Angle, Cell, Clock, Timed, Track};

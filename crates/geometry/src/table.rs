@@ -2,7 +2,9 @@
 use crate::{
     Error, Extent, Figure, Landing, Lattice, Piece,
     shapes::{self, Segment},
-    walls::{Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon},
+    walls::{
+        Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+    },
 };
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -198,30 +200,35 @@ impl Table {
                 _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
             };
         }
-        let Some((container, rest)) = self.container() else { return visit.run(&self.list(0..self.pieces.len())) };
-        match container {
-            Container::Level(walls) => self.with_rest(walls, &rest, visit),
-            Container::Upright(walls) => self.with_rest(walls, &rest, visit),
-            Container::Rectangle(walls) => self.with_rest(walls, &rest, visit),
-            Container::Hexagon(walls) => self.with_rest(walls, &rest, visit),
-            Container::Convex(walls) => self.with_rest(walls, &rest, visit),
-            Container::Capsule(walls) => self.with_rest(walls, &rest, visit),
-            Container::RotatedCapsule(walls) => self.with_rest(walls, &rest, visit),
-            Container::Disk(walls) => self.with_rest(walls, &rest, visit),
+        let all = || self.list(0..self.pieces.len());
+        let Some((container, rest)) = self.container() else { return visit.run(&all()) };
+        match (container, rest.as_slice()) {
+            (Container::Level(walls), []) => visit.run(&walls),
+            (Container::Upright(walls), []) => visit.run(&walls),
+            (Container::Rectangle(walls), []) => visit.run(&walls),
+            (Container::Hexagon(walls), []) => visit.run(&walls),
+            (Container::Convex(walls), []) => visit.run(&walls),
+            (Container::Capsule(walls), []) => visit.run(&walls),
+            (Container::RotatedCapsule(walls), []) => visit.run(&walls),
+            (Container::Disk(walls), []) => visit.run(&walls),
+            (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
+                Some(disk) => visit.run(&Both(walls, disk)),
+                None => visit.run(&Both(walls, self.list([*one]))),
+            },
+            (Container::Disk(walls), [one]) => match self.scatterer(*one) {
+                Some(disk) => visit.run(&Both(walls, disk)),
+                None => visit.run(&Both(walls, self.list([*one]))),
+            },
+            (Container::Rectangle(walls), many) => visit.run(&Both(walls, self.list(many.iter().copied()))),
+            _ => visit.run(&all()),
         }
     }
 
-    fn with_rest<A: crate::Walls<2>, V: WithWalls<2>>(&self, container: A, rest: &[usize], visit: V) -> V::Output {
-        match rest {
-            [] => visit.run(&container),
-            [one] => match self.pieces[*one].figure() {
-                Figure::Circle { center, radius, inside: false } => match Scatterer::new(center, radius, *one) {
-                    Ok(disk) => visit.run(&Both(container, disk)),
-                    Err(_) => visit.run(&Both(container, self.list([*one]))),
-                },
-                _ => visit.run(&Both(container, self.list([*one]))),
-            },
-            many => visit.run(&Both(container, self.list(many.iter().copied()))),
+    /// A piece as a scatterer, if it is one.
+    fn scatterer(&self, piece: usize) -> Option<Scatterer<2>> {
+        match self.pieces[piece].figure() {
+            Figure::Circle { center, radius, inside: false } => Scatterer::new(center, radius, piece).ok(),
+            _ => None,
         }
     }
 

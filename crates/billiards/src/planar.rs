@@ -1,0 +1,65 @@
+//! A disk on a planar table: the billiard of the paper, ready to run.
+use crate::{
+    billiard::{BallLaw, Billiard},
+    energy::EnergyKeeper,
+    observe::Observer,
+    orbit::Orbit,
+    run::{Limit, Outcome, run},
+    track::Track,
+};
+use geometry::{Table, Walls, WithWalls};
+
+/// A table and a disk's law. The centre of the disk moves in the table as a point.
+#[derive(Clone, Debug)]
+pub struct Planar<L> {
+    /// The region of centres.
+    pub table: Table,
+    /// What a collision does.
+    pub law: L,
+}
+
+impl<L: BallLaw<2, 1>> Planar<L> {
+    /// Runs an orbit on the fastest walls that the table has.
+    ///
+    /// ```
+    /// use billiards::{Clock, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};
+    /// use billiards::{collision_laws::laws::NoSlip, geometry::tables};
+    ///
+    /// // a uniform disk (γ² = 1/2) in the strip 0 < x₂ < 1, starting downwards at an angle
+    /// let strip = Planar { table: tables::strip(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+    /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.0, 0.5], [0.6, -0.8], [0.0], Clock::new(0.0));
+    /// let outcome = strip.run(&mut orbit, &Collisions(1000), &mut ());
+    /// assert_eq!(outcome.stop, Stop::Finished);
+    /// assert!(orbit.position[0].abs() < 3.0); // a thousand bounces later it is still near: no-slip orbits are bounded
+    /// # Ok::<(), billiards::geometry::Error>(())
+    /// ```
+    pub fn run<K, T, O>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>, limit: &impl Limit<T>, observer: &mut O) -> Outcome
+    where
+        K: EnergyKeeper<f64, 2, 1>,
+        T: Track<f64, 2, 1>,
+        O: Observer<2, 1, K, T>,
+    {
+        self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
+    }
+}
+
+struct RunOn<'a, L, K, T, M, O> {
+    law: &'a L,
+    orbit: &'a mut Orbit<f64, 2, 1, K, T>,
+    limit: &'a M,
+    observer: &'a mut O,
+}
+
+impl<L, K, T, M, O> WithWalls<2> for RunOn<'_, L, K, T, M, O>
+where
+    L: BallLaw<2, 1>,
+    K: EnergyKeeper<f64, 2, 1>,
+    T: Track<f64, 2, 1>,
+    M: Limit<T>,
+    O: Observer<2, 1, K, T>,
+{
+    type Output = Outcome;
+    fn run<W: Walls<2>>(self, walls: &W) -> Outcome {
+        run(&Billiard { walls, law: self.law }, self.orbit, self.limit, self.observer)
+    }
+}
