@@ -1,6 +1,7 @@
 //! A table: its pieces, how they hang together, and the fastest walls for it.
 use crate::{
     Error, Extent, Figure, Landing, Lattice, Piece,
+    plane::slack,
     shapes::{self, Segment},
     walls::{
         Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
@@ -19,6 +20,8 @@ pub struct Table {
     next: Vec<Option<usize>>,
     corners: Vec<Vector2<f64>>,
     lattice: Option<Lattice>,
+    /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
+    nearby: Vec<(usize, Arc<dyn Piece>)>,
 }
 
 /// Two normals that differ by less than this belong to a smooth joint.
@@ -36,7 +39,7 @@ impl Table {
         Table::periodic(pieces, None)
     }
 
-    /// The same on the plane modulo a lattice. Ends of the boundary may then lie on the edge of the cell.
+    /// The same on the plane modulo a lattice. A piece may then end where a translate of another one starts.
     ///
     /// # Errors
     /// As [`Table::new`].
@@ -55,6 +58,17 @@ impl Table {
             let v = v.map(|x| x + 0.0); // −0 is 0
             starts.binary_search_by(|(a, _)| order(&a.map(|x| x + 0.0), &v)).ok().map(|k| starts[k].1)
         };
+        let starting_at_translate = |b: &Vector2<f64>, lattice: &Lattice| {
+            let same = |a: &Vector2<f64>| {
+                let off = b - a - lattice.translation(lattice.nearest(&(b - a)));
+                finite(a) && off.amax() <= slack(a.iter().chain(b.iter()).copied())
+            };
+            starts.iter().copied().find(|(a, _)| same(a))
+        };
+        // whether the direction of the boundary jumps from the end of one piece to the start of another
+        let kink = |(i, b): (usize, Vector2<f64>), (j, a): (usize, Vector2<f64>)| {
+            (pieces[i].closest(&b).normal - pieces[j].closest(&a).normal).norm() > SMOOTH
+        };
         let mut next = vec![None; pieces.len()];
         let mut corners = vec![];
         for (i, end) in ends.iter().enumerate() {
@@ -66,21 +80,24 @@ impl Table {
                 continue;
             }
             next[i] = starting_at(b);
-            match next[i] {
-                Some(j) => {
-                    let (before, after) = (pieces[i].closest(b).normal, pieces[j].closest(b).normal);
-                    if (before - after).norm() > SMOOTH {
-                        corners.push(*b);
-                    }
+            if let Some(j) = next[i] {
+                if kink((i, *b), (j, *b)) {
+                    corners.push(*b);
                 }
-                None if lattice.is_some() => {}
-                None => {
-                    let gap = starts.iter().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
-                    return Err(Error::Open { piece: i, gap });
+            } else if let Some((a, j)) = lattice.as_ref().and_then(|lattice| starting_at_translate(b, lattice)) {
+                if kink((i, *b), (j, a)) {
+                    corners.extend([*b, a]);
                 }
+            } else {
+                let gap = starts.iter().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
+                return Err(Error::Open { piece: i, gap });
             }
         }
-        Ok(Table { pieces, next, corners, lattice })
+        let nearby = match &lattice {
+            Some(lattice) => translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect(),
+            None => pieces.iter().cloned().enumerate().collect(),
+        };
+        Ok(Table { pieces, next, corners, lattice, nearby })
     }
 
     /// The pieces, in the order of their numbers.
@@ -129,7 +146,15 @@ impl Table {
 
     /// Area of the table [L²], per unit cell on a lattice; infinite or NaN for infinite tables.
     pub fn area(&self) -> f64 {
-        let enclosed: f64 = self.pieces.iter().map(|p| p.area()).sum();
+        let mut enclosed: f64 = self.pieces.iter().map(|p| p.area()).sum();
+        // a chain that goes on in a translate of itself is closed along edges of the cell, of which two differ by the
+        // vector from its start to its end
+        for chain in self.chains().iter().filter(|chain| !self.is_closed(chain)) {
+            let (first, last) = (chain[0], chain[chain.len() - 1]);
+            if let (Some([a, _]), Some([_, b])) = (self.pieces[first].ends(), self.pieces[last].ends()) {
+                enclosed += 0.5 * a.perp(&b);
+            }
+        }
         match &self.lattice {
             Some(lattice) if enclosed < 0.0 => lattice.cell_area() + enclosed,
             _ => enclosed,
@@ -148,17 +173,25 @@ impl Table {
 
     /// The piece closest to a point, the point of it that is closest, and its inward normal.
     pub fn closest(&self, point: &Vector2<f64>) -> (usize, Landing) {
-        let mut best = (0, self.pieces[0].closest(point));
-        let mut distance = (best.1.point - point).norm_squared();
-        for (i, piece) in self.pieces.iter().enumerate().skip(1) {
-            let landing = piece.closest(point);
-            let d = (landing.point - point).norm_squared();
-            // at a shared vertex the piece that the point faces decides
-            let faces = |l: &Landing| l.normal.dot(&(point - l.point)).abs();
-            if d < distance || (d <= distance * (1.0 + 1e-12) && faces(&landing) > faces(&best.1)) {
-                best = (i, landing);
+        let (home, cell) = self.lattice.as_ref().map_or((*point, None), |lattice| {
+            let (home, cell) = lattice.reduce(point);
+            (home, Some(lattice.translation(cell)))
+        });
+        let mut best = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
+        let mut distance = f64::INFINITY;
+        for (i, piece) in &self.nearby {
+            let landing = piece.closest(&home);
+            let d = (landing.point - home).norm_squared();
+            // at a shared vertex, equally far but for rounding, the piece that the point faces decides
+            let faces = |l: &Landing| l.normal.dot(&(home - l.point)).abs();
+            let same = d <= distance * (1.0 + 1e-12) && distance <= d * (1.0 + 1e-12);
+            if if same { faces(&landing) > faces(&best.1) } else { d < distance } {
+                best = (*i, landing);
                 distance = d;
             }
+        }
+        if let Some(back) = cell {
+            best.1.point += back;
         }
         best
     }
@@ -270,42 +303,52 @@ impl Table {
 
     /// Every piece that reaches into the unit cell, translated there.
     fn translates(&self, lattice: &Lattice) -> List {
-        let corners: Vec<Vector2<f64>> = vec![];
+        let mut corners = vec![];
         let mut pieces = vec![];
-        for (i, piece) in self.pieces.iter().enumerate() {
-            let extent = piece.extent();
-            let corners_of = [
-                extent.min,
-                Vector2::new(extent.max.x, extent.min.y),
-                extent.max,
-                Vector2::new(extent.min.x, extent.max.y),
-            ];
-            let mut range = [[0.0, 0.0]; 2];
-            for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
-                let [f, g] = lattice.functional(k);
-                let at = corners_of.map(|c| f * c.x + g * c.y);
-                let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
-                // translates by t reach into the cell where low + t < 1 and high + t > 0
-                *range = [-libm::floor(high), libm::ceil(1.0 - low) - 1.0];
-            }
-            let mut first = range[0][0];
-            while first <= range[0][1] {
-                let mut second = range[1][0];
-                while second <= range[1][1] {
-                    let by = lattice.translation([first, second]);
-                    let moved: Arc<dyn Piece> = if by == Vector2::zeros() {
-                        piece.clone()
-                    } else {
-                        Arc::new(shapes::Translated::new(piece.clone(), by))
-                    };
-                    pieces.push((i, moved));
-                    second += 1.0;
-                }
-                first += 1.0;
-            }
+        for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
+            let ends = self.pieces[i].ends().map_or(vec![], Vec::from);
+            corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
+            pieces.push((i, piece));
         }
         List::new(pieces, &corners)
     }
+}
+
+/// The translates of pieces, with their numbers and the translations, that reach within `margin` cells of the unit cell.
+fn translates(
+    pieces: &[Arc<dyn Piece>],
+    lattice: &Lattice,
+    margin: f64,
+) -> Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> {
+    let mut found: Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> = vec![];
+    for (i, piece) in pieces.iter().enumerate() {
+        let Extent { min, max } = piece.extent();
+        let corners_of = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
+        let mut range = [[0.0, 0.0]; 2];
+        for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
+            let [f, g] = lattice.functional(k);
+            // an infinite extent at right angles to the functional counts nothing
+            let at = corners_of.map(|c| [f * c.x, g * c.y].iter().filter(|a| !a.is_nan()).sum::<f64>());
+            let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
+            if low.is_finite() && high.is_finite() {
+                // translates by t reach that far where low + t < 1 + margin and high + t ≥ −margin
+                *range = [-libm::floor(high + margin), libm::ceil(1.0 + margin - low) - 1.0];
+            }
+        }
+        let mut first = range[0][0];
+        while first <= range[0][1] {
+            let mut second = range[1][0];
+            while second <= range[1][1] {
+                let by = lattice.translation([first, second]);
+                let at_home = by == Vector2::zeros();
+                let moved = || -> Arc<dyn Piece> { Arc::new(shapes::Translated::new(piece.clone(), by)) };
+                found.push((i, by, if at_home { piece.clone() } else { moved() }));
+                second += 1.0;
+            }
+            first += 1.0;
+        }
+    }
+    found
 }
 
 /// A composite wall that encloses the particle.

@@ -96,7 +96,11 @@ impl Piece for Segment {
         (point - Vector2::from(self.a)).dot(&self.direction()).clamp(0.0, self.length)
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        Landing { point: self.point_at(self.arc_length_at(point)), normal: self.normal.into() }
+        let [a, b] = [Vector2::from(self.a), Vector2::from(self.b)];
+        let s = (point - a).dot(&self.direction());
+        // the vertices themselves, which neighbours share
+        let at = if s <= 0.0 { a } else if s >= self.length { b } else { self.point_at(s) };
+        Landing { point: at, normal: self.normal.into() }
     }
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {
         Some([self.a.into(), self.b.into()])
