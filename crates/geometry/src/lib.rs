@@ -14,8 +14,10 @@
 #![warn(clippy::unwrap_used, clippy::print_stdout)]
 
 mod boundary;
+mod boxes;
 mod crossing;
 mod error;
+mod intersect;
 mod lattice;
 mod outline;
 mod path;
@@ -29,6 +31,7 @@ pub mod walls;
 pub use boundary::{Boundary, Hit};
 pub use crossing::Crossing;
 pub use error::Error;
+pub use intersect::{Meeting, MeetingKind, meetings};
 pub use lattice::Lattice;
 pub use nalgebra::{SVector, Vector2, Vector3};
 pub use outline::{Outline, Turn};

@@ -1,0 +1,279 @@
+//! Curves of any kind, by subdivision over their arc length.
+//!
+//! An arc of length `ℓ` from `p` to `q` lies in the ellipse with foci `p`, `q` whose points have distances of sum `ℓ`;
+//! two arcs whose ellipses are apart do not meet. Arcs that turn less than their chords differ in direction meet at
+//! most once, and Newton's method decides.
+use super::{Meeting, MeetingKind, direction_at};
+use crate::{Piece, plane::slack};
+use nalgebra::Vector2;
+
+/// Pairs of arcs looked at before the pieces are taken to run along each other.
+const PATIENCE: usize = 50_000;
+
+/// Arcs shorter than this part of the whole that cannot be told apart touch: their distance, quadratic in their length,
+/// is below rounding.
+const TOUCHING: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
+
+/// A point of a piece.
+#[derive(Clone, Copy, Debug)]
+struct Mark {
+    s: f64,
+    point: Vector2<f64>,
+    curvature: f64,
+}
+
+impl Mark {
+    fn new(piece: &dyn Piece, s: f64) -> Mark {
+        let point = piece.point_at(s);
+        Mark { s, point, curvature: piece.curvature(&point).abs() }
+    }
+}
+
+/// Part of a piece.
+#[derive(Clone, Copy, Debug)]
+struct Stretch {
+    from: Mark,
+    to: Mark,
+}
+
+/// The ellipse around a stretch.
+struct Hull {
+    middle: Vector2<f64>,
+    /// Unit vector along the chord.
+    along: Vector2<f64>,
+    semi_axes: [f64; 2],
+    /// A bound, with some margin, for how far the direction differs from the chord's (radians).
+    turning: f64,
+}
+
+impl Stretch {
+    fn length(&self) -> f64 {
+        self.to.s - self.from.s
+    }
+
+    fn hull(&self, rounding: f64) -> Hull {
+        let length = self.length();
+        let chord = self.to.point - self.from.point;
+        let distance = libm::hypot(chord.x, chord.y);
+        let excess = ((length - distance) * (length + distance)).max(0.0).sqrt();
+        let bend = 1.5 * self.from.curvature.max(self.to.curvature) * length;
+        // c/ℓ = 1 − φ²/24 for an arc that turns by φ
+        let spread = (24.0 * (1.0 - distance / length)).max(0.0).sqrt();
+        let flat = spread < 0.3 && bend < 0.3;
+        let height = if flat { (0.5 * excess).min(0.125 * bend * length) } else { 0.5 * excess };
+        Hull {
+            middle: (self.from.point + self.to.point) * 0.5,
+            along: if distance > 0.0 { chord / distance } else { Vector2::new(1.0, 0.0) },
+            semi_axes: [0.5 * length.max(distance) + rounding, height + rounding],
+            turning: if flat { spread.min(bend) } else { f64::INFINITY },
+        }
+    }
+
+    fn halves(&self, piece: &dyn Piece) -> [Stretch; 2] {
+        let middle = Mark::new(piece, 0.5 * (self.from.s + self.to.s));
+        [Stretch { from: self.from, to: middle }, Stretch { from: middle, to: self.to }]
+    }
+}
+
+impl Hull {
+    fn half_width(&self, u: &Vector2<f64>) -> f64 {
+        libm::hypot(self.semi_axes[0] * u.dot(&self.along), self.semi_axes[1] * u.perp(&self.along))
+    }
+
+    fn apart(&self, other: &Hull) -> bool {
+        let across = |u: &Vector2<f64>| Vector2::new(-u.y, u.x);
+        let between = other.middle - self.middle;
+        [self.along, across(&self.along), other.along, across(&other.along)]
+            .iter()
+            .any(|u| between.dot(u).abs() > self.half_width(u) + other.half_width(u))
+    }
+}
+
+/// The range of arc length of `piece` that can meet something in the box around `other`.
+fn range(piece: &dyn Piece, other: &dyn Piece) -> Option<[f64; 2]> {
+    let length = piece.length();
+    if length.is_finite() {
+        return Some([0.0, length]);
+    }
+    let extent = other.extent();
+    if !extent.is_finite() {
+        return None;
+    }
+    let middle = (extent.min + extent.max) * 0.5;
+    let reach = libm::hypot(extent.max.x - extent.min.x, extent.max.y - extent.min.y);
+    let s = piece.arc_length_at(&middle);
+    let off = libm::hypot(piece.point_at(s).x - middle.x, piece.point_at(s).y - middle.y);
+    if off > reach {
+        return None;
+    }
+    // where the piece has an end its parameter is 0 there
+    let ends = piece.ends().map_or([false; 2], |e| e.map(|p| p.iter().all(|x| x.is_finite())));
+    let low = if ends[0] { (s - reach).max(0.0) } else { s - reach };
+    let high = if ends[1] { (s + reach).min(0.0) } else { s + reach };
+    (low < high).then_some([low, high])
+}
+
+pub(super) fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
+    let (Some(p), Some(q)) = (range(a, b), range(b, a)) else { return vec![] };
+    let size = a.extent().size().max(b.extent().size());
+    // formula curves are solved to a few ulp more than coordinates
+    let tolerance = 4.0 * slack([size]);
+    let mut found = vec![];
+    ends_on(a, b, tolerance, |point, s, t| Meeting { point, at: [s, t], kind: MeetingKind::End }, &mut found);
+    ends_on(b, a, tolerance, |point, t, s| Meeting { point, at: [s, t], kind: MeetingKind::End }, &mut found);
+    search([a, b], [p, q], tolerance, &mut found);
+    found
+}
+
+/// Self-intersections of one piece: points where two parts of it, not neighbours, cross.
+pub(crate) fn self_crossing(piece: &dyn Piece) -> Option<Vector2<f64>> {
+    const PARTS: usize = 8;
+    let length = piece.length();
+    if !length.is_finite() {
+        return None;
+    }
+    let closed = piece.ends().is_none();
+    let tolerance = 4.0 * slack([piece.extent().size()]);
+    let part = |k: usize| [length * (k as f64 / PARTS as f64), length * ((k + 1) as f64 / PARTS as f64)];
+    for i in 0..PARTS {
+        for j in i + 2..PARTS {
+            if closed && i == 0 && j == PARTS - 1 {
+                continue;
+            }
+            let mut found = vec![];
+            search([piece, piece], [part(i), part(j)], tolerance, &mut found);
+            if let Some(m) = found.iter().find(|m| m.kind == MeetingKind::Crossing) {
+                return Some(m.point);
+            }
+        }
+    }
+    None
+}
+
+/// The finite ends of `a` that lie on `b`.
+fn ends_on(
+    a: &dyn Piece,
+    b: &dyn Piece,
+    tolerance: f64,
+    meeting: impl Fn(Vector2<f64>, f64, f64) -> Meeting,
+    found: &mut Vec<Meeting>,
+) {
+    let Some([start, end]) = a.ends() else { return };
+    let last = if start.iter().all(|x| x.is_finite()) { a.length() } else { 0.0 };
+    for (point, s) in [(start, 0.0), (end, last)] {
+        if !point.iter().all(|x| x.is_finite()) {
+            continue;
+        }
+        let foot = b.closest(&point).point;
+        let near = |m: &Meeting| (m.point - point).norm() <= 4.0 * tolerance;
+        if (foot - point).norm() <= tolerance && !found.iter().any(near) {
+            found.push(meeting(point, s, b.arc_length_at(&point)));
+        }
+    }
+}
+
+fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found: &mut Vec<Meeting>) {
+    let whole =
+        [0, 1].map(|k| Stretch { from: Mark::new(pieces[k], ranges[k][0]), to: Mark::new(pieces[k], ranges[k][1]) });
+    let rounding = 0.25 * tolerance;
+    let least = TOUCHING * whole[0].length().max(whole[1].length());
+    // a closed curve is halved first: its chord is no direction
+    let mut open = vec![];
+    for a in whole[0].halves(pieces[0]) {
+        for b in whole[1].halves(pieces[1]) {
+            open.push([a, b]);
+        }
+    }
+    let mut touching: Vec<[f64; 2]> = vec![];
+    let mut steps = 0;
+    while let Some(pair) = open.pop() {
+        let hulls = pair.map(|s| s.hull(rounding));
+        if hulls[0].apart(&hulls[1]) {
+            continue;
+        }
+        steps += 1;
+        let sine = hulls[0].along.perp(&hulls[1].along).abs();
+        if sine > 2.0 * (hulls[0].turning + hulls[1].turning) {
+            if let Some(m) = newton(pieces, pair, &hulls, tolerance)
+                && !found.iter().any(|n| (n.point - m.point).norm() <= 8.0 * tolerance / sine)
+            {
+                found.push(m);
+            }
+            continue;
+        }
+        if steps > PATIENCE {
+            overlap(pieces, ranges, tolerance, found);
+            return;
+        }
+        let longer = usize::from(pair[1].length() > pair[0].length());
+        if pair[longer].length() <= least {
+            touching.push(pair.map(|s| 0.5 * (s.from.s + s.to.s)));
+            continue;
+        }
+        for half in pair[longer].halves(pieces[longer]) {
+            let mut next = pair;
+            next[longer] = half;
+            open.push(next);
+        }
+    }
+    for at in touching {
+        let point = pieces[0].point_at(at[0]);
+        // stretches that touch together are one meeting
+        if !found.iter().any(|m| (m.point - point).norm() <= 64.0 * least) {
+            found.push(Meeting { point, at, kind: MeetingKind::Tangency });
+        }
+    }
+}
+
+/// The crossing of two nearly straight stretches.
+fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<Meeting> {
+    let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
+    let mut directions = [hulls[0].along, hulls[1].along];
+    let mut last = f64::INFINITY;
+    let mut point = hulls[0].middle;
+    for _ in 0..32 {
+        let points = [0, 1].map(|k| pieces[k].point_at(at[k]));
+        point = (points[0] + points[1]) * 0.5;
+        let gap = points[1] - points[0];
+        let sine = directions[0].perp(&directions[1]);
+        let step = [gap.perp(&directions[1]) / sine, gap.perp(&directions[0]) / sine];
+        let size = step[0].abs().max(step[1].abs());
+        if size.is_nan() || size >= 0.5 * last {
+            break;
+        }
+        last = size;
+        for k in 0..2 {
+            // a little beyond the ends: the crossing may be the vertex itself
+            let room = 0.5 * pair[k].length();
+            at[k] = (at[k] + step[k]).clamp(pair[k].from.s - room, pair[k].to.s + room);
+        }
+        if size <= f64::EPSILON * (at[0].abs() + at[1].abs()) {
+            break;
+        }
+        let found = [0, 1].map(|k| pieces[k].point_at(at[k]));
+        directions = [0, 1].map(|k| direction_at(pieces[k], &found[k]));
+    }
+    let inside = (0..2).all(|k| pair[k].from.s - tolerance <= at[k] && at[k] <= pair[k].to.s + tolerance);
+    (inside && last <= 4.0 * tolerance / directions[0].perp(&directions[1]).abs()).then_some(Meeting {
+        point,
+        at,
+        kind: MeetingKind::Crossing,
+    })
+}
+
+/// The pieces run along each other: what is in common begins and ends at ends.
+fn overlap(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found: &mut Vec<Meeting>) {
+    found.retain(|m| m.kind == MeetingKind::End);
+    for m in found.iter_mut() {
+        m.kind = MeetingKind::Overlap;
+    }
+    for s in ranges[0] {
+        if found.len() < 2 {
+            let point = pieces[0].point_at(s);
+            let t = pieces[1].arc_length_at(&point);
+            if (pieces[1].point_at(t) - point).norm() <= tolerance {
+                found.push(Meeting { point, at: [s, t], kind: MeetingKind::Overlap });
+            }
+        }
+    }
+}
