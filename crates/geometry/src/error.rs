@@ -83,6 +83,9 @@ pub enum Error {
         /// What it must be.
         must: &'static str,
     },
+    /// A table that extends to infinity where a bounded one is needed.
+    #[error("the table is unbounded: it has no uniform distribution")]
+    Unbounded,
     /// A parameter that a named table does not have.
     #[error("{table} has no parameter {name}; it has {known}")]
     Unknown {

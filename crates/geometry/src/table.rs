@@ -177,23 +177,11 @@ impl Table {
             let (home, cell) = lattice.reduce(point);
             (home, Some(lattice.translation(cell)))
         });
-        let mut best = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
-        let mut distance = f64::INFINITY;
-        for (i, piece) in &self.nearby {
-            let landing = piece.closest(&home);
-            let d = (landing.point - home).norm_squared();
-            // at a shared vertex, equally far but for rounding, the piece that the point faces decides
-            let faces = |l: &Landing| l.normal.dot(&(home - l.point)).abs();
-            let same = d <= distance * (1.0 + 1e-12) && distance <= d * (1.0 + 1e-12);
-            if if same { faces(&landing) > faces(&best.1) } else { d < distance } {
-                best = (*i, landing);
-                distance = d;
-            }
-        }
+        let (i, mut landing) = closest_of(self.nearby.iter().map(|(i, piece)| (*i, piece)), &home);
         if let Some(back) = cell {
-            best.1.point += back;
+            landing.point += back;
         }
-        best
+        (i, landing)
     }
 
     /// The distance from the boundary [L], negative outside the table.
@@ -281,7 +269,9 @@ impl Table {
         for chain in self.chains() {
             let of_chain: Vec<Figure> = chain.iter().map(|&i| figures[i]).collect();
             if let Some(container) = Container::of(&chain, &of_chain) {
-                return Some((container, rest(&chain)));
+                let rest: Vec<usize> = rest(&chain);
+                // what else there is must lie inside: a table may have several rooms
+                return rest.iter().all(|&i| self.inside(&chain, i)).then_some((container, rest));
             }
         }
         if let [Figure::Line { .. }, Figure::Line { .. }] = figures[..]
@@ -290,6 +280,13 @@ impl Table {
             return Some((slab, vec![]));
         }
         None
+    }
+
+    /// Whether a piece lies on the table's side of a chain that it does not cross.
+    fn inside(&self, chain: &[usize], piece: usize) -> bool {
+        let point = self.pieces[piece].point_at(0.5 * self.pieces[piece].length());
+        let (_, landing) = closest_of(chain.iter().map(|&i| (i, &self.pieces[i])), &point);
+        (point - landing.point).dot(&landing.normal) >= 0.0
     }
 
     /// Whether a disk lies in the unit cell, so that no translate of it reaches in.
@@ -312,6 +309,27 @@ impl Table {
         }
         List::new(pieces, &corners)
     }
+}
+
+/// The closest of some pieces, the point of it that is closest, and its inward normal.
+fn closest_of<'a>(
+    pieces: impl Iterator<Item = (usize, &'a Arc<dyn Piece>)>,
+    point: &Vector2<f64>,
+) -> (usize, Landing) {
+    let mut best = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
+    let mut distance = f64::INFINITY;
+    for (i, piece) in pieces {
+        let landing = piece.closest(point);
+        let d = (landing.point - point).norm_squared();
+        // at a shared vertex, equally far but for rounding, the piece that the point faces decides
+        let faces = |l: &Landing| l.normal.dot(&(point - l.point)).abs();
+        let same = d <= distance * (1.0 + 1e-12) && distance <= d * (1.0 + 1e-12);
+        if if same { faces(&landing) > faces(&best.1) } else { d < distance } {
+            best = (i, landing);
+            distance = d;
+        }
+    }
+    best
 }
 
 /// The translates of pieces, with their numbers and the translations, that reach within `margin` cells of the unit cell.
@@ -370,6 +388,11 @@ impl Container {
     fn of(chain: &[usize], figures: &[Figure]) -> Option<Container> {
         if let [Figure::Circle { center, radius, inside: true }] = figures {
             return Sphere::new(*center, *radius, chain[0]).ok().map(Container::Disk);
+        }
+        if let (&[i, j], &[arriving, leaving]) = (chain, figures)
+            && let Ok(wedge) = ConvexPolygon::wedge([arriving, leaving], [i, j])
+        {
+            return Some(Container::Convex(wedge));
         }
         if chain.windows(2).any(|w| w[1] != w[0] + 1) {
             return None; // composite walls number their pieces consecutively

@@ -1,7 +1,8 @@
-//! Convex polygons: an intersection of half-planes.
+//! Convex polygons, bounded or not: an intersection of half-planes.
 use super::{CORNER, WallHit, Walls};
-use crate::{Error, shapes::Segment};
+use crate::{Error, Figure, shapes::Segment};
 use lanes::{Lane, Mask};
+use nalgebra::Vector2;
 
 #[derive(Clone, Copy, Debug)]
 struct Side {
@@ -9,16 +10,21 @@ struct Side {
     normal: [f64; 2],
     /// `n·p` on the side.
     distance: f64,
-    /// Tangential coordinate of the middle along (−n₂, n₁), and half the length less the corner margin.
-    middle: f64,
-    half: f64,
+    /// Tangential coordinates along (−n₂, n₁) of its start and its end, the corner margin taken off; infinite where
+    /// the side is.
+    start: f64,
+    end: f64,
     piece: f64,
 }
 
-/// A convex polygon. Its sides are taken as whole lines, so no path can slip out at a vertex.
+/// A convex polygon, or a convex region bounded by a chain from infinity to infinity, such as a wedge.
+///
+/// Its sides are taken as whole lines, so no path can slip out at a vertex.
 #[derive(Clone, Debug)]
 pub struct ConvexPolygon {
     sides: Vec<Side>,
+    /// The corner margin per distance of the start from the origin: in an unbounded region that may be any distance.
+    far: f64,
 }
 
 /// Whether a closed chain of sides turns left at every vertex, once round in all.
@@ -41,20 +47,52 @@ impl ConvexPolygon {
         if sides.len() < 3 || !turns_left(sides) {
             return Err(Error::NotConvex);
         }
-        let size = sides.iter().flat_map(Segment::start).fold(0.0, |m: f64, c| m.max(c.abs()));
+        let margin = CORNER * sides.iter().flat_map(Segment::start).fold(0.0, |m: f64, c| m.max(c.abs()));
         let side = |(i, s): (usize, &Segment)| {
-            let n = s.inward_normal().map(|n| -n);
-            let along = |p: [f64; 2]| p[1] * n[0] - p[0] * n[1];
-            let (a, b) = (s.start(), s.end());
-            Side {
-                normal: n,
-                distance: 0.5 * ((a[0] + b[0]) * n[0] + (a[1] + b[1]) * n[1]),
-                middle: 0.5 * (along(a) + along(b)),
-                half: 0.5 * (along(b) - along(a)) - CORNER * size,
-                piece: (first + i) as f64,
-            }
+            Side::new(s.inward_normal(), [s.start(), s.end()].map(|p| Some(p.into())), margin, first + i)
         };
-        Ok(ConvexPolygon { sides: sides.iter().enumerate().map(side).collect() })
+        Ok(ConvexPolygon { sides: sides.iter().enumerate().map(side).collect(), far: 0.0 })
+    }
+
+    /// The region on the table's side of two rays that share their end, the one that arrives there and the one that
+    /// leaves it in the sense of traversal, with their numbers.
+    ///
+    /// # Errors
+    /// [`Error::NotConvex`] where they are no such rays, or the angle between them is not less than π.
+    pub fn wedge(rays: [Figure; 2], pieces: [usize; 2]) -> Result<Self, Error> {
+        let [
+            Figure::Ray { from: apex, direction: arriving, left: false },
+            Figure::Ray { from, direction: leaving, left: true },
+        ] = rays
+        else {
+            return Err(Error::NotConvex);
+        };
+        if apex != from || leaving.perp(&arriving) <= 0.0 {
+            return Err(Error::NotConvex);
+        }
+        let normals = [[arriving.y, -arriving.x], [-leaving.y, leaving.x]];
+        let margin = CORNER * apex.amax();
+        let sides = vec![
+            Side::new(normals[0], [None, Some(apex)], margin, pieces[0]),
+            Side::new(normals[1], [Some(apex), None], margin, pieces[1]),
+        ];
+        Ok(ConvexPolygon { sides, far: CORNER })
+    }
+}
+
+impl Side {
+    /// The side with an inward unit normal, between two vertices, of which one may lie at infinity.
+    fn new(inward: [f64; 2], [a, b]: [Option<Vector2<f64>>; 2], margin: f64, piece: usize) -> Side {
+        let n = inward.map(|n| -n);
+        let along = |p: Vector2<f64>| p.y * n[0] - p.x * n[1];
+        let distances: Vec<f64> = [a, b].iter().flatten().map(|p| p.x * n[0] + p.y * n[1]).collect();
+        Side {
+            normal: n,
+            distance: distances.iter().sum::<f64>() / distances.len() as f64,
+            start: a.map_or(f64::NEG_INFINITY, |p| along(p) + margin),
+            end: b.map_or(f64::INFINITY, |p| along(p) - margin),
+            piece: piece as f64,
+        }
     }
 }
 
@@ -63,7 +101,7 @@ impl Walls<2> for ConvexPolygon {
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
         let (mut num, mut den) = (zero.same(f64::INFINITY), zero.same(1.0));
-        let (mut n, mut middle, mut half, mut wall, mut piece) = ([zero; 2], zero, zero, zero, zero);
+        let (mut n, mut start, mut end, mut wall, mut piece) = ([zero; 2], zero, zero, zero, zero);
         for side in &self.sides {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let distance = (zero.same(side.distance) - (x[0] * side.normal[0] + x[1] * side.normal[1])).max(zero);
@@ -71,8 +109,8 @@ impl Walls<2> for ConvexPolygon {
             num = sooner.select(distance, num);
             den = sooner.select(speed, den);
             n = [sooner.select(zero.same(side.normal[0]), n[0]), sooner.select(zero.same(side.normal[1]), n[1])];
-            middle = sooner.select(zero.same(side.middle), middle);
-            half = sooner.select(zero.same(side.half), half);
+            start = sooner.select(zero.same(side.start), start);
+            end = sooner.select(zero.same(side.end), end);
             wall = sooner.select(zero.same(side.distance), wall);
             piece = sooner.select(zero.same(side.piece), piece);
         }
@@ -81,7 +119,8 @@ impl Walls<2> for ConvexPolygon {
         // project onto the side
         let off = wall - (p[0] * n[0] + p[1] * n[1]);
         let point = [p[0] + off * n[0], p[1] + off * n[1]];
-        let along = point[1] * n[0] - point[0] * n[1] - middle;
+        let along = point[1] * n[0] - point[0] * n[1];
+        let margin = (x[0].abs() + x[1].abs()) * self.far;
         WallHit {
             time,
             point,
@@ -89,7 +128,7 @@ impl Walls<2> for ConvexPolygon {
             inverse: zero.same(1.0),
             inverse_square: zero.same(1.0),
             piece,
-            corner: half.lt(along.abs()),
+            corner: along.lt(start + margin) | end.lt(along + margin),
         }
     }
 }

@@ -14,8 +14,8 @@ struct Pieces {
     pieces: Vec<(usize, Arc<dyn Piece>)>,
     /// Vertices at which the boundary has a corner, per piece.
     corners: Vec<Vec<Vector2<f64>>>,
-    /// Square of the distance within which a hit counts as a corner.
-    near: f64,
+    /// Size of their coordinates, of which rounding is a fraction.
+    size: f64,
 }
 
 impl List {
@@ -27,7 +27,7 @@ impl List {
             ends.into_iter().filter(|e| corners.contains(e)).collect()
         };
         let corners = pieces.iter().map(|(_, p)| own(p)).collect();
-        List(ByLane(Pieces { pieces, corners, near: (CORNER * size) * (CORNER * size) }))
+        List(ByLane(Pieces { pieces, corners, size }))
     }
 }
 
@@ -43,12 +43,14 @@ impl Boundary<2> for Pieces {
         let k = first.1?;
         let time = first.0.time();
         let landing = self.pieces[k].1.landing(path, time);
+        // a path may come from far beyond the vertices
+        let near = CORNER * self.size.max(path.point.amax());
         Some(Hit {
             time,
             point: landing.point,
             normal: landing.normal,
             piece: self.pieces[k].0,
-            corner: self.corners[k].iter().any(|c| (landing.point - c).norm_squared() <= self.near),
+            corner: self.corners[k].iter().any(|c| (landing.point - c).amax() <= near),
         })
     }
 }
