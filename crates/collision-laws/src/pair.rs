@@ -120,7 +120,7 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
             return Err(Error::BothFixed);
         }
         let normal_velocity = self.contact.normal.dot(&self.contact_velocity(v));
-        if normal_velocity >= 0.0 {
+        if normal_velocity.is_nan() || normal_velocity >= 0.0 {
             return Err(Error::NotApproaching { normal_velocity });
         }
         if self.delassus().is_singular() {

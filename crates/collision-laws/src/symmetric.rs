@@ -16,7 +16,7 @@ pub(crate) fn eigenframe<const N: usize>(mut a: SMatrix<f64, N, N>) -> (SVector<
         for p in 0..N {
             for q in p + 1..N {
                 let off = a[(p, q)];
-                if off.abs() <= 0.25 * f64::EPSILON * (a[(p, p)] * a[(q, q)]).abs().sqrt() {
+                if off.abs() <= 0.25 * f64::EPSILON * a[(p, p)].abs().sqrt() * a[(q, q)].abs().sqrt() {
                     a[(p, q)] = 0.0;
                     a[(q, p)] = 0.0;
                     continue;

@@ -4,7 +4,7 @@
 //! many digits and no more, whatever the masses, because every defect is relative in the kinetic-energy metric.
 
 use collision_laws::{
-    Body, CollisionLaw, Contact, Error, Fixed, Pair, Roughness, StrictLaw, Twist,
+    Body, CollisionLaw, Contact, Error, Fixed, Pair, Roughness, StrictLaw, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, Point, RigidBody, Spatial},
     check::{self, Axiom, Samples},
     classify,
@@ -235,6 +235,35 @@ fn restitution_conserves_momentum_and_loses_energy() {
 fn inertia_tensor(body: &[f64; 6]) -> Matrix3<f64> {
     let b = Matrix3::new(body[0], body[1], body[2], 0.0, body[3], body[4], 0.0, 0.0, body[5]);
     b * b.transpose() + Matrix3::identity() * 0.01
+}
+
+/// The same scene in other units: lengths in 2ᵃ, masses in 4ᵇ, times in 2ᶜ.
+fn units_do_not_matter<const N: usize>(scene: &Scene<N>, [a, b, c]: [i32; 3]) {
+    let (length, mass, speed) = (2.0_f64.powi(a), 4.0_f64.powi(b), 2.0_f64.powi(a - c));
+    let law = RoughPlane::new(&scene.rough).expect("rough directions");
+    let v = Twist::from_coordinates(&scene.arms[1].iter().cycle().copied().take(N * (N + 1) / 2).collect::<Vec<_>>());
+    let s = SMatrix::<f64, N, N>::from_fn(|i, j| if i == j { 1.0 } else { 0.1 + 0.05 * (i + j) as f64 });
+    let collide = |length: f64, mass: f64, speed: f64| {
+        let body = RigidBody::<N>::new(mass, Inertia::SecondMoments(s * length * length)).expect("a body");
+        let other = Ball::uniform(3.0 * mass, length).expect("a ball");
+        let n = scene.contact.normal.into_inner() * length;
+        let pair = Pair::new(scene.contact, (body, scene.arms[0] * length), (other, n));
+        let spin = v.spin() * (speed / length);
+        let before = (Twist::new(v.linear * speed, spin).expect("a spin"), Twist::translation(n * (speed / length)));
+        pair.collide(&law, &before)
+    };
+    let (one, scaled) = (collide(1.0, 1.0, 1.0), collide(length, mass, speed));
+    assert_eq!(one.impulse * (mass * speed), scaled.impulse);
+    assert_eq!(one.velocities.0.linear * speed, scaled.velocities.0.linear);
+    assert_eq!(one.velocities.1.spin() * (speed / length), *scaled.velocities.1.spin());
+}
+
+#[test]
+fn units_do_not_matter_to_the_last_bit() {
+    let exponents = || prop::array::uniform3(-150..150_i32);
+    for_all((scene::<2>(), exponents()), |(scene, exponents)| units_do_not_matter(&scene, exponents));
+    for_all((scene::<3>(), exponents()), |(scene, exponents)| units_do_not_matter(&scene, exponents));
+    for_all((scene::<4>(), exponents()), |(scene, exponents)| units_do_not_matter(&scene, exponents));
 }
 
 #[test]
