@@ -52,11 +52,17 @@ pub struct Conserved<F, const N: usize> {
 fn precise_square<F: Lane, const N: usize, const S: usize>(grid: F, v: &[F; N], w: &[F; S]) -> (F, F) {
     let zero = grid.same(0.0);
     let (mut high, mut low) = (zero, zero);
-    for x in v.iter().chain(w) {
-        let head = (*x + grid) - grid;
-        let tail = *x - head;
+    let mut add = |x: F| {
+        let head = (x + grid) - grid;
+        let tail = x - head;
         high = high + head * head;
-        low = low + tail * (*x + head);
+        low = low + tail * (x + head);
+    };
+    for x in v {
+        add(*x);
+    }
+    for x in w {
+        add(*x);
     }
     (high, low)
 }

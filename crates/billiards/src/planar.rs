@@ -36,7 +36,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     pub fn run<K, T, O>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>, limit: &impl Limit<T>, observer: &mut O) -> Outcome
     where
         K: EnergyKeeper<f64, 2, 1>,
-        T: Track<f64, 2, 1>,
+        T: Track<f64, 2, 1> + Clone,
         O: Observer<2, 1, K, T>,
     {
         self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
@@ -54,7 +54,7 @@ impl<L, K, T, M, O> WithWalls<2> for RunOn<'_, L, K, T, M, O>
 where
     L: BallLaw<2, 1>,
     K: EnergyKeeper<f64, 2, 1>,
-    T: Track<f64, 2, 1>,
+    T: Track<f64, 2, 1> + Clone,
     M: Limit<T>,
     O: Observer<2, 1, K, T>,
 {

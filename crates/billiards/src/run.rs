@@ -114,7 +114,7 @@ where
     W: Walls<N>,
     L: BallLaw<N, S>,
     K: EnergyKeeper<f64, N, S>,
-    T: Track<f64, N, S>,
+    T: Track<f64, N, S> + Clone,
     O: Observer<N, S, K, T>,
 {
     lanes::vectorized(Run { billiard, orbit, limit, observer })
@@ -133,14 +133,17 @@ where
     W: Walls<N>,
     L: BallLaw<N, S>,
     K: EnergyKeeper<f64, N, S>,
-    T: Track<f64, N, S>,
+    T: Track<f64, N, S> + Clone,
     M: Limit<T>,
     O: Observer<N, S, K, T>,
 {
     type Output = Outcome;
     #[inline(always)]
     fn run(self) -> Outcome {
-        let Run { billiard, orbit, limit, observer } = self;
+        let Run { billiard, orbit: at, limit, observer } = self;
+        // a copy of our own: it lives in registers for as long as no observer looks at it
+        let mut orbit = at.clone();
+        let orbit = &mut orbit;
         let slow = GRAZING * GRAZING * square_speed(&orbit.velocity, &orbit.spin);
         let mut n = 0;
         let mut idle = 0;
@@ -169,6 +172,7 @@ where
                 break Stop::Grazing;
             }
         };
+        *at = orbit.clone();
         Outcome { stop, collisions: n }
     }
 }

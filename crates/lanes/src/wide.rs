@@ -169,6 +169,11 @@ pub fn vectorized<T: Task>(task: T) -> T::Output {
             self.0.run()
         }
     }
+    // AVX-512 keeps truth values in registers of their own, which takes a single chain of operations longer
+    #[cfg(target_arch = "x86_64")]
+    if let Some(avx2) = pulp::x86::V3::try_new() {
+        return avx2.vectorize(Run(task));
+    }
     Arch::new().dispatch(Run(task))
 }
 
