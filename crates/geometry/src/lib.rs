@@ -15,6 +15,7 @@
 
 mod boundary;
 mod boxes;
+pub mod check;
 mod crossing;
 mod error;
 mod intersect;

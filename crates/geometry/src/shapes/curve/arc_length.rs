@@ -45,7 +45,7 @@ pub(crate) struct ArcLength {
     nodes: Vec<Node>,
 }
 
-/// Halvings of one interval; a curve that needs more is not smooth.
+/// Halvings of one interval at most.
 const HALVINGS: u32 = 24;
 
 impl ArcLength {
@@ -54,7 +54,7 @@ impl ArcLength {
         let mut nodes: Vec<Node> = Vec::new();
         for u in parameters {
             if let Some(last) = nodes.last().copied() {
-                extend(curve, &mut nodes, last.u, u, HALVINGS);
+                extend(curve, &mut nodes, [last.u, u], f64::INFINITY, HALVINGS);
             } else {
                 nodes.push(Node { u, s: 0.0, at: curve.at(u) });
             }
@@ -123,20 +123,21 @@ impl ArcLength {
     }
 }
 
-/// Adds nodes up to `u`, halving until the rule on the whole agrees with the rule on the halves.
-fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, from: f64, u: f64, halvings: u32) {
+/// Adds nodes up to `u`, halving until the rule on the whole agrees with the rule on the halves, or until the formula
+/// is so rough that halving does not help.
+fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], last: f64, halvings: u32) {
     let middle = 0.5 * (from + u);
     let rate = |u: f64| speed(curve, u);
     let (left, right) = (integral(rate, from, middle), integral(rate, middle, u));
-    let agree = (integral(rate, from, u) - (left + right)).abs() <= 8.0 * f64::EPSILON * (left + right);
-    if agree || halvings == 0 {
+    let difference = (integral(rate, from, u) / (left + right) - 1.0).abs();
+    if difference <= 8.0 * f64::EPSILON || difference > 0.7 * last || halvings == 0 {
         let s = nodes.last().map_or(0.0, |node| node.s);
         // the halves are there: they make the search for closest points safer
         nodes.push(Node { u: middle, s: s + left, at: curve.at(middle) });
         nodes.push(Node { u, s: s + (left + right), at: curve.at(u) });
     } else {
-        extend(curve, nodes, from, middle, halvings - 1);
-        extend(curve, nodes, middle, u, halvings - 1);
+        extend(curve, nodes, [from, middle], difference, halvings - 1);
+        extend(curve, nodes, [middle, u], difference, halvings - 1);
     }
 }
 

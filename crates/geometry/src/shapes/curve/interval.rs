@@ -256,7 +256,6 @@ impl Mul for Interval {
 impl Div for Interval {
     type Output = Interval;
     /// Everything if the divisor contains 0.
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "a quotient is a product with the reciprocals")]
     fn div(self, other: Interval) -> Interval {
         if other.contains(0.0) {
             return Interval::ENTIRE;

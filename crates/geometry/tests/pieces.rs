@@ -1,0 +1,420 @@
+//! Every shape keeps what [`geometry::Piece`] promises, and pieces that are the same curve agree.
+#![allow(clippy::unwrap_used, clippy::float_cmp, reason = "tests panic where they fail, and claim exact values")]
+
+use geometry::{
+    Extent, Line, Piece, Vector2, check,
+    shapes::{
+        Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment,
+        curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
+    },
+};
+
+fn v(x: f64, y: f64) -> Vector2<f64> {
+    Vector2::new(x, y)
+}
+
+/// `(x/a)⁴ + (y/b)⁴ + twist·(xy/ab) = 1`, lengths in units of `unit`.
+#[derive(Clone, Copy, Debug)]
+struct Quartic {
+    semi_axes: [f64; 2],
+    twist: f64,
+}
+
+impl Quartic {
+    fn scaled(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [x / self.semi_axes[0], y / self.semi_axes[1]]
+    }
+}
+
+impl ImplicitFormula for Quartic {
+    fn value(&self, p: [f64; 2]) -> f64 {
+        let [x, y] = self.scaled(p);
+        x * x * x * x + y * y * y * y + self.twist * x * y - 1.0
+    }
+    fn gradient(&self, p: [f64; 2]) -> [f64; 2] {
+        let ([x, y], [a, b]) = (self.scaled(p), self.semi_axes);
+        [(4.0 * x * x * x + self.twist * y) / a, (4.0 * y * y * y + self.twist * x) / b]
+    }
+    fn hessian(&self, p: [f64; 2]) -> [f64; 3] {
+        let ([x, y], [a, b]) = (self.scaled(p), self.semi_axes);
+        [12.0 * x * x / (a * a), self.twist / (a * b), 12.0 * y * y / (b * b)]
+    }
+    fn hessian_over(&self, [x, y]: [Interval; 2]) -> [Interval; 3] {
+        let [a, b] = self.semi_axes;
+        [
+            x.square() * (12.0 / (a * a * a * a)),
+            Interval::from(self.twist / (a * b)),
+            y.square() * (12.0 / (b * b * b * b)),
+        ]
+    }
+    fn extent(&self) -> Extent {
+        let [a, b] = self.semi_axes;
+        Extent { min: v(-1.25 * a, -1.25 * b), max: v(1.25 * a, 1.25 * b) }
+    }
+}
+
+/// An ellipse as an equation.
+#[derive(Clone, Copy, Debug)]
+struct Conic {
+    center: [f64; 2],
+    semi_axes: [f64; 2],
+}
+
+impl ImplicitFormula for Conic {
+    fn value(&self, p: [f64; 2]) -> f64 {
+        let [x, y] = [0, 1].map(|i| (p[i] - self.center[i]) / self.semi_axes[i]);
+        x * x + y * y - 1.0
+    }
+    fn gradient(&self, p: [f64; 2]) -> [f64; 2] {
+        [0, 1].map(|i| 2.0 * (p[i] - self.center[i]) / (self.semi_axes[i] * self.semi_axes[i]))
+    }
+    fn hessian(&self, _: [f64; 2]) -> [f64; 3] {
+        let [xx, yy] = self.semi_axes.map(|a| 2.0 / (a * a));
+        [xx, 0.0, yy]
+    }
+    fn hessian_over(&self, _: [Interval; 2]) -> [Interval; 3] {
+        self.hessian([0.0; 2]).map(|h| Interval::from(h) * Interval::new(1.0f64.next_down(), 1.0f64.next_up()))
+    }
+    fn extent(&self) -> Extent {
+        let (c, a) = (Vector2::from(self.center), Vector2::from(self.semi_axes));
+        Extent { min: c - a, max: c + a }
+    }
+}
+
+/// `r = R (1 + a cos nφ)`
+#[derive(Clone, Copy, Debug)]
+struct Clover {
+    radius: f64,
+    amount: f64,
+    leaves: u32,
+}
+
+impl PolarFormula for Clover {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let n = f64::from(self.leaves);
+        let (sin, cos) = (libm::sin(n * angle), libm::cos(n * angle));
+        [1.0 + self.amount * cos, -n * self.amount * sin, -n * n * self.amount * cos].map(|r| self.radius * r)
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let n = f64::from(self.leaves);
+        let (sin, cos) = ((angle * n).sin(), (angle * n).cos());
+        [cos * self.amount + 1.0, sin * (-n * self.amount), cos * (-n * n * self.amount)].map(|r| r * self.radius)
+    }
+}
+
+/// A circle about a point other than the centre of the polar coordinates.
+#[derive(Clone, Copy, Debug)]
+struct OffCentre {
+    offset: f64,
+}
+
+impl PolarFormula for OffCentre {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (e, sin, cos) = (self.offset, libm::sin(angle), libm::cos(angle));
+        let root = (1.0 - e * e * sin * sin).sqrt();
+        let first = -e * e * sin * cos / root;
+        let second = -(e * e * (cos * cos - sin * sin) + first * first) / root;
+        [e * cos + root, -e * sin + first, -e * cos + second]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let (e, sin, cos) = (self.offset, angle.sin(), angle.cos());
+        let root = (Interval::from(1.0) - sin.square() * (e * e)).sqrt();
+        let first = sin * cos * (-e * e) / root;
+        let second = -((cos.square() - sin.square()) * (e * e) + first.square()) / root;
+        [cos * e + root, first - sin * e, second - cos * e]
+    }
+}
+
+/// A piece of every kind, about as large as `scale`.
+fn pieces(scale: f64) -> Vec<(&'static str, Box<dyn Piece>)> {
+    let v = |x: f64, y: f64| v(scale * x, scale * y);
+    let (c, a, b) = (v(0.3, -0.2), v(-0.5, -0.2), v(0.7, 0.1));
+    let mut all: Vec<(&'static str, Box<dyn Piece>)> = vec![
+        ("segment", Box::new(Segment::new(a, b).unwrap())),
+        ("line", Box::new(FullLine::new(v(0.1, 0.2), v(1.0, 0.5)).unwrap())),
+        ("ray", Box::new(Ray::new(v(0.1, 0.2), v(1.0, 0.5), true).unwrap())),
+        ("bump out", Box::new(Bump::new(a, b, 0.2 * scale).unwrap())),
+        ("bump in", Box::new(Bump::new(a, b, -0.2 * scale).unwrap())),
+    ];
+    for inside in [true, false] {
+        let circle = Circle::new(c, 0.75 * scale, inside).unwrap();
+        let ellipse = Ellipse::new(c, [scale, 0.4 * scale], 0.5, inside).unwrap();
+        let quartic = Quartic { semi_axes: [scale, 0.7 * scale], twist: 0.5 };
+        let clover = Clover { radius: 0.8 * scale, amount: 0.2, leaves: 3 };
+        let [a, b] = [0.5, 4.0].map(|s| circle.point_at(s * scale));
+        all.push(("circle", Box::new(circle)));
+        all.push(("arc", Box::new(Arc::new(c, a, b, inside).unwrap())));
+        all.push(("ellipse", Box::new(ellipse)));
+        let [a, b] = [0.5, 3.5].map(|s| ellipse.point_at(s * scale));
+        all.push(("long elliptic arc", Box::new(EllipticArc::new(ellipse, a, b).unwrap())));
+        all.push(("short elliptic arc", Box::new(EllipticArc::new(ellipse, b, a).unwrap())));
+        all.push(("implicit", Box::new(Implicit::new(quartic, inside).unwrap())));
+        all.push(("polar", Box::new(Polar::new(c, clover, inside).unwrap())));
+    }
+    all
+}
+
+/// Deterministic numbers in [0, 1).
+fn noise(k: u32) -> f64 {
+    let x = 43_758.545_312_3 * libm::sin(12.989_8 * f64::from(k) + 0.5);
+    x - libm::floor(x)
+}
+
+fn specular(velocity: Vector2<f64>, normal: Vector2<f64>) -> Vector2<f64> {
+    velocity - normal * (2.0 * normal.dot(&velocity) / normal.norm_squared())
+}
+
+#[test]
+fn every_shape_keeps_its_promises() {
+    let region = Extent { min: v(-1.5, -1.5), max: v(1.5, 1.5) };
+    for (name, piece) in pieces(1.0) {
+        let report = check::piece(piece.as_ref(), region, 300);
+        assert!(report.hits > 15, "{name}: {report:?}");
+        assert_eq!(report.missed, 0, "{name}: {report:?}");
+        // some ten operations on numbers of size 1, each good to 1e-16
+        assert!(report.rounding() < 2e-15, "{name}: {report:?}");
+        // difference quotients with steps of 3e-5, on curves with radii of curvature down to 0.1
+        assert!(report.normal_direction < 1e-7 && report.curvature < 1e-5, "{name}: {report:?}");
+    }
+}
+
+#[test]
+fn powers_of_two_scale_every_answer_to_the_last_bit() {
+    for k in [-100, -40, 7, 100] {
+        let scale = libm::exp2(f64::from(k));
+        for ((name, one), (_, other)) in pieces(1.0).into_iter().zip(pieces(scale)) {
+            let length = one.length();
+            assert!(other.length() == scale * length || length == f64::INFINITY, "{name}");
+            for i in 0..50 {
+                let n = |j: u32| 2.0 * noise(10 * i + j) - 1.0;
+                let path = Line { point: v(n(0), n(1)), velocity: v(n(2), n(3)) };
+                let scaled = Line { point: path.point * scale, velocity: path.velocity * scale };
+                let fast = Line { point: path.point, velocity: path.velocity * 0.25 };
+                let time = one.crossing(&path).time();
+                assert_eq!(other.crossing(&scaled).time(), time, "{name} {k} {path:?}");
+                assert_eq!(one.crossing(&fast).time(), 4.0 * time, "{name} {path:?}");
+                if time < f64::INFINITY {
+                    let (at, there) = (one.landing(&path, time), other.landing(&scaled, time));
+                    assert_eq!((at.point * scale, at.normal), (there.point, there.normal), "{name}");
+                    assert_eq!(other.curvature(&there.point), one.curvature(&at.point) / scale, "{name}");
+                    let s = one.arc_length_at(&at.point);
+                    assert_eq!(other.arc_length_at(&there.point), scale * s, "{name}");
+                    assert_eq!(other.point_at(scale * s), one.point_at(s) * scale, "{name}");
+                }
+            }
+        }
+    }
+}
+
+/// Every path of a kind, on two pieces that are the same curve; `tolerance` for times and lengths of order 1.
+fn agree(one: &dyn Piece, other: &dyn Piece, tolerance: f64) {
+    assert!((one.length() - other.length()).abs() < tolerance);
+    assert!((one.area() - other.area()).abs() < tolerance);
+    let (a, b) = (one.extent(), other.extent());
+    assert!((a.min - b.min).norm() < tolerance && (a.max - b.max).norm() < tolerance);
+    for k in 0..2000 {
+        let n = |j: u32| 2.0 * noise(10 * k + j) - 1.0;
+        let at = one.point_at(one.length() * noise(10 * k + 4));
+        let (normal, velocity) = (one.closest(&at).normal, v(n(2), n(3)));
+        let inwards = if velocity.dot(&normal) > 0.0 { velocity } else { -velocity };
+        let from_inside = Line { point: at + normal * (0.1 * noise(10 * k + 5)), velocity };
+        let from_boundary = Line { point: at, velocity: inwards };
+        let from_afar = Line { point: at + normal * 1e3 - velocity * 1e3, velocity };
+        let divides =
+            (from_afar.point - one.closest(&from_afar.point).point).dot(&one.closest(&from_afar.point).normal);
+        for path in [from_inside, from_boundary, from_afar] {
+            if path == from_afar && divides < 0.0 {
+                continue;
+            }
+            let [s, t] = [one, other].map(|piece| piece.crossing(&path).time());
+            if s == f64::INFINITY || t == f64::INFINITY {
+                // only a graze may be seen by one and not by the other
+                let time = s.min(t);
+                let steep = (time < f64::INFINITY).then(|| {
+                    let at = one.landing(&path, time);
+                    at.normal.dot(&velocity).abs() / velocity.norm()
+                });
+                assert!(steep.is_none_or(|sine| sine < 1e-5), "{path:?}: {s} {t}");
+                continue;
+            }
+            let [p, q] = [(one, s), (other, t)].map(|(piece, time)| piece.landing(&path, time));
+            let sine = (p.normal.dot(&velocity) / velocity.norm()).abs();
+            // a path that comes in at a small angle meets the curve late or early by rounding over that angle
+            let far = if path == from_afar { 1e3 } else { 1.0 };
+            assert!((s - t).abs() * velocity.norm() * sine < far * tolerance, "{path:?}: {s} {t}");
+            assert!((p.point - q.point).norm() * sine < far * tolerance);
+            assert!((one.curvature(&p.point) - other.curvature(&p.point)).abs() < 100.0 * tolerance);
+            assert!((other.closest(&p.point).point - p.point).norm() < tolerance);
+        }
+    }
+}
+
+#[test]
+fn an_equation_agrees_with_the_ellipse_it_describes() {
+    for inside in [true, false] {
+        let conic = Conic { center: [0.25, -0.5], semi_axes: [1.0, 0.5] };
+        let ellipse = Ellipse::new(v(0.25, -0.5), [1.0, 0.5], 0.0, inside).unwrap();
+        agree(&ellipse, &Implicit::new(conic, inside).unwrap(), 1e-14);
+    }
+}
+
+#[test]
+fn a_circle_about_another_point_is_a_circle() {
+    for inside in [true, false] {
+        let circle = Circle::new(v(1.5, 0.25), 1.0, inside).unwrap();
+        let polar = Polar::new(v(1.0, 0.25), OffCentre { offset: 0.5 }, inside).unwrap();
+        agree(&circle, &polar, 1e-14);
+    }
+}
+
+#[test]
+fn paths_through_the_centre_of_polar_coordinates_meet_the_curve() {
+    let clover = Clover { radius: 1.0, amount: 0.2, leaves: 3 };
+    let c = v(0.5, 0.25);
+    let [inside, outside] = [true, false].map(|inside| Polar::new(c, clover, inside).unwrap());
+    for k in 0..64 {
+        let angle = f64::from(k) * core::f64::consts::PI / 32.0;
+        let direction = v(libm::cos(angle), libm::sin(angle));
+        let [r, ..] = clover.jet(angle);
+        // exactly from the centre, through it within rounding, and towards it from outside
+        for (piece, from, expected) in [(&inside, 0.0, r), (&inside, -0.5, r + 0.5), (&inside, 0.5, r - 0.5)] {
+            let time = piece.crossing(&Line { point: c + direction * from, velocity: direction }).time();
+            assert!((time - expected).abs() < 1e-15, "{angle} {from}: {time} {expected}");
+        }
+        let time = outside.crossing(&Line { point: c + direction * 3.0, velocity: -direction }).time();
+        assert!((time - (3.0 - r)).abs() < 1e-15, "{angle}: {time}");
+        let away = Line { point: c + direction * 3.0, velocity: direction };
+        assert_eq!(outside.crossing(&away).num, f64::INFINITY);
+    }
+}
+
+#[test]
+fn grazing_chords_have_the_length_of_the_osculating_circle() {
+    for (name, piece) in pieces(1.0).iter().filter(|(_, piece)| piece.length().is_finite()) {
+        for (k, angle) in (0..40).flat_map(|k| [(k, 1e-3), (k, 1e-5), (k, 1e-7)]) {
+            let s = piece.length() * (f64::from(k) + 0.5) / 40.0;
+            let p = piece.point_at(s);
+            let (normal, curvature) = (piece.closest(&p).normal, piece.curvature(&p));
+            if curvature < 0.2 {
+                continue;
+            }
+            let tangent = v(normal.y, -normal.x);
+            let velocity = tangent * libm::cos(angle) + normal * libm::sin(angle);
+            let path = Line { point: p, velocity };
+            let time = piece.crossing(&path).time();
+            let chord = 2.0 * libm::sin(angle) / curvature;
+            // the curvature changes along the chord; the osculating circle differs in the third order; and where the
+            // start is off the curve by rounding, 2e-16, the chord changes by that over the angle
+            let change = (piece.curvature(&piece.landing(&path, time).point) / curvature - 1.0).abs();
+            let tolerance = change + 10.0 * angle * angle + 1e-15 * curvature / (angle * angle);
+            assert!((time / chord - 1.0).abs() < tolerance, "{name} at {s}, {angle:e}: {time:e} for {chord:e}");
+        }
+    }
+}
+
+#[test]
+fn orbits_on_closed_curves_never_leave() {
+    for (name, piece) in pieces(1.0).iter().filter(|(_, piece)| piece.ends().is_none() && piece.area() > 0.0) {
+        for k in 0..20 {
+            let mut path = Line { point: v(0.3, -0.2), velocity: v(libm::cos(f64::from(k)), libm::sin(f64::from(k))) };
+            for n in 0..2000 {
+                let time = piece.crossing(&path).time();
+                assert!(time < 4.0, "{name}: orbit {k} is lost at {path:?} after {n} bounces");
+                let at = piece.landing(&path, time);
+                let velocity = specular(path.velocity, at.normal);
+                path = Line { point: at.point, velocity: velocity / velocity.norm() };
+            }
+        }
+    }
+}
+
+#[test]
+fn the_angular_momenta_about_the_foci_of_an_ellipse_have_a_constant_product() {
+    let ellipse = Ellipse::new(v(0.1, 0.2), [2.0, 1.0], 0.4, true).unwrap();
+    let product =
+        |path: &Line<2>| ellipse.foci().map(|focus| (path.point - focus).perp(&path.velocity)).iter().product::<f64>();
+    for k in 0..8 {
+        let mut path = Line { point: v(0.2, 0.5), velocity: v(libm::cos(f64::from(k)), libm::sin(f64::from(k))) };
+        let start = product(&path);
+        for _ in 0..10_000 {
+            let at = ellipse.landing(&path, ellipse.crossing(&path).time());
+            path = Line { point: at.point, velocity: specular(path.velocity, at.normal) };
+            path.velocity /= path.velocity.norm();
+        }
+        // 10⁴ bounces of about 1e-16 each, growing in step at the very worst
+        assert!((product(&path) - start).abs() < 1e-12, "{} {start}", product(&path));
+    }
+}
+
+#[test]
+fn a_polygon_of_bumps_is_closed() {
+    // the perturbed pentagon: every path from inside meets exactly what is first, corners included
+    let corner = |k: u32| {
+        let angle = f64::from(k) * 0.4 * core::f64::consts::PI;
+        v(libm::cos(angle), libm::sin(angle))
+    };
+    for height in [0.0, 0.02, -0.02, 0.15, -0.15] {
+        let corners: Vec<Vector2<f64>> = (0..5).map(corner).collect();
+        let sides: Vec<Bump> = (0..5).map(|k| Bump::new(corners[k], corners[(k + 1) % 5], height).unwrap()).collect();
+        let area: f64 = sides.iter().map(Piece::area).sum();
+        let pentagon = 2.5 * libm::sin(0.4 * core::f64::consts::PI);
+        let side = (corners[1] - corners[0]).norm();
+        assert!((area - pentagon - 5.0 * 16.0 / 35.0 * height * side).abs() < 1e-14);
+        for k in 0..40 {
+            let target = if k < 5 { corner(k) - v(0.1, 0.2) } else { v(noise(k) - 0.5, noise(k + 99) - 0.5) };
+            let mut path = Line { point: v(0.1, 0.2), velocity: target / target.norm() };
+            for n in 0..500 {
+                let first = sides.iter().map(|side| (side.crossing(&path).time(), side));
+                let (time, side) = first.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
+                assert!(time < 3.0, "{height}: orbit {k} is lost at {path:?} after {n} bounces");
+                let at = side.landing(&path, time);
+                let velocity = specular(path.velocity, at.normal);
+                path = Line { point: at.point, velocity: velocity / velocity.norm() };
+                // an orbit ends in a corner
+                if corners.contains(&path.point) {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn formulas_that_are_no_single_smooth_closed_curve_are_refused() {
+    /// `f` with its gradient by differences: only the construction is tried.
+    #[derive(Debug)]
+    struct Plain(fn(f64, f64) -> f64);
+    impl ImplicitFormula for Plain {
+        fn value(&self, [x, y]: [f64; 2]) -> f64 {
+            self.0(x, y)
+        }
+        fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+            let f = self.0;
+            [(f(x + 1e-6, y) - f(x - 1e-6, y)) / 2e-6, (f(x, y + 1e-6) - f(x, y - 1e-6)) / 2e-6]
+        }
+        fn hessian(&self, _: [f64; 2]) -> [f64; 3] {
+            [f64::NAN; 3]
+        }
+        fn hessian_over(&self, _: [Interval; 2]) -> [Interval; 3] {
+            [Interval::ENTIRE; 3]
+        }
+        fn extent(&self) -> Extent {
+            Extent { min: v(-2.0, -1.5), max: v(2.0, 1.5) }
+        }
+    }
+    let refused = |f| Implicit::new(Plain(f), true).is_err();
+    assert!(!refused(|x, y| x * x + y * y - 1.0));
+    assert!(refused(|x, y| 1.0 - x * x - y * y), "positive inside");
+    assert!(refused(|x, y| x * x + y * y + 1.0), "empty");
+    assert!(refused(|x, y| x * x + y * y - 3.0), "larger than its box");
+    assert!(refused(|x, y| (x * x + y * y) * (x * x + y * y) - 2.0 * (x * x - y * y)), "a lemniscate crosses itself");
+    assert!(
+        refused(|x, y| ((x - 1.0) * (x - 1.0) + y * y - 0.25) * ((x + 1.0) * (x + 1.0) + y * y - 0.25)),
+        "two ovals"
+    );
+    assert!(refused(|x, y| (x * x + y * y - 1.0) * (x * x + y * y - 0.25)), "an annulus");
+    assert!(refused(|x, y| x.abs() + y.abs() - 1.0), "corners");
+    assert!(refused(|x, _| x), "open");
+    let clover = |amount| Polar::new(v(0.0, 0.0), Clover { radius: 1.0, amount, leaves: 3 }, true).is_err();
+    assert!(!clover(0.9) && clover(1.1), "the radius must be positive");
+}
