@@ -61,6 +61,44 @@ pub enum Error {
         /// A piece of the loop at fault.
         piece: usize,
     },
+    /// A piece that rounding has used up.
+    #[error("piece {piece} has a length of only {length:e}: its ends coincide within the rounding of their coordinates")]
+    TooShort {
+        /// The piece.
+        piece: usize,
+        /// Its length.
+        length: f64,
+    },
+    /// A curve that crosses itself.
+    #[error("piece {piece} crosses itself near ({}, {})", at[0], at[1])]
+    SelfCrossing {
+        /// The piece.
+        piece: usize,
+        /// About where.
+        at: [f64; 2],
+    },
+    /// An infinite piece where translates of it would fill the plane.
+    #[error("piece {piece} is infinite: on a lattice, only lines along a single lattice vector may be")]
+    InfiniteOnLattice {
+        /// The piece.
+        piece: usize,
+    },
+    /// A disk that fits nowhere.
+    #[error("no disk of radius {radius} fits in the table; the largest that does has radius {largest}")]
+    NothingLeft {
+        /// The radius asked for.
+        radius: f64,
+        /// Radius of the largest disk in the table.
+        largest: f64,
+    },
+    /// A radius at which the region of centres changes its form, so that rounding decides about it.
+    #[error("a disk of radius {radius} just touches several walls at once near ({}, {}); a radius a little smaller or greater decides whether it passes", at[0], at[1])]
+    Undecided {
+        /// The radius asked for.
+        radius: f64,
+        /// About where.
+        at: [f64; 2],
+    },
     /// No piece at all.
     #[error("the table has no boundary")]
     Empty,

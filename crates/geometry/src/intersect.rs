@@ -9,6 +9,7 @@ mod subdivision;
 use crate::Piece;
 use exact::Curve;
 use nalgebra::Vector2;
+pub(crate) use subdivision::self_crossing;
 
 /// How two pieces meet at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -16,6 +16,7 @@
 mod boundary;
 mod boxes;
 pub mod check;
+mod copies;
 mod crossing;
 mod error;
 mod intersect;
@@ -28,6 +29,7 @@ mod sample;
 pub mod shapes;
 mod table;
 pub mod tables;
+mod validate;
 pub mod walls;
 
 pub use boundary::{Boundary, Hit};

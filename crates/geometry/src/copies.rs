@@ -1,0 +1,100 @@
+//! Pieces with all translates that matter, and a tree to find them by place.
+use crate::{Extent, Lattice, Piece, boxes::BoxTree, shapes::Translated};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// A piece, or a translate of one by a lattice vector.
+#[derive(Clone, Debug)]
+pub(crate) struct Copy {
+    /// The number of the piece.
+    pub(crate) number: usize,
+    /// By how many of each lattice vector it is moved.
+    pub(crate) cell: [f64; 2],
+    /// The piece, moved.
+    pub(crate) piece: Arc<dyn Piece>,
+}
+
+/// Pieces and their translates.
+#[derive(Clone, Debug)]
+pub(crate) struct Copies {
+    all: Vec<Copy>,
+    boxes: Vec<Extent>,
+    tree: BoxTree,
+}
+
+impl Copies {
+    /// All copies of `pieces` that come as near as `reach` [L] to the box `around`. Infinite pieces lie along the lattice
+    /// and are their own translates.
+    pub(crate) fn new(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>, around: &Extent, reach: f64) -> Copies {
+        let (mut all, mut boxes) = (vec![], vec![]);
+        for (number, piece) in pieces.iter().enumerate() {
+            let extent = piece.extent();
+            all.push(Copy { number, cell: [0.0; 2], piece: piece.clone() });
+            boxes.push(extent);
+            let Some(lattice) = lattice.filter(|_| extent.is_finite() && around.is_finite()) else { continue };
+            for cell in cells(lattice, &extent, around, reach) {
+                let by = lattice.translation(cell);
+                let moved = Extent { min: extent.min + by, max: extent.max + by };
+                if cell != [0.0; 2] && moved.meets(around, reach) {
+                    all.push(Copy { number, cell, piece: Arc::new(Translated::new(piece.clone(), by)) });
+                    boxes.push(moved);
+                }
+            }
+        }
+        let tree = BoxTree::new(boxes.clone());
+        Copies { all, boxes, tree }
+    }
+
+    pub(crate) fn get(&self, index: usize) -> (&Copy, &Extent) {
+        (&self.all[index], &self.boxes[index])
+    }
+
+    /// Indices of all copies, neighbours near each other.
+    pub(crate) fn order(&self) -> &[usize] {
+        self.tree.order()
+    }
+
+    /// Visits the indices of the copies with boxes that are `wanted`.
+    pub(crate) fn search(&self, wanted: impl Fn(&Extent) -> bool, visit: impl FnMut(usize)) {
+        self.tree.search(wanted, visit);
+    }
+
+    /// The distance of the nearest copy, if it is at most `bound`, and its index.
+    pub(crate) fn nearest(&self, point: &Vector2<f64>, bound: f64) -> Option<(f64, usize)> {
+        let distance = |i: usize| {
+            let foot = self.all[i].piece.closest(point).point;
+            libm::hypot(foot.x - point.x, foot.y - point.y)
+        };
+        self.tree.nearest(point, bound, distance)
+    }
+}
+
+/// The translations that may bring a box near another one.
+fn cells(lattice: &Lattice, moving: &Extent, around: &Extent, reach: f64) -> Vec<[f64; 2]> {
+    let mut range = [[0.0, 0.0]; 2];
+    for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
+        let [f, g] = lattice.functional(k);
+        let span = |i: usize, h: f64| {
+            let (low, high) = (around.min[i] - moving.max[i] - reach, around.max[i] - moving.min[i] + reach);
+            if h < 0.0 { [h * high, h * low] } else { [h * low, h * high] }
+        };
+        let (x, y) = (span(0, f), span(1, g));
+        *range = [libm::ceil(x[0] + y[0]), libm::floor(x[1] + y[1])];
+    }
+    let mut found = vec![];
+    let mut first = range[0][0];
+    while first <= range[0][1] {
+        let mut second = range[1][0];
+        while second <= range[1][1] {
+            found.push([first, second]);
+            second += 1.0;
+        }
+        first += 1.0;
+    }
+    found
+}
+
+/// The box around all finite pieces.
+pub(crate) fn finite_extent(pieces: &[Arc<dyn Piece>]) -> Extent {
+    pieces.iter().map(|p| p.extent()).filter(Extent::is_finite).fold(Extent::EMPTY, Extent::union)
+}

@@ -1,0 +1,197 @@
+//! What bounds a table, and what does not.
+use core::f64::consts::PI;
+use geometry::{
+    Error, Lattice, Outline, Piece, Table, Turn, Vector2,
+    shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment},
+};
+
+fn v(x: f64, y: f64) -> Vector2<f64> {
+    Vector2::new(x, y)
+}
+/// The polygon with the given vertices.
+fn polygon(vertices: &[[f64; 2]]) -> Vec<Box<dyn Piece>> {
+    let next = |i: usize| vertices[(i + 1) % vertices.len()];
+    let side = |(i, &a): (usize, &[f64; 2])| Segment::new(a.into(), next(i).into()).unwrap();
+    vertices.iter().enumerate().map(side).map(|s| Box::new(s) as Box<dyn Piece>).collect()
+}
+fn square(x: f64, y: f64, side: f64, counter_clockwise: bool) -> Vec<Box<dyn Piece>> {
+    let mut corners = [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+    if !counter_clockwise {
+        corners.reverse();
+    }
+    polygon(&corners)
+}
+fn disk(x: f64, y: f64, radius: f64, inside: bool) -> Box<dyn Piece> {
+    Box::new(Circle::new(v(x, y), radius, inside).unwrap())
+}
+fn check(loops: impl IntoIterator<Item = Vec<Box<dyn Piece>>>) -> Result<(), Error> {
+    Table::new(loops.into_iter().flatten().collect()).unwrap().validate()
+}
+
+#[test]
+fn tables_of_every_kind_are_valid() {
+    let big = || square(0.0, 0.0, 4.0, true);
+    assert_eq!(check([big()]), Ok(()));
+    // a hole, a disk, a room in the hole, a room beside
+    let loops = [
+        big(),
+        square(1.0, 1.0, 2.0, false),
+        square(1.5, 1.5, 0.5, true),
+        vec![disk(0.5, 0.5, 0.25, false)],
+        square(9.0, 0.0, 1.0, true),
+    ];
+    assert_eq!(check(loops), Ok(()));
+    // disks in the open plane
+    assert_eq!(check([vec![disk(0.0, 0.0, 1.0, false), disk(3.0, 0.0, 1.0, false)]]), Ok(()));
+    let ellipse = Ellipse::new(v(0.3, 0.1), [2.0, 1.0], 0.4, true).unwrap();
+    assert_eq!(check([vec![Box::new(ellipse) as Box<dyn Piece>, disk(0.3, 0.1, 0.5, false)]]), Ok(()));
+}
+
+#[test]
+fn infinite_tables_are_valid() {
+    let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
+    assert_eq!(check([vec![line(0.0, 1.0), line(1.0, -1.0)]]), Ok(()));
+    assert_eq!(check([vec![line(0.0, 1.0)]]), Ok(()));
+    assert_eq!(check([vec![line(0.0, 1.0), disk(0.0, 2.0, 1.5, false)]]), Ok(()));
+    let ray = |x: f64, y: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, y), left).unwrap()) as Box<dyn Piece>;
+    assert_eq!(check([vec![ray(1.0, 2.0, true), ray(-1.0, 2.0, false)]]), Ok(()));
+    // the outside of a wedge
+    assert_eq!(check([vec![ray(1.0, 2.0, false), ray(-1.0, 2.0, true)]]), Ok(()));
+}
+
+#[test]
+fn walls_with_the_table_on_the_right_are_named() {
+    assert_eq!(check([square(0.0, 0.0, 1.0, false)]), Err(Error::Orientation { piece: 0 }));
+    let hole = check([square(0.0, 0.0, 4.0, true), square(1.0, 1.0, 1.0, true)]);
+    assert!(matches!(hole, Err(Error::Orientation { piece: 4..=7 })), "{hole:?}");
+    let room = check([square(0.0, 0.0, 4.0, true), vec![disk(2.0, 2.0, 1.0, true)]]);
+    assert_eq!(room, Err(Error::Orientation { piece: 4 }));
+    let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
+    assert!(matches!(check([vec![line(0.0, 1.0), line(1.0, 1.0)]]), Err(Error::Orientation { .. })));
+    assert!(matches!(check([vec![line(0.0, 1.0), disk(0.0, -3.0, 1.0, false)]]), Err(Error::Orientation { .. })));
+}
+
+#[test]
+fn crossing_walls_are_named_with_their_place() {
+    let bow = check([polygon(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]])]);
+    assert_eq!(bow, Err(Error::Crossing { first: 1, second: 3, at: [0.5, 0.5] }));
+    let disks = check([vec![disk(0.0, 0.0, 5.0, true), disk(0.0, 0.0, 1.0, false), disk(1.0, 0.0, 1.0, false)]]);
+    assert!(matches!(disks, Err(Error::Crossing { first: 1, second: 2, .. })));
+    let out = check([square(0.0, 0.0, 1.0, true), vec![disk(1.0, 0.5, 0.25, false)]]);
+    assert!(matches!(out, Err(Error::Crossing { first: 1, second: 4, .. })));
+    let ellipse = Box::new(Ellipse::new(v(0.5, 0.5), [0.6, 0.25], 0.0, false).unwrap()) as Box<dyn Piece>;
+    let out = check([square(0.0, 0.0, 1.0, true), vec![ellipse]]);
+    assert!(matches!(out, Err(Error::Crossing { second: 4, .. })), "{out:?}");
+    // the same wall twice
+    let twice = check([vec![disk(0.0, 0.0, 1.0, true), disk(0.0, 0.0, 1.0, true)]]);
+    assert!(matches!(twice, Err(Error::Crossing { first: 0, second: 1, .. })));
+}
+
+#[test]
+fn a_crossing_through_a_vertex_is_a_crossing() {
+    // a diamond whose vertex lies on, or beyond, the wall of a square
+    let diamond = |x: f64| polygon(&[[x, 0.5], [x - 0.25, 0.25], [x - 0.5, 0.5], [x - 0.25, 0.75]]);
+    let touching = [square(0.0, 0.0, 1.0, true), diamond(1.0)];
+    assert_eq!(check(touching), Ok(()));
+    // two loops through each other's vertices
+    let a = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 2.0], [0.0, 2.0]]);
+    let b = polygon(&[[1.0, 3.0], [0.5, 2.5], [1.0, 2.0], [1.0, 1.0], [1.5, 1.0], [1.5, 2.5]]);
+    assert!(matches!(check([a, b]), Err(Error::Crossing { .. })));
+}
+
+#[test]
+fn walls_may_touch() {
+    // a disk on the floor, two disks against each other, a slit, a pinch between two rooms
+    let big = || square(0.0, 0.0, 4.0, true);
+    assert_eq!(check([big(), vec![disk(1.0, 0.5, 0.5, false), disk(2.0, 0.5, 0.5, false)]]), Ok(()));
+    let slit = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+    assert_eq!(check([slit]), Ok(()));
+    let rooms = [square(0.0, 0.0, 1.0, true), square(1.0, 0.25, 0.5, true)];
+    assert_eq!(check(rooms), Ok(()));
+}
+
+#[test]
+fn a_piece_within_rounding_is_too_short() {
+    let sides = polygon(&[[1e6, 0.0], [1e6 + 1.0, 0.0], [1e6 + 1.0, 1.0], [1e6 + 1.0 - 2e-10, 1.0], [1e6, 1.0]]);
+    assert!(matches!(check([sides]), Err(Error::TooShort { piece: 2, .. })));
+}
+
+#[test]
+fn the_cells_of_a_lattice_are_seen() {
+    let torus = |radius: f64| {
+        let lattice = Lattice::new(&[v(1.0, 0.0), v(0.5, 1.0)]).unwrap();
+        Table::periodic(vec![disk(0.5, 0.5, radius, false)], Some(lattice)).unwrap().validate()
+    };
+    assert_eq!(torus(0.3), Ok(()));
+    assert_eq!(torus(0.5), Ok(()));
+    assert!(matches!(torus(0.6), Err(Error::Crossing { first: 0, second: 0, .. })));
+    let channel = |upper: [Vector2<f64>; 2]| {
+        let walls =
+            [[v(0.0, 0.0), v(1.0, 0.0)], upper].map(|[a, b]| Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>);
+        let lattice = Lattice::new(&[v(1.0, 0.0)]).unwrap();
+        Table::periodic(walls.into(), Some(lattice)).unwrap().validate()
+    };
+    assert_eq!(channel([v(1.0, 1.0), v(0.0, 1.0)]), Ok(()));
+    assert!(matches!(channel([v(0.0, 1.0), v(1.0, 1.0)]), Err(Error::Orientation { .. })));
+    let line = Box::new(FullLine::new(v(0.0, 0.0), v(1.0, 1.0)).unwrap()) as Box<dyn Piece>;
+    let lattice = Lattice::new(&[v(1.0, 0.0)]).unwrap();
+    let across = Table::periodic(vec![line], Some(lattice)).unwrap().validate();
+    assert_eq!(across, Err(Error::InfiniteOnLattice { piece: 0 }));
+}
+
+#[test]
+fn checks_do_not_depend_on_scale_or_place() {
+    for k in [-300, -40, 0, 40, 300] {
+        let scale = 2.0_f64.powi(k);
+        let at = |x: f64, y: f64| v(x, y) * scale;
+        let stadium = |bulge: Turn| {
+            let cap = |outline: Outline, to, center| match bulge {
+                Turn::CounterClockwise => outline.arc_to(to, center, bulge),
+                Turn::Clockwise => outline.arc_to(to, center, bulge),
+            };
+            let o = Outline::from(at(-1.0, -1.0)).line_to(at(1.0, -1.0)).unwrap();
+            let o = cap(o, at(1.0, 1.0), at(1.0, 0.0)).unwrap().line_to(at(-1.0, 1.0)).unwrap();
+            cap(o, at(-1.0, -1.0), at(-1.0, 0.0)).unwrap().close().unwrap()
+        };
+        assert_eq!(check([stadium(Turn::CounterClockwise)]), Ok(()));
+        // bulging inwards the caps touch in the middle
+        assert_eq!(check([stadium(Turn::Clockwise)]), Ok(()));
+    }
+}
+
+#[test]
+fn every_named_table_is_valid() {
+    for entry in geometry::tables::all().iter().filter(|e| e.dimension() == 2) {
+        let table = entry.planar(&entry.typical()).unwrap();
+        assert_eq!(table.validate(), Ok(()), "{}", entry.name);
+    }
+}
+
+#[test]
+fn a_wavy_loop_of_many_arcs_is_checked_piece_by_piece() {
+    let n = 20_000;
+    let vertex = |k: u32| {
+        let angle = 2.0 * PI * f64::from(k % n) / f64::from(n);
+        let r = 1.0 + 0.3 * libm::sin(5.0 * angle);
+        v(r * libm::cos(angle), r * libm::sin(angle))
+    };
+    let side = |k: u32| Box::new(Segment::new(vertex(k), vertex(k + 1)).unwrap()) as Box<dyn Piece>;
+    assert_eq!(check([(0..n).map(side).collect()]), Ok(()));
+    // one vertex pulled across to the other side
+    let pulled = |k: u32| if k % n == 777 { v(-1.5, 0.0) } else { vertex(k) };
+    let side = |k: u32| Box::new(Segment::new(pulled(k), pulled(k + 1)).unwrap()) as Box<dyn Piece>;
+    assert!(matches!(check([(0..n).map(side).collect()]), Err(Error::Crossing { .. })));
+}
+
+#[test]
+fn an_arc_that_leaves_its_loop_crosses_it() {
+    // a pocket wider than the square it opens into
+    let (a, b) = (v(0.25, 1.0), v(0.75, 1.0));
+    let pocket = Box::new(Arc::new(v(0.5, 0.75), b, a, true).unwrap()) as Box<dyn Piece>;
+    let sides = [[v(0.0, 1.0), v(0.0, 0.0)], [v(0.0, 0.0), v(1.0, 0.0)], [v(1.0, 0.0), v(1.0, 1.0)], [v(1.0, 1.0), b]];
+    let mut pieces: Vec<Box<dyn Piece>> =
+        sides.map(|[p, q]| Box::new(Segment::new(p, q).unwrap()) as Box<dyn Piece>).into();
+    pieces.push(pocket);
+    pieces.push(Box::new(Segment::new(a, v(0.0, 1.0)).unwrap()));
+    assert_eq!(check([pieces]), Ok(()));
+}
