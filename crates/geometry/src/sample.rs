@@ -61,9 +61,7 @@ impl<'a> Interior<'a> {
     /// million trials, in a table that fills next to nothing of its extent.
     pub fn point(&self, uniform: &mut impl FnMut() -> f64) -> Option<Vector2<f64>> {
         let [a, b] = self.edges;
-        (0..MOST_TRIALS)
-            .map(|_| self.corner + a * uniform() + b * uniform())
-            .find(|point| self.table.contains(point))
+        (0..MOST_TRIALS).map(|_| self.corner + a * uniform() + b * uniform()).find(|point| self.table.contains(point))
     }
 }
 

@@ -312,10 +312,7 @@ impl Table {
 }
 
 /// The closest of some pieces, the point of it that is closest, and its inward normal.
-fn closest_of<'a>(
-    pieces: impl Iterator<Item = (usize, &'a Arc<dyn Piece>)>,
-    point: &Vector2<f64>,
-) -> (usize, Landing) {
+fn closest_of<'a>(pieces: impl Iterator<Item = (usize, &'a Arc<dyn Piece>)>, point: &Vector2<f64>) -> (usize, Landing) {
     let mut best = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
     let mut distance = f64::INFINITY;
     for (i, piece) in pieces {
@@ -333,11 +330,7 @@ fn closest_of<'a>(
 }
 
 /// The translates of pieces, with their numbers and the translations, that reach within `margin` cells of the unit cell.
-fn translates(
-    pieces: &[Arc<dyn Piece>],
-    lattice: &Lattice,
-    margin: f64,
-) -> Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> {
+fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> {
     let mut found: Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> = vec![];
     for (i, piece) in pieces.iter().enumerate() {
         let Extent { min, max } = piece.extent();

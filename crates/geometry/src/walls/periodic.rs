@@ -20,6 +20,9 @@ pub struct Periodic<W> {
 /// fraction below 10⁻⁶ of all.
 const MOST_CELLS: usize = 10_000_000;
 
+/// After so many cells, a power of two, a flight may be one along a corridor.
+const PATIENCE: usize = 16;
+
 impl<W> Periodic<W> {
     /// The walls in the unit cell of a lattice.
     pub fn new(walls: W, lattice: &Lattice) -> Self {
@@ -39,7 +42,8 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
         let mut flown = zero;
         let mut best = WallHit::never(x);
         let mut flying = !zero.lt(zero);
-        for _ in 0..MOST_CELLS {
+        let mut mark = x;
+        for cells in 1..MOST_CELLS {
             let hit = self.walls.first_hit(&x, v);
             // when the path leaves the cell, and the step to the next one
             let (mut exit, mut step) = (never, [zero; 2]);
@@ -64,6 +68,14 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             flown = flying.select(flown + exit, flown);
             for i in 0..2 {
                 x[i] = flying.select(x[i] + exit * v[i] - step[i], x[i]);
+            }
+            // a path that is back where it was, to the last bit, never hits (Brent's search for cycles)
+            if cells > PATIENCE {
+                let moved = |i: usize| x[i].lt(mark[i]) | mark[i].lt(x[i]);
+                flying = flying & (moved(0) | moved(1));
+            }
+            if cells >= PATIENCE && cells.is_power_of_two() {
+                mark = x;
             }
         }
         best
