@@ -2,6 +2,9 @@
 
 #![cfg_attr(test, allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values"))]
 
+pub mod args;
+pub mod commands;
+pub mod contact_file;
 pub mod document;
 pub mod expression;
 pub mod picture;

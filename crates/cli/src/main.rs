@@ -1,2 +1,29 @@
 //! The command `billiards`.
-fn main() {}
+
+use std::io::{self, Write};
+use std::process::ExitCode;
+
+use billiards_cli::args::{Cli, Command};
+use billiards_cli::commands::{Failure, collide, laws};
+use billiards_cli::document::Source;
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let out = &mut io::stdout().lock();
+    let done = execute(Cli::parse().command, out).and_then(|()| Ok(out.flush()?));
+    match done {
+        Ok(()) | Err(Failure::Closed) => ExitCode::SUCCESS,
+        Err(failure) => {
+            // Nobody is left to hear that standard error cannot be written.
+            let _ = writeln!(io::stderr(), "{failure}");
+            ExitCode::from(failure.status())
+        }
+    }
+}
+
+fn execute(command: Command, out: &mut impl Write) -> Result<(), Failure> {
+    match command {
+        Command::Laws => Ok(laws::run(out)?),
+        Command::Collide(arguments) => collide::run(&Source::read(&arguments.contact)?, arguments.json, out),
+    }
+}

@@ -17,6 +17,7 @@ mod tables;
 use crate::document::{self, Diagnostic, Problems, Section, Source, Span, Spanned, Value};
 
 pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
+pub(crate) use law::named as read_law;
 pub use law::{LAWS, Law, LawKind};
 pub use output::{Output, RecordFormat};
 pub use parameters::{Argument, Arguments, Default, Kind, Model, Parameter};

@@ -114,7 +114,7 @@ fn read((key, item): (&str, &Item), dimension: usize, problems: &mut Problems) -
 }
 
 /// A law by name, or by name with parameters.
-pub(super) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
+pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
     let names: Vec<_> = LAWS.iter().filter(|law| law.name != "rough").map(|law| (law.name, law.name)).collect();
     if let Value::Text(word) = &item.value {
         if word == "rough" {

@@ -1,0 +1,142 @@
+//! The command line.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::scene::LawKind;
+
+/// Largest number of collisions per orbit.
+const MOST_COLLISIONS: u64 = 1_000_000_000_000;
+
+/// Billiards with any collision law: specular, no-slip, and everything between.
+#[derive(Clone, Debug, Parser)]
+#[command(
+    name = "billiards",
+    version,
+    max_term_width = 100,
+    after_help = "Exit status: 0 done, 1 a run that failed, 2 bad input."
+)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Clone, Debug, Subcommand)]
+pub enum Command {
+    /// List the collision laws a scene can name
+    Laws,
+    /// Compute one collision of two rigid bodies, in dimension 2 to 5
+    Collide(Collide),
+}
+
+/// Arguments of `billiards run`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Examples:
+  billiards run scenes/hexagon.toml
+  billiards run scenes/hexagon.toml --law specular --out out/hexagon-specular
+  billiards run scenes/stadium.toml -n 1e6")]
+pub struct Run {
+    /// Scene file (TOML)
+    #[arg(value_name = "SCENE")]
+    pub scene: PathBuf,
+    /// Law in place of the scene's; pieces with a law of their own keep it
+    #[arg(long, value_name = "LAW")]
+    pub law: Option<LawKind>,
+    /// Collisions per orbit, in place of the scene's limit
+    #[arg(short = 'n', long, value_name = "N", value_parser = collisions)]
+    pub collisions: Option<u64>,
+    /// Folder for everything that is written [default: out/ and the scene file's name]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Threads for many orbits [default: all processors]
+    #[arg(long, value_name = "T")]
+    pub threads: Option<NonZeroUsize>,
+}
+
+impl Run {
+    /// The folder for everything that is written.
+    pub fn folder(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(self.scene.file_stem().unwrap_or_default()))
+    }
+}
+
+/// Arguments of `billiards check`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Example:
+  billiards check scenes/mushroom.toml")]
+pub struct Check {
+    /// Scene file (TOML)
+    #[arg(value_name = "SCENE")]
+    pub scene: PathBuf,
+}
+
+/// Arguments of `billiards collide`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+A contact file, in TOML or JSON, of a spinning disk that drops onto a floor:
+
+  dim = 2
+  law = \"no-slip\"                     # or rough = [[1, 0]], the rough directions
+  contact_point = [0, 0]
+  normal = [0, 1]                     # from body 2 towards body 1, of any length
+  bodies = [{ mass = 1, position = [0, 1], inertia = \"1/2\" }, { mass = \"inf\" }]
+  pre = [{ v = [0, -1], w = 3 }, { v = [0, 0], w = 0 }]
+
+In dimension 3 an inertia is a 3 x 3 tensor and a spin w a vector; in dimension 4 and 5 a body has
+second moments S per unit mass in place of an inertia, and a spin is a skew matrix.")]
+pub struct Collide {
+    /// Contact file (TOML or JSON)
+    #[arg(value_name = "CONTACT")]
+    pub contact: PathBuf,
+    /// Print JSON, every number to the last digit
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// A number of collisions: a whole number, perhaps written as 1e6.
+fn collisions(text: &str) -> Result<u64, String> {
+    let whole = text.parse().ok().or_else(|| {
+        let x: f64 = text.parse().ok()?;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within range: just checked")]
+        (x % 1.0 == 0.0 && (1.0..=MOST_COLLISIONS as f64).contains(&x)).then_some(x as u64)
+    });
+    whole.filter(|n| (1..=MOST_COLLISIONS).contains(n)).ok_or_else(|| "not a whole number from 1 to 1e12".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn collisions_are_whole_numbers() {
+        assert_eq!([collisions("7"), collisions("1e6")], [Ok(7), Ok(1_000_000)]);
+        for text in ["0", "-1", "1.5", "1e13", "nan", "many", ""] {
+            assert!(collisions(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn the_folder_defaults_to_the_name_of_the_scene() {
+        #[derive(Parser)]
+        struct Line {
+            #[command(flatten)]
+            run: Run,
+        }
+        let run = |words: &[&str]| Line::parse_from([&["billiards"], words].concat()).run;
+        assert_eq!(run(&["scenes/hexagon.toml"]).folder(), PathBuf::from("out/hexagon"));
+        let run = run(&["x.toml", "--law", "no-slip", "-n", "1e3", "--out", "y", "--threads", "2"]);
+        assert_eq!((run.folder(), run.law, run.collisions), (PathBuf::from("y"), Some(LawKind::NoSlip), Some(1000)));
+    }
+}

@@ -1,0 +1,247 @@
+//! Contact files: two bodies, where they touch, how they move, and the law.
+//!
+//! TOML or JSON, in the form of the certified cases in `tests/data/collisions`: such a case, with a law added, is a
+//! contact file; what it says about itself and its result (`id`, `kind`, `K`, `energy`, `results`) is passed over.
+
+use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value};
+use crate::scene::{self, LawKind};
+
+/// Dimensions of space a contact may have.
+pub const DIMENSIONS: std::ops::RangeInclusive<usize> = 2..=5;
+
+/// A contact file, read and checked as far as that is possible without mechanics.
+#[derive(Clone, Debug)]
+pub struct ContactFile {
+    /// The file.
+    pub source: Source,
+    /// Dimension N of space, 2 to 5.
+    pub dimension: usize,
+    /// Both bodies.
+    pub bodies: Spanned<[BodyEntry; 2]>,
+    /// The contact point.
+    pub point: Spanned<Vec<f64>>,
+    /// The normal, from body 2 towards body 1, of any length.
+    pub normal: Spanned<Vec<f64>>,
+    /// Velocities before the collision.
+    pub before: Spanned<[Motion; 2]>,
+    /// The law.
+    pub law: LawEntry,
+}
+
+/// A body of a contact file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyEntry {
+    /// Centre of mass.
+    pub position: Vec<f64>,
+    /// Mass and inertia; none of a fixed body.
+    pub free: Option<(Spanned<f64>, Spanned<InertiaEntry>)>,
+}
+
+/// How a body resists turning; matrices row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InertiaEntry {
+    /// `inertia` in the plane: the moment about the centre of mass.
+    Moment(f64),
+    /// `inertia` in space: the 3 × 3 tensor in the space frame.
+    Tensor(Vec<f64>),
+    /// `S`: second moments per unit mass, in the space frame.
+    SecondMoments(Vec<f64>),
+}
+
+/// A velocity of a contact file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// Velocity of the centre of mass.
+    pub v: Vec<f64>,
+    /// Spin: one number in the plane, three in space, else a skew N × N matrix row by row.
+    pub w: Spanned<Vec<f64>>,
+}
+
+/// The law of a contact file.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LawEntry {
+    /// By name.
+    Named(Spanned<LawKind>),
+    /// `rough`: directions that the contact velocity reverses along, each with its place.
+    Rough(Vec<Spanned<Vec<f64>>>),
+}
+
+impl ContactFile {
+    /// Reads a contact file, in whichever of the two forms it is.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub fn parse(source: &Source) -> Result<Self, Vec<Diagnostic>> {
+        let mut problems = Problems::new(source);
+        // No TOML document starts with a brace.
+        let json = source.text().trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']).starts_with(['{', '[']);
+        let json = json && !source.text().trim_start().starts_with("[[");
+        let item = if json { document::parse_json(&mut problems) } else { document::parse_toml(&mut problems) };
+        let file = item.and_then(|item| {
+            let root = Section::new(&item, "the contact file", &mut problems)?;
+            read(root, &mut problems)
+        });
+        match file {
+            Some(file) if problems.is_empty() => Ok(file),
+            _ => Err(problems.into_diagnostics()),
+        }
+    }
+}
+
+fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
+    for passed_over in ["id", "kind", "title", "K", "energy", "results"] {
+        root.optional(passed_over);
+    }
+    let dimension = root.required("dim", "dim = 2").and_then(|item| dimension(item, problems));
+    let Some(n) = dimension else {
+        // Without it no other length can be checked.
+        root.finish_leniently(problems);
+        return None;
+    };
+    let bodies = root.required("bodies", "bodies = [{ mass = 1, ... }, { mass = \"inf\" }]");
+    let bodies = bodies.and_then(|item| pair(item, "bodies", problems, |item, problems| body(item, n, problems)));
+    let point = root.required("contact_point", "contact_point = [0, 0]").and_then(|item| vector(item, n, problems));
+    let normal = root.required("normal", "normal = [0, 1]").and_then(|item| vector(item, n, problems));
+    let before = root.required("pre", "pre = [{ v = [0, -1], w = 0 }, { v = [0, 0], w = 0 }]");
+    let before = before.and_then(|item| pair(item, "pre", problems, |item, problems| motion(item, n, problems)));
+    let law = match root.one_of(&["law", "rough"], problems) {
+        Some(("law", item)) => spanned(item, scene::read_law(item, n, problems)).map(LawEntry::Named),
+        Some((_, item)) => rough(item, n, problems),
+        None => None,
+    };
+    root.finish(problems);
+    let (bodies, before) = (bodies?, before?);
+    for (body, motion) in bodies.value.iter().zip(&before.value) {
+        if body.free.is_none() && motion.v.iter().chain(&motion.w.value).any(|x| *x != 0.0) {
+            problems.add(before.span, "a fixed body (mass = \"inf\") has the velocity zero");
+        }
+    }
+    Some(ContactFile {
+        source: problems.source().clone(),
+        dimension: n,
+        bodies,
+        point: point?,
+        normal: normal?,
+        before,
+        law: law?,
+    })
+}
+
+fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
+    let n = document::count(item, 0, problems)?.value;
+    let found = usize::try_from(n).ok().filter(|n| DIMENSIONS.contains(n));
+    if found.is_none() {
+        problems.add(item.span, format!("the dimension is {} to {}, not {n}", DIMENSIONS.start(), DIMENSIONS.end()));
+    }
+    found
+}
+
+fn pair<T>(
+    item: &Item,
+    what: &str,
+    problems: &mut Problems,
+    read: impl Fn(&Item, &mut Problems) -> Option<T>,
+) -> Option<Spanned<[T; 2]>> {
+    match &item.value {
+        Value::List(items) if items.len() == 2 => {
+            let (first, second) = (read(&items[0], problems), read(&items[1], problems));
+            Some(Spanned::new([first?, second?], item.span))
+        }
+        Value::List(items) => {
+            problems.add(item.span, format!("{what} has two entries, not {}", items.len()));
+            None
+        }
+        other => {
+            problems.add(item.span, format!("{what} must be an array, found {}", other.kind()));
+            None
+        }
+    }
+}
+
+fn vector(item: &Item, n: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
+    document::vector(item, n, document::real, problems)
+}
+
+/// An n × n matrix, row by row.
+fn matrix(item: &Item, n: usize, problems: &mut Problems) -> Option<Vec<f64>> {
+    let Value::List(rows) = &item.value else {
+        problems.add(item.span, format!("expected a {n} x {n} matrix, found {}", item.value.kind()));
+        return None;
+    };
+    let read: Vec<_> = rows.iter().map(|row| vector(row, n, problems)).collect();
+    if rows.len() != n {
+        problems.add(item.span, format!("expected {n} rows, found {}", rows.len()));
+        return None;
+    }
+    let rows: Option<Vec<Vec<f64>>> = read.into_iter().map(|row| row.map(|row| row.value)).collect();
+    rows.map(|rows| rows.concat())
+}
+
+fn body(item: &Item, n: usize, problems: &mut Problems) -> Option<BodyEntry> {
+    let mut section = Section::new(item, "a body", problems)?;
+    let mass = section.required("mass", "mass = 1, or mass = \"inf\"").map(|item| (item, is_infinite(&item.value)));
+    if let Some((_, true)) = mass {
+        // A fixed body has no inertia, and where its centre of mass lies does not matter.
+        section.optional("inertia");
+        section.optional("S");
+        let position = section
+            .optional("position")
+            .map_or(Some(vec![0.0; n]), |item| vector(item, n, problems).map(|position| position.value));
+        section.finish(problems);
+        return Some(BodyEntry { position: position?, free: None });
+    }
+    let mass = mass.and_then(|(item, _)| document::positive(item, problems));
+    let position = section.required("position", "position = [0, 1]").and_then(|item| vector(item, n, problems));
+    let inertia =
+        match if n <= 3 { section.one_of(&["inertia", "S"], problems) } else { section.one_of(&["S"], problems) } {
+            Some(("inertia", item)) if n == 2 => {
+                spanned(item, document::real(item, problems).map(|x| InertiaEntry::Moment(x.value)))
+            }
+            Some(("inertia", item)) => spanned(item, matrix(item, n, problems).map(InertiaEntry::Tensor)),
+            Some((_, item)) => spanned(item, matrix(item, n, problems).map(InertiaEntry::SecondMoments)),
+            None => None,
+        };
+    section.finish(problems);
+    Some(BodyEntry { position: position?.value, free: Some((mass?, inertia?)) })
+}
+
+fn spanned<T>(item: &Item, value: Option<T>) -> Option<Spanned<T>> {
+    value.map(|value| Spanned::new(value, item.span))
+}
+
+fn is_infinite(mass: &Value) -> bool {
+    match mass {
+        Value::Float(x) => *x == f64::INFINITY,
+        Value::Text(text) => text == "inf",
+        _ => false,
+    }
+}
+
+fn motion(item: &Item, n: usize, problems: &mut Problems) -> Option<Motion> {
+    let mut section = Section::new(item, "a velocity", problems)?;
+    let v = section.required("v", "v = [0, -1]").and_then(|item| vector(item, n, problems));
+    let w = section.required("w", if n == 2 { "w = 0" } else { "w = [0, 0, 0]" }).and_then(|item| {
+        let w = match n {
+            2 => document::real(item, problems).map(|w| vec![w.value]),
+            3 => vector(item, 3, problems).map(|w| w.value),
+            _ => matrix(item, n, problems),
+        };
+        spanned(item, w)
+    });
+    section.finish(problems);
+    Some(Motion { v: v?.value, w: w? })
+}
+
+fn rough(item: &Item, n: usize, problems: &mut Problems) -> Option<LawEntry> {
+    let Value::List(items) = &item.value else {
+        problems.add(item.span, format!("rough must be an array of directions, found {}", item.value.kind()));
+        return None;
+    };
+    let directions: Vec<_> = items.iter().map(|item| vector(item, n, problems)).collect();
+    if items.len() >= n {
+        let span = items[n - 1..].iter().fold(items[n - 1].span, |span: Span, item| span.join(item.span));
+        let what = format!("{} rough directions are too many: the contact plane has dimension {}", items.len(), n - 1);
+        problems.add(span, what);
+    }
+    directions.into_iter().collect::<Option<_>>().map(LawEntry::Rough)
+}

@@ -1,0 +1,258 @@
+//! `billiards collide`: the certified collisions through the command line, and what each mistake is called.
+
+#![allow(clippy::unwrap_used, reason = "a test that cannot read its data has failed")]
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+
+/// The files give 45 digits; the numbers in a case are of order 1 to 2²⁰, so 1e-12 leaves a factor of 1e3 over rounding.
+const TOLERANCE: f64 = 1e-12;
+
+const TOML: &str = r#"
+dim = 2
+law = "no-slip"
+contact_point = [0, 0]
+normal = [0, 3]
+bodies = [{ mass = 1, position = [0, 1], inertia = "1/2" }, { mass = "inf" }]
+pre = [{ v = [0, -1], w = 3 }, { v = [0, 0], w = 0 }]
+"#;
+
+const SPATIAL: &str = r"
+dim = 3
+rough = [[1, 0, 0]]
+contact_point = [0, 0, 0]
+normal = [0, 0, 1]
+[[bodies]]
+mass = 2
+position = [0, 0, 1]
+inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+[[bodies]]
+mass = 3
+position = [0, 0.5, -1]
+S = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+[[pre]]
+v = [0, 0, -1]
+w = [1, 2, 3]
+[[pre]]
+v = [0, 0, 0]
+w = [0, 0, 0]
+";
+
+/// A folder of this test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("billiards-collide-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// Exit status, standard output and standard error of `billiards collide`.
+fn collide(file: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let output = Command::cargo_bin("billiards").unwrap().arg("collide").arg(file).args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+fn collide_text(name: &str, text: &str, arguments: &[&str]) -> (i32, String, String) {
+    let folder = folder(name);
+    let file = folder.join("contact.toml");
+    std::fs::write(&file, text).unwrap();
+    let done = collide(&file, arguments);
+    std::fs::remove_dir_all(folder).unwrap();
+    done
+}
+
+/// All numbers of a value, in order; a certified number counts by its decimals.
+fn numbers(value: &Value, into: &mut Vec<f64>) {
+    match value {
+        Value::Number(x) => into.push(x.as_f64().unwrap()),
+        Value::Object(entries) => numbers(&entries["dec"], into),
+        Value::String(text) => into.push(text.parse().unwrap()),
+        Value::Array(items) => items.iter().for_each(|item| numbers(item, into)),
+        other => panic!("{other}"),
+    }
+}
+
+fn distance(found: &Value, expected: &Value) -> f64 {
+    let (mut a, mut b) = (vec![], vec![]);
+    numbers(found, &mut a);
+    numbers(expected, &mut b);
+    assert_eq!(a.len(), b.len(), "{found} {expected}");
+    let norm = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
+    norm(&mut a.iter().zip(&b).map(|(a, b)| a - b)) / norm(&mut b.iter().copied()).max(f64::MIN_POSITIVE)
+}
+
+fn matches_every_certified_number(dimension: usize, expected_count: usize) {
+    let data = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/collisions");
+    let text = std::fs::read_to_string(data.join(format!("cases_{dimension}d.json"))).unwrap();
+    let cases: Value = serde_json::from_str(&text).unwrap();
+    let folder = folder(&format!("certified-{dimension}"));
+    let mut count = 0;
+    for case in cases["cases"].as_array().unwrap() {
+        for result in case["results"].as_array().unwrap() {
+            let mut contact = case.clone();
+            contact["rough"] = result["rough"].clone();
+            let file = folder.join("contact.json");
+            std::fs::write(&file, contact.to_string()).unwrap();
+            let (status, out, err) = collide(&file, &["--json"]);
+            assert_eq!(status, 0, "{err}");
+            let found: Value = serde_json::from_str(&out).unwrap();
+            assert_eq!((&found["k"], &found["strict"]), (&result["k"], &json!(true)), "{}", case["id"]);
+            let mut compared = vec![
+                distance(&found["impulse_on_body_1"], &result["impulse_on_body_1"]),
+                distance(&found["u_minus"], &result["u_minus"]),
+                distance(&found["u_plus"], &result["u_plus"]),
+                distance(&found["energy_before"], &case["energy"]),
+                distance(&found["energy_after"], &case["energy"]),
+            ];
+            for i in 0..2 {
+                compared.push(distance(&found["post"][i]["v"], &result["post"][i]["v"]));
+                compared.push(distance(&found["post"][i]["w"], &result["post"][i]["w"]));
+            }
+            assert!(compared.iter().all(|x| *x <= TOLERANCE), "{} k = {}: {compared:?}", case["id"], result["k"]);
+            count += 1;
+        }
+    }
+    std::fs::remove_dir_all(folder).unwrap();
+    assert_eq!(count, expected_count, "every k from 0 to N-1 of every case");
+}
+
+#[test]
+fn planar_collisions_match_the_certified_ones() {
+    matches_every_certified_number(2, 24);
+}
+
+#[test]
+fn spatial_collisions_match_the_certified_ones() {
+    matches_every_certified_number(3, 36);
+}
+
+#[test]
+fn collisions_in_four_dimensions_match_the_certified_ones() {
+    matches_every_certified_number(4, 20);
+}
+
+#[test]
+fn collisions_in_five_dimensions_match_the_certified_ones() {
+    matches_every_certified_number(5, 15);
+}
+
+#[test]
+fn a_dropped_spinning_disk_is_sent_sideways() {
+    // v0 = γ ω with γ² = 1/2, c = 1/3, s = 2√2/3: ω⁺ = −ω/3, and v⁺ = s γ ω t with t = J ν = (−1, 0), so (−2, 1) and −1.
+    let (status, out, _) = collide_text("drop", TOML, &["--json"]);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(status, 0);
+    assert!(distance(&found["post"][0]["v"], &json!([-2.0, 1.0])) < 1e-15, "{found}");
+    assert!(distance(&found["post"][0]["w"], &json!(-1.0)) < 1e-15, "{found}");
+    let (status, out, err) = collide_text("drop-table", TOML, &[]);
+    assert_eq!((status, err.as_str()), (0, ""));
+    assert!(out.contains("law: no-slip (k = 1)") && out.contains("yes, every axiom holds"), "{out}");
+}
+
+#[test]
+fn a_law_that_loses_energy_is_not_strict() {
+    let text = TOML.replace("\"no-slip\"", "{ name = \"restitution\", normal = 0.5, tangential = 0 }");
+    let (status, out, _) = collide_text("restitution", &text, &[]);
+    assert!(status == 0 && out.contains("no, it breaks: energy"), "{out}");
+    let (_, out, _) = collide_text("restitution-json", &text, &["--json"]);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((&found["strict"], &found["k"]), (&json!(false), &Value::Null));
+}
+
+#[test]
+fn free_bodies_keep_their_momenta() {
+    let (_, out, _) = collide_text("momenta", SPATIAL, &["--json"]);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    // A few roundings of numbers of order ten.
+    for which in ["linear", "angular"] {
+        assert!(distance(&found["momenta_after"][which], &found["momenta_before"][which]) < 1e-14, "{found}");
+    }
+    assert_eq!((&found["k"], &found["strict"]), (&json!(1), &json!(true)));
+}
+
+#[test]
+fn each_mistake_has_status_2_and_its_own_message() {
+    let mut wrong = Vec::new();
+    for (name, text, old, new, expected) in [
+        ("apart", TOML, "[0, -1]", "[0, 1]", "not approaching"),
+        ("sliding", TOML, "[0, -1]", "[1, 0]", "not approaching"),
+        ("fixed", TOML, "mass = 1", "mass = \"inf\"", "velocity zero"),
+        (
+            "both",
+            TOML,
+            "{ mass = 1, position = [0, 1], inertia = \"1/2\" }, { mass = \"inf\" }]\npre = [{ v = [0, -1], w = 3 }",
+            "{ mass = inf }, { mass = \"inf\" }]\npre = [{ v = [0, 0], w = 0 }",
+            "both bodies are fixed",
+        ),
+        ("inertia", TOML, "\"1/2\"", "-1", "6:52: error: the moment of inertia must be positive"),
+        ("mass", TOML, "mass = 1", "mass = 0", "6:20: error: 0 is not positive"),
+        ("normal", TOML, "[0, 3]", "[0, 0]", "5:10: error: the normal of the contact plane has no direction"),
+        ("nan", TOML, "[0, 3]", "[0, nan]", "NaN"),
+        ("missing", TOML, "pre =", "prae =", "did you mean \"pre\"?"),
+        ("law", TOML, "\"no-slip\"", "\"noslip\"", "unknown law"),
+        ("dim", TOML, "dim = 2", "dim = 6", "the dimension is 2 to 5, not 6"),
+        ("three", TOML, "w = 0 }]", "w = 0 }, { v = [0, 0], w = 0 }]", "pre has two entries, not 3"),
+        (
+            "unsymmetric",
+            SPATIAL,
+            "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "9:11: error: the inertia is not symmetric",
+        ),
+        (
+            "indefinite",
+            SPATIAL,
+            "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "[[1, 0, 0], [0, -1, 0], [0, 0, 1]]\n[[bodies",
+            "the inertia is not positive",
+        ),
+        ("many", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [0, 1, 0], [1, 1, 0]]", "3 rough directions are too many"),
+        ("dependent", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "3:21: error: rough direction 1 depends"),
+        ("along", SPATIAL, "[[1, 0, 0]]", "[[0, 0, 2]]", "3:10: error: rough direction 0 is along the normal"),
+        (
+            "pair",
+            SPATIAL,
+            "inertia =",
+            "S = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\ninertia =",
+            "both \"inertia\" and \"S\"",
+        ),
+    ] {
+        assert!(text.contains(old), "{name}");
+        let text = text.replacen(old, new, 1);
+        let (status, out, err) = collide_text(name, &text, &[]);
+        if (status, out.as_str()) != (2, "") || !err.contains(expected) {
+            wrong.push(format!("{name}: status {status}\n  expected {expected}\n  found {err}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_spin_that_is_not_skew_is_refused() {
+    let zeros = |n: usize| json!(vec![vec![0; n]; n]);
+    let unit = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]);
+    let body = |x: f64| json!({ "mass": 1, "position": [0, 0, 0, x], "S": unit });
+    let mut spin = zeros(4);
+    spin[0][1] = json!(1);
+    let contact = json!({
+        "dim": 4, "law": "no-slip", "contact_point": [0, 0, 0, 0], "normal": [0, 0, 0, 1],
+        "bodies": [body(1.0), body(-1.0)],
+        "pre": [{ "v": [0, 0, 0, -1], "w": spin }, { "v": [0, 0, 0, 0], "w": zeros(4) }],
+    });
+    let (status, _, err) = collide_text("skew", &contact.to_string(), &[]);
+    assert!(status == 2 && err.contains("the spin is not skew"), "{err}");
+}
+
+#[test]
+fn a_file_that_is_missing_or_not_text_has_status_2() {
+    let (status, _, err) = collide(Path::new("no/such/file.toml"), &[]);
+    assert!(status == 2 && err.contains("no/such/file.toml: error: cannot read it"), "{err}");
+    let folder = folder("bytes");
+    let file = folder.join("contact.toml");
+    std::fs::write(&file, b"dim = 2\n\xff").unwrap();
+    let (status, _, err) = collide(&file, &[]);
+    assert!(status == 2 && err.contains(":2:1: error: the byte 0xFF is not UTF-8"), "{err}");
+    std::fs::remove_dir_all(folder).unwrap();
+}
