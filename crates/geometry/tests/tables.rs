@@ -1,0 +1,351 @@
+//! The named tables: their geometry, their parameters, and what is wrong with bad ones.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
+
+use core::f64::consts::PI;
+use geometry::{
+    Error, Figure, SVector, Table, Vector2,
+    tables::{self, Build, Kind, Value, Values},
+};
+use serde_json::Value as Json;
+
+fn data(path: &str) -> Json {
+    let path = format!("{}/../../tests/data/{path}", env!("CARGO_MANIFEST_DIR"));
+    serde_json::from_str(&std::fs::read_to_string(&path).unwrap_or_else(|e| panic!("{path}: {e}"))).unwrap()
+}
+
+fn typical(name: &str) -> Table {
+    let entry = tables::find(name).unwrap();
+    entry.planar(&entry.typical()).unwrap()
+}
+
+/// The tables of the reference data by the names that they have there.
+fn reference(name: &str) -> Table {
+    let torus = |radius: f64| tables::sinai_torus(radius, 1.0).unwrap();
+    match name {
+        "wedge_pi3" => tables::wedge(PI / 3.0).unwrap(),
+        "wedge_1" => tables::wedge(1.0).unwrap(),
+        "wedge_p8" => tables::wedge(libm::acos(0.5 - 1.5 * libm::cos(PI / 4.0))).unwrap(),
+        "sinai_square" => typical("sinai"),
+        "sinai_torus_r14" => torus(0.25),
+        "sinai_torus_r38" => torus(0.375),
+        name => typical(name),
+    }
+}
+
+/// A number of the reference data: exactly where its expression is a dyadic fraction, else its nearest `f64`.
+fn number(json: &Json) -> (f64, bool) {
+    let (expression, decimal) = (json["expr"].as_str().unwrap(), json["dec"].as_str().unwrap());
+    let denominator = expression.split_once('/').map_or("1", |(_, d)| d);
+    let dyadic = expression.chars().all(|c| c.is_ascii_digit() || "-/".contains(c))
+        && denominator.parse::<u32>().is_ok_and(u32::is_power_of_two);
+    (decimal.parse().unwrap(), dyadic)
+}
+
+/// Dyadic numbers must be met exactly, others to 1 ulp of 1: they are functions of correctly rounded arguments.
+fn close(ours: f64, theirs: &Json, what: &str) {
+    let (theirs, exact) = number(theirs);
+    let bound = if exact { 0.0 } else { f64::EPSILON };
+    assert!((ours - theirs).abs() <= bound, "{what}: {ours} is not {theirs}");
+}
+
+fn close_point(ours: Vector2<f64>, theirs: &Json, what: &str) {
+    close(ours.x, &theirs[0], what);
+    close(ours.y, &theirs[1], what);
+}
+
+#[test]
+fn named_tables_have_the_geometry_of_the_reference_orbits() {
+    let mut seen = vec![];
+    for orbit in data("traj_index.json").as_array().unwrap() {
+        let name = orbit["table"].as_str().unwrap().to_string();
+        if seen.contains(&name) {
+            continue;
+        }
+        let table = data(orbit["file"].as_str().unwrap())["table"].clone();
+        let ours = reference(&name);
+        let pieces = table["pieces"].as_array().unwrap();
+        assert_eq!(ours.pieces().len(), pieces.len(), "{name}");
+        for (i, (piece, theirs)) in ours.pieces().iter().zip(pieces).enumerate() {
+            assert_eq!(theirs["index"], i);
+            let what = format!("{name}, piece {i}");
+            match (piece.figure(), theirs["kind"].as_str().unwrap()) {
+                (Figure::Segment { ends: [a, b] }, "segment") => {
+                    close_point(a, &theirs["a"], &what);
+                    close_point(b, &theirs["b"], &what);
+                }
+                (Figure::Line { through, direction }, "line") => {
+                    close_point(through, &theirs["origin"], &what);
+                    close_point(direction, &theirs["direction"], &what);
+                }
+                (Figure::Ray { from, direction, left }, "ray") => {
+                    close_point(from, &theirs["origin"], &what);
+                    close_point(direction, &theirs["direction"], &what);
+                    assert_eq!(left, theirs["domain"] == "left", "{what}");
+                }
+                (Figure::Circle { center, radius, inside }, "arc") => {
+                    assert_eq!(theirs["full"], true, "{what}");
+                    close_point(center, &theirs["center"], &what);
+                    close(radius, &theirs["radius"], &what);
+                    assert_eq!(inside, theirs["side"] == "focusing", "{what}");
+                }
+                (Figure::Arc { center, radius, ends, inside }, "arc") => {
+                    assert_eq!(theirs["full"], false, "{what}");
+                    close_point(center, &theirs["center"], &what);
+                    close(radius, &theirs["radius"], &what);
+                    assert_eq!(inside, theirs["side"] == "focusing", "{what}");
+                    // theirs run counter-clockwise, ours with the table on the left
+                    let [a, b] = if inside { ends } else { [ends[1], ends[0]] };
+                    close_point(a, &theirs["from"], &what);
+                    close_point(b, &theirs["to"], &what);
+                    let more = piece.length() > PI * radius * (1.0 + 4.0 * f64::EPSILON);
+                    assert_eq!(theirs["more_than_half_circle"], more, "{what}");
+                }
+                (Figure::Other, "ellipse") => {
+                    let extent = piece.extent();
+                    close(extent.max.x, &theirs["a"], &what);
+                    close(extent.max.y, &theirs["b"], &what);
+                    assert_eq!(extent.min, -extent.max, "{what}");
+                }
+                (figure, kind) => panic!("{what} is {figure:?}, not a {kind}"),
+            }
+        }
+        seen.push(name);
+    }
+    assert_eq!(seen.len(), 18);
+}
+
+#[test]
+fn areas_and_perimeters_have_their_closed_forms() {
+    let closed_forms = data("closed_forms.json");
+    let mean_free = closed_forms["mean_free"].as_object().unwrap();
+    assert_eq!(mean_free.len(), 14);
+    for (name, values) in mean_free {
+        let table = reference(name);
+        for (what, ours) in [("area", table.area()), ("perimeter", table.perimeter())] {
+            let exact: f64 = values[what].as_str().unwrap().parse().unwrap();
+            // sums of at most eight terms that are right to an ulp or two
+            assert!((ours / exact - 1.0).abs() <= 1e-15, "{what} of {name}: {ours} is not {exact}");
+        }
+    }
+}
+
+#[test]
+fn areas_and_perimeters_of_the_others_too() {
+    let near = |ours: f64, exact: f64| assert!((ours / exact - 1.0).abs() <= 2e-15, "{ours} is not {exact}");
+    let lorentz = tables::lorentz(0.4, 2.0).unwrap();
+    near(lorentz.area(), 2.0 * 3.0_f64.sqrt() - PI * 0.16);
+    near(lorentz.perimeter(), 0.8 * PI);
+    for (n, side) in [(3, 1.0), (5, 2.0), (7, 0.1), (24, 1.0)] {
+        let flat = n as f64 * side * side / (4.0 * libm::tan(PI / n as f64));
+        near(tables::polygon(n, side).unwrap().area(), flat);
+        near(tables::polygon(n, side).unwrap().perimeter(), n as f64 * side);
+        let bent = tables::perturbed_polygon(n, side, 0.03).unwrap();
+        near(bent.area(), flat + 16.0 / 35.0 * 0.03 * n as f64 * side * side);
+        assert!(bent.perimeter() > n as f64 * side);
+    }
+    // chord 1 and sagitta 1/8: radius 17/16, half angle asin 8/17
+    let segment =
+        0.5 * (17.0 / 16.0) * (17.0 / 16.0) * (2.0 * libm::asin(8.0 / 17.0) - 2.0 * (8.0 / 17.0) * (15.0 / 17.0));
+    near(tables::channel(1.0, 1.0, 0.125).unwrap().area(), 1.0 - 2.0 * segment);
+    near(tables::channel(1.0, 1.0, -0.125).unwrap().area(), 1.0 + 2.0 * segment);
+    near(tables::channel(1.0, 1.0, -0.125).unwrap().perimeter(), 4.0 * (17.0 / 16.0) * libm::asin(8.0 / 17.0));
+    near(tables::channel(3.0, 0.5, 0.0).unwrap().area(), 1.5);
+}
+
+#[test]
+fn tables_scale_by_powers_of_two_to_the_last_bit() {
+    for entry in tables::all() {
+        for factor in [0.25, 2.0, 1_099_511_627_776.0] {
+            let values = entry.typical();
+            let scaled = entry.scaled(&values, factor);
+            match entry.build {
+                Build::Planar(build) => {
+                    let (small, large) = (build(&values).unwrap(), build(&scaled).unwrap());
+                    assert_eq!(large.corners().len(), small.corners().len());
+                    for (s, l) in small.corners().iter().zip(large.corners()) {
+                        assert_eq!(s * factor, *l, "{}", entry.name);
+                    }
+                    for (s, l) in small.pieces().iter().zip(large.pieces()) {
+                        assert_eq!(s.length() * factor, l.length(), "{}", entry.name);
+                    }
+                    if small.area().is_finite() {
+                        assert_eq!(small.area() * factor * factor, large.area(), "{}", entry.name);
+                    }
+                }
+                Build::Spatial(build) => {
+                    let (small, large) = (build(&values).unwrap(), build(&scaled).unwrap());
+                    assert_eq!(small.volume() * factor * factor * factor, large.volume(), "{}", entry.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn figures_have_their_symmetries_exactly() {
+    for n in 3..=24 {
+        for table in [tables::polygon(n, 1.0), tables::flower(n, 0.75, 1.0), tables::perturbed_polygon(n, 1.0, 0.1)] {
+            let corners: Vec<Vector2<f64>> = table.unwrap().pieces().iter().map(|p| p.ends().unwrap()[0]).collect();
+            for c in &corners {
+                let has = |x: f64, y: f64| corners.iter().any(|d| d.x == x && d.y == y);
+                assert!(has(c.x, -c.y), "{n}: {c}");
+                if n % 2 == 0 {
+                    assert!(has(-c.x, c.y) && has(-c.x, -c.y), "{n}: {c}");
+                }
+            }
+        }
+    }
+    let corners = |t: &Table| -> Vec<Vector2<f64>> { t.pieces().iter().map(|p| p.ends().unwrap()[0]).collect() };
+    assert_eq!(corners(&tables::hexagon(1.0).unwrap()), corners(&tables::polygon(6, 1.0).unwrap()));
+    assert_eq!(corners(&tables::flower(4, 1.25, 2.0).unwrap())[0], Vector2::new(1.0, -1.0));
+}
+
+#[test]
+fn every_table_lies_on_the_left_of_its_boundary() {
+    for entry in tables::all().iter().filter(|e| e.dimension() == 2) {
+        let table = entry.planar(&entry.typical()).unwrap();
+        for (i, piece) in table.pieces().iter().enumerate() {
+            let length = if piece.length().is_finite() { piece.length() } else { 2.0 };
+            // rays may run towards their end
+            let off = |s: f64| (piece.closest(&piece.point_at(s)).point - piece.point_at(s)).norm();
+            let s = if off(length) < 1e-9 { 1.0 } else { -1.0 };
+            for fraction in [0.2, 0.4, 0.6, 0.8] {
+                let at = piece.closest(&piece.point_at(s * fraction * length));
+                let (inner, outer) = (at.point + at.normal * 1e-3, at.point - at.normal * 1e-3);
+                assert!(table.contains(&inner) && !table.contains(&outer), "{}, piece {i}", entry.name);
+                assert!((table.signed_distance(&inner) - 1e-3).abs() < 1e-15, "{}, piece {i}", entry.name);
+                assert!((table.signed_distance(&outer) + 1e-3).abs() < 1e-15, "{}, piece {i}", entry.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_registry_has_the_tables_of_the_manual() {
+    let listed: Vec<(&str, Vec<&str>)> =
+        tables::all().iter().map(|e| (e.name, e.parameters.iter().map(|p| p.name).collect())).collect();
+    for (name, parameters) in [
+        ("strip", vec!["width"]),
+        ("wedge", vec!["angle"]),
+        ("circle", vec!["radius"]),
+        ("ellipse", vec!["semi_axes"]),
+        ("square", vec!["side"]),
+        ("rectangle", vec!["size"]),
+        ("equilateral", vec!["side"]),
+        ("isosceles", vec!["base", "height"]),
+        ("triangle", vec!["vertices"]),
+        ("hexagon", vec!["side"]),
+        ("polygon", vec!["sides", "side"]),
+        ("perturbed-polygon", vec!["sides", "side", "amount"]),
+        ("stadium", vec!["half_length", "radius"]),
+        ("mushroom", vec!["cap_radius", "stem_width", "stem_height"]),
+        ("pocket", vec!["size", "pocket_radius", "pocket_depth"]),
+        ("moon", vec!["radius", "bite_radius", "bite_distance"]),
+        ("flower", vec!["petals", "petal_radius"]),
+        ("sinai", vec!["side", "radius"]),
+        ("sinai-torus", vec!["radius"]),
+        ("lorentz", vec!["radius", "spacing"]),
+        ("channel", vec!["length", "height", "sagitta"]),
+        ("slab", vec!["height"]),
+        ("box", vec!["size"]),
+        ("ball", vec!["radius"]),
+    ] {
+        let (_, ours) = listed.iter().find(|(n, _)| *n == name).unwrap_or_else(|| panic!("no {name}"));
+        assert!(parameters.iter().all(|p| ours.contains(p)), "{name} has {ours:?}");
+    }
+    assert_eq!(listed.len(), 24);
+    let required = |name: &str| {
+        let entry = tables::find(name).unwrap();
+        entry.parameters.iter().filter(|p| p.required).map(|p| p.name).collect::<Vec<_>>()
+    };
+    assert_eq!(required("stadium"), Vec::<&str>::new());
+    assert_eq!(required("channel"), ["sagitta"]);
+}
+
+#[test]
+fn wrong_parameters_are_named() {
+    let fails = |table: &str, values: Values| tables::find(table).unwrap().planar(&values).unwrap_err();
+    let with = |name: &str, value: f64| Values::new().with(name, value);
+    // (table, values, parameter at fault)
+    for (table, values, at_fault) in [
+        ("stadium", with("radius", 0.0), "radius"),
+        ("stadium", with("half_length", -1.0), "half_length"),
+        ("stadium", with("radius", f64::NAN), "radius"),
+        ("wedge", with("angle", PI), "angle"),
+        ("mushroom", with("stem_width", 2.0), "stem_width"),
+        ("pocket", with("pocket_depth", 0.625), "pocket_depth"),
+        ("pocket", Values::new().with("size", vec![0.25, 1.0]), "size"),
+        ("moon", with("bite_distance", 1.75), "bite_distance"),
+        ("moon", with("bite_distance", 0.25), "bite_distance"),
+        ("flower", with("petal_radius", 0.99), "petal_radius"),
+        ("flower", with("petals", 1.0), "petals"),
+        ("sinai", with("radius", 0.5), "radius"),
+        ("sinai-torus", with("radius", 0.5), "radius"),
+        ("lorentz", with("radius", 0.5), "radius"),
+        ("channel", with("sagitta", 0.5), "sagitta"),
+        ("channel", with("sagitta", -0.5), "sagitta"),
+        ("channel", with("sagitta", 0.3).with("height", 0.5), "sagitta"),
+        ("polygon", with("sides", 2.0), "sides"),
+        ("polygon", with("sides", 3.5), "sides"),
+        ("polygon", with("sides", -3.0), "sides"),
+        ("polygon", with("sides", 1e12), "sides"),
+        ("perturbed-polygon", with("amount", -0.7), "amount"),
+        ("ellipse", Values::new().with("semi_axes", vec![1.0, f64::INFINITY]), "semi_axes"),
+        ("rectangle", Values::new().with("size", vec![1.0, 0.0]), "size"),
+    ] {
+        let error = fails(table, values.clone());
+        match &error {
+            Error::Parameter { name, value, .. } => {
+                assert_eq!(*name, at_fault, "{table}: {error}");
+                let text = error.to_string();
+                assert!(text.starts_with(at_fault) && text.contains(&value.to_string()), "{text}");
+            }
+            other => panic!("{table}: {other}"),
+        }
+    }
+    let error = fails("stadium", with("width", 1.0));
+    assert_eq!(error.to_string(), "stadium has no parameter width; it has half_length, radius");
+    assert_eq!(fails("wedge", Values::new()), Error::Missing { name: "angle" });
+    assert_eq!(fails("rectangle", with("size", 1.0)).to_string(), "size must be a list of two numbers, not 1");
+    let three = Values::new().with("size", vec![1.0; 3]);
+    assert_eq!(fails("rectangle", three).to_string(), "size must be a list of two numbers, not a list of 3 numbers");
+    let clockwise = vec![[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]];
+    assert_eq!(fails("triangle", Values::new().with("vertices", clockwise)), Error::Orientation { piece: 0 });
+    let flat = vec![[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];
+    assert_eq!(fails("triangle", Values::new().with("vertices", flat)), Error::Orientation { piece: 0 });
+    assert_eq!(fails("ball", Values::new()), Error::Dimension { table: "ball", dimension: 3 });
+    assert!(tables::find("rhombus").is_none());
+}
+
+#[test]
+fn typical_values_have_the_form_of_their_kind() {
+    for entry in tables::all() {
+        assert_eq!(entry.complete(&entry.typical()), Ok(entry.typical()));
+        for parameter in entry.parameters {
+            match (parameter.kind, &parameter.value) {
+                (Kind::Lengths(n), Value::List(list)) => assert_eq!(list.len(), n),
+                (Kind::Points(n), Value::Points(points)) => assert_eq!(points.len(), n),
+                (Kind::Lengths(_) | Kind::Points(_), value) | (_, value @ (Value::List(_) | Value::Points(_))) => {
+                    panic!("{}: {value:?}", parameter.name)
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn tables_in_space_know_their_size_and_where_they_are() {
+    let p = |x: f64, y: f64, z: f64| SVector::from([x, y, z]);
+    let cuboid = tables::cuboid([1.0, 2.0, 3.0]).unwrap();
+    assert_eq!((cuboid.volume(), cuboid.surface_area(), cuboid.pieces().len()), (6.0, 22.0, 6));
+    assert_eq!(cuboid.signed_distance(&p(0.5, 0.25, 1.0)), 0.25);
+    assert_eq!(cuboid.signed_distance(&p(4.0, -4.0, 1.0)), -5.0);
+    let ball = tables::ball(2.0).unwrap();
+    assert!((ball.volume() - 32.0 / 3.0 * PI).abs() < 1e-14 && (ball.surface_area() - 16.0 * PI).abs() < 1e-14);
+    assert_eq!(ball.signed_distance(&p(0.0, 3.0, 4.0)), -3.0);
+    assert!(ball.contains(&p(1.0, 1.0, 1.0)) && !ball.contains(&p(0.0, 0.0, 2.0)));
+    let slab = tables::slab(1.0).unwrap();
+    assert_eq!((slab.volume(), slab.signed_distance(&p(1e9, 0.0, 0.75))), (f64::INFINITY, 0.25));
+    assert_eq!(slab.pieces(), ["floor", "ceiling"]);
+}
