@@ -1,0 +1,290 @@
+//! The first crossing of a path with a surface of which only the distance is known.
+//!
+//! A ball around any point of the table whose radius is that point's distance to the wall contains no wall. The usual
+//! march takes balls around points of the path, and crawls where the path is close to a wall: its steps are as short
+//! as the path is high. Here the balls stand off the path, on the side away from the wall: one of radius `h + y` around
+//! the point at height `h` above a point of the path which is itself at height `y` frees a stretch of length
+//! `√(2hy)` at grazing incidence, and from a start on the wall, `y = 0`, the whole chord `2h sin θ`. Every stretch is
+//! certified free, so the crossing found is the first; near a smooth wall the convergence is quadratic.
+use super::{Side, convert::Frame, slab::to_unit};
+use crate::Line;
+use core::fmt::Debug;
+use nalgebra::SVector;
+
+/// A shape, known by its projection.
+pub(crate) trait Field<const N: usize>: Debug + Send + Sync {
+    /// The point of the surface closest to `x`, and whether `x` lies inside of the shape.
+    fn project(&self, x: &SVector<f64, N>) -> (SVector<f64, N>, bool);
+    /// A box around the shape: least and greatest coordinates.
+    fn extent(&self) -> [SVector<f64, N>; 2];
+}
+
+/// The distance from a surface, positive in the table.
+#[derive(Debug)]
+pub(crate) struct Distance<const N: usize> {
+    field: Box<dyn Field<N>>,
+    frame: Frame<N>,
+    /// Space to the field's unit: multiply by this power of two.
+    scale: f64,
+    /// +1 where the table is outside.
+    sign: f64,
+    /// In the field's coordinates: half the diagonal of the box, its sides, and the rounding of a distance.
+    size: f64,
+    extent: [SVector<f64, N>; 2],
+    rounding: f64,
+}
+
+/// What is known of a point.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Probe<const N: usize> {
+    /// Positive in the table.
+    pub(crate) distance: f64,
+    /// Closest point of the surface.
+    pub(crate) foot: SVector<f64, N>,
+}
+
+/// Balls a march may need: some 20 at ordinary incidence, `√(2/θ)` at grazing angles θ; the rest is for cusps.
+const MOST_BALLS: usize = 100_000;
+
+impl<const N: usize> Distance<N> {
+    /// `field` holds the shape multiplied by `scale`, a power of two, in its own frame.
+    pub(crate) fn new(field: Box<dyn Field<N>>, frame: Frame<N>, scale: f64, side: Side) -> Self {
+        let extent = field.extent();
+        let size = 0.5 * (extent[1] - extent[0]).norm();
+        let size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
+        let far = extent[0].amax().max(extent[1].amax()).min(1e3 * size) + scale * frame.translation.amax();
+        Distance {
+            field,
+            frame,
+            scale,
+            sign: if side == Side::Outside { 1.0 } else { -1.0 },
+            size,
+            extent,
+            rounding: 8.0 * f64::EPSILON * far,
+        }
+    }
+
+    /// The power of two that brings a shape of this extent to size 1.
+    pub(crate) fn unit(extent: &[SVector<f64, N>; 2]) -> f64 {
+        to_unit(0.5 * (extent[1] - extent[0]).amax())
+    }
+
+    fn inward(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
+        self.frame.point_back(x) * self.scale
+    }
+    fn outward(&self, y: &SVector<f64, N>) -> SVector<f64, N> {
+        self.frame.point(&(y / self.scale))
+    }
+
+    fn probe_local(&self, y: &SVector<f64, N>) -> Probe<N> {
+        let (foot, inside) = self.field.project(y);
+        let distance = (y - foot).norm();
+        Probe { distance: if inside { -self.sign * distance } else { self.sign * distance }, foot }
+    }
+
+    /// Distance and closest point, seen from `x`.
+    pub(crate) fn probe(&self, x: &SVector<f64, N>) -> Probe<N> {
+        let probe = self.probe_local(&self.inward(x));
+        Probe { distance: probe.distance / self.scale, foot: self.outward(&probe.foot) }
+    }
+
+    /// Closest point and unit normal into the table.
+    pub(crate) fn closest(&self, x: &SVector<f64, N>) -> (SVector<f64, N>, SVector<f64, N>, f64) {
+        let y = self.inward(x);
+        let probe = self.probe_local(&y);
+        let normal = self.normal(&y, &probe);
+        (self.outward(&probe.foot), self.frame.direction(&normal), probe.distance / self.scale)
+    }
+
+    /// The box around the shape in space, as its corners' bounds.
+    pub(crate) fn extent(&self) -> [SVector<f64, N>; 2] {
+        let mut bounds: [SVector<f64, N>; 2] = [SVector::repeat(f64::INFINITY), SVector::repeat(f64::NEG_INFINITY)];
+        for corner in 0..1_usize << N {
+            let y = SVector::from_fn(|i, _| self.extent[(corner >> i) & 1][i]);
+            let x = self.outward(&y);
+            bounds = [bounds[0].inf(&x), bounds[1].sup(&x)];
+        }
+        bounds
+    }
+
+    /// The unit normal into the table at the closest point of `y`.
+    fn normal(&self, y: &SVector<f64, N>, probe: &Probe<N>) -> SVector<f64, N> {
+        /// From here on the difference of point and foot has lost no more than three digits.
+        const CLEAR: f64 = 1e-3;
+        let straight = (y - probe.foot) / probe.distance;
+        if probe.distance.abs() > CLEAR * self.size {
+            return straight;
+        }
+        self.normal_at(&probe.foot, (probe.distance.abs() > 64.0 * self.rounding).then_some(straight))
+    }
+
+    /// A rough normal at a point of the surface: the direction in which the distance grows fastest, over steps of `h`.
+    fn any_normal(&self, foot: &SVector<f64, N>, h: f64) -> SVector<f64, N> {
+        let mut gradient = SVector::<f64, N>::zeros();
+        for i in 0..N {
+            let mut step = SVector::zeros();
+            step[i] = h;
+            gradient[i] = self.probe_local(&(foot + step)).distance - self.probe_local(&(foot - step)).distance;
+        }
+        let length = gradient.norm();
+        if length > 0.0 { gradient / length } else { gradient }
+    }
+
+    /// The normal at a point of the surface, improved from a guess.
+    ///
+    /// Seen from a point at height `h` above the surface the foot is known to `ε·size` and so the normal to `ε·size/h`.
+    /// The foot must be the given point: each step brings it nearer by the factor `h·κ` (κ the curvature). At a corner
+    /// no height will do, and a direction that leads away from the walls is returned.
+    fn normal_at(&self, foot: &SVector<f64, N>, guess: Option<SVector<f64, N>>) -> SVector<f64, N> {
+        if let Some(normal) = guess.and_then(|guess| self.improved(foot, guess)) {
+            return normal;
+        }
+        let mut rough = SVector::zeros();
+        for h in [1.0 / 64.0, 1.0 / 4096.0, 1.0 / 262_144.0] {
+            rough = self.any_normal(foot, h * self.size);
+            if let Some(normal) = self.improved(foot, rough) {
+                return normal;
+            }
+        }
+        rough
+    }
+
+    fn improved(&self, foot: &SVector<f64, N>, guess: SVector<f64, N>) -> Option<SVector<f64, N>> {
+        /// A foot off by this fraction of the height turns the normal by as much times h·κ.
+        const AT: f64 = 1e-13;
+        let mut h = self.size / 8.0;
+        while h > 1e-6 * self.size {
+            let mut normal = guess;
+            let mut before = f64::INFINITY;
+            for _ in 0..40 {
+                let above = foot + normal * h;
+                let probe = self.probe_local(&above);
+                if probe.distance <= 0.5 * h {
+                    break; // the guess leads along the wall, or another wall is closer
+                }
+                let off = (probe.foot - foot).norm();
+                normal = (above - probe.foot) / probe.distance;
+                if off <= AT * h + 4.0 * self.rounding {
+                    return Some(normal);
+                }
+                if off >= 0.5 * before {
+                    break; // too high for the curvature
+                }
+                before = off;
+            }
+            h /= 4.0;
+        }
+        None
+    }
+
+    /// The time at which the path first crosses the surface out of the table.
+    pub(crate) fn first(&self, path: &Line<N>) -> Option<f64> {
+        let start = self.inward(&path.point);
+        let velocity = self.frame.direction_back(&path.velocity) * self.scale;
+        let speed = velocity.norm();
+        if !(speed > 0.0 && speed.is_finite()) {
+            return None;
+        }
+        let along = velocity / speed;
+        let [enter, leave] = self.through_box(&start, &along)?;
+        let rounding = self.rounding + 4.0 * f64::EPSILON * start.amax().min(1e6 * self.size);
+        let mut s = enter;
+        let mut h = 0.25 * self.size;
+        // towards the table, from the last ball's foot to its centre
+        let mut up: Option<SVector<f64, N>> = None;
+        for _ in 0..MOST_BALLS {
+            let y = start + along * s;
+            let probe = self.probe_local(&y);
+            let height = probe.distance;
+            if height.is_nan() {
+                return None;
+            }
+            if height > 1e-6 * self.size {
+                up = Some((y - probe.foot) / height);
+            } else if up.is_none() || height <= rounding {
+                let normal = self.normal_at(&probe.foot, up);
+                if height <= rounding && along.dot(&normal) < 0.0 {
+                    return Some(self.polished(&start, &along, &normal, s) / speed);
+                }
+                up = Some(normal);
+            }
+            let mut step = height.max(0.0);
+            if let Some(normal) = up {
+                let mut n = normal;
+                for _ in 0..16 {
+                    let center = y + n * h;
+                    let ball = self.probe_local(&center);
+                    let reach = chord(n.dot(&along) * h, h, ball.distance, rounding);
+                    if reach > 0.5 * step || h < 1e-3 * height {
+                        step = step.max(reach);
+                        if ball.distance > 0.0 {
+                            up = Some((center - ball.foot) / ball.distance);
+                        }
+                        h = if ball.distance >= h { (1.5 * h).min(0.5 * self.size) } else { h };
+                        break;
+                    }
+                    // too high: another wall, or the wall's own curvature, is closer than the one below
+                    h *= 0.5;
+                    if ball.distance > 0.0 && h < 0.01 * self.size {
+                        n = (center - ball.foot) / ball.distance;
+                    }
+                }
+            }
+            if step <= rounding {
+                // wedged in between walls, or sliding along one
+                return Some(s / speed);
+            }
+            s += step;
+            if s > leave {
+                return None;
+            }
+            h = h.max(1e-9 * self.size);
+        }
+        Some(s / speed)
+    }
+
+    /// Newton's steps on the signed distance, as long as they help.
+    fn polished(&self, start: &SVector<f64, N>, along: &SVector<f64, N>, normal: &SVector<f64, N>, s: f64) -> f64 {
+        let height = |s: f64| self.probe_local(&(start + along * s)).distance;
+        let (mut s, mut h) = (s, height(s));
+        for _ in 0..4 {
+            let next = (s - h / along.dot(normal)).max(0.0);
+            let there = height(next);
+            if there.abs() >= h.abs() {
+                break;
+            }
+            (s, h) = (next, there);
+        }
+        s
+    }
+
+    /// The stretch of the path inside of the box around the shape.
+    fn through_box(&self, start: &SVector<f64, N>, along: &SVector<f64, N>) -> Option<[f64; 2]> {
+        let margin = 1e-6 * self.size;
+        let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
+        for i in 0..N {
+            let (low, high) = (self.extent[0][i] - margin - start[i], self.extent[1][i] + margin - start[i]);
+            if along[i] == 0.0 {
+                if low > 0.0 || high < 0.0 {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = (low / along[i], high / along[i]);
+            enter = enter.max(a.min(b));
+            leave = leave.min(a.max(b));
+        }
+        (enter <= leave).then_some([enter, leave])
+    }
+}
+
+/// How far a ball of radius `radius`, whose centre lies `b` ahead along the path and `h` away, frees it; 0 if it does
+/// not reach back to where the path is.
+fn chord(b: f64, h: f64, radius: f64, rounding: f64) -> f64 {
+    if radius < h - 2.0 * rounding {
+        return 0.0;
+    }
+    let q = (radius - h) * (radius + h);
+    let discriminant = b * b + q;
+    if discriminant <= 0.0 { 0.0 } else { (b + libm::sqrt(discriminant)).max(0.0) }
+}

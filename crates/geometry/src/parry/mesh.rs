@@ -1,0 +1,188 @@
+//! Triangle meshes in space: watertight, one-sided, through parry's tree of boxes.
+use super::slab::{First, Slab, to_unit};
+use crate::{Crossing, Error, Line, plane::slack, walls::CORNER};
+use nalgebra::Vector3;
+use parry3d_f64::{
+    bounding_volume::Aabb,
+    math::Vector as Glam,
+    partitioning::{Bvh, BvhBuildStrategy, BvhNode},
+};
+use std::collections::HashMap;
+
+/// Triangles seen from the table.
+#[derive(Clone)]
+pub(crate) struct Mesh {
+    pub(crate) vertices: Vec<Vector3<f64>>,
+    /// Counter-clockwise as seen from the table.
+    pub(crate) triangles: Vec<[usize; 3]>,
+    /// Unit normals into the table.
+    pub(crate) normals: Vec<Vector3<f64>>,
+    /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
+    edges: Vec<[bool; 3]>,
+    bvh: Bvh,
+    scale: f64,
+    size: f64,
+    slack: f64,
+    /// Within this distance of an edge a point lies on it.
+    near: f64,
+}
+
+impl core::fmt::Debug for Mesh {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "Mesh of {} triangles", self.triangles.len())
+    }
+}
+
+/// A path prepared for triangle tests: coordinates in which it runs along the third axis.
+struct Shear {
+    axes: [usize; 3],
+    slopes: [f64; 2],
+}
+
+impl Shear {
+    fn new(path: &Line<3>) -> Shear {
+        let k = path.velocity.iamax();
+        let v = &path.velocity;
+        let (i, j) = if v[k] > 0.0 { ((k + 1) % 3, (k + 2) % 3) } else { ((k + 2) % 3, (k + 1) % 3) };
+        Shear { axes: [i, j, k], slopes: [v[i] / v[k], v[j] / v[k]] }
+    }
+    /// Where a vertex lies as seen along the path. The same for every triangle that shares it: nothing leaks.
+    #[inline(always)]
+    fn see(&self, from: &Vector3<f64>, vertex: &Vector3<f64>) -> [f64; 2] {
+        let [i, j, k] = self.axes;
+        let w = vertex - from;
+        [w[i] - self.slopes[0] * w[k], w[j] - self.slopes[1] * w[k]]
+    }
+}
+
+/// Numbers points so that equal ones have equal numbers.
+fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
+    let mut known = HashMap::new();
+    let key = |p: &Vector3<f64>| p.map(|x| (x + 0.0).to_bits());
+    points.iter().enumerate().map(|(i, p)| *known.entry(key(p)).or_insert(i)).collect()
+}
+
+impl Mesh {
+    /// Triangles with their counter-clockwise sides outwards; a closed mesh inside out is turned round.
+    ///
+    /// `outside`: the table lies on the outer side. `loose`: edges may belong to more than two triangles.
+    pub(crate) fn new(
+        vertices: Vec<Vector3<f64>>,
+        triangles: &[[usize; 3]],
+        outside: bool,
+        loose: bool,
+    ) -> Result<Mesh, Error> {
+        let error = |why| Err(Error::Shape { shape: "triangle mesh", why });
+        if vertices.iter().any(|v| v.iter().any(|x| !x.is_finite())) {
+            return error("a vertex is not finite");
+        }
+        let id = merged(&vertices);
+        let across = |t: &[usize; 3]| {
+            let [a, b, c] = t.map(|v| vertices[v]);
+            (b - a).cross(&(c - a))
+        };
+        let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
+        triangles.retain(|t| across(t).norm_squared() > 0.0);
+        if triangles.is_empty() {
+            return error("it has no triangle of positive area");
+        }
+        let sides = |t: &[usize; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
+        let mut at: HashMap<[usize; 2], usize> = HashMap::new();
+        for (k, t) in triangles.iter().enumerate() {
+            for side in sides(t) {
+                if at.insert(side, k).is_some() && !loose {
+                    return error("two triangles run along one edge in the same direction: turn one of them round");
+                }
+            }
+        }
+        let closed = at.keys().all(|&[a, b]| at.contains_key(&[b, a]));
+        let origin = vertices[triangles[0][0]];
+        let volume: f64 = triangles.iter().map(|t| (vertices[t[0]] - origin).dot(&across(t))).sum();
+        let turned = (closed && volume < 0.0) == outside;
+        let normals: Vec<Vector3<f64>> = triangles
+            .iter()
+            .map(|t| {
+                let n = across(t);
+                n / if turned { -n.norm() } else { n.norm() }
+            })
+            .collect();
+        // neighbours whose normals agree to rounding continue one another
+        let smooth = |k: usize, j: usize| (normals[k] - normals[j]).norm() <= 1e-9;
+        let edge = |k: usize, [a, b]: [usize; 2]| !at.get(&[b, a]).is_some_and(|&j| smooth(k, j));
+        let mut edges: Vec<[bool; 3]> =
+            triangles.iter().enumerate().map(|(k, t)| sides(t).map(|side| edge(k, side))).collect();
+        if turned {
+            for t in &mut triangles {
+                t.swap(1, 2);
+            }
+            for e in &mut edges {
+                e.swap(0, 2);
+            }
+        }
+        let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
+        let scale = to_unit(size);
+        let boxes: Vec<Aabb> = triangles
+            .iter()
+            .map(|t| {
+                let [a, b, c] = t.map(|v| vertices[v] * scale);
+                let glam = |v: Vector3<f64>| Glam::new(v.x, v.y, v.z);
+                Aabb::new(glam(a.inf(&b).inf(&c)), glam(a.sup(&b).sup(&c)))
+            })
+            .collect();
+        Ok(Mesh {
+            bvh: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes),
+            vertices,
+            triangles,
+            normals,
+            edges,
+            scale,
+            size: size * scale,
+            slack: slack([size]),
+            near: CORNER * size,
+        })
+    }
+
+    /// When the path crosses one triangle away from the table, as [`crate::Piece::crossing`] has it.
+    fn crossing(&self, path: &Line<3>, shear: &Shear, k: usize) -> Crossing {
+        let [a, b, c] = self.triangles[k].map(|v| shear.see(&path.point, &self.vertices[v]));
+        let turn = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+        // seen from the table the corners go round counter-clockwise; seen along the path, clockwise
+        let meets = turn(a, b) <= 0.0 && turn(b, c) <= 0.0 && turn(c, a) <= 0.0;
+        let normal = &self.normals[k];
+        let distance = normal.dot(&(path.point - self.vertices[self.triangles[k][0]]));
+        let speed = -normal.dot(&path.velocity);
+        Crossing::when(meets && speed > 0.0 && distance > -self.slack, distance, speed)
+    }
+
+    /// The first triangle crossed away from the table, and when.
+    pub(crate) fn first(&self, path: &Line<3>) -> Option<(usize, f64)> {
+        if path.velocity.amax() == 0.0 {
+            return None;
+        }
+        let shear = Shear::new(path);
+        let first = First::new();
+        let slab = Slab::new(&Line { point: path.point * self.scale, velocity: path.velocity * self.scale }, self.size);
+        self.bvh.find_best(
+            first.limit(),
+            |node: &BvhNode, _| {
+                let (min, max) = (node.mins(), node.maxs());
+                slab.enters(&[min.x, min.y, min.z], &[max.x, max.y, max.z])
+            },
+            |leaf, _| first.offer(leaf as usize, self.crossing(path, &shear, leaf as usize)),
+        );
+        first.found().map(|(k, crossing)| (k, crossing.time()))
+    }
+
+    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding.
+    pub(crate) fn land(&self, k: usize, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
+        let corners = self.triangles[k].map(|v| self.vertices[v]);
+        let normal = &self.normals[k];
+        let point = point - normal * normal.dot(&(point - corners[0]));
+        let on_edge = |i: usize| {
+            let (a, b) = (corners[i], corners[(i + 1) % 3]);
+            let along = b - a;
+            self.edges[k][i] && along.cross(&(point - a)).norm() <= self.near * along.norm()
+        };
+        (point, (0..3).any(on_edge))
+    }
+}

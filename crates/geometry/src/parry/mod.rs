@@ -1,0 +1,45 @@
+//! Arbitrary shapes: whatever parry can represent bounds a table, in the plane and in space.
+//!
+//! parry says *which* part of a shape is near, how far it is and which way it faces; our exact solvers say *when* it
+//! is touched, to the last bits. parry's own ray casts are not used at all: they hit again the wall they start from,
+//! leak through vertices, and lose grazing paths and tiny shapes.
+//!
+//! * In the plane, [`pieces`] turns a shape into exact [`Piece`](crate::Piece)s wherever it consists of segments and
+//!   arcs; any other shape becomes a [`DistancePiece`], which needs nothing but parry's point projection.
+//! * In space, [`Solid`] is a [`Boundary`](crate::Boundary) inside or outside of any shape.
+//! * [`Index`] finds the first of very many pieces.
+//! * [`ShapeSpec`] describes a shape as plain data, for scene files.
+//!
+//! Of parry's and glam's types none but parry's shapes appear in a signature. Positions, poses and normals are
+//! nalgebra's.
+mod bvh;
+mod contour;
+mod convert;
+mod curve;
+mod distance;
+mod mesh;
+mod planar;
+mod screen;
+mod slab;
+mod solid;
+mod spec;
+mod traced;
+mod union;
+
+pub use bvh::Index;
+pub use curve::DistancePiece;
+pub use parry2d_f64;
+pub use parry3d_f64;
+pub use planar::pieces;
+pub use screen::Screen;
+pub use solid::{Closest, Solid};
+pub use spec::{Placed, ShapeSpec};
+
+/// On which side of a shape's surface the table lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The table is the inside of the shape.
+    Inside,
+    /// The shape is an obstacle and the table is around it.
+    Outside,
+}

@@ -1,0 +1,113 @@
+//! A wall without thickness.
+use crate::{
+    Crossing, Error, Extent, Figure, Landing, Line, Piece,
+    plane::{cross, dot, slack},
+    shapes::Segment,
+};
+use nalgebra::Vector2;
+
+/// A straight segment that is a wall on both of its sides.
+///
+/// Two one-sided segments back to back would not do: a start on the wall lies on the table's side of one and, within
+/// rounding, outside of the other. A screen is never crossed by a path that starts on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Screen {
+    /// The segment from `a` to `b` with the table on its left, and back again.
+    faces: [Segment; 2],
+    a: Vector2<f64>,
+    b: Vector2<f64>,
+    slack: f64,
+}
+
+impl Screen {
+    /// The screen from `a` to `b` [L].
+    ///
+    /// # Errors
+    /// [`Error::ZeroLength`] if the ends coincide.
+    pub fn new(a: Vector2<f64>, b: Vector2<f64>) -> Result<Screen, Error> {
+        let faces = [Segment::new(a, b)?, Segment::new(b, a)?];
+        Ok(Screen { faces, a, b, slack: slack([a.x, a.y, b.x, b.y]) })
+    }
+
+    /// The face that a path with this velocity can hit.
+    fn facing(&self, velocity: &Vector2<f64>) -> &Segment {
+        let leftwards = cross((self.b - self.a).into(), (*velocity).into()) > 0.0;
+        &self.faces[usize::from(leftwards)]
+    }
+}
+
+impl Piece for Screen {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        let face = self.facing(&path.velocity);
+        let to_a = path.point - self.a;
+        let along = (self.b - self.a).into();
+        let off = cross(along, to_a.into()).abs() / libm::sqrt(dot(along, along));
+        if off <= self.slack + slack(path.point.iter().copied()) {
+            return Crossing::NEVER;
+        }
+        face.crossing(path)
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.facing(&path.velocity).landing(path, time)
+    }
+    fn curvature(&self, _: &Vector2<f64>) -> f64 {
+        0.0
+    }
+    /// Of both faces: `s` runs along the left one from `a` to `b` and back along the right one.
+    fn length(&self) -> f64 {
+        2.0 * self.faces[0].length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        let length = self.faces[0].length();
+        if s <= length { self.faces[0].point_at(s) } else { self.faces[1].point_at(s - length) }
+    }
+    /// On the left face for points on the screen itself.
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        if cross((self.b - self.a).into(), (point - self.a).into()) >= 0.0 {
+            self.faces[0].arc_length_at(point)
+        } else {
+            self.faces[0].length() + self.faces[1].arc_length_at(point)
+        }
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        let right = cross((self.b - self.a).into(), (point - self.a).into()) < 0.0;
+        self.faces[usize::from(right)].closest(point)
+    }
+    /// None: the boundary closes around both faces.
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        None
+    }
+    fn extent(&self) -> Extent {
+        self.faces[0].extent()
+    }
+    fn area(&self) -> f64 {
+        0.0
+    }
+    fn figure(&self) -> Figure {
+        Figure::Other
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_screen_is_hit_from_both_sides_and_never_from_itself() {
+        let screen = Screen::new(Vector2::new(0.1, 0.3), Vector2::new(0.9, 0.7)).unwrap();
+        for side in [1.0, -1.0] {
+            let velocity = Vector2::new(0.1, -1.0) * side;
+            let start = Vector2::new(0.5, 0.5) - velocity;
+            let path = Line { point: start, velocity };
+            let time = screen.crossing(&path).time();
+            assert!((time - 1.0).abs() < 8.0 * f64::EPSILON); // lengths of order 1
+            let landing = screen.landing(&path, time);
+            assert!(landing.normal.dot(&velocity) < 0.0);
+            for k in 0..100 {
+                let angle = 0.0628 * f64::from(k);
+                let velocity = Vector2::new(libm::cos(angle), libm::sin(angle));
+                assert_eq!(screen.crossing(&Line { point: landing.point, velocity }).num, f64::INFINITY);
+            }
+        }
+    }
+}

@@ -1,0 +1,404 @@
+//! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
+use super::super::convert::{Frame, from_glam3};
+use super::positive;
+use crate::{Error, Line, plane::slack, walls::CORNER};
+use nalgebra::Vector3;
+use parry3d_f64::{
+    math::Vector as Glam,
+    shape::{Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace},
+};
+
+/// A convex solid.
+#[derive(Clone, Debug)]
+pub(super) struct Convex {
+    kind: Kind,
+    slack: f64,
+    /// Within this distance of a second face a point lies on an edge.
+    near: f64,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    /// Everything that satisfies all of these.
+    Intersection(Vec<Face>),
+    /// The hull of two balls.
+    Capsule(Box<Pill>),
+}
+
+#[derive(Clone, Debug)]
+struct Pill {
+    /// The tube, and the planes through its ends, normals outwards.
+    tube: [Face; 3],
+    balls: [Face; 2],
+}
+
+/// A surface with a convex side.
+#[derive(Clone, Copy, Debug)]
+enum Face {
+    Plane {
+        through: Vector3<f64>,
+        normal: Vector3<f64>,
+    },
+    Ball {
+        center: Vector3<f64>,
+        radius: f64,
+    },
+    /// An infinite cylinder.
+    Tube {
+        through: Vector3<f64>,
+        axis: Vector3<f64>,
+        radius: f64,
+    },
+    /// An infinite cone: its apex, the unit axis into it, and the tangent of its half-angle.
+    Nappe {
+        apex: Vector3<f64>,
+        axis: Vector3<f64>,
+        slope: f64,
+    },
+}
+
+/// The part of a line on the convex side of a face.
+#[derive(Clone, Copy, Debug)]
+struct Chord {
+    enter: f64,
+    exit: f64,
+}
+
+const WHOLE: Chord = Chord { enter: f64::NEG_INFINITY, exit: f64::INFINITY };
+
+/// `A t² + 2 B t + C ≤ 0` with `A > 0` and the discriminant `B² − A C` given; `touches`: a start that lies inside but
+/// for rounding always has a chord.
+fn between(a: f64, b: f64, c: f64, discriminant: f64, touches: bool) -> Option<Chord> {
+    if discriminant < 0.0 && !touches {
+        return None;
+    }
+    let q = b.abs() + libm::sqrt(discriminant.max(0.0));
+    if q == 0.0 {
+        return Some(Chord { enter: 0.0, exit: 0.0 });
+    }
+    Some(if b < 0.0 { Chord { enter: c / q, exit: q / a } } else { Chord { enter: -q / a, exit: -c / q } })
+}
+
+impl Face {
+    /// How far a point lies on the outer side; negative on the convex side.
+    fn off(&self, x: &Vector3<f64>) -> f64 {
+        match self {
+            Face::Plane { through, normal } => normal.dot(&(x - through)),
+            Face::Ball { center, radius } => (x - center).norm() - radius,
+            Face::Tube { through, axis, radius } => across(&(x - through), axis).norm() - radius,
+            Face::Nappe { apex, axis, slope } => {
+                let w = x - apex;
+                (across(&w, axis).norm() - slope * w.dot(axis)) / libm::sqrt(1.0 + slope * slope)
+            }
+        }
+    }
+
+    /// The closest point of the face, and the outward normal there.
+    fn project(&self, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+        let unit = |w: Vector3<f64>, axis: &Vector3<f64>| {
+            let length = w.norm();
+            if length > 0.0 { w / length } else { any_across(axis) }
+        };
+        match self {
+            Face::Plane { normal, .. } => (x - normal * self.off(x), *normal),
+            Face::Ball { center, radius } => {
+                let n = unit(x - center, &Vector3::x());
+                (center + n * *radius, n)
+            }
+            Face::Tube { through, axis, radius } => {
+                let w = x - through;
+                let n = unit(across(&w, axis), axis);
+                (through + axis * w.dot(axis) + n * *radius, n)
+            }
+            Face::Nappe { apex, axis, slope } => {
+                let out = unit(across(&(x - apex), axis), axis);
+                let n = (out - axis * *slope) / libm::sqrt(1.0 + slope * slope);
+                (x - n * self.off(x), n)
+            }
+        }
+    }
+
+    /// Whether the path at its start comes nearer to the convex side.
+    fn approached(&self, path: &Line<3>) -> bool {
+        self.project(&path.point).1.dot(&path.velocity) < 0.0
+    }
+
+    fn chord(&self, path: &Line<3>, slack: f64) -> Option<Chord> {
+        let (x, v) = (&path.point, &path.velocity);
+        let touches = self.off(x) <= slack;
+        match self {
+            Face::Plane { normal, .. } => {
+                let (distance, speed) = (self.off(x), normal.dot(v));
+                let time = -distance / speed;
+                if speed > 0.0 {
+                    Some(Chord { exit: time, ..WHOLE })
+                } else if speed < 0.0 {
+                    Some(Chord { enter: time, ..WHOLE })
+                } else {
+                    touches.then_some(WHOLE)
+                }
+            }
+            Face::Ball { center, radius } => round(&(x - center), v, *radius, touches),
+            Face::Tube { through, axis, radius } => {
+                round(&across(&(x - through), axis), &across(v, axis), *radius, touches)
+            }
+            Face::Nappe { apex, axis, slope } => {
+                let w = x - apex;
+                let (g, down) = (w.dot(axis), v.dot(axis));
+                let (w, v) = (across(&w, axis), across(v, axis));
+                let k = *slope;
+                let a = (v.norm() - k * down) * (v.norm() + k * down);
+                let b = w.dot(&v) - k * k * g * down;
+                let c = (w.norm() - k * g) * (w.norm() + k * g);
+                // B² − AC without cancellation
+                let (m, turn) = (k * (v * g - w * down).norm(), w.cross(&v).norm());
+                let discriminant = (m - turn) * (m + turn);
+                if a > 0.0 {
+                    let chord = between(a, b, c, discriminant, touches)?;
+                    return (g - b / a * down >= 0.0).then_some(chord);
+                }
+                // steeper than the cone: one end lies at infinity, in the direction of the axis
+                let root = libm::sqrt(discriminant.max(0.0));
+                let q = -(b + if b < 0.0 { -root } else { root });
+                let roots = if a == 0.0 {
+                    [-c / (2.0 * b); 2]
+                } else if q == 0.0 {
+                    [0.0; 2]
+                } else {
+                    [q / a, c / q]
+                };
+                Some(if down > 0.0 {
+                    Chord { enter: roots[0].max(roots[1]), ..WHOLE }
+                } else {
+                    Chord { exit: roots[0].min(roots[1]), ..WHOLE }
+                })
+            }
+        }
+    }
+}
+
+/// The chord of a ball or, in the plane across its axis, of a tube.
+fn round(w: &Vector3<f64>, v: &Vector3<f64>, radius: f64, touches: bool) -> Option<Chord> {
+    let (a, b) = (v.norm_squared(), w.dot(v));
+    if a == 0.0 {
+        return touches.then_some(WHOLE);
+    }
+    let c = (w.norm() - radius) * (w.norm() + radius);
+    let (reach, miss) = (radius * libm::sqrt(a), w.cross(v).norm());
+    between(a, b, c, (reach - miss) * (reach + miss), touches)
+}
+
+/// The part of `w` perpendicular to a unit vector.
+fn across(w: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
+    w - axis * w.dot(axis)
+}
+
+/// Some unit vector perpendicular to another.
+fn any_across(axis: &Vector3<f64>) -> Vector3<f64> {
+    let least = Vector3::from_fn(|i, _| if i == axis.iamin() { 1.0 } else { 0.0 });
+    let w = across(&least, axis);
+    w / w.norm()
+}
+
+impl Convex {
+    fn of(kind: Kind, size: f64) -> Convex {
+        Convex { kind, slack: slack([size]), near: CORNER * size }
+    }
+
+    pub(super) fn ball(center: Vector3<f64>, radius: f64) -> Convex {
+        Convex::of(Kind::Intersection(vec![Face::Ball { center, radius }]), center.amax() + radius)
+    }
+
+    pub(super) fn cuboid(cuboid: &Cuboid, frame: &Frame<3>) -> Result<Convex, Error> {
+        let half = from_glam3(cuboid.half_extents);
+        let mut faces = vec![];
+        for i in 0..3 {
+            positive("a half extent", half[i])?;
+            for sign in [-1.0, 1.0] {
+                let mut e = Vector3::zeros();
+                e[i] = sign;
+                faces.push(Face::Plane { through: frame.point(&(e * half[i])), normal: frame.direction(&e) });
+            }
+        }
+        Ok(Convex::of(Kind::Intersection(faces), frame.translation.amax() + half.norm()))
+    }
+
+    pub(super) fn half_space(half: &HalfSpace, frame: &Frame<3>) -> Convex {
+        let normal = frame.direction(&from_glam3(half.normal));
+        let face = Face::Plane { through: frame.translation, normal: normal / normal.norm() };
+        Convex::of(Kind::Intersection(vec![face]), frame.translation.amax())
+    }
+
+    pub(super) fn cylinder(cylinder: &Cylinder, frame: &Frame<3>) -> Result<Convex, Error> {
+        positive("the half height", cylinder.half_height)?;
+        positive("the radius", cylinder.radius)?;
+        let axis = frame.direction(&Vector3::y());
+        let cap = |sign: f64| Face::Plane {
+            through: frame.point(&(Vector3::y() * (sign * cylinder.half_height))),
+            normal: axis * sign,
+        };
+        let tube = Face::Tube { through: frame.translation, axis, radius: cylinder.radius };
+        let size = frame.translation.amax() + cylinder.half_height + cylinder.radius;
+        Ok(Convex::of(Kind::Intersection(vec![tube, cap(-1.0), cap(1.0)]), size))
+    }
+
+    pub(super) fn cone(cone: &Cone, frame: &Frame<3>) -> Result<Convex, Error> {
+        positive("the half height", cone.half_height)?;
+        positive("the radius", cone.radius)?;
+        let down = frame.direction(&-Vector3::y());
+        let apex = frame.point(&(Vector3::y() * cone.half_height));
+        let base = Face::Plane { through: frame.point(&(Vector3::y() * -cone.half_height)), normal: down };
+        let nappe = Face::Nappe { apex, axis: down, slope: cone.radius / (2.0 * cone.half_height) };
+        let size = frame.translation.amax() + cone.half_height + cone.radius;
+        Ok(Convex::of(Kind::Intersection(vec![nappe, base]), size))
+    }
+
+    pub(super) fn capsule(capsule: &Capsule, frame: &Frame<3>) -> Result<Convex, Error> {
+        let radius = capsule.radius;
+        positive("the radius", radius)?;
+        let [a, b] = [capsule.segment.a, capsule.segment.b].map(|p| frame.point(&from_glam3(p)));
+        let length = (b - a).norm();
+        if length == 0.0 {
+            return Ok(Convex::ball(a, radius));
+        }
+        let axis = (b - a) / length;
+        let tube = [
+            Face::Tube { through: a, axis, radius },
+            Face::Plane { through: a, normal: -axis },
+            Face::Plane { through: b, normal: axis },
+        ];
+        let balls = [a, b].map(|center| Face::Ball { center, radius });
+        Ok(Convex::of(Kind::Capsule(Box::new(Pill { tube, balls })), a.amax().max(b.amax()) + radius))
+    }
+
+    pub(super) fn polyhedron(hull: &ConvexPolyhedron, frame: &Frame<3>) -> Convex {
+        let points: Vec<Vector3<f64>> = hull.points().iter().map(|&p| frame.point(&from_glam3(p))).collect();
+        let faces = hull.faces().iter().map(|face| {
+            let first = face.first_vertex_or_edge as usize;
+            let count = face.num_vertices_or_edges as usize;
+            let ring: Vec<Vector3<f64>> =
+                hull.vertices_adj_to_face()[first..first + count].iter().map(|&v| points[v as usize]).collect();
+            // Newell: the mean over the corners, accurate for slender faces too
+            let origin = ring[0];
+            let area = (1..count.saturating_sub(1))
+                .map(|k| (ring[k] - origin).cross(&(ring[k + 1] - origin)))
+                .sum::<Vector3<f64>>();
+            let known: Glam = face.normal;
+            let outward = frame.direction(&from_glam3(known));
+            let normal = if area.dot(&outward) < 0.0 { -area } else { area };
+            let length = normal.norm();
+            Face::Plane { through: origin, normal: if length > 0.0 { normal / length } else { outward } }
+        });
+        let size = points.iter().map(Vector3::amax).fold(0.0, f64::max);
+        Convex::of(Kind::Intersection(faces.collect()), size)
+    }
+
+    /// How far a point may be off a face and still count as on it, given where the path starts.
+    fn slack(&self, path: &Line<3>) -> f64 {
+        self.slack + slack([path.point.amax()])
+    }
+
+    /// Where the line enters and leaves, with the faces.
+    fn chord(&self, path: &Line<3>) -> Option<[(f64, usize); 2]> {
+        let slack = self.slack(path);
+        let of = |faces: &[Face]| {
+            let mut ends = [(f64::NEG_INFINITY, 0), (f64::INFINITY, 0)];
+            for (i, face) in faces.iter().enumerate() {
+                let Chord { enter, exit } = face.chord(path, slack)?;
+                if enter > ends[0].0 {
+                    ends[0] = (enter, i);
+                }
+                if exit < ends[1].0 {
+                    ends[1] = (exit, i);
+                }
+            }
+            Some(ends)
+        };
+        match &self.kind {
+            Kind::Intersection(faces) => of(faces),
+            Kind::Capsule(pill) => {
+                let Pill { tube, balls } = &**pill;
+                let parts = [of(tube).filter(|[enter, exit]| enter.0 < exit.0), of(&balls[..1]), of(&balls[1..])];
+                let parts = parts.into_iter().flatten();
+                parts.reduce(|[a, b], [c, d]| [(a.0.min(c.0), 0), (b.0.max(d.0), 0)])
+            }
+        }
+    }
+
+    /// The face with this number, as seen from a point near it.
+    fn face(&self, number: usize, at: &Vector3<f64>) -> Option<Face> {
+        match &self.kind {
+            Kind::Intersection(faces) => faces.get(number).copied(),
+            Kind::Capsule(pill) => Some(match &**pill {
+                Pill { tube, balls } if tube[1].off(at) > 0.0 => balls[0],
+                Pill { tube, balls } if tube[2].off(at) > 0.0 => balls[1],
+                Pill { tube, .. } => tube[0],
+            }),
+        }
+    }
+
+    /// How far a point lies outside; negative inside.
+    fn off(&self, x: &Vector3<f64>) -> f64 {
+        match &self.kind {
+            Kind::Intersection(faces) => faces.iter().map(|f| f.off(x)).fold(f64::NEG_INFINITY, f64::max),
+            Kind::Capsule(_) => self.face(0, x).map_or(f64::INFINITY, |f| f.off(x)),
+        }
+    }
+
+    /// Whether a point lies inside or, within rounding, on the surface.
+    pub(super) fn contains(&self, x: &Vector3<f64>) -> bool {
+        self.off(x) <= self.slack + slack([x.amax()])
+    }
+
+    /// When and through which face the path leaves.
+    pub(super) fn exit(&self, path: &Line<3>) -> Option<(f64, usize)> {
+        let [_, (exit, face)] = self.chord(path)?;
+        (exit < f64::INFINITY).then_some((exit.max(0.0), face))
+    }
+
+    /// When and through which face the path comes in from outside.
+    pub(super) fn entry(&self, path: &Line<3>) -> Option<(f64, usize)> {
+        let [(enter, number), (exit, _)] = self.chord(path)?;
+        let slack = self.slack(path);
+        // a chord shorter than rounding cuts an edge from which the path has just come, or will never be missed
+        let real = (exit - enter) * path.velocity.norm() > slack && enter > f64::NEG_INFINITY;
+        let starts_on_it = || {
+            let face = self.face(number, &path.point);
+            exit > 0.0 && face.is_some_and(|f| f.off(&path.point) >= -slack && f.approached(path))
+        };
+        (real && (enter > 0.0 || starts_on_it())).then_some((enter.max(0.0), number))
+    }
+
+    /// A point brought onto a face, and the outward normal there.
+    pub(super) fn land(&self, face: usize, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+        self.face(face, x).map_or((*x, Vector3::zeros()), |f| f.project(x))
+    }
+
+    /// Whether a point of one face lies on another one too, within rounding.
+    pub(super) fn on_edge(&self, face: usize, x: &Vector3<f64>) -> bool {
+        match &self.kind {
+            Kind::Intersection(faces) => {
+                faces.iter().enumerate().any(|(i, f)| i != face && f.off(x).abs() <= self.near)
+                    || matches!(faces[face], Face::Nappe { apex, .. } if (x - apex).norm() <= self.near)
+            }
+            Kind::Capsule(_) => false,
+        }
+    }
+
+    /// For points whose nearest point of the surface is that of the nearest face: closest point, outward normal, how
+    /// far outside.
+    pub(super) fn nearest_face(&self, x: &Vector3<f64>) -> Option<(Vector3<f64>, Vector3<f64>, f64)> {
+        let face = match &self.kind {
+            Kind::Capsule(_) => self.face(0, x)?,
+            Kind::Intersection(faces) => {
+                let nearest = faces.iter().max_by(|a, b| a.off(x).total_cmp(&b.off(x)))?;
+                if faces.len() > 1 && nearest.off(x) > 0.0 {
+                    return None;
+                }
+                *nearest
+            }
+        };
+        let (point, normal) = face.project(x);
+        Some((point, normal, face.off(x)))
+    }
+}

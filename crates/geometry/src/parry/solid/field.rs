@@ -1,0 +1,196 @@
+//! parry's shapes in space as fields of distances, and as triangles.
+use super::super::{
+    Side,
+    convert::{Frame, from_glam3, to_glam3},
+    distance::{Distance, Field},
+    mesh::Mesh,
+};
+use super::unsupported;
+use crate::Error;
+use core::fmt;
+use nalgebra::{Matrix3, Vector3};
+use parry3d_f64::{
+    math::Vector as Glam,
+    shape::{ConvexPolyhedron, HeightField, Shape, TriMesh, TriMeshFlags, TypedShape, Voxels},
+};
+use std::collections::{HashMap, HashSet};
+
+/// A parry shape that projects points accurately by itself.
+pub(super) struct Spatial {
+    shape: Box<dyn Shape>,
+}
+
+impl fmt::Debug for Spatial {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.shape.shape_type())
+    }
+}
+
+impl Field<3> for Spatial {
+    fn project(&self, x: &Vector3<f64>) -> (Vector3<f64>, bool) {
+        let projection = self.shape.project_local_point(to_glam3(x), false);
+        (from_glam3(projection.point), projection.is_inside)
+    }
+    fn extent(&self) -> [Vector3<f64>; 2] {
+        let extent = self.shape.compute_local_aabb();
+        [from_glam3(extent.mins), from_glam3(extent.maxs)]
+    }
+}
+
+/// A shape and the power of two it has been multiplied by.
+pub(super) struct Scaled {
+    field: Box<dyn Field<3>>,
+    scale: f64,
+}
+
+impl Scaled {
+    /// The shape brought to size 1, where it can be: parry's own fail below 1e-8.
+    fn new(shape: &dyn Shape) -> Scaled {
+        let own = Spatial { shape: shape.clone_dyn() };
+        let scale = Distance::unit(&own.extent());
+        match shape.scale_dyn(Glam::splat(scale), 20) {
+            Some(shape) => Scaled { field: Box::new(Spatial { shape }), scale },
+            None => Scaled { field: Box::new(own), scale: 1.0 },
+        }
+    }
+
+    pub(super) fn placed(self, frame: &Frame<3>, side: Side) -> Distance<3> {
+        Distance::new(self.field, *frame, self.scale, side)
+    }
+}
+
+/// The distance from a shape.
+pub(super) fn distance(shape: &dyn Shape, frame: &Frame<3>, side: Side) -> Distance<3> {
+    Scaled::new(shape).placed(frame, side)
+}
+
+impl Spatial {
+    pub(super) fn distance(shape: &dyn Shape, frame: &Frame<3>, side: Side) -> Distance<3> {
+        distance(shape, frame, side)
+    }
+}
+
+fn oriented(vertices: Vec<Glam>, triangles: Vec<[u32; 3]>) -> Result<TriMesh, Error> {
+    let flags = TriMeshFlags::ORIENTED | TriMeshFlags::MERGE_DUPLICATE_VERTICES;
+    TriMesh::with_flags(vertices, triangles, flags).map_err(|_| unsupported("triangle mesh", "it has no triangles"))
+}
+
+/// The distance from a convex polyhedron through its faces: parry's own goes through an iteration good to 10⁻⁸.
+pub(super) fn hull(points: &[Glam], triangles: &[[u32; 3]]) -> Result<Scaled, Error> {
+    Ok(Scaled::new(&oriented(points.to_vec(), triangles.to_vec())?))
+}
+
+/// The distance from a mesh that stands where it is.
+pub(super) fn mesh_distance(mesh: &Mesh, side: Side) -> Result<Distance<3>, Error> {
+    let vertices = mesh.vertices.iter().map(to_glam3).collect();
+    let number = |v: usize| u32::try_from(v).map_err(|_| unsupported("triangle mesh", "it has too many vertices"));
+    let mut triangles = vec![];
+    for &[a, b, c] in &mesh.triangles {
+        // parry wants them counter-clockwise from outside, ours are so from the table
+        let [b, c] = if side == Side::Outside { [b, c] } else { [c, b] };
+        triangles.push([number(a)?, number(b)?, number(c)?]);
+    }
+    let whole = Frame { rotation: Matrix3::identity(), translation: Vector3::zeros() };
+    Ok(Scaled::new(&oriented(vertices, triangles)?).placed(&whole, side))
+}
+
+/// A shape with a border around it.
+#[derive(Debug)]
+pub(super) struct Offset {
+    inner: Box<dyn Field<3>>,
+    radius: f64,
+}
+
+impl Offset {
+    pub(super) fn distance(inner: &dyn Shape, radius: f64, frame: &Frame<3>, side: Side) -> Result<Distance<3>, Error> {
+        let Scaled { field, scale } = match inner.as_typed_shape() {
+            TypedShape::ConvexPolyhedron(polyhedron) => {
+                let (points, triangles) = ConvexPolyhedron::to_trimesh(polyhedron);
+                hull(&points, &triangles)?
+            }
+            _ => Scaled::new(inner),
+        };
+        Ok(Distance::new(Box::new(Offset { inner: field, radius: radius * scale }), *frame, scale, side))
+    }
+}
+
+impl Field<3> for Offset {
+    fn project(&self, x: &Vector3<f64>) -> (Vector3<f64>, bool) {
+        let (foot, inside) = self.inner.project(x);
+        let to = if inside { foot - x } else { x - foot };
+        let distance = to.norm();
+        // on the inner surface any direction serves: the border is equally wide in each that leads out
+        let out = if distance > 0.0 { to / distance } else { x / x.norm().max(f64::MIN_POSITIVE) };
+        (foot + out * self.radius, inside || distance <= self.radius)
+    }
+    fn extent(&self) -> [Vector3<f64>; 2] {
+        let [min, max] = self.inner.extent();
+        let border = Vector3::repeat(self.radius);
+        [min - border, max + border]
+    }
+}
+
+/// Vertices and triangles of a height field, counter-clockwise as seen from above (+y).
+pub(super) fn height_field(field: &HeightField) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
+    let (rows, columns) = (field.nrows(), field.ncols()); // cells
+    let scale = from_glam3(field.scale());
+    // each vertex once: neighbouring cells share it to the last bit
+    let vertex = |i: usize, j: usize| {
+        let (x, z) = (j as f64 / columns as f64 - 0.5, i as f64 / rows as f64 - 0.5);
+        Vector3::new(x, field.heights()[(i, j)], z).component_mul(&scale)
+    };
+    let vertices = (0..=columns).flat_map(|j| (0..=rows).map(move |i| (i, j))).map(|(i, j)| vertex(i, j)).collect();
+    let triangles = (0..rows)
+        .flat_map(|i| (0..columns).map(move |j| (i, j)))
+        .flat_map(|(i, j)| {
+            let (first, second) = field.triangles_vids_at(i, j);
+            [first, second]
+        })
+        .flatten()
+        .map(|t| t.map(|v| v as usize));
+    let vertices: Vec<Vector3<f64>> = vertices;
+    let up = |t: [usize; 3]| {
+        let [a, b, c] = t.map(|v| vertices[v]);
+        if (b - a).cross(&(c - a)).y < 0.0 { [t[0], t[2], t[1]] } else { t }
+    };
+    let triangles = triangles.map(up).collect();
+    (vertices, triangles)
+}
+
+/// The faces of full cells that border on empty ones, as triangles seen counter-clockwise from outside.
+pub(super) fn voxels(voxels: &Voxels) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
+    let full: Vec<[i64; 3]> = voxels.voxels().map(|v| [v.grid_coords.x, v.grid_coords.y, v.grid_coords.z]).collect();
+    let is_full: HashSet<[i64; 3]> = full.iter().copied().collect();
+    let size = from_glam3(voxels.voxel_size());
+    let mut vertices = vec![];
+    let mut number: HashMap<[i64; 3], usize> = HashMap::new();
+    let mut triangles = vec![];
+    for cell in full {
+        for axis in 0..3 {
+            for side in [0, 1] {
+                let mut neighbour = cell;
+                neighbour[axis] += 2 * side - 1;
+                if is_full.contains(&neighbour) {
+                    continue;
+                }
+                let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+                let mut corner = |a: i64, b: i64| {
+                    let mut at = cell;
+                    at[axis] += side;
+                    at[i] += a;
+                    at[j] += b;
+                    *number.entry(at).or_insert_with(|| {
+                        vertices.push(Vector3::from_fn(|k, _| at[k] as f64 * size[k]));
+                        vertices.len() - 1
+                    })
+                };
+                let mut ring = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+                if side == 0 {
+                    ring.reverse();
+                }
+                triangles.extend([[ring[0], ring[1], ring[2]], [ring[0], ring[2], ring[3]]]);
+            }
+        }
+    }
+    (vertices, triangles)
+}
