@@ -4,11 +4,18 @@
 //! (an operator stack), so no input can exhaust the call stack; a parsed expression is a list of nodes, each of which
 //! refers only to earlier ones, so evaluation and differentiation are single passes.
 
+mod curve;
 mod derivative;
+mod number;
+mod program;
 
 use std::fmt;
 
+pub use curve::{ImplicitCurve, PolarCurve};
+pub use program::Program;
+
 use crate::spelling;
+use number::Number;
 
 /// Longest accepted text, in characters.
 pub const MAX_CHARACTERS: usize = 1000;
@@ -75,21 +82,6 @@ impl Function {
         ("acos", Self::Acos),
         ("atan", Self::Atan),
     ];
-
-    fn apply(self, x: f64) -> f64 {
-        match self {
-            Self::Sqrt => x.sqrt(),
-            Self::Abs => x.abs(),
-            Self::Exp => libm::exp(x),
-            Self::Ln => libm::log(x),
-            Self::Sin => libm::sin(x),
-            Self::Cos => libm::cos(x),
-            Self::Tan => libm::tan(x),
-            Self::Asin => libm::asin(x),
-            Self::Acos => libm::acos(x),
-            Self::Atan => libm::atan(x),
-        }
-    }
 }
 
 /// An operation on two real arguments.
@@ -101,28 +93,6 @@ enum Operation {
     Divide,
     Power,
     Atan2,
-}
-
-impl Operation {
-    fn apply(self, a: f64, b: f64) -> f64 {
-        match self {
-            Self::Add => a + b,
-            Self::Subtract => a - b,
-            Self::Multiply => a * b,
-            Self::Divide => a / b,
-            Self::Power => power(a, b),
-            Self::Atan2 => libm::atan2(a, b),
-        }
-    }
-}
-
-/// `aᵇ`; squares and cubes, the powers of every conic and cubic, as products.
-fn power(a: f64, b: f64) -> f64 {
-    match b {
-        2.0 => a * a,
-        3.0 => a * a * a,
-        _ => libm::pow(a, b),
-    }
 }
 
 /// One node; operands are indices of earlier nodes.
@@ -183,26 +153,17 @@ impl Expression {
     /// The value at a point, one number per variable; NaN or infinite where the formula has no finite real value.
     pub fn evaluate(&self, variables: &[f64]) -> f64 {
         if self.nodes.len() <= SMALL {
-            self.fill(&mut [0.0; SMALL], variables)
+            fill(&self.nodes, &mut [0.0; SMALL], variables)
         } else {
-            self.fill(&mut vec![0.0; self.nodes.len()], variables)
+            fill(&self.nodes, &mut vec![0.0; self.nodes.len()], variables)
         }
-    }
-
-    fn fill(&self, values: &mut [f64], variables: &[f64]) -> f64 {
-        let mut last = f64::NAN;
-        for (i, node) in self.nodes.iter().enumerate() {
-            last = node.apply(values, variables);
-            values[i] = last;
-        }
-        last
     }
 
     /// The value of an expression without variables, every step checked.
     fn checked_value(&self) -> Result<f64, Error> {
         let mut values = Vec::with_capacity(self.nodes.len());
         for (node, &column) in self.nodes.iter().zip(&self.columns) {
-            let y = node.apply(&values, &[]);
+            let y: f64 = node.apply(&values, &[]);
             if !y.is_finite() {
                 return Err(Error::new(column, node.complaint(&values)));
             }
@@ -217,14 +178,24 @@ impl Expression {
     }
 }
 
+/// Evaluates nodes in turn into `values`; the last one's value.
+fn fill<T: Number>(nodes: &[Node], values: &mut [T], variables: &[T]) -> T {
+    let mut last = T::constant(f64::NAN);
+    for (i, node) in nodes.iter().enumerate() {
+        last = node.apply(values, variables);
+        values[i] = last;
+    }
+    last
+}
+
 impl Node {
-    fn apply(self, values: &[f64], variables: &[f64]) -> f64 {
+    fn apply<T: Number>(self, values: &[T], variables: &[T]) -> T {
         match self {
-            Self::Constant(x) => x,
-            Self::Variable(i) => variables.get(i).copied().unwrap_or(f64::NAN),
-            Self::Negate(a) => -values[a],
-            Self::Unary(f, a) => f.apply(values[a]),
-            Self::Binary(f, a, b) => f.apply(values[a], values[b]),
+            Self::Constant(x) => T::constant(x),
+            Self::Variable(i) => variables.get(i).copied().unwrap_or(T::constant(f64::NAN)),
+            Self::Negate(a) => values[a].negate(),
+            Self::Unary(f, a) => values[a].function(f),
+            Self::Binary(f, a, b) => values[a].operation(f, values[b]),
         }
     }
 

@@ -58,7 +58,7 @@ ray = { from = [0, 0], direction = ["sin(pi/6)", "cos(pi/6)"], domain = "left" }
 curve = { polar = "1+0.2*cos(5*t)" }
 law = { name = "restitution", normal = 0.9, tangential = 0 }
 [[table.boundary]]
-curve = { implicit = "x^2/4+y^2-1", domain = "outside" }
+curve = { implicit = "x^2/4+y^2-1", within = [[-3, -2], [3, 2]], domain = "outside" }
 [[table.boundary]]
 shape = { name = "capsule", from = [0, 0], to = [1, 0], radius = 0.1 }
 [[table.boundary]]
@@ -140,10 +140,15 @@ fn every_kind_of_boundary_entry_is_read() {
     assert_eq!(turn, Turn::CounterClockwise);
     assert_eq!(edges[2].law.as_ref().unwrap().kind, LawKind::Specular);
     assert_eq!(entries[5].law.as_ref().unwrap().kind, LawKind::Restitution { normal: 0.9, tangential: 0.0 });
-    let Border::Curve { curve: Curve::Polar(r), domain: Domain::Inside, .. } = &entries[5].border else { panic!() };
-    assert_eq!(r.evaluate(&[0.0]), 1.2);
-    let Border::Curve { curve: Curve::Implicit(f), domain: Domain::Outside, .. } = &entries[6].border else { panic!() };
-    assert_eq!(f.evaluate(&[2.0, 1.0]), 1.0);
+    let Border::Curve { curve: Curve::Polar { radius, .. }, domain: Domain::Inside, .. } = &entries[5].border else {
+        panic!()
+    };
+    assert_eq!(radius.evaluate(&[0.0]), 1.2);
+    let Border::Curve { curve: Curve::Implicit { function, within }, domain: Domain::Outside, .. } = &entries[6].border
+    else {
+        panic!()
+    };
+    assert_eq!((function.evaluate(&[2.0, 1.0]), within.value), (1.0, [[-3.0, -2.0], [3.0, 2.0]]));
     let Border::Shape { arguments, domain: Domain::Outside, .. } = &entries[7].border else { panic!() };
     assert_eq!((arguments.numbers("to"), arguments.number("radius")), (&[1.0, 0.0][..], 0.1));
     let Starts::Ensemble(ensemble) = &scene.starts else { panic!() };
@@ -250,6 +255,8 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (BOUNDARY, "line_to = [1, -1]", "curve_to = [1, -1]", "7:3: an edge needs \"line_to\" or \"arc_to\""),
         (BOUNDARY, "[1, 0] }\n", "[0, 0] }\n", "17:40: the zero vector has no direction"),
         (BOUNDARY, "1+0.2*cos(5*t)", "1+0.2*cos(5*x)", "21:32: unknown name \"x\""),
+        (BOUNDARY, "[[-3, -2], [3, 2]]", "[[3, -2], [-3, 2]]", "24:46: a box is given by"),
+        (BOUNDARY, "within = [[-3, -2], [3, 2]], ", "", "24:9: curve lacks the key \"within\""),
         (BOUNDARY, "name = \"capsule\", ", "", "26:9: shape lacks the key \"name\""),
         (BOUNDARY, "count = 1e5", "count = 1e13", "30:9: 10000000000000 is not a whole number from 1 to 1e12"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = -1", "31:8: a seed is a whole number"),

@@ -35,13 +35,13 @@ impl Expression {
             slopes.push(slope);
         }
         let root = slopes.pop().unwrap_or_else(|| arena.constant(0.0));
-        Self { nodes: arena.reachable(root), columns: Vec::new() }
+        Self { nodes: arena.reachable([root]).0, columns: Vec::new() }
     }
 }
 
 /// Nodes under construction; equal nodes are stored once.
 #[derive(Debug, Default)]
-struct Arena {
+pub(super) struct Arena {
     nodes: Vec<Node>,
     index: HashMap<Key, usize>,
 }
@@ -229,35 +229,50 @@ impl Arena {
         }
     }
 
-    /// The nodes the root depends on, in order, the root last.
-    fn reachable(&self, root: usize) -> Vec<Node> {
-        let mut needed = vec![false; root + 1];
-        needed[root] = true;
-        for i in (0..=root).rev() {
-            if !needed[i] {
-                continue;
-            }
-            match self.nodes[i] {
-                Node::Constant(_) | Node::Variable(_) => {}
-                Node::Negate(a) | Node::Unary(_, a) => needed[a] = true,
-                Node::Binary(_, a, b) => {
+    /// Takes in the nodes of an expression; the place of its value.
+    pub(super) fn embed(&mut self, expression: &Expression) -> usize {
+        let mut places = Vec::with_capacity(expression.nodes.len());
+        for node in &expression.nodes {
+            places.push(self.push(node.moved(&places)));
+        }
+        places.pop().unwrap_or_else(|| self.constant(0.0))
+    }
+
+    /// The nodes that some roots depend on, in order, and the places of the roots among them.
+    pub(super) fn reachable<const K: usize>(&self, roots: [usize; K]) -> (Vec<Node>, [usize; K]) {
+        let mut needed = vec![false; self.nodes.len()];
+        for root in roots {
+            needed[root] = true;
+        }
+        for (i, node) in self.nodes.iter().enumerate().rev() {
+            match *node {
+                Node::Negate(a) | Node::Unary(_, a) if needed[i] => needed[a] = true,
+                Node::Binary(_, a, b) if needed[i] => {
                     needed[a] = true;
                     needed[b] = true;
                 }
+                _ => {}
             }
         }
-        let mut place = vec![0; root + 1];
+        let mut places = vec![0; self.nodes.len()];
         let mut kept = Vec::new();
-        for i in (0..=root).filter(|&i| needed[i]) {
-            place[i] = kept.len();
-            kept.push(match self.nodes[i] {
-                leaf @ (Node::Constant(_) | Node::Variable(_)) => leaf,
-                Node::Negate(a) => Node::Negate(place[a]),
-                Node::Unary(f, a) => Node::Unary(f, place[a]),
-                Node::Binary(f, a, b) => Node::Binary(f, place[a], place[b]),
-            });
+        for (i, node) in self.nodes.iter().enumerate().filter(|(i, _)| needed[*i]) {
+            places[i] = kept.len();
+            kept.push(node.moved(&places));
         }
-        kept
+        (kept, roots.map(|root| places[root]))
+    }
+}
+
+impl Node {
+    /// The same node with its operands at new places.
+    fn moved(self, places: &[usize]) -> Self {
+        match self {
+            Self::Constant(_) | Self::Variable(_) => self,
+            Self::Negate(a) => Self::Negate(places[a]),
+            Self::Unary(f, a) => Self::Unary(f, places[a]),
+            Self::Binary(f, a, b) => Self::Binary(f, places[a], places[b]),
+        }
     }
 }
 

@@ -70,14 +70,13 @@ pub enum Border {
         /// Direction into the domain.
         normal: Spanned<Vec<f64>>,
     },
-    /// `curve = { polar = "1 + 0.2*cos(5*t)" }` or `curve = { implicit = "x^2/4 + y^2 - 1" }`.
+    /// `curve = { polar = "1 + 0.2*cos(5*t)", center = [0, 0] }` or
+    /// `curve = { implicit = "x^2/4 + y^2 - 1", within = [[-3, -2], [3, 2]] }`.
     Curve {
         /// Its formula.
         curve: Curve,
         /// The formula as written.
         formula: Spanned<String>,
-        /// What the formula calls the origin.
-        center: Spanned<Vec<f64>>,
         /// Where the domain lies.
         domain: Domain,
     },
@@ -157,10 +156,20 @@ pub enum Side {
 /// A smooth closed curve given by a formula.
 #[derive(Clone, Debug)]
 pub enum Curve {
-    /// The distance `r(t) > 0` from the centre in the direction `t`, with period 2π.
-    Polar(Expression),
-    /// The zeros of a function of `x` and `y` that is negative inside.
-    Implicit(Expression),
+    /// The distance `r(t) > 0` from a centre in the direction `t`, with period 2π.
+    Polar {
+        /// `r(t)`.
+        radius: Expression,
+        /// The centre; the origin unless the scene says otherwise.
+        center: Spanned<Vec<f64>>,
+    },
+    /// The zeros of a function that is negative inside.
+    Implicit {
+        /// `f(x, y)`.
+        function: Expression,
+        /// Lower left and upper right corner of a box that contains the curve, not very much larger than it.
+        within: Spanned<[[f64; 2]; 2]>,
+    },
 }
 
 const PLANAR: &[&str] = &["loop", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
@@ -250,17 +259,43 @@ fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -
 }
 
 fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
-    let found = section.one_of(&["polar", "implicit"], problems);
-    let center = section
-        .optional("center")
-        .map_or(Some(Spanned::new(vec![0.0; 2], section.span())), |item| point(item, 2, problems));
     let domain = domain(section, Domain::Inside, problems);
-    let (key, item) = found?;
+    let (curve, formula) = match section.one_of(&["polar", "implicit"], problems)? {
+        ("polar", item) => {
+            let center = section
+                .optional("center")
+                .map_or(Some(Spanned::new(vec![0.0; 2], section.span())), |item| point(item, 2, problems));
+            let (radius, formula) = formula(item, &["t"], problems)?;
+            (Curve::Polar { radius, center: center? }, formula)
+        }
+        (_, item) => {
+            let within = section
+                .required("within", "within = [[-3, -2], [3, 2]], a box that contains the curve")
+                .and_then(|item| corners(item, problems));
+            let (function, formula) = formula(item, &["x", "y"], problems)?;
+            (Curve::Implicit { function, within: within? }, formula)
+        }
+    };
+    Some(Border::Curve { curve, formula, domain: domain? })
+}
+
+fn formula(item: &Item, variables: &[&str], problems: &mut Problems) -> Option<(Expression, Spanned<String>)> {
     let formula = text(item, problems)?;
-    let variables: &[&str] = if key == "polar" { &["t"] } else { &["x", "y"] };
     let expression = crate::document::formula(&formula, variables, problems)?;
-    let curve = if key == "polar" { Curve::Polar(expression) } else { Curve::Implicit(expression) };
-    Some(Border::Curve { curve, formula, center: center?, domain: domain? })
+    Some((expression, formula))
+}
+
+/// Two opposite corners of a box, the lower left one first.
+fn corners(item: &Item, problems: &mut Problems) -> Option<Spanned<[[f64; 2]; 2]>> {
+    let corners: Vec<_> = list(item, "a box", problems)?.iter().map(|item| point(item, 2, problems)).collect();
+    let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
+    match &corners.iter().map(|corner| &corner.value[..]).collect::<Vec<_>>()[..] {
+        [[a, b], [c, d]] if a < c && b < d => Some(Spanned::new([[*a, *b], [*c, *d]], item.span)),
+        _ => {
+            problems.add(item.span, "a box is given by its lower left and its upper right corner");
+            None
+        }
+    }
 }
 
 fn edges(item: &Item, problems: &mut Problems) -> Option<Vec<Edge>> {

@@ -1,0 +1,108 @@
+//! What a formula can be evaluated in: numbers, and intervals that enclose all its values in a box.
+
+use billiards::geometry::shapes::curve::Interval;
+
+use super::{Function, Operation};
+
+/// A kind of number that formulas can be evaluated in.
+pub(super) trait Number: Copy {
+    /// A number of the formula.
+    fn constant(x: f64) -> Self;
+    /// `-x`.
+    fn negate(self) -> Self;
+    /// A function of it.
+    fn function(self, f: Function) -> Self;
+    /// An operation on it and another.
+    fn operation(self, f: Operation, other: Self) -> Self;
+}
+
+impl Number for f64 {
+    fn constant(x: f64) -> Self {
+        x
+    }
+
+    fn negate(self) -> Self {
+        -self
+    }
+
+    fn function(self, f: Function) -> Self {
+        match f {
+            Function::Sqrt => self.sqrt(),
+            Function::Abs => self.abs(),
+            Function::Exp => libm::exp(self),
+            Function::Ln => libm::log(self),
+            Function::Sin => libm::sin(self),
+            Function::Cos => libm::cos(self),
+            Function::Tan => libm::tan(self),
+            Function::Asin => libm::asin(self),
+            Function::Acos => libm::acos(self),
+            Function::Atan => libm::atan(self),
+        }
+    }
+
+    fn operation(self, f: Operation, other: Self) -> Self {
+        match f {
+            Operation::Add => self + other,
+            Operation::Subtract => self - other,
+            Operation::Multiply => self * other,
+            Operation::Divide => self / other,
+            Operation::Power => power(self, other),
+            Operation::Atan2 => libm::atan2(self, other),
+        }
+    }
+}
+
+/// `aᵇ`; squares and cubes, the powers of every conic and cubic, as products.
+fn power(a: f64, b: f64) -> f64 {
+    match b {
+        2.0 => a * a,
+        3.0 => a * a * a,
+        _ => libm::pow(a, b),
+    }
+}
+
+impl Number for Interval {
+    fn constant(x: f64) -> Self {
+        Self::new(x, x)
+    }
+
+    fn negate(self) -> Self {
+        -self
+    }
+
+    fn function(self, f: Function) -> Self {
+        match f {
+            Function::Sqrt => self.sqrt(),
+            Function::Abs => self.abs(),
+            Function::Exp => self.exp(),
+            Function::Ln => self.ln(),
+            Function::Sin => self.sin(),
+            Function::Cos => self.cos(),
+            Function::Tan => self.tan(),
+            Function::Asin => self.asin(),
+            Function::Acos => self.acos(),
+            Function::Atan => self.atan(),
+        }
+    }
+
+    fn operation(self, f: Operation, other: Self) -> Self {
+        match f {
+            Operation::Add => self + other,
+            Operation::Subtract => self - other,
+            Operation::Multiply => self * other,
+            Operation::Divide => self / other,
+            Operation::Power => match whole(other) {
+                Some(n) => self.powi(n),
+                None => self.powf(other),
+            },
+            Operation::Atan2 => self.atan2(other),
+        }
+    }
+}
+
+/// The integer that is the only number in an interval, if there is one.
+fn whole(x: Interval) -> Option<i32> {
+    let single = x.width() == 0.0 && x.low % 1.0 == 0.0 && x.low.abs() <= 1000.0;
+    #[allow(clippy::cast_possible_truncation, reason = "at most a thousand: just checked")]
+    single.then_some(x.low as i32)
+}
