@@ -1,0 +1,116 @@
+//! Orbits of a disk, as the claims see them.
+use billiards::{
+    Angle, Clock, Collision, Collisions, Conserved, Observer, Orbit, Planar, Stop, Timed,
+    collision_laws::{
+        DiskLaw,
+        laws::{NoSlip, Specular},
+    },
+    geometry::Table,
+    laws::Disk,
+};
+use core::ops::ControlFlow;
+
+/// A disk on a table.
+pub(crate) type Billiard = Planar<Disk>;
+
+/// No-slip disks with the given `γ²` on a table.
+pub(crate) fn no_slip<E: core::fmt::Debug>(table: Result<Table, E>, gamma_squared: f64) -> Billiard {
+    with_law(table, &NoSlip, gamma_squared)
+}
+
+/// Smooth disks on a table.
+pub(crate) fn specular<E: core::fmt::Debug>(table: Result<Table, E>) -> Billiard {
+    with_law(table, &Specular, 1.0)
+}
+
+/// The tables of the claims have constant parameters within their ranges.
+fn with_law<E: core::fmt::Debug>(table: Result<Table, E>, law: &impl DiskLaw, gamma_squared: f64) -> Billiard {
+    Planar { table: table.expect("a table with parameters in range"), law: Disk::new(law, libm::sqrt(gamma_squared)) }
+}
+
+/// Where a disk is and how it moves: `(x₀, x₁, x₂)` and its derivative.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct State {
+    pub(crate) x: [f64; 3],
+    pub(crate) v: [f64; 3],
+}
+
+impl State {
+    /// The state with all motion reversed.
+    pub(crate) fn reversed(self) -> State {
+        State { x: self.x, v: self.v.map(|v| -v) }
+    }
+}
+
+/// A collision: when and where, and the state right after it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounce {
+    /// Its number, from 1.
+    pub(crate) n: usize,
+    pub(crate) piece: usize,
+    /// Since the start.
+    pub(crate) time: f64,
+    pub(crate) state: State,
+    /// Unit normal, into the table.
+    pub(crate) normal: [f64; 2],
+}
+
+impl Bounce {
+    /// `v·ν`
+    pub(crate) fn normal_velocity(&self) -> f64 {
+        self.state.v[1] * self.normal[0] + self.state.v[2] * self.normal[1]
+    }
+
+    /// `v·t`, `t = J ν`.
+    pub(crate) fn tangential_velocity(&self) -> f64 {
+        self.state.v[2] * self.normal[0] - self.state.v[1] * self.normal[1]
+    }
+}
+
+/// How the orbit of a state ends: after `most` collisions, or before that because `watch` or the motion says so.
+///
+/// One closure type for all claims: the engine is compiled once.
+pub(crate) fn fly(
+    billiard: &Billiard,
+    start: State,
+    most: usize,
+    watch: &mut dyn FnMut(&Bounce) -> ControlFlow<()>,
+) -> Stop {
+    let State { x, v } = start;
+    let track = (Clock::new(0.0), Angle::new(x[0]));
+    let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([x[1], x[2]], [v[1], v[2]], [v[0]], track);
+    billiard.run(&mut orbit, &Collisions(most as u64), &mut Watch(watch)).stop
+}
+
+/// The first `most` collisions of an orbit, or as many as there are.
+pub(crate) fn bounces(billiard: &Billiard, start: State, most: usize) -> Vec<Bounce> {
+    let mut all = Vec::with_capacity(most);
+    fly(billiard, start, most, &mut |bounce| {
+        all.push(*bounce);
+        ControlFlow::Continue(())
+    });
+    all
+}
+
+struct Watch<'a>(&'a mut dyn FnMut(&Bounce) -> ControlFlow<()>);
+
+impl<K> Observer<2, 1, K, (Clock, Angle)> for Watch<'_> {
+    fn collision(&mut self, c: &Collision<'_, 2, 1, K, (Clock, Angle)>) -> ControlFlow<()> {
+        let o = c.orbit;
+        (self.0)(&Bounce {
+            n: usize::try_from(c.n).unwrap_or(usize::MAX),
+            piece: c.piece(),
+            time: o.track.time(),
+            state: State {
+                x: [o.track.1.0.value(), o.position[0], o.position[1]],
+                v: [o.spin[0], o.velocity[0], o.velocity[1]],
+            },
+            normal: c.hit.unit_normal(),
+        })
+    }
+}
+
+/// `|a − b|`
+pub(crate) fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    libm::sqrt(a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum())
+}
