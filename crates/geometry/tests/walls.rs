@@ -471,6 +471,16 @@ fn lattice_walls_agree_with_all_translates() {
     }
 }
 
+/// One path.
+struct Ask(Line<2>);
+
+impl WithWalls<2> for Ask {
+    type Output = Option<geometry::Hit<2>>;
+    fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
+        walls.hit(&self.0)
+    }
+}
+
 #[test]
 fn rooms_apart_are_one_table() {
     // two unit squares, and a disk in the second one
@@ -481,13 +491,6 @@ fn rooms_apart_are_one_table() {
             .map(move |i| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as Box<dyn geometry::Piece>)
     };
     let table = Table::new(square(0.0).chain(square(2.0)).collect()).unwrap();
-    struct Ask(Line<2>);
-    impl WithWalls<2> for Ask {
-        type Output = Option<geometry::Hit<2>>;
-        fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
-            walls.hit(&self.0)
-        }
-    }
     let hit = table.with_walls(Ask(Line { point: v(2.5, 0.5), velocity: v(-1.0, 0.0) })).unwrap();
     assert_eq!((hit.piece, hit.time, hit.point), (7, 0.5, v(2.0, 0.5)));
     let hit = table.with_walls(Ask(Line { point: v(0.5, 0.5), velocity: v(1.0, 0.0) })).unwrap();
@@ -499,13 +502,6 @@ fn a_hit_at_a_joint_of_the_lattice_is_a_corner() {
     // the cusps of a channel with dispersing walls, where one cell meets the next
     let table = tables::channel(1.0, 1.0, 0.25).unwrap();
     assert_eq!(table.corners().len(), 4);
-    struct Ask(Line<2>);
-    impl WithWalls<2> for Ask {
-        type Output = Option<geometry::Hit<2>>;
-        fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
-            walls.hit(&self.0)
-        }
-    }
     let hit =
         table.with_walls(Ask(Line { point: Vector2::new(0.75, 0.5), velocity: Vector2::new(0.25, -0.5) })).unwrap();
     assert!(hit.corner, "{hit:?}");
