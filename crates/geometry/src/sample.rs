@@ -79,9 +79,9 @@ pub struct Perimeter<'a> {
 pub struct BoundaryPoint {
     /// The number of its piece.
     pub piece: usize,
-    /// Arc length from the start of the piece [L].
+    /// Arc length from the start of the piece \[L\].
     pub arc_length: f64,
-    /// The point [L], on a lattice in the unit cell.
+    /// The point \[L\], on a lattice in the unit cell.
     pub point: Vector2<f64>,
     /// Unit normal there, into the table.
     pub normal: Vector2<f64>,

@@ -4,7 +4,7 @@ use super::{SpatialTable, vertices::positive};
 use crate::{Error, walls::Sphere};
 use nalgebra::Vector3;
 
-/// The ball of the given radius [L] about the origin; one piece. Volume `4π r³/3`, surface `4π r²`.
+/// The ball of the given radius \[L\] about the origin; one piece. Volume `4π r³/3`, surface `4π r²`.
 ///
 /// # Errors
 /// [`Error::Parameter`] unless the radius is positive and finite.

@@ -11,7 +11,7 @@ use nalgebra::Vector2;
 /// 0 lower, 1 upper.
 ///
 /// The arcs rise by `sagitta` into the table (`> 0`: concave walls, dispersing), or recede from it (`< 0`: convex
-/// walls, focusing); all are lengths [L]. Their radius is `(length²/4 + sagitta²)/(2 |sagitta|)`. With 0 the walls are
+/// walls, focusing); all are lengths \[L\]. Their radius is `(length²/4 + sagitta²)/(2 |sagitta|)`. With 0 the walls are
 /// straight.
 ///
 /// # Errors
@@ -46,7 +46,7 @@ pub(super) const ENTRY: Entry = Entry {
     parameters: &[
         Parameter::length("length", 1.0),
         Parameter::length("height", 1.0),
-        Parameter::length("sagitta", 0.125).required(),
+        Parameter::displacement("sagitta", 0.125).required(),
     ],
     build: Build::Planar(|v| channel(v.number("length")?, v.number("height")?, v.number("sagitta")?)),
 };

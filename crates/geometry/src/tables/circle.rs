@@ -4,7 +4,7 @@ use super::vertices::positive;
 use crate::{Error, Table, shapes::Circle};
 use nalgebra::Vector2;
 
-/// The disk of the given radius [L] about the origin; one piece. Area `π r²`, perimeter `2π r`.
+/// The disk of the given radius \[L\] about the origin; one piece. Area `π r²`, perimeter `2π r`.
 ///
 /// Integrable, for the specular and the no-slip law alike.
 ///

@@ -4,7 +4,7 @@ use super::vertices::positive;
 use crate::{Error, Table, shapes::Ellipse};
 use nalgebra::Vector2;
 
-/// The ellipse `x₁²/a² + x₂²/b² < 1` with semi-axes `[a, b]` [L]; one piece. Area `π a b`, perimeter `4 a E(e)`, a
+/// The ellipse `x₁²/a² + x₂²/b² < 1` with semi-axes `[a, b]` \[L\]; one piece. Area `π a b`, perimeter `4 a E(e)`, a
 /// complete elliptic integral.
 ///
 /// Integrable with specular reflections: the product of the angular momenta about the two foci is conserved.

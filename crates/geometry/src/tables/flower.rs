@@ -5,7 +5,7 @@ use crate::{Error, Outline, Table, shapes::Arc};
 use nalgebra::Vector2;
 
 /// The flower: a regular `n`-gon about the origin with sides of length `a` replaced by arcs of radius `ρ ≥ a/2` that
-/// bulge outwards [L], at most half circles; piece 0 is on the right, then counter-clockwise.
+/// bulge outwards \[L\], at most half circles; piece 0 is on the right, then counter-clockwise.
 ///
 /// The petals' centres lie `a/(2 tan(π/n)) − √(ρ² − a²/4)` from the origin. With `n = 4` and `a = 2` the corners are
 /// `(±1, ±1)`. With specular reflections ergodic where the petals' circles lie inside ([Bunimovich 1979]).

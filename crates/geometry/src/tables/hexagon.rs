@@ -3,7 +3,7 @@ use super::registry::{Build, Entry, Parameter};
 use super::{polygon, vertices::positive};
 use crate::{Error, Table};
 
-/// The regular hexagon of side `a` [L] about the origin, vertex 0 at `(a, 0)`; piece i starts at vertex i. Area
+/// The regular hexagon of side `a` \[L\] about the origin, vertex 0 at `(a, 0)`; piece i starts at vertex i. Area
 /// `3√3 a²/2`, perimeter `6 a`.
 ///
 /// # Errors

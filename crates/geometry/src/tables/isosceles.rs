@@ -4,7 +4,7 @@ use super::vertices::{positive, sides};
 use crate::{Error, Table};
 use nalgebra::Vector2;
 
-/// The triangle `(−b/2, 0), (b/2, 0), (0, h)` with base `b` and height `h` [L]; pieces: 0 base, then
+/// The triangle `(−b/2, 0), (b/2, 0), (0, h)` with base `b` and height `h` \[L\]; pieces: 0 base, then
 /// counter-clockwise. Area `b h/2`, perimeter `b + √(b² + 4 h²)`.
 ///
 /// # Errors

@@ -5,7 +5,7 @@ use crate::{Error, Lattice, Table, shapes::Circle};
 use nalgebra::Vector2;
 
 /// The plane without disks of radius `r` about the points of the hexagonal lattice `a (1, 0)`, `a (1/2, √3/2)` with
-/// spacing `a` [L], the origin among them; one piece. Area of a cell `√3 a²/2 − π r²`, perimeter `2π r`.
+/// spacing `a` \[L\], the origin among them; one piece. Area of a cell `√3 a²/2 − π r²`, perimeter `2π r`.
 ///
 /// The horizon is finite (no free flight is longer than some bound) where `r ≥ √3 a/4`. References: [Lorentz 1905],
 /// [Bunimovich–Sinai 1981].

@@ -5,7 +5,7 @@ use crate::{Error, Outline, Table, shapes::Arc};
 use nalgebra::Vector2;
 
 /// The mushroom: the upper half of the disk of radius `r` about the origin on a stem of width `w < 2 r` and height `h`
-/// [L]; pieces: 0 stem bottom, 1 stem right, 2 cap floor right, 3 cap, 4 cap floor left, 5 stem left. Area
+/// \[L\]; pieces: 0 stem bottom, 1 stem right, 2 cap floor right, 3 cap, 4 cap floor left, 5 stem left. Area
 /// `π r²/2 + w h`, perimeter `(π + 2) r + 2 h`.
 ///
 /// With specular reflections an integrable island, the orbits that never leave the cap, beside one ergodic component

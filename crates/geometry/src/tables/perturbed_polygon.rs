@@ -3,7 +3,7 @@ use super::registry::{Build, Entry, Parameter};
 use super::vertices::{number_of, on_circumcircle, positive, root_of_unity, within};
 use crate::{Error, Piece, Table, shapes::Bump};
 
-/// The regular polygon with `n` sides of length `a` [L] about the origin, every side bent by a C² bump of height
+/// The regular polygon with `n` sides of length `a` \[L\] about the origin, every side bent by a C² bump of height
 /// `amount · a`: outwards where `amount > 0`, into the table where it is negative; piece i starts at vertex i, vertex 0
 /// on the +x₁ axis. Area `n a² (1/(4 tan(π/n)) + 16/35 amount)`.
 ///

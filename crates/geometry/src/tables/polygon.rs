@@ -3,7 +3,7 @@ use super::registry::{Build, Entry, Parameter};
 use super::vertices::{number_of, on_circumcircle, positive, sides};
 use crate::{Error, Table};
 
-/// The regular polygon with `n` sides of length `a` [L] about the origin, vertex 0 on the +x₁ axis; piece i starts at
+/// The regular polygon with `n` sides of length `a` \[L\] about the origin, vertex 0 on the +x₁ axis; piece i starts at
 /// vertex i. Area `n a²/(4 tan(π/n))`, perimeter `n a`.
 ///
 /// # Errors

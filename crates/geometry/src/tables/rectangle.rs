@@ -11,7 +11,7 @@ pub(super) fn corners([width, height]: [f64; 2]) -> Result<[Vector2<f64>; 4], Er
     Ok([[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(Vector2::from))
 }
 
-/// The rectangle `0 < xᵢ < sizeᵢ` [L]; pieces: 0 bottom, then counter-clockwise. Area `a b`, perimeter `2 (a + b)`.
+/// The rectangle `0 < xᵢ < sizeᵢ` \[L\]; pieces: 0 bottom, then counter-clockwise. Area `a b`, perimeter `2 (a + b)`.
 ///
 /// # Errors
 /// [`Error::Parameter`] unless the sizes are positive and finite.

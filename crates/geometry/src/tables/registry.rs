@@ -43,17 +43,19 @@ pub struct Parameter {
 /// What a parameter measures: its form, and how it scales with the table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A length [L].
+    /// A positive length \[L\].
     Length,
+    /// A length with a sign \[L\].
+    Displacement,
     /// An angle in radians.
     Angle,
     /// A pure number.
     Number,
     /// A whole number.
     Count,
-    /// A list of so many lengths [L].
+    /// A list of so many lengths \[L\].
     Lengths(usize),
-    /// A list of so many points of the plane [L].
+    /// A list of so many points of the plane \[L\].
     Points(usize),
 }
 
@@ -78,6 +80,9 @@ impl Parameter {
     }
     pub(super) const fn length(name: &'static str, default: f64) -> Parameter {
         Parameter::optional(name, Kind::Length, Value::Number(default))
+    }
+    pub(super) const fn displacement(name: &'static str, default: f64) -> Parameter {
+        Parameter::optional(name, Kind::Displacement, Value::Number(default))
     }
     pub(super) const fn angle(name: &'static str, default: f64) -> Parameter {
         Parameter::optional(name, Kind::Angle, Value::Number(default))
@@ -105,7 +110,9 @@ impl Parameter {
         let Parameter { name, kind, .. } = *self;
         let form = |must: &'static str| Error::Form { name, must, found: value.describe() };
         let numbers: &[f64] = match (kind, value) {
-            (Kind::Length | Kind::Angle | Kind::Number | Kind::Count, Value::Number(x)) => core::slice::from_ref(x),
+            (Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number | Kind::Count, Value::Number(x)) => {
+                core::slice::from_ref(x)
+            }
             (Kind::Lengths(n), Value::List(list)) if list.len() == n => list,
             (Kind::Points(n), Value::Points(points)) if points.len() == n => points.as_flattened(),
             (kind, _) => return Err(form(kind.form())),
@@ -121,7 +128,7 @@ impl Kind {
     /// What a value of this kind looks like.
     pub fn form(self) -> &'static str {
         match self {
-            Kind::Length | Kind::Angle | Kind::Number => "a number",
+            Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number => "a number",
             Kind::Count => "a whole number",
             Kind::Lengths(2) => "a list of two numbers",
             Kind::Lengths(_) => "a list of three numbers",
@@ -131,7 +138,7 @@ impl Kind {
 
     /// Whether values of this kind scale with the table.
     pub fn is_length(self) -> bool {
-        matches!(self, Kind::Length | Kind::Lengths(_) | Kind::Points(_))
+        matches!(self, Kind::Length | Kind::Displacement | Kind::Lengths(_) | Kind::Points(_))
     }
 }
 

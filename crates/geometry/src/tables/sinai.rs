@@ -5,7 +5,7 @@ use super::vertices::{positive, sides, within};
 use crate::{Error, Table, shapes::Circle};
 use nalgebra::Vector2;
 
-/// The square `0 < x₁, x₂ < side` without the disk of the given radius in its middle [L]; pieces: 0 bottom, then
+/// The square `0 < x₁, x₂ < side` without the disk of the given radius in its middle \[L\]; pieces: 0 bottom, then
 /// counter-clockwise, 4 the disk. Area `a² − π r²`, perimeter `4 a + 2π r`.
 ///
 /// Dispersing; ergodic and mixing with specular reflections ([Sinai 1970]).

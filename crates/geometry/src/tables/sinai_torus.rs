@@ -4,7 +4,7 @@ use super::vertices::{positive, within};
 use crate::{Error, Lattice, Table, shapes::Circle};
 use nalgebra::Vector2;
 
-/// The flat torus with unit cell `[0, side)²` without the disk of the given radius about its middle [L]; one piece.
+/// The flat torus with unit cell `[0, side)²` without the disk of the given radius about its middle \[L\]; one piece.
 /// Area of a cell `a² − π r²`, perimeter `2π r`.
 ///
 /// The periodic Lorentz gas on the square lattice. Dispersing; ergodic and mixing with specular reflections

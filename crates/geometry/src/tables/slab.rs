@@ -3,7 +3,7 @@ use super::registry::{Build, Entry, Parameter};
 use super::{SpatialTable, vertices::positive};
 use crate::{Error, walls::Slab};
 
-/// The slab `0 < x₃ < height` [L]; pieces: 0 floor, 1 ceiling. Volume and surface are infinite.
+/// The slab `0 < x₃ < height` \[L\]; pieces: 0 floor, 1 ceiling. Volume and surface are infinite.
 ///
 /// A no-slip ball in it stays within a bounded part, unless it moves parallel to the planes.
 ///

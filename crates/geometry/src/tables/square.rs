@@ -3,7 +3,7 @@ use super::registry::{Build, Entry, Parameter};
 use super::{rectangle, vertices::positive};
 use crate::{Error, Table};
 
-/// The square `0 < x₁, x₂ < side` [L]; pieces: 0 bottom, then counter-clockwise. Area `a²`, perimeter `4 a`.
+/// The square `0 < x₁, x₂ < side` \[L\]; pieces: 0 bottom, then counter-clockwise. Area `a²`, perimeter `4 a`.
 ///
 /// # Errors
 /// [`Error::Parameter`] unless the side is positive and finite.

@@ -4,7 +4,7 @@ use super::vertices::positive;
 use crate::{Error, Outline, Table, shapes::Arc};
 use nalgebra::Vector2;
 
-/// The stadium: all points within `r` of the segment from `(−h, 0)` to `(h, 0)` [L]; pieces: 0 bottom side, 1 right
+/// The stadium: all points within `r` of the segment from `(−h, 0)` to `(h, 0)` \[L\]; pieces: 0 bottom side, 1 right
 /// cap, 2 top side, 3 left cap. Area `4 h r + π r²`, perimeter `4 h + 2π r`.
 ///
 /// Ergodic and hyperbolic with specular reflections ([Bunimovich 1979]); not ergodic without slip.

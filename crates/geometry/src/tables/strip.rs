@@ -4,7 +4,7 @@ use super::vertices::positive;
 use crate::{Error, Piece, Table, shapes::FullLine};
 use nalgebra::Vector2;
 
-/// The strip `0 < x₂ < width` [L]; pieces: 0 lower, 1 upper. Infinite.
+/// The strip `0 < x₂ < width` \[L\]; pieces: 0 lower, 1 upper. Infinite.
 ///
 /// Every no-slip orbit that is not parallel to it stays within a bounded part of it ([Broomhead–Gutkin 1993]).
 ///
