@@ -5,6 +5,9 @@
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
+use billiards_cli::commands::collide;
+use billiards_cli::document::Source;
+use proptest::prelude::*;
 use serde_json::{Value, json};
 
 /// The files give 45 digits; the numbers in a case are of order 1 to 2²⁰, so 1e-12 leaves a factor of 1e3 over rounding.
@@ -48,7 +51,7 @@ fn folder(name: &str) -> PathBuf {
 }
 
 /// Exit status, standard output and standard error of `billiards collide`.
-fn collide(file: &Path, arguments: &[&str]) -> (i32, String, String) {
+fn execute(file: &Path, arguments: &[&str]) -> (i32, String, String) {
     let output = Command::cargo_bin("billiards").unwrap().arg("collide").arg(file).args(arguments).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
@@ -58,7 +61,7 @@ fn collide_text(name: &str, text: &str, arguments: &[&str]) -> (i32, String, Str
     let folder = folder(name);
     let file = folder.join("contact.toml");
     std::fs::write(&file, text).unwrap();
-    let done = collide(&file, arguments);
+    let done = execute(&file, arguments);
     std::fs::remove_dir_all(folder).unwrap();
     done
 }
@@ -95,7 +98,7 @@ fn matches_every_certified_number(dimension: usize, expected_count: usize) {
             contact["rough"] = result["rough"].clone();
             let file = folder.join("contact.json");
             std::fs::write(&file, contact.to_string()).unwrap();
-            let (status, out, err) = collide(&file, &["--json"]);
+            let (status, out, err) = execute(&file, &["--json"]);
             assert_eq!(status, 0, "{err}");
             let found: Value = serde_json::from_str(&out).unwrap();
             assert_eq!((&found["k"], &found["strict"]), (&result["k"], &json!(true)), "{}", case["id"]);
@@ -211,6 +214,14 @@ fn each_mistake_has_status_2_and_its_own_message() {
         ("many", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [0, 1, 0], [1, 1, 0]]", "3 rough directions are too many"),
         ("dependent", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "3:21: error: rough direction 1 depends"),
         ("along", SPATIAL, "[[1, 0, 0]]", "[[0, 0, 2]]", "3:10: error: rough direction 0 is along the normal"),
+        ("thin", TOML, "mass = 1,", "mass = 1e150,", "6:10: error: the inverse contact mass is singular"),
+        (
+            "huge",
+            TOML,
+            "mass = 1, position = [0, 1], inertia = \"1/2\" }, { mass = \"inf\" }]\npre = [{ v = [0, -1]",
+            "mass = 1e10, position = [0, 1], inertia = 1e10 }, { mass = \"inf\" }]\npre = [{ v = [0, -1e150]",
+            "6:10: error: masses, lengths and speeds",
+        ),
         (
             "pair",
             SPATIAL,
@@ -247,12 +258,45 @@ fn a_spin_that_is_not_skew_is_refused() {
 
 #[test]
 fn a_file_that_is_missing_or_not_text_has_status_2() {
-    let (status, _, err) = collide(Path::new("no/such/file.toml"), &[]);
+    let (status, _, err) = execute(Path::new("no/such/file.toml"), &[]);
     assert!(status == 2 && err.contains("no/such/file.toml: error: cannot read it"), "{err}");
     let folder = folder("bytes");
     let file = folder.join("contact.toml");
     std::fs::write(&file, b"dim = 2\n\xff").unwrap();
-    let (status, _, err) = collide(&file, &[]);
+    let (status, _, err) = execute(&file, &[]);
     assert!(status == 2 && err.contains(":2:1: error: the byte 0xFF is not UTF-8"), "{err}");
     std::fs::remove_dir_all(folder).unwrap();
+}
+
+proptest! {
+    #[test]
+    fn no_mutation_of_a_contact_file_makes_the_command_panic(
+        which in 0..3usize,
+        changes in proptest::collection::vec(
+            (any::<usize>(), 0..8usize, prop_oneof![
+                any::<String>(),
+                proptest::sample::select(vec!["nan", "\"inf\"", "1e150", "-1e-150", "0", "[]", "{}", "2", "3", "\"1/0\"", "null", ","])
+                    .prop_map(String::from),
+            ]),
+            1..4,
+        ),
+    ) {
+        let json = r#"{"dim": 2, "law": "specular", "contact_point": [0, 0], "normal": [0, 1],
+            "bodies": [{"mass": 1, "position": [0, 1], "S": [[1, 0], [0, 1]]}, {"mass": "inf"}],
+            "pre": [{"v": [0, -1], "w": 0}, {"v": [0, 0], "w": 0}]}"#;
+        let mut bytes = [TOML, SPATIAL, json][which].as_bytes().to_vec();
+        for (at, length, new) in &changes {
+            let at = at % (bytes.len() + 1);
+            bytes.splice(at..(at + length).min(bytes.len()), new.bytes());
+        }
+        if let Ok(source) = Source::from_bytes("x", &bytes) {
+            for as_json in [false, true] {
+                let mut out = Vec::new();
+                if let Err(failure) = collide::run(&source, as_json, &mut out) {
+                    prop_assert_eq!((failure.status(), out.len()), (2, 0));
+                    prop_assert!(!failure.to_string().is_empty());
+                }
+            }
+        }
+    }
 }

@@ -106,7 +106,8 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
     let collision = match pair.try_collide(&law, &before) {
         Ok(collision) => collision,
         Err(error) => {
-            let span = if error == Error::BothFixed { file.bodies.span } else { file.before.span };
+            let moving = matches!(error, Error::NotApproaching { .. });
+            let span = if moving { file.before.span } else { file.bodies.span };
             let diagnostic = file.source.diagnostic(span, error.to_string());
             return Err(vec![match error {
                 Error::NotApproaching { .. } => {
@@ -118,7 +119,7 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
     };
     let report = check::law(&pair, &law, Samples::default());
     let named = |(axiom, defect): (Axiom, f64)| (axiom.to_string(), defect);
-    Ok(Outcome {
+    let outcome = Outcome {
         dimension: N,
         law: (name, rank),
         fixed: [pair.first.is_none(), pair.second.is_none()],
@@ -126,7 +127,12 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
         states: [state(&pair, &before), state(&pair, &collision.velocities)],
         defects: Axiom::ALL.into_iter().filter_map(|axiom| Some((axiom, report.defect(axiom)?))).map(named).collect(),
         broken: report.broken(check::TOLERANCE).map(named).collect(),
-    })
+    };
+    if outcome.is_finite() {
+        return Ok(outcome);
+    }
+    let what = "masses, lengths and speeds are of so different sizes that the result is not a finite number";
+    Err(vec![file.source.diagnostic(file.bodies.span, what)])
 }
 
 fn kept<T>(found: Result<T, Fault>, problems: &mut Problems) -> Option<T> {
@@ -231,6 +237,17 @@ fn state<const N: usize>(pair: &Pair<Free<N>, Free<N>, N>, velocities: &(Twist<N
 }
 
 impl Outcome {
+    fn is_finite(&self) -> bool {
+        let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
+        finite(&self.impulse)
+            && self.states.iter().all(|state| {
+                let State { motions, contact_velocity, normal_velocity, energy, momentum, angular_momentum } = state;
+                motions.iter().all(|(v, w)| finite(v) && finite(w))
+                    && [contact_velocity, momentum, angular_momentum].iter().all(|numbers| finite(numbers))
+                    && finite(&[*normal_velocity, *energy])
+            })
+    }
+
     /// The outcome as JSON: `impulse_on_body_1`, `u_minus`, `u_plus`, `post`, `energy_before`, `energy_after`, and more.
     pub fn to_json(&self) -> Value {
         let [before, after] = &self.states;

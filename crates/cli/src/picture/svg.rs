@@ -178,7 +178,7 @@ impl Svg {
         self.path(&outline, Style::line(colour, diameter).with_opacity(opacity));
     }
 
-    /// Writes text; `content` may hold markup , so plain text needs escaping.
+    /// Writes text; `content` may hold markup, so plain text needs escaping.
     pub fn text(&mut self, [x, y]: [f64; 2], size: f64, anchor: Anchor, content: &str) {
         let anchor = match anchor {
             Anchor::Start => "start",
