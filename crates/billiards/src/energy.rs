@@ -16,6 +16,8 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     fn arrive(&self, velocity: &mut [F; N]);
     /// Sees the velocity and the spin that leave it.
     fn leave(&mut self, velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
+    /// Takes over the lanes of another keeper where `mask` is true.
+    fn replace(&mut self, mask: F::Mask, by: &Self);
 }
 
 /// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
@@ -28,6 +30,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     fn arrive(&self, _: &mut [F; N]) {}
     #[inline(always)]
     fn leave(&mut self, _: &[F; N], _: &[F; S], _: &WallHit<F, N>) {}
+    fn replace(&mut self, _: F::Mask, (): &Self) {}
 }
 
 /// The energy of the start, kept.
@@ -100,5 +103,15 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         }
         let (high, low) = precise_square(self.grid, velocity, spin);
         self.missing = (self.high - high) + (self.low - low);
+    }
+    fn replace(&mut self, mask: F::Mask, by: &Self) {
+        self.grid = mask.select(by.grid, self.grid);
+        self.high = mask.select(by.high, self.high);
+        self.low = mask.select(by.low, self.low);
+        self.grazing = mask.select(by.grazing, self.grazing);
+        self.missing = mask.select(by.missing, self.missing);
+        for i in 0..N {
+            self.correction[i] = mask.select(by.correction[i], self.correction[i]);
+        }
     }
 }

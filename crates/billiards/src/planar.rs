@@ -5,8 +5,10 @@ use crate::{
     observe::Observer,
     orbit::Orbit,
     run::{Limit, Outcome, run},
+    side_by_side::{Finished, Keeping, Start, Tracking, run_side_by_side},
     track::Track,
 };
+use core::marker::PhantomData;
 use geometry::{Table, Walls, WithWalls};
 
 /// A table and a disk's law. The centre of the disk moves in the table as a point.
@@ -40,6 +42,39 @@ impl<L: BallLaw<2, 1>> Planar<L> {
         O: Observer<2, 1, K, T>,
     {
         self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
+    }
+}
+
+impl<L: BallLaw<2, 1>> Planar<L> {
+    /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
+    pub fn run_side_by_side<P: Keeping<2, 1>, Q: Tracking<2, 1>>(
+        &self,
+        starts: &mut dyn Iterator<Item = Start<2, 1>>,
+        collisions: u64,
+        finished: &mut dyn FnMut(Finished<2, 1, Q::One>),
+    ) {
+        self.table.with_walls(ManyOn::<P, Q, _> { law: &self.law, starts, collisions, finished, keeping: PhantomData });
+    }
+}
+
+struct ManyOn<'a, P, Q: Tracking<2, 1>, L> {
+    law: &'a L,
+    starts: &'a mut dyn Iterator<Item = Start<2, 1>>,
+    collisions: u64,
+    finished: &'a mut dyn FnMut(Finished<2, 1, Q::One>),
+    keeping: PhantomData<P>,
+}
+
+impl<P, Q, L> WithWalls<2> for ManyOn<'_, P, Q, L>
+where
+    P: Keeping<2, 1>,
+    Q: Tracking<2, 1>,
+    L: BallLaw<2, 1>,
+{
+    type Output = ();
+    fn run<W: Walls<2>>(self, walls: &W) {
+        let billiard = Billiard { walls, law: self.law };
+        run_side_by_side::<P, Q, _, _, 2, 1>(&billiard, self.starts, self.collisions, self.finished);
     }
 }
 

@@ -98,10 +98,10 @@ impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
 }
 
 /// So many flights of no length in a row are no motion: two curves that touch can hold a particle for ever.
-const MOST_IDLE: u32 = 64;
+pub(crate) const MOST_IDLE: u32 = 64;
 
 /// A normal speed below this fraction of the speed cannot be told from rounding.
-const GRAZING: f64 = f64::EPSILON;
+pub(crate) const GRAZING: f64 = f64::EPSILON;
 
 /// Runs an orbit from collision to collision until the limit, an observer or physics ends it.
 pub fn run<W, L, const N: usize, const S: usize, K, T, O>(

@@ -1,6 +1,6 @@
 //! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
 use geometry::{Lattice, Vector2, WallHit};
-use lanes::{Double, Lane};
+use lanes::{Double, Lane, Mask};
 use std::sync::Arc;
 
 /// Something that each flight from one collision to the next adds to.
@@ -8,6 +8,40 @@ pub trait Track<F: Lane, const N: usize, const S: usize> {
     /// A flight with this velocity and spin from `from` to the hit.
     fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
 }
+
+/// A track in lanes: each lane can be taken out and put in.
+pub trait LaneTrack<F: Lane>: Clone {
+    /// The track of a single orbit.
+    type One: Clone;
+    /// The track of one lane.
+    fn one(&self, lane: usize) -> Self::One;
+    /// The same track in every lane, as many as `zero` has.
+    fn all(one: &Self::One, zero: F) -> Self;
+    /// Takes over the lanes of another track where `mask` is true.
+    fn replace(&mut self, mask: F::Mask, by: &Self);
+}
+
+impl<F: Lane> LaneTrack<F> for () {
+    type One = ();
+    fn one(&self, _: usize) {}
+    fn all((): &(), _: F) {}
+    fn replace(&mut self, _: F::Mask, (): &()) {}
+}
+
+impl<F: Lane> LaneTrack<F> for Clock<F> {
+    type One = Clock;
+    fn one(&self, lane: usize) -> Clock {
+        Clock(Double { high: self.0.high.lane(lane), low: self.0.low.lane(lane) })
+    }
+    fn all(one: &Clock, zero: F) -> Self {
+        Clock(Double { high: zero.same(one.0.high), low: zero.same(one.0.low) })
+    }
+    fn replace(&mut self, mask: F::Mask, by: &Self) {
+        self.0.high = mask.select(by.0.high, self.0.high);
+        self.0.low = mask.select(by.0.low, self.0.low);
+    }
+}
+
 
 /// A track that knows the time.
 pub trait Timed<F: Lane> {

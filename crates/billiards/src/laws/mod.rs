@@ -1,9 +1,11 @@
 //! Collision laws as the engine's loop applies them to a ball, one per file.
+mod custom;
 mod disk;
 mod per_piece;
 mod rough_ball;
 mod specular;
 
+pub use custom::Custom;
 pub use disk::Disk;
 pub use per_piece::PerPiece;
 pub use rough_ball::RoughBall;

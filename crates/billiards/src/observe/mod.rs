@@ -1,4 +1,31 @@
 //! Measurements: one per file. The engine calls, an observer looks and may stop the run.
+mod density;
+mod energy_drift;
+mod first_return;
+mod flight;
+mod free_path;
+mod invariant;
+mod nearest;
+mod period;
+mod record;
+mod reduced_portrait;
+mod survival;
+mod velocity_portrait;
+mod watch;
+
+pub use density::Density;
+pub use energy_drift::EnergyDrift;
+pub use first_return::{Entry, FirstReturn};
+pub use free_path::{FreePath, Mean};
+pub use invariant::Invariant;
+pub use nearest::Nearest;
+pub use period::{Period, Return};
+pub use record::{PlanarRow, Record, SpatialRow};
+pub use reduced_portrait::ReducedPortrait;
+pub use survival::Survival;
+pub use velocity_portrait::VelocityPortrait;
+pub use watch::Watch;
+
 use crate::run::Collision;
 use core::ops::ControlFlow;
 

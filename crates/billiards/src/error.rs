@@ -1,0 +1,54 @@
+//! What can be wrong with what a user asks for.
+use crate::Stop;
+use thiserror::Error;
+
+/// Why something cannot be built or computed.
+#[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    /// Something wrong with the table.
+    #[error(transparent)]
+    Table(#[from] geometry::Error),
+    /// Something wrong with the law or the body.
+    #[error(transparent)]
+    Law(#[from] collision_laws::Error),
+    /// A radius that is negative or not finite.
+    #[error("the radius of the ball must be finite and not negative, not {radius}")]
+    Radius {
+        /// The radius given.
+        radius: f64,
+    },
+    /// A speed that is not positive and finite.
+    #[error("the speed must be positive and finite, not {speed}")]
+    Speed {
+        /// The speed given.
+        speed: f64,
+    },
+    /// A piece that the table does not have.
+    #[error("the table has no piece {piece}; its pieces are 0 to {}", pieces - 1)]
+    Piece {
+        /// The number given.
+        piece: usize,
+        /// How many there are.
+        pieces: usize,
+    },
+    /// Tangential velocities that leave nothing for the normal one.
+    #[error("(v0, v·t) = ({v0}, {vt}) does not lie inside the disk of radius {speed}, the speed: nothing is left to leave the wall with")]
+    Tangential {
+        /// Scaled spin.
+        v0: f64,
+        /// Tangential velocity.
+        vt: f64,
+        /// Speed, spin included.
+        speed: f64,
+    },
+    /// A step of the billiard map that ends before the next collision.
+    #[error("the orbit ends before the next collision: {}", stop.name())]
+    Ended {
+        /// Why.
+        stop: Stop,
+    },
+    /// A grid without cells.
+    #[error("a grid needs at least one cell in each direction, and fewer than 2^63 in all")]
+    Grid,
+}

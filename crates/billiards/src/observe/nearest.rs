@@ -1,0 +1,56 @@
+//! How near the flights of an orbit come to a point: the radius of a caustic.
+use super::{Observer, flight::Flight};
+use crate::{merge::Merge, orbit::Orbit, run::Collision};
+use core::ops::ControlFlow;
+
+/// The smallest distance [L] between the path of the centre and a point.
+///
+/// In a circle the flights of one orbit touch one concentric circle (specular) or alternately two (no-slip), their
+/// caustics: about the centre this is the radius of the smaller one.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest<const N: usize, const S: usize> {
+    point: [f64; N],
+    flight: Flight<N, S>,
+    square: f64,
+}
+
+impl<const N: usize, const S: usize> Nearest<N, S> {
+    /// How near the flights come to `point`, the first of which begins where `orbit` is.
+    pub fn to<K, T>(point: [f64; N], orbit: &Orbit<f64, N, S, K, T>) -> Self {
+        Nearest { point, flight: Flight::from(orbit), square: f64::INFINITY }
+    }
+
+    /// Goes on with another orbit, from where that is now.
+    pub fn follow<K, T>(&mut self, orbit: &Orbit<f64, N, S, K, T>) {
+        self.flight = Flight::from(orbit);
+    }
+
+    /// The smallest distance so far; infinite before the first collision.
+    pub fn distance(&self) -> f64 {
+        self.square.sqrt()
+    }
+}
+
+impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for Nearest<N, S> {
+    #[inline]
+    fn collision(&mut self, c: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
+        let v = &self.flight.velocity;
+        // going back from the hit along −v for a time τ, at most that of the flight
+        let (mut ahead, mut square) = (0.0, 0.0);
+        for i in 0..N {
+            ahead += (c.hit.point[i] - self.point[i]) * v[i];
+            square += v[i] * v[i];
+        }
+        let back = if square > 0.0 { (ahead / square).clamp(0.0, c.hit.time) } else { 0.0 };
+        let distance = |i: usize| c.hit.point[i] - self.point[i] - back * v[i];
+        self.square = self.square.min((0..N).map(|i| distance(i) * distance(i)).sum());
+        self.flight = Flight::from(c.orbit);
+        ControlFlow::Continue(())
+    }
+}
+
+impl<const N: usize, const S: usize> Merge for Nearest<N, S> {
+    fn merge(self, other: Self) -> Self {
+        Nearest { square: self.square.min(other.square), ..self }
+    }
+}

@@ -1,0 +1,174 @@
+//! The reduced phase space of a planar table, and the billiard map on it, both ways.
+use crate::{
+    Error,
+    billiard::BallLaw,
+    energy::EnergyKeeper,
+    observe::ReducedPortrait,
+    orbit::{Orbit, square_speed},
+    planar::Planar,
+    reverse::reverse,
+    run::Collisions,
+    track::Track,
+};
+use geometry::{Landing, Table, Vector2, WallHit};
+
+/// A point of the boundary with the velocities right after a collision there, whatever the angle of the disk.
+///
+/// The reduced phase space is the solid torus (boundary) × (disk `v₀² + vₜ² < speed²`); the normal velocity is what the
+/// speed leaves, `vₙ = √(speed² − v₀² − vₜ²)`. In `(s, v₀, vₜ)` at unit speed the canonical measure is Lebesgue measure, and
+/// the billiard map of every strict law preserves it. Reference: Cox and Feres, *No-slip billiards in dimension two*, §1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReducedState {
+    /// Number of the piece.
+    pub piece: usize,
+    /// Arc length along the piece [L], with the table on the left.
+    pub s: f64,
+    /// Scaled spin `v₀ = γ R θ̇` [L T⁻¹].
+    pub v0: f64,
+    /// Tangential velocity `vₜ = v·t`, `t = J ν` [L T⁻¹].
+    pub vt: f64,
+    /// The length of `(v₀, v)` [L T⁻¹], which strict laws conserve.
+    pub speed: f64,
+}
+
+impl ReducedState {
+    /// The state of an orbit right after the collision at `hit`.
+    pub fn after<K, T>(table: &Table, hit: &WallHit<f64, 2>, orbit: &Orbit<f64, 2, 1, K, T>) -> ReducedState {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+        let piece = hit.piece as usize;
+        let ([n1, n2], [v1, v2]) = (hit.unit_normal(), orbit.velocity);
+        ReducedState {
+            piece,
+            s: arc_length(table, piece, hit.point.into()),
+            v0: orbit.spin[0],
+            vt: v2 * n1 - v1 * n2,
+            speed: square_speed(&orbit.velocity, &orbit.spin).sqrt(),
+        }
+    }
+
+    /// The same at unit speed: the point of the paper's solid torus.
+    #[must_use]
+    pub fn at_unit_speed(self) -> ReducedState {
+        ReducedState { v0: self.v0 / self.speed, vt: self.vt / self.speed, speed: 1.0, ..self }
+    }
+
+    /// Arc length from the start of piece 0, all pieces laid end to end, then `v₀` and `vₜ`.
+    pub fn coordinates(&self, table: &Table) -> [f64; 3] {
+        let before: f64 = table.pieces().iter().take(self.piece).map(|piece| piece.length()).sum();
+        [before + self.s, self.v0, self.vt]
+    }
+
+    /// The orbit that starts in this state.
+    ///
+    /// # Errors
+    /// [`Error::Piece`] if the table has no such piece, [`Error::Tangential`] unless `v₀² + vₜ² < speed²`.
+    pub fn orbit<K, T>(&self, table: &Table, track: T) -> Result<Orbit<f64, 2, 1, K, T>, Error>
+    where
+        K: EnergyKeeper<f64, 2, 1>,
+        T: Track<f64, 2, 1>,
+    {
+        let Landing { point, normal } = self.landing(table)?;
+        let &ReducedState { v0, vt, speed, .. } = self;
+        let tangential = libm::hypot(v0, vt);
+        if !(tangential < speed && speed.is_finite()) {
+            return Err(Error::Tangential { v0, vt, speed });
+        }
+        let vn = ((speed - tangential) * (speed + tangential)).sqrt();
+        let velocity = normal * vn + Vector2::new(-normal.y, normal.x) * vt;
+        Ok(Orbit::new(point.into(), velocity.into(), [v0], track))
+    }
+
+    /// The point of the boundary and the normal there; on a lattice in the unit cell.
+    fn landing(&self, table: &Table) -> Result<Landing, Error> {
+        let pieces = table.pieces();
+        let piece = pieces.get(self.piece).ok_or(Error::Piece { piece: self.piece, pieces: pieces.len() })?;
+        let landing = piece.closest(&piece.point_at(self.s));
+        let point = table.lattice().map_or(landing.point, |lattice| lattice.reduce(&landing.point).0);
+        Ok(Landing { point, ..landing })
+    }
+
+    /// What an orbit in this state has just hit.
+    fn hit(&self, table: &Table) -> Result<WallHit<f64, 2>, Error> {
+        let Landing { point, normal } = self.landing(table)?;
+        Ok(WallHit { time: 0.0, normal: normal.into(), piece: self.piece as f64, ..WallHit::never(point.into()) })
+    }
+}
+
+/// The arc length along a piece of a point on it, or on a lattice on a translate of it that reaches into the unit cell.
+fn arc_length(table: &Table, piece: usize, point: Vector2<f64>) -> f64 {
+    let on = &table.pieces()[piece];
+    let Some(lattice) = table.lattice() else { return on.arc_length_at(&point) };
+    let extent = on.extent();
+    let mut best = (f64::INFINITY, point);
+    if extent.is_finite() {
+        // the cells that the piece reaches, and one more each way for rounding at their edges
+        let corners = [
+            extent.min,
+            Vector2::new(extent.min.x, extent.max.y),
+            Vector2::new(extent.max.x, extent.min.y),
+            extent.max,
+        ];
+        let cells = corners.map(|corner| lattice.reduce(&corner).1);
+        let range = |i: usize| {
+            let (low, high) = cells.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c[i]), h.max(c[i])));
+            #[allow(clippy::cast_possible_truncation, reason = "a count of cells")]
+            let (low, high) = (low as i64, high as i64);
+            if i < lattice.vectors().len() { low - 1..=high + 1 } else { 0..=0 }
+        };
+        for i in range(0) {
+            for j in range(1) {
+                let lifted = point + lattice.translation([i as f64, j as f64]);
+                let distance = (on.closest(&lifted).point - lifted).norm_squared();
+                if distance < best.0 {
+                    best = (distance, lifted);
+                }
+            }
+        }
+    }
+    on.arc_length_at(&best.1)
+}
+
+impl<L: BallLaw<2, 1>> Planar<L> {
+    /// The billiard map `T`: from right after one collision to right after the next.
+    ///
+    /// ```
+    /// use billiards::{Planar, ReducedState, laws::Disk};
+    /// use billiards::{collision_laws::laws::NoSlip, geometry::tables};
+    ///
+    /// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 1.0) };
+    /// let start = ReducedState { piece: 0, s: 0.5, v0: 0.0, vt: -0.25, speed: 1.0 }; // to the right
+    /// let next = square.map(&start)?;
+    /// assert_eq!((next.piece, next.v0, next.vt), (2, 0.25, 0.0)); // straight back, spinning
+    /// let back = square.inverse(&next)?;
+    /// assert!((back.s - start.s).abs() < 1e-15 && (back.vt - start.vt).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Ended`] where there is no next collision, and those of [`ReducedState::orbit`].
+    pub fn map(&self, state: &ReducedState) -> Result<ReducedState, Error> {
+        let mut orbit = state.orbit::<(), ()>(&self.table, ())?;
+        let mut portrait = ReducedPortrait::new(&self.table, vec![]);
+        let outcome = self.run(&mut orbit, &Collisions(1), &mut portrait);
+        portrait.into_states().pop().ok_or(Error::Ended { stop: outcome.stop })
+    }
+
+    /// The inverse billiard map `T⁻¹ = R T R` of a law that is an involution, as strict laws are; see [`reverse()`].
+    ///
+    /// # Errors
+    /// As [`Planar::map`].
+    pub fn inverse(&self, state: &ReducedState) -> Result<ReducedState, Error> {
+        self.reverse(&self.map(&self.reverse(state)?)?)
+    }
+
+    /// The time reversal `R(x, v⁺) = (x, −C v⁺)`.
+    ///
+    /// # Errors
+    /// Those of [`ReducedState::orbit`].
+    pub fn reverse(&self, state: &ReducedState) -> Result<ReducedState, Error> {
+        let hit = state.hit(&self.table)?;
+        let mut orbit = state.orbit::<(), ()>(&self.table, ())?;
+        reverse(&self.law, &mut orbit, &hit);
+        Ok(ReducedState { s: state.s, ..ReducedState::after(&self.table, &hit, &orbit) })
+    }
+}

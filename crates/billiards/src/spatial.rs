@@ -1,0 +1,66 @@
+//! A ball on a table in space, ready to run.
+use crate::{
+    billiard::{BallLaw, Billiard},
+    energy::EnergyKeeper,
+    observe::Observer,
+    orbit::Orbit,
+    run::{Limit, Outcome, run},
+    track::Track,
+};
+use geometry::{Walls, WithWalls, tables::SpatialTable};
+
+/// A table in space and a ball's law. The centre of the ball moves in the table as a point.
+#[derive(Clone, Debug)]
+pub struct Spatial<L> {
+    /// The region of centres.
+    pub table: SpatialTable,
+    /// What a collision does.
+    pub law: L,
+}
+
+impl<L: BallLaw<3, 3>> Spatial<L> {
+    /// Runs an orbit.
+    ///
+    /// ```
+    /// use billiards::{Clock, Collisions, Conserved, Orbit, Spatial, Stop, laws::RoughBall};
+    /// use billiards::geometry::tables;
+    ///
+    /// // a uniform ball (γ² = 2/5) between two parallel planes never gets far
+    /// let slab = Spatial { table: tables::slab(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    /// let (velocity, spin) = ([0.3, -0.2, -0.8], [0.1, 0.4, 0.2]);
+    /// let mut orbit = Orbit::<_, 3, 3, Conserved<_, 3>, _>::new([0.0, 0.0, 0.5], velocity, spin, Clock::new(0.0));
+    /// let outcome = slab.run(&mut orbit, &Collisions(1000), &mut ());
+    /// assert_eq!(outcome.stop, Stop::Finished);
+    /// assert!(orbit.position[0].abs() + orbit.position[1].abs() < 3.0);
+    /// # Ok::<(), billiards::geometry::Error>(())
+    /// ```
+    pub fn run<K, T, O>(&self, orbit: &mut Orbit<f64, 3, 3, K, T>, limit: &impl Limit<T>, observer: &mut O) -> Outcome
+    where
+        K: EnergyKeeper<f64, 3, 3>,
+        T: Track<f64, 3, 3> + Clone,
+        O: Observer<3, 3, K, T>,
+    {
+        self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
+    }
+}
+
+struct RunOn<'a, L, K, T, M, O> {
+    law: &'a L,
+    orbit: &'a mut Orbit<f64, 3, 3, K, T>,
+    limit: &'a M,
+    observer: &'a mut O,
+}
+
+impl<L, K, T, M, O> WithWalls<3> for RunOn<'_, L, K, T, M, O>
+where
+    L: BallLaw<3, 3>,
+    K: EnergyKeeper<f64, 3, 3>,
+    T: Track<f64, 3, 3> + Clone,
+    M: Limit<T>,
+    O: Observer<3, 3, K, T>,
+{
+    type Output = Outcome;
+    fn run<W: Walls<3>>(self, walls: &W) -> Outcome {
+        run(&Billiard { walls, law: self.law }, self.orbit, self.limit, self.observer)
+    }
+}

@@ -1,0 +1,263 @@
+//! Laws of `collision_laws`, run through `Custom`: they agree with the fast ways of the same laws, and keep the measure
+//! exactly where they are linear in the velocity.
+use billiards::{
+    BallLaw, Collision, Collisions, Error, Orbit, Planar, ReducedState, Spatial, Stop,
+    laws::{Custom, Disk, PerPiece, RoughBall, Specular},
+    observe::Watch,
+};
+use collision_laws::{
+    CollisionLaw, Contact, Delassus, Roughness,
+    bodies::Ball,
+    check::{
+        controls::{Chasing, ReversiblyChasing, slip_angle},
+        jacobian_determinant,
+    },
+    laws::{self, Field, NoSlip, PerSurface, RoughPlane},
+};
+use core::ops::ControlFlow;
+use geometry::{WallHit, tables};
+use lanes::{Kernel, Lane};
+use nalgebra::{DVector, SVector, Vector2, Vector3};
+use proptest::prelude::*;
+
+/// A law of 2D or 3D, applied to a hit with a normal of any length.
+fn collide<const N: usize, const S: usize>(
+    law: &impl BallLaw<N, S>,
+    normal: [f64; N],
+    v: [f64; N],
+    w: [f64; S],
+) -> ([f64; N], [f64; S]) {
+    let (mut velocity, mut spin) = (v, w);
+    law.collide(&hit(normal, [0.0; N]), &mut velocity, &mut spin);
+    (velocity, spin)
+}
+
+fn hit<const N: usize>(normal: [f64; N], point: [f64; N]) -> WallHit<f64, N> {
+    let square: f64 = normal.iter().map(|n| n * n).sum();
+    let (inverse, inverse_square) = (1.0 / square.sqrt(), 1.0 / square);
+    WallHit { time: 1.0, point, normal, inverse, inverse_square, piece: 0.0, corner: false }
+}
+
+/// Two laws do the same, within sixteen roundings of the speed: each path is about a dozen operations long.
+fn agree<const N: usize, const S: usize>(
+    a: &impl BallLaw<N, S>,
+    b: &impl BallLaw<N, S>,
+    normal: [f64; N],
+    v: [f64; N],
+    w: [f64; S],
+) {
+    let ((va, wa), (vb, wb)) = (collide(a, normal, v, w), collide(b, normal, v, w));
+    let speed = v.iter().chain(&w).map(|x| x * x).sum::<f64>().sqrt();
+    for (x, y) in va.iter().chain(&wa).zip(vb.iter().chain(&wb)) {
+        assert!((x - y).abs() <= 16.0 * f64::EPSILON * speed, "{va:?} {wa:?} against {vb:?} {wb:?}");
+    }
+}
+
+fn vector<const N: usize>() -> impl Strategy<Value = [f64; N]> {
+    proptest::array::uniform::<_, N>(-1.0..1.0_f64)
+}
+fn normal<const N: usize>() -> impl Strategy<Value = [f64; N]> {
+    vector().prop_filter("long enough to have a direction", |n| n.iter().map(|x| x * x).sum::<f64>() > 0.01)
+}
+/// From a point to a hoop, the limit of a point included.
+fn gamma() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(0.0), Just(1e-300), (-60.0..0.0_f64).prop_map(libm::exp2), 0.1..1.0_f64]
+}
+
+proptest! {
+    #[test]
+    fn any_law_agrees_with_the_fast_disk(n in normal(), v in vector(), w in vector(), gamma in gamma(), m in 0.1..9.0_f64) {
+        let custom = Custom::disk(NoSlip, gamma).unwrap().with_mass(m).unwrap().with_radius(0.3).unwrap();
+        agree(&custom, &Disk::new(&NoSlip, gamma), n, v, w);
+        let custom = Custom::disk(laws::Specular, gamma).unwrap().with_mass(m).unwrap();
+        agree(&custom, &Specular, n, v, w);
+        let lossy = laws::Restitution::new(0.7, 0.2).unwrap();
+        agree(&Custom::disk(lossy, gamma).unwrap(), &Disk::new(&lossy, gamma), n, v, w);
+    }
+
+    #[test]
+    fn any_law_agrees_with_the_fast_ball(n in normal(), v in vector(), w in vector(), d in normal(), gamma in gamma()) {
+        agree(&Custom::ball(NoSlip, gamma).unwrap(), &RoughBall::no_slip(gamma), n, v, w);
+        agree(&Custom::ball(laws::Specular, gamma).unwrap(), &Specular, n, v, w);
+        // a direction near the normal is determined by its tangential part only within rounding over the length of that
+        let cross = Vector3::from(n).normalize().cross(&Vector3::from(d).normalize()).norm();
+        prop_assume!(cross > 0.1);
+        let custom = Custom::ball(RoughPlane::new(&[d.into()]).unwrap(), gamma).unwrap();
+        agree(&custom, &RoughBall::along(gamma, d.into()), n, v, w);
+    }
+}
+
+#[test]
+fn a_law_sees_the_contact_point_and_the_piece() {
+    struct Witness;
+    impl CollisionLaw<2> for Witness {
+        fn impulse(&self, c: &Contact<2>, _: &Delassus<2>, _: &SVector<f64, 2>) -> SVector<f64, 2> {
+            // the centre is at (3, 4), one radius off the wall along the normal
+            assert_eq!((c.point, c.surface), (Vector2::new(3.0, 3.75), 5));
+            SVector::zeros()
+        }
+    }
+    let law = Custom::disk(Witness, 1.0).unwrap().with_radius(0.25).unwrap();
+    let at = WallHit { piece: 5.0, ..hit([0.0, 2.0], [3.0, 4.0]) };
+    law.collide(&at, &mut [1.0, -1.0], &mut [0.5]);
+}
+
+#[test]
+fn a_law_per_surface_is_a_law_per_piece() {
+    let gamma = 0.5_f64.sqrt();
+    let table = tables::square(1.0).unwrap();
+    let mixed = PerSurface::new(Roughness::Smooth).with(1, Roughness::Rough);
+    let field = Field::new(move |c: &Contact<2>| *mixed.on(c.surface));
+    let custom = Planar { table: table.clone(), law: Custom::disk(field, gamma).unwrap() };
+    let (smooth, rough) = (Disk::new(&laws::Specular, gamma), Disk::new(&NoSlip, gamma));
+    let per_piece = Planar { table, law: PerPiece::new(smooth, [rough, smooth]) };
+    let start = || Orbit::<_, 2, 1>::new([0.3, 0.4], [0.6, 0.5], [0.2], ());
+    let (mut a, mut b) = (start(), start());
+    custom.run(&mut a, &Collisions(50), &mut ());
+    per_piece.run(&mut b, &Collisions(50), &mut ());
+    // fifty collisions with flat walls: errors grow linearly, about n roundings each
+    let close = |x: f64, y: f64| (x - y).abs() < 16.0 * 50.0 * f64::EPSILON;
+    assert!(a.position.iter().chain(&a.velocity).zip(b.position.iter().chain(&b.velocity)).all(|(x, y)| close(*x, *y)));
+}
+
+#[test]
+fn lanes_have_the_bits_of_single_balls() {
+    struct Compare;
+    impl Kernel for Compare {
+        type Output = usize;
+        fn run<F: Lane>(self, zero: F) -> usize {
+            let law = Custom::ball(Chasing, 0.4_f64.sqrt()).unwrap();
+            let value = |seed: f64, k: usize| libm::sin(seed + 1.7 * k as f64);
+            let vector = |seed: f64, k: usize| [0.0, 1.0, 2.0].map(|i| value(seed + 10.0 * i, k));
+            let hits = |k: usize| hit(vector(1.0, k), vector(2.0, k));
+            let lane = |i: usize, f: &dyn Fn(usize) -> [f64; 3]| zero.each(|k| f(k)[i]);
+            let vectors = |f: &dyn Fn(usize) -> [f64; 3]| [0, 1, 2].map(|i| lane(i, f));
+            let wide = WallHit {
+                time: zero,
+                point: vectors(&|k| hits(k).point),
+                normal: vectors(&|k| hits(k).normal),
+                inverse: zero.each(|k| hits(k).inverse),
+                inverse_square: zero.each(|k| hits(k).inverse_square),
+                piece: zero,
+                corner: zero.lt(zero),
+            };
+            let (mut v, mut w) = (vectors(&|k| vector(3.0, k)), vectors(&|k| vector(4.0, k)));
+            law.collide(&wide, &mut v, &mut w);
+            for k in 0..F::LANES {
+                let (mut one, mut spin) = (vector(3.0, k), vector(4.0, k));
+                law.collide(&hits(k), &mut one, &mut spin);
+                assert_eq!((v.map(|v| v.lane(k)), w.map(|w| w.lane(k))), (one, spin));
+            }
+            F::LANES
+        }
+    }
+    assert!(lanes::dispatch(Compare) >= 1);
+}
+
+#[test]
+fn impossible_balls_are_refused() {
+    for gamma in [-0.5, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Custom::disk(NoSlip, gamma), Err(Error::Law(_))), "{gamma}");
+    }
+    let disk = Custom::disk(NoSlip, 0.5).unwrap();
+    assert!(matches!(disk.with_mass(0.0), Err(Error::Law(_))));
+    assert_eq!(disk.with_radius(-1.0).unwrap_err(), Error::Radius { radius: -1.0 });
+}
+
+/// A contact that turns half of the slip around, `e = ½`, and hands the energy lost to the normal velocity.
+///
+/// Energy and momenta are conserved and the impulse acts at the contact, but the law is not linear in the velocity.
+struct Generous;
+
+impl CollisionLaw<2> for Generous {
+    fn impulse(&self, contact: &Contact<2>, delassus: &Delassus<2>, u: &SVector<f64, 2>) -> SVector<f64, 2> {
+        let Delassus::Isotropic { normal, tangent } = *delassus else { unreachable!("a ball") };
+        let nu = contact.normal.as_ref();
+        let (un, ut) = (nu.dot(u), contact.tangential(u));
+        let paid = 0.75 * ut.norm_squared() * normal / tangent;
+        nu * (((un * un + paid).sqrt() - un) / normal) - ut * (1.5 / tangent)
+    }
+}
+
+/// `|det D(s, v₀, vₜ)|` of the billiard map at unit speed.
+fn planar_determinant<L: BallLaw<2, 1>>(billiard: &Planar<L>, at: [f64; 3]) -> f64 {
+    let step = |x: &DVector<f64>| {
+        let state = ReducedState { piece: 0, s: x[0], v0: x[1], vt: x[2], speed: 1.0 };
+        let next = billiard.map(&state).unwrap();
+        DVector::from_vec(vec![next.s, next.v0, next.vt])
+    };
+    jacobian_determinant(step, &DVector::from_row_slice(&at), 1.0 / 512.0).abs()
+}
+
+// difference quotients of order 6: at these states the maps vary on scales of a third and more, so that the step of 1/512
+// leaves (1/170)⁶ ≈ 4e-14 of the seventh derivatives, and rounding 1e-13
+const TOLERANCE: f64 = 1e-9;
+
+#[test]
+fn a_law_that_pays_the_slip_it_takes_halves_the_measure() {
+    let law = Custom::disk(Generous, 0.5_f64.sqrt()).unwrap();
+    let before = (1.0_f64, 0.3);
+    let (v, w) = collide(&law, [0.0, 1.0], [0.4, -before.0], [before.1]);
+    let energy = v[0] * v[0] + v[1] * v[1] + w[0] * w[0];
+    assert!((energy - (0.16 + 1.0 + 0.09)).abs() < 1e-15);
+    // from the floor of the square to its ceiling, from one place of the circle to another
+    for table in [tables::square(1.0).unwrap(), tables::circle(1.0).unwrap()] {
+        let generous = planar_determinant(&Planar { table: table.clone(), law }, [0.4, 0.3, -0.1]);
+        assert!((generous - 0.5).abs() < TOLERANCE, "{generous}");
+        let strict = planar_determinant(&Planar { table, law: Custom::disk(NoSlip, 0.7).unwrap() }, [0.4, 0.3, -0.1]);
+        assert!((strict - 1.0).abs() < TOLERANCE, "{strict}");
+    }
+}
+
+const AT: [f64; 7] = [0.1, -0.2, 0.25, 0.15, -0.2, 0.3, 0.1];
+const BALL_GAMMA: f64 = 0.632_455_532_033_675_9; // √(2/5)
+
+/// `|det D(x₁, x₂, v₁, v₂, W)|` from the floor of the unit slab to its ceiling, at unit speed.
+fn slab_determinant(law: impl CollisionLaw<3> + Sync) -> f64 {
+    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: Custom::ball(law, BALL_GAMMA).unwrap() };
+    let step = |x: &DVector<f64>| {
+        let up = (1.0 - x.rows(2, 5).norm_squared()).sqrt();
+        let mut orbit = Orbit::<_, 3, 3>::new([x[0], x[1], 0.0], [x[2], x[3], up], [x[4], x[5], x[6]], ());
+        assert_eq!(slab.run(&mut orbit, &Collisions(1), &mut ()).stop, Stop::Finished);
+        let (p, v, w) = (orbit.position, orbit.velocity, orbit.spin);
+        DVector::from_vec(vec![p[0], p[1], v[0], v[1], w[0], w[1], w[2]])
+    };
+    jacobian_determinant(step, &DVector::from_row_slice(&AT), 1.0 / 512.0).abs()
+}
+
+#[test]
+fn strict_laws_in_space_keep_the_measure_and_laws_that_chase_the_velocity_do_not() {
+    let near = |determinant: f64, expected: f64| {
+        assert!((determinant - expected).abs() < TOLERANCE, "{determinant} for {expected}");
+    };
+    near(slab_determinant(laws::Specular), 1.0);
+    near(slab_determinant(NoSlip), 1.0);
+    near(slab_determinant(RoughPlane::new(&[Vector3::new(1.0, 2.0, -3.0)]).unwrap()), 1.0);
+    near(slab_determinant(laws::Grooved::new(|c: &Contact<3>| Vector3::new(c.point.y, 1.0, 0.0))), 1.0);
+    near(slab_determinant(Chasing), 0.3);
+
+    let ceiling = Contact::new(Vector3::z(), -Vector3::z(), 1).unwrap();
+    let ball = Ball::<3>::with_gamma_squared(1.0, 1.0, 0.4).unwrap();
+    let up = (1.0 - AT[2..].iter().map(|x| x * x).sum::<f64>()).sqrt();
+    let spin = Vector3::new(AT[4], AT[5], AT[6]);
+    let slip = ball.with_scaled_spin(Vector3::new(AT[2], AT[3], up), spin).at(&Vector3::z());
+    let expected = ReversiblyChasing::measure_ratio(slip_angle(&ceiling, &slip));
+    assert!((expected - 1.0).abs() > 0.05, "a state at which the control shows: {expected}");
+    near(slab_determinant(ReversiblyChasing), expected);
+}
+
+#[test]
+fn a_random_law_runs_and_conserves_energy() {
+    let law = Custom::ball(laws::RandomGrassmannian::new(1, 7).unwrap(), BALL_GAMMA).unwrap();
+    let cube = Spatial { table: tables::cuboid([1.0; 3]).unwrap(), law };
+    let mut orbit = Orbit::<_, 3, 3>::new([0.3, 0.4, 0.5], [0.6, -0.3, 0.2], [0.1, 0.2, 0.3], ());
+    let mut worst = 0.0_f64;
+    let mut watch = Watch::new(|c: &Collision<'_, 3, 3, _, _>| {
+        let energy: f64 = c.orbit.velocity.iter().chain(&c.orbit.spin).map(|x| x * x).sum();
+        worst = worst.max((energy - 0.63).abs());
+        ControlFlow::Continue(())
+    });
+    assert_eq!(cube.run(&mut orbit, &Collisions(1000), &mut watch).stop, Stop::Finished);
+    // no keeper: at most a few roundings per collision
+    assert!(worst < 1000.0 * 4.0 * f64::EPSILON, "{worst:e}");
+}

@@ -1,0 +1,272 @@
+//! What the observers see, against closed forms.
+use billiards::{
+    Angle, Canonical, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit, Planar, Starts, Stop,
+    laws::{Disk, Specular},
+    observe::{
+        Density, EnergyDrift, FirstReturn, FreePath, Invariant, Nearest, Period, PlanarRow, Record, ReducedPortrait,
+        Survival, VelocityPortrait,
+    },
+};
+use collision_laws::laws::{NoSlip, Restitution};
+use core::{f64::consts::FRAC_1_SQRT_2, ops::ControlFlow};
+use geometry::tables;
+use serde_json::Value;
+use std::{path::Path, sync::Arc};
+
+fn closed_forms() -> Value {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/data/closed_forms.json");
+    serde_json::from_str(&std::fs::read_to_string(file).unwrap()).unwrap()
+}
+fn number(v: &Value) -> f64 {
+    v.as_str().unwrap().parse().unwrap()
+}
+fn no_slip(gamma_squared: f64) -> Disk {
+    Disk::new(&NoSlip, gamma_squared.sqrt())
+}
+fn orbit(x: [f64; 2], v: [f64; 2], v0: f64) -> Orbit<f64, 2, 1, Conserved<f64, 2>> {
+    Orbit::new(x, v, [v0], ())
+}
+
+#[test]
+fn caustics_and_flight_times_of_a_circle_are_those_of_the_closed_form() {
+    let forms = closed_forms();
+    let cases = forms["circle"].as_array().unwrap();
+    assert!(!cases.is_empty());
+    for case in cases {
+        let circle = Planar { table: tables::circle(1.0).unwrap(), law: no_slip(number(&case["gamma_squared"])) };
+        let velocity = &case["post_velocity"];
+        let [v0, tau, n] = ["v0", "tau", "n"].map(|key| number(&velocity[key]));
+        // on the right of the circle: ν = (−1, 0), t = (0, −1)
+        let mut orbit = orbit([1.0, 0.0], [-n, -tau], v0);
+        let mut seen = (Nearest::to([0.0, 0.0], &orbit), FreePath::new());
+        seen.1.follow(&orbit);
+        assert_eq!(circle.run(&mut orbit, &Collisions(1000), &mut seen).stop, Stop::Finished);
+        let [r1, r2] = [0, 1].map(|i| number(&case["caustic_radii"][i]).abs());
+        let [t1, t2] = [0, 1].map(|i| number(&case["flight_times"][i]));
+        let planar = [number(&velocity["tau"]), number(&case["other_post_velocity"]["tau"])].map(|tau| tau.hypot(n));
+        // a thousand collisions, a few roundings each
+        let tolerance = 4000.0 * f64::EPSILON;
+        assert!((seen.0.distance() - r1.min(r2)).abs() < tolerance);
+        assert!((seen.1.time().mean - 0.5 * (t1 + t2)).abs() < tolerance * t1);
+        assert!((seen.1.length().mean - 0.5 * (t1 * planar[0] + t2 * planar[1])).abs() < tolerance * t1);
+    }
+}
+
+#[test]
+fn every_orbit_that_stays_in_a_wedge_of_these_angles_has_the_predicted_period() {
+    let forms = closed_forms();
+    let cases = forms["wedge_periodic"].as_array().unwrap();
+    assert!(cases.len() >= 5);
+    for case in cases {
+        let (theta, gamma_squared) = (number(&case["theta"]), number(&case["gamma_squared"]));
+        let wedge = Planar { table: tables::wedge(theta).unwrap(), law: no_slip(gamma_squared) };
+        // about the axis of periodicity (sin(θ/2)/γ, 1, 0), by half of the radius of the cap of velocities that stay
+        let axis = [libm::sin(0.5 * theta) / gamma_squared.sqrt(), 1.0, 0.0];
+        let size = axis[0].hypot(1.0);
+        let off = 0.5 * libm::tan(number(&case["cap_angular_radius"]));
+        let [v0, v1] = [axis[0] / size - 0.6 * off / size, axis[1] / size + 0.6 * off * axis[0] / size];
+        let mut orbit = orbit([0.0, 1.0], [v1, 0.8 * off], v0);
+        let mut period = Period::new(1e-11, 1.0);
+        assert_eq!(wedge.run(&mut orbit, &Collisions(1000), &mut period).stop, Stop::Observer, "θ = {theta}");
+        let found = period.found().unwrap();
+        assert_eq!(found.period, case["reduced_period"].as_u64().unwrap(), "θ = {theta}");
+        assert_eq!(found.drift_free, case["x0_drift_free"].as_bool().unwrap(), "θ = {theta}: {found:?}");
+    }
+}
+
+#[test]
+fn a_strip_orbit_that_turns_by_an_irrational_angle_has_no_period() {
+    let strip = Planar { table: tables::strip(1.0).unwrap(), law: no_slip(0.5) };
+    let mut period = Period::new(1e-9, 1.0);
+    let outcome = strip.run(&mut orbit([0.0, 0.5], [0.3, 0.8], 0.1), &Collisions(10_000), &mut period);
+    assert_eq!((outcome.stop, period.found()), (Stop::Finished, None));
+}
+
+#[test]
+fn a_period_on_the_torus_is_seen_across_the_edge_of_the_cell() {
+    // along a lattice vector from disk to disk of the Sinai torus; they face each other over the edge of the cell
+    let table = tables::sinai_torus(0.25, 1.0).unwrap();
+    let lattice = table.lattice().unwrap().clone();
+    let torus = Planar { table, law: Specular };
+    let mut period = Period::new(1e-12, 1.0).modulo(lattice);
+    let outcome = torus.run(&mut orbit([0.0, 0.5], [1.0, 0.0], 0.0), &Collisions(10), &mut period);
+    assert_eq!((outcome.stop, period.found().map(|found| found.period)), (Stop::Observer, Some(2)));
+}
+
+#[test]
+fn energy_drift_is_the_energy_that_is_missing() {
+    let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), FRAC_1_SQRT_2);
+    let strip = Planar { table: tables::strip(1.0).unwrap(), law };
+    let mut falling = Orbit::<_, 2, 1>::new([0.0, 0.5], [0.0, -1.0], [0.0], ());
+    let mut drift = EnergyDrift::of(&falling);
+    strip.run(&mut falling, &Collisions(2), &mut drift);
+    assert_eq!(drift.largest(), 1.0 - 1.0 / 16.0);
+    // a drift of 2⁻⁵² in one component is seen, not rounded away; and so it is at any speed
+    for scale in [1e-150, 1.0, 1e150] {
+        let at = |v: f64| Orbit::<f64, 2, 1>::new([0.0, 0.5], [0.0, v * scale], [0.0], ());
+        let mut drift = EnergyDrift::of(&at(1.0 + f64::EPSILON));
+        let specular = Planar { table: tables::strip(1.0).unwrap(), law: Specular };
+        specular.run(&mut at(1.0), &Collisions(1), &mut drift);
+        assert!((drift.largest() - 2.0 * f64::EPSILON).abs() < 8.0 * f64::EPSILON * f64::EPSILON, "{scale}");
+    }
+}
+
+#[test]
+fn the_keeper_keeps_the_energy_of_a_long_orbit() {
+    let stadium = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: no_slip(0.5) };
+    let mut orbit = orbit([0.1, 0.2], [0.6, 0.3], 0.4);
+    let mut drift = EnergyDrift::of(&orbit);
+    stadium.run(&mut orbit, &Collisions(100_000), &mut drift);
+    // what one collision does before the next repairs it: about eight operations
+    assert!(drift.largest() < 8.0 * f64::EPSILON, "{:e}", drift.largest());
+}
+
+#[test]
+fn drifts_of_an_invariant_are_their_largest_and_their_root_mean_square() {
+    let strip = Planar { table: tables::strip(1.0).unwrap(), law: Specular };
+    let count = || Invariant::new(|c: &Collision<'_, 2, 1, _, _>| c.n as f64);
+    let run = |invariant: &mut Invariant<_>, n| strip.run(&mut orbit([0.0, 0.5], [0.0, 1.0], 0.0), &Collisions(n), invariant);
+    let mut counted = count();
+    run(&mut counted, 5);
+    assert_eq!((counted.largest_drift(), counted.rms_drift()), (4.0, 7.5_f64.sqrt()));
+    let mut scaled = count().relative_to(2.0);
+    run(&mut scaled, 5);
+    assert_eq!(scaled.largest_drift(), 2.0);
+    // together with an orbit of three collisions: drifts 1, 2, 3, 4 and 1, 2
+    let mut other = count();
+    run(&mut other, 3);
+    let both = counted.merge(other);
+    assert!((both.rms_drift() - (35.0_f64 / 6.0).sqrt()).abs() < 1e-15);
+}
+
+#[test]
+fn conserved_quantities_are_found_conserved() {
+    // |angular momentum about the apex| of a wedge, under every strict law
+    for law in [no_slip(0.5), Disk::new(&collision_laws::laws::Specular, 0.5)] {
+        let wedge = Planar { table: tables::wedge(1.0).unwrap(), law };
+        let mut momentum = Invariant::new(|c: &Collision<'_, 2, 1, _, _>| {
+            let ([x1, x2], [v1, v2]) = (c.orbit.position, c.orbit.velocity);
+            (x1 * v2 - x2 * v1).abs()
+        });
+        let outcome = wedge.run(&mut orbit([0.0, 1.0], [0.8, 0.1], 0.6), &Collisions(1000), &mut momentum);
+        // a few roundings per collision, each relative to |x| |v|, here at most ten times the momentum
+        let bound = 40.0 * outcome.collisions as f64 * f64::EPSILON;
+        assert!(momentum.largest_drift() < bound, "{momentum:?}");
+    }
+}
+
+#[test]
+fn a_portrait_holds_the_velocities_of_the_reduced_phase_space() {
+    let table = tables::pocket([2.0, 1.0], 0.3125, 0.5625).unwrap();
+    let billiard = Planar { table: table.clone(), law: no_slip(0.5) };
+    let mut seen = (VelocityPortrait::new(vec![]), ReducedPortrait::new(&table, vec![]));
+    billiard.run(&mut orbit([-0.5, 0.1], [3.0, 1.25], 2.0), &Collisions(500), &mut seen);
+    let (points, states) = (seen.0.into_points(), seen.1.into_states());
+    assert_eq!((points.len(), states.len()), (500, 500));
+    for ([v0, vt], state) in points.iter().zip(&states) {
+        let unit = state.at_unit_speed();
+        assert!((unit.v0 - v0).abs() + (unit.vt - vt).abs() < 4.0 * f64::EPSILON);
+        assert!(unit.v0.hypot(unit.vt) < 1.0);
+    }
+}
+
+#[test]
+fn statistics_of_an_ensemble_do_not_depend_on_the_number_of_threads() {
+    let stadium = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: no_slip(0.5) };
+    let canonical = Canonical::new(&stadium.table, 1.0, 5).unwrap();
+    let empty = || (VelocityPortrait::new(Density::disk(64)), (FreePath::new(), Survival::at([1, 20])));
+    let statistics = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            Ensemble::of(500).in_blocks_of(16).run(empty, |i, seen| {
+                let start = canonical.start(i);
+                let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new(start.position, start.velocity, start.spin, ());
+                let mut observers = (&mut seen.0, &mut seen.1.0);
+                observers.1.follow(&orbit);
+                let outcome = stadium.run(&mut orbit, &Collisions(20), &mut observers);
+                seen.1.1.add(outcome.collisions);
+            })
+        })
+    };
+    let [(portrait, (paths, survival)), (same_portrait, (same_paths, same_survival))] = [statistics(1), statistics(3)];
+    assert_eq!(portrait.points(), same_portrait.points());
+    assert_eq!((paths.time(), paths.length()), (same_paths.time(), same_paths.length()));
+    assert_eq!(survival, same_survival);
+    assert_eq!((portrait.points().total(), survival.survivors().last()), (10_000, Some((20, 500))));
+}
+
+#[test]
+fn survivors_of_a_hole_decay_by_its_share_of_the_boundary() {
+    // specular stadium with a hole of 1/20 of the boundary: the first collision finds it with the canonical probability
+    let stadium = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Specular };
+    let canonical = Canonical::new(&stadium.table, 1.0, 9).unwrap();
+    let width = stadium.table.perimeter() / 20.0;
+    let survival = Ensemble::of(20_000).run(
+        || Survival::at([1, 2, 3]),
+        |i, survival| {
+            let start = canonical.start(i);
+            let mut orbit = Orbit::<_, 2, 1>::new(start.position, start.velocity, start.spin, ());
+            let mut hole = FirstReturn::to(|c: &Collision<'_, 2, 1, _, _>| {
+                c.piece() == 0 && c.orbit.position[0].abs() < 0.5 * width
+            });
+            stadium.run(&mut orbit, &Collisions(3), &mut hole);
+            survival.add(hole.found().map_or(3, |entry| entry.collisions - 1));
+        },
+    );
+    let survivors: Vec<u64> = survival.survivors().map(|(_, count)| count).collect();
+    // the share that the first collision loses is binomial with mean 1000 and deviation 31: 5 deviations, probability 6e-7
+    let lost = survival.orbits() - survivors[0];
+    assert!(lost.abs_diff(1000) < 155, "{lost}");
+    assert!(survivors[0] > survivors[1] && survivors[1] > survivors[2]);
+}
+
+#[test]
+fn rows_know_the_cell_only_where_it_is_tracked() {
+    let table = tables::sinai_torus(0.25, 1.0).unwrap();
+    let lattice = Arc::new(table.lattice().unwrap().clone());
+    let torus = Planar { table, law: no_slip(0.5) };
+    let mut rows = vec![];
+    let mut record = Record::new(|row: PlanarRow| {
+        rows.push(row);
+        if rows.len() < 3 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    // straight to the next disk on the right, and back
+    let track = (Clock::new(0.0), (Angle::new(0.5), Cell::new(lattice, 0.0)));
+    let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.75, 0.5], [1.0, 0.0], [0.25], track);
+    let outcome = torus.run(&mut orbit, &Collisions(10), &mut record);
+    assert_eq!((outcome.stop, outcome.collisions), (Stop::Observer, 3));
+    let first = rows[0];
+    assert_eq!((first.n, first.t, first.x0, first.cell), (1, 0.5, 0.625, Some([1, 0])));
+    assert!((first.x[0] - 0.25).abs() < 1e-15);
+
+    let track = (Clock::new(0.0), Angle::new(0.0));
+    let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.75, 0.5], [1.0, 0.0], [0.25], track);
+    let mut record = Record::new(|row: PlanarRow| {
+        assert_eq!(row.cell, None);
+        ControlFlow::Continue(())
+    });
+    torus.run(&mut orbit, &Collisions(2), &mut record);
+}
+
+#[test]
+fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
+    let table = tables::stadium(1.0, 1.0).unwrap();
+    let grid = Grid::new(&table, 2.0, [4, 3, 5]).unwrap();
+    assert_eq!(grid.count(), 60);
+    let mut radii = [0; 3];
+    for i in 0..60 {
+        let start = grid.start(i);
+        assert!(table.signed_distance(&start.position.into()).abs() < 1e-15);
+        let [v1, v2] = start.velocity;
+        assert!((start.spin[0].powi(2) + v1 * v1 + v2 * v2 - 4.0).abs() < 1e-14);
+        let normal = table.closest(&start.position.into()).1.normal;
+        let vn = (v1 * normal.x + v2 * normal.y) / 2.0;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "r² is between 0 and 1")]
+        let ring = ((1.0 - vn * vn) * 3.0) as usize;
+        radii[ring] += 1;
+    }
+    assert_eq!(radii, [20; 3]); // rings of equal r² have equal shares
+    assert_eq!(Grid::of_at_least(&table, 1.0, 1000).unwrap().count(), 1000);
+    assert!(Grid::of_at_least(&table, 1.0, 1001).unwrap().count() >= 1001);
+    assert!(Grid::new(&table, 1.0, [0, 1, 1]).is_err() && Canonical::new(&table, -1.0, 0).is_err());
+}

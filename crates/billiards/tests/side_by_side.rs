@@ -1,0 +1,66 @@
+//! Lanes and single orbits agree to the last bit, early ends included.
+use billiards::{Clock, Collisions, Conserve, Conserved, Finished, Orbit, Planar, Start, Stop, Timed, laws::Disk};
+use collision_laws::laws::{NoSlip, Specular};
+use geometry::{Table, tables};
+
+fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
+    // a multiplicative sequence of points and directions; points outside the table are skipped
+    let mut seed = 0x9E37_79B9_7F4A_7C15_u64;
+    let mut uniform = move || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut made = vec![];
+    while (made.len() as u64) < count {
+        let p = [4.0 * uniform() - 2.0, 4.0 * uniform() - 2.0];
+        let (w, a) = (2.0 * uniform() - 1.0, 7.0 * uniform());
+        if table.signed_distance(&p.into()) > 1e-3 {
+            made.push(Start { position: p, velocity: [libm::cos(a), libm::sin(a)], spin: [w] });
+        }
+    }
+    // and two that end early: into a corner or along the middle, and one that stays for ever
+    made.push(Start { position: made[0].position, velocity: [1.0, 0.0], spin: [0.0] });
+    made
+}
+
+fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<Finished<2, 1, Clock>> {
+    let billiard = Planar { table: table.unwrap(), law };
+    let starts = starts(&billiard.table, 70);
+    let mut ended: Vec<Finished<2, 1, Clock>> = vec![];
+    billiard.run_side_by_side::<Conserve, Clock>(&mut starts.iter().copied(), 300, &mut |f| ended.push(f));
+    ended.sort_by_key(|f| f.index);
+    assert_eq!(ended.len(), starts.len(), "{}", name);
+    for (k, (start, lane)) in starts.iter().zip(&ended).enumerate() {
+        let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> =
+            Orbit::new(start.position, start.velocity, start.spin, Clock::new(0.0));
+        let outcome = billiard.run(&mut orbit, &Collisions(300), &mut ());
+        assert_eq!(lane.index, k as u64);
+        assert_eq!(lane.outcome, outcome, "{} {k}", name);
+        let bits = |p: [f64; 2], v: [f64; 2], s: [f64; 1], t: f64| [p[0], p[1], v[0], v[1], s[0], t].map(f64::to_bits);
+        let one = bits(orbit.position, orbit.velocity, orbit.spin, orbit.track.time());
+        let o = &lane.orbit;
+        assert_eq!(bits(o.position, o.velocity, o.spin, o.track.time()), one, "{} {k}", name);
+    }
+    ended
+}
+
+#[test]
+fn lanes_have_the_bits_of_single_orbits() {
+    let no_slip = || Disk::new(&NoSlip, libm::sqrt(0.5));
+    agree("stadium", tables::stadium(1.0, 1.0), no_slip());
+    agree("square", tables::square(1.0), no_slip());
+    agree("hexagon", tables::hexagon(1.0), no_slip());
+    agree("triangle", tables::equilateral(1.0), no_slip());
+    agree("circle", tables::circle(1.0), no_slip());
+    agree("strip", tables::strip(1.0), no_slip());
+    agree("sinai", tables::sinai(1.0, 0.25), no_slip());
+    agree("sinai torus", tables::sinai_torus(0.25, 1.0), no_slip());
+    agree("mushroom", tables::mushroom(1.0, 0.5, 0.75), no_slip());
+    agree("ellipse", tables::ellipse([2.0, 1.0]), no_slip());
+}
+
+#[test]
+fn orbits_that_end_early_leave_their_lane() {
+    let ended = agree("wedge", tables::wedge(1.0), Disk::new(&Specular, 1.0));
+    assert!(ended.iter().all(|f| f.outcome.stop == Stop::Escaped)); // specular wedges are left after finitely many hits
+}
