@@ -1,10 +1,12 @@
 //! Things known by name with named parameters: tables and shapes.
 
+use std::borrow::Cow;
+
 use super::{point, text, unknown};
 use crate::document::{self, Item, Problems, Section, Span, Spanned};
 
 /// Something a scene can name, with its parameters.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Model {
     /// Its name in a scene.
     pub name: &'static str,
@@ -12,10 +14,8 @@ pub struct Model {
     pub dimension: usize,
     /// What it is, in one line.
     pub summary: &'static str,
-    /// Where it lies, and how its pieces are numbered.
-    pub placement: &'static str,
     /// Its parameters.
-    pub parameters: &'static [Parameter],
+    pub parameters: Cow<'static, [Parameter]>,
 }
 
 /// A named parameter.
@@ -177,7 +177,7 @@ pub(super) fn arguments(
 ) -> Option<Arguments> {
     let mut values = Vec::new();
     let mut complete = true;
-    for parameter in model.parameters {
+    for parameter in model.parameters.iter() {
         let given = match parameter.default {
             Default::Required => section.required(parameter.name, &parameter.example()),
             Default::Numbers(_) => section.optional(parameter.name),

@@ -1,5 +1,7 @@
 //! Shapes beyond segments, arcs and ellipses: `shape = { name = "capsule", … }` in a boundary entry.
 
+use std::borrow::Cow;
+
 use super::parameters::{Kind, Model, Parameter};
 
 const CENTER2: Parameter = Parameter::with_default("center", Kind::Point, &[0.0, 0.0]);
@@ -12,7 +14,7 @@ const TO: Parameter = Parameter::required("to", Kind::Point);
 const HEIGHT: Parameter = Parameter::required("height", Kind::Length);
 
 const fn shape(name: &'static str, dimension: usize, summary: &'static str, parameters: &'static [Parameter]) -> Model {
-    Model { name, dimension, summary, placement: "", parameters }
+    Model { name, dimension, summary, parameters: Cow::Borrowed(parameters) }
 }
 
 /// Every shape a boundary entry can name. `rounding` is the radius of a disk or ball that rolls around the shape.

@@ -68,7 +68,7 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     let shape = match found {
         Some(("name", item)) => {
             // Which keys belong to an unknown table is unknown too.
-            let model = parameters::model(item, "table", super::TABLES, dimension, problems)?;
+            let model = parameters::model(item, "table", &super::TABLES, dimension, problems)?;
             parameters::arguments(&mut section, item.span, model, problems).map(|arguments| TableShape::Named {
                 model,
                 arguments,

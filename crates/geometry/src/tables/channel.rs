@@ -11,8 +11,8 @@ use nalgebra::Vector2;
 /// 0 lower, 1 upper.
 ///
 /// The arcs rise by `sagitta` into the table (`> 0`: concave walls, dispersing), or recede from it (`< 0`: convex
-/// walls, focusing); all are lengths \[L\]. Their radius is `(length²/4 + sagitta²)/(2 |sagitta|)`. With 0 the walls are
-/// straight.
+/// walls, focusing); all are lengths \[L\]. Their radius is `(length²/4 + sagitta²)/(2 |sagitta|)`. With 0 the walls
+/// are straight.
 ///
 /// # Errors
 /// [`Error::Parameter`] unless length and height are positive and finite, the sagitta is less than half of each
@@ -30,7 +30,8 @@ pub fn channel(length: f64, height: f64, sagitta: f64) -> Result<Table, Error> {
             return Ok(Box::new(Segment::new(a, b)?));
         }
         let radius = 0.5 * (half * (half / sagitta.abs()) + sagitta.abs());
-        // from the chord to the centre, which lies outside the table where the wall disperses: (half² − sagitta²)/(2 sagitta)
+        // from the chord to the centre, which lies outside the table where the wall disperses:
+        // (half² − sagitta²)/(2 sagitta)
         let offset = 0.5 * (half + sagitta) * ((half - sagitta) / sagitta);
         let center = v(half, a.y - up * offset);
         Ok(Box::new(Arc::with_radius(center, radius, a, b, sagitta < 0.0)?))
