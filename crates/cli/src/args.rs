@@ -27,6 +27,8 @@ pub struct Cli {
 /// What to do.
 #[derive(Clone, Debug, Subcommand)]
 pub enum Command {
+    /// Run a scene: its orbits, their record, pictures and a summary
+    Run(Run),
     /// List the collision laws a scene can name
     Laws,
     /// Compute one collision of two rigid bodies, in dimension 2 to 5
@@ -36,6 +38,9 @@ pub enum Command {
 /// Arguments of `billiards run`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
+Writes DIR/summary.json and whatever the scene's [output] asks for. Ctrl-C ends a run cleanly: what is done
+is kept, the summary counts the other orbits as \"interrupted\", and the exit status is 0.
+
 Examples:
   billiards run scenes/hexagon.toml
   billiards run scenes/hexagon.toml --law specular --out out/hexagon-specular

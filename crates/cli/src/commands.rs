@@ -2,6 +2,7 @@
 
 pub mod collide;
 pub mod laws;
+pub mod run;
 
 use std::fmt;
 use std::io;

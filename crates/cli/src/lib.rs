@@ -10,5 +10,7 @@ pub mod expression;
 pub mod picture;
 pub mod record;
 pub mod scene;
+pub mod sha256;
+pub mod simulation;
 pub mod spelling;
 pub mod whole_file;

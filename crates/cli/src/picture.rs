@@ -3,6 +3,7 @@
 //! Pictures know nothing of tables and laws. They are drawn from [`Material`], plain numbers that a run has collected.
 
 mod axes;
+mod cloud;
 mod grid;
 mod ink;
 mod orbit;
@@ -13,21 +14,20 @@ mod velocity_portrait;
 mod view;
 
 pub use axes::{Axis, Label, ticks};
+pub use cloud::Cloud;
 pub use grid::{Grid, Shading};
 pub use ink::{Colour, ORBITS};
 pub use orbit::draw as orbit;
 pub use png::Raster;
 pub use stroke::Stroke;
 pub use svg::{Anchor, Outline, Style, Svg};
-pub use velocity_portrait::{dense as dense_velocity_portrait, draw as velocity_portrait, grid as velocity_grid};
+pub use velocity_portrait::{cloud as velocities, draw as velocity_portrait};
 pub use view::{View, Window};
 
 /// Width of a picture in points of 1/72 inch: one column of 8 cm.
 pub const COLUMN: f64 = 226.8;
 /// Most legs of orbits that a picture shows: beyond, lines only blacken the page.
 pub const MOST_LEGS: usize = 20_000;
-/// Most dots drawn one by one; more become a [`Grid`].
-pub const MOST_DOTS: usize = 20_000;
 
 /// A picture a scene can ask for.
 #[derive(Clone, Copy, Debug)]
@@ -58,8 +58,8 @@ pub struct Material {
     pub outline: Vec<Stroke>,
     /// Each orbit in the plane.
     pub paths: Vec<Path>,
-    /// Velocities after collisions.
-    pub velocities: Velocities,
+    /// Velocities after collisions, scaled to length one: the pairs (v0, v·t), where t = J ν. See [`velocities`].
+    pub velocities: Option<Cloud>,
 }
 
 /// An orbit in the plane.
@@ -69,21 +69,6 @@ pub struct Path {
     pub chains: Vec<Vec<[f64; 2]>>,
     /// Last point and direction of an orbit that leaves for ever.
     pub escape: Option<[[f64; 2]; 2]>,
-}
-
-/// Velocities after collisions, scaled to length one: the pairs (v0, v·t), where t = J ν.
-#[derive(Clone, Debug)]
-pub enum Velocities {
-    /// Dot by dot, per orbit.
-    Dots(Vec<Vec<[f64; 2]>>),
-    /// Counted on the grid of [`velocity_grid`].
-    Counted(Grid),
-}
-
-impl Default for Velocities {
-    fn default() -> Self {
-        Self::Dots(Vec::new())
-    }
 }
 
 /// A file of a picture.

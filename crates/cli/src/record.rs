@@ -5,7 +5,7 @@ mod jsonl;
 mod npy;
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::scene::RecordFormat;
 use crate::whole_file::WholeFile;
@@ -84,16 +84,25 @@ pub trait RecordWriter {
     fn finish(self: Box<Self>) -> io::Result<()>;
 }
 
-/// Starts a record in a folder, `collisions.csv` or the like; it appears there when it is finished.
+/// Where a record lies in a folder: `collisions.csv` or the like.
+pub fn path(folder: &Path, format: RecordFormat) -> PathBuf {
+    folder.join(match format {
+        RecordFormat::Csv => "collisions.csv",
+        RecordFormat::JsonLines => "collisions.jsonl",
+        RecordFormat::Npy => "collisions.npy",
+    })
+}
+
+/// Starts a record in a folder; it appears there when it is finished.
 ///
 /// # Errors
 /// The file cannot be made.
 pub fn create(folder: &Path, format: RecordFormat, columns: Columns) -> io::Result<Box<dyn RecordWriter + Send>> {
-    let file = |extension| WholeFile::create(&folder.join(format!("collisions.{extension}")));
+    let file = WholeFile::create(&path(folder, format))?;
     Ok(match format {
-        RecordFormat::Csv => Box::new(Csv::new(file("csv")?, columns)?),
-        RecordFormat::JsonLines => Box::new(JsonLines::new(file("jsonl")?, columns)),
-        RecordFormat::Npy => Box::new(Npy::new(file("npy")?, columns)?),
+        RecordFormat::Csv => Box::new(Csv::new(file, columns)?),
+        RecordFormat::JsonLines => Box::new(JsonLines::new(file, columns)),
+        RecordFormat::Npy => Box::new(Npy::new(file, columns)?),
     })
 }
 

@@ -36,6 +36,16 @@ impl Lattice {
         [self.coordinates[(i, 0)], self.coordinates[(i, 1)]]
     }
 
+    /// The lattice coordinates `a` and `b` of a point: the second is 0 where there is only one vector.
+    pub fn coordinates(&self, point: &Vector2<f64>) -> [f64; 2] {
+        let mut all = [0.0; 2];
+        for (i, coordinate) in all.iter_mut().enumerate().take(self.vectors.len()) {
+            let [f, g] = self.functional(i);
+            *coordinate = f * point.x + g * point.y;
+        }
+        all
+    }
+
     /// Area of the unit cell [L²]; infinite for a channel's band.
     pub fn cell_area(&self) -> f64 {
         match self.vectors.as_slice() {

@@ -4,11 +4,12 @@
 //! its horizontal axis the rotational and its vertical axis the tangential part of a velocity of length one.
 
 use super::axes::{self, Axis, HAIRLINE, Label};
-use super::grid::{Grid, Shading};
-use super::ink::{Colour, ORBITS};
+use super::cloud::Cloud;
+use super::grid::Shading;
+use super::ink::Colour;
 use super::svg::{Style, Svg};
 use super::view::{View, Window};
-use super::{COLUMN, File, Material, Needs, Picture, Velocities};
+use super::{COLUMN, File, Material, Needs, Picture};
 
 /// White around the unit disk, as a share of its radius.
 const AROUND: f64 = 0.06;
@@ -22,44 +23,26 @@ pub(super) const PICTURE: Picture = Picture {
     summary: "velocities after each collision: rotational against tangential part (SVG; dense ones PNG too)",
     needs: Needs::Velocities,
     draw: |material: &Material| {
-        let svg = |svg: Svg| File { name: "velocity-portrait.svg".into(), content: svg.to_string().into_bytes() };
-        match &material.velocities {
-            Velocities::Dots(dots) => vec![svg(draw(dots))],
-            Velocities::Counted(grid) => {
-                let mut raster = grid.shade(Shading::Log);
-                raster.ring([0.0, 0.0], 1.0, grid.window(), Colour::BLACK);
-                let png = File { name: "velocity-portrait.png".into(), content: raster.png() };
-                vec![svg(dense(grid)), png]
-            }
-        }
+        let none = cloud();
+        let cloud = material.velocities.as_ref().unwrap_or(&none);
+        let svg = File { name: "velocity-portrait.svg".into(), content: draw(cloud).to_string().into_bytes() };
+        let png = cloud.counted().map(|grid| {
+            let mut raster = grid.shade(Shading::Log);
+            raster.ring([0.0, 0.0], 1.0, grid.window(), Colour::BLACK);
+            File { name: "velocity-portrait.png".into(), content: raster.png() }
+        });
+        [svg].into_iter().chain(png).collect()
     },
 };
 
-/// An empty grid for a dense portrait; add velocities with [`Grid::add`].
-pub fn grid() -> Grid {
-    Grid::new(Window::unit_disk(AROUND), PIXELS)
+/// The unit disk, without points yet.
+pub fn cloud() -> Cloud {
+    Cloud::new(Window::unit_disk(AROUND), PIXELS)
 }
 
-/// A portrait dot by dot, each orbit in its colour.
-pub fn draw(orbits: &[Vec<[f64; 2]>]) -> Svg {
-    framed(|svg, view| {
-        let dots: usize = orbits.iter().map(Vec::len).sum();
-        // The more dots, the smaller, so that curves stay curves.
-        let (diameter, opacity) = match dots {
-            0..=300 => (1.6, 1.0),
-            301..=2000 => (1.0, 1.0),
-            2001..=8000 => (0.7, 0.9),
-            _ => (0.5, 0.8),
-        };
-        for (points, &colour) in orbits.iter().zip(ORBITS.iter().cycle()) {
-            svg.dots(points.iter().map(|p| view.place(*p)), diameter, colour, opacity);
-        }
-    })
-}
-
-/// A dense portrait, shaded, in the same frame.
-pub fn dense(grid: &Grid) -> Svg {
-    framed(|svg, view| svg.image(&grid.shade(Shading::Log).png(), view.corner(), view.size()))
+/// A portrait, each orbit in its colour.
+pub fn draw(cloud: &Cloud) -> Svg {
+    framed(|svg, view| cloud.draw(svg, view))
 }
 
 fn framed(content: impl FnOnce(&mut Svg, &View)) -> Svg {

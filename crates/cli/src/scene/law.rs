@@ -77,6 +77,19 @@ pub const LAWS: &[LawModel] = &[
     },
 ];
 
+impl std::fmt::Display for LawKind {
+    /// As the summary of a run says it.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Specular => f.write_str("specular"),
+            Self::NoSlip => f.write_str("no-slip"),
+            Self::Rough(directions) => write!(f, "rough {directions:?}"),
+            Self::Random { rank, seed } => write!(f, "random rank {rank} seed {seed}"),
+            Self::Restitution { normal, tangential } => write!(f, "restitution normal {normal} tangential {tangential}"),
+        }
+    }
+}
+
 impl std::str::FromStr for LawKind {
     type Err = String;
 

@@ -1,0 +1,98 @@
+//! `billiards run`: the main job.
+
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::Failure;
+use crate::args;
+use crate::document::Source;
+use crate::scene::{Request, Scene};
+use crate::simulation::{Control, Done, Simulation};
+
+/// Work that is done sooner shows no progress.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Between two looks at how far the work is.
+const GLANCE: Duration = Duration::from_millis(100);
+
+/// Runs a scene and prints what came of it.
+///
+/// # Errors
+/// The scene is wrong, or something cannot be written.
+pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
+    let request =
+        Request { law: arguments.law.clone(), collisions: arguments.collisions, needs_limit: true };
+    let source = Source::read(&arguments.scene)?;
+    let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let control = Arc::new(Control::new(arguments.threads.map_or(cores, usize::from)));
+    on_ctrl_c(&control)?;
+    let folder = arguments.folder();
+    let done = with_progress(&simulation, &control, || simulation.run(&folder, &control))
+        .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;
+    Ok(report(&simulation, &done, &folder, out)?)
+}
+
+/// The first Ctrl-C ends the run and keeps what is done, the second one ends the program.
+fn on_ctrl_c(control: &Arc<Control>) -> Result<(), Failure> {
+    let control = Arc::clone(control);
+    ctrlc::set_handler(move || {
+        if control.interrupted.swap(true, Ordering::Relaxed) {
+            std::process::exit(130);
+        }
+    })
+    .map_err(|error| Failure::Work(format!("cannot listen to Ctrl-C: {error}")))
+}
+
+/// Does the work, and shows on a terminal how far it is.
+fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnce() -> R) -> R {
+    if !io::stderr().is_terminal() {
+        return work();
+    }
+    let over = AtomicBool::new(false);
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            let begun = Instant::now();
+            let mut bar = None;
+            while !over.load(Ordering::Relaxed) {
+                thread::park_timeout(GLANCE);
+                if begun.elapsed() > PATIENCE {
+                    bar.get_or_insert_with(|| progress_bar(simulation.steps())).set_position(control.steps_done());
+                }
+            }
+            if let Some(bar) = bar {
+                bar.finish_and_clear();
+            }
+        });
+        let result = work();
+        over.store(true, Ordering::Relaxed);
+        result
+    })
+}
+
+fn progress_bar(steps: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} passed, {eta} to go  (Ctrl-C ends and keeps what is done)");
+    ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// A short summary, and what was written.
+fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Write) -> io::Result<()> {
+    let summary = &done.summary;
+    if let Some(title) = &simulation.scene().title {
+        writeln!(out, "{title}")?;
+    }
+    writeln!(out, "  table       {}", summary.table)?;
+    writeln!(out, "  law         {}, gamma^2 = {}", summary.law, summary.gamma_squared)?;
+    let stops: Vec<_> = summary.stops.iter().map(|(name, count)| format!("{count} {name}")).collect();
+    writeln!(out, "  orbits      {}: {}", summary.orbits, stops.join(", "))?;
+    let seconds = Duration::from_secs_f64(summary.seconds);
+    writeln!(out, "  collisions  {} in {seconds:.3?}, {:.1} ns each", summary.collisions, summary.ns_per_collision)?;
+    writeln!(out, "  energy      drifts by at most {:.1e} (relative)", summary.energy_drift)?;
+    let names = done.files.iter().filter_map(|file| file.file_name()).map(|name| name.to_string_lossy());
+    writeln!(out, "  written     {}: {}", folder.display(), names.collect::<Vec<_>>().join(", "))
+}

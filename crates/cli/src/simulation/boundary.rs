@@ -1,0 +1,303 @@
+//! From the boundary that a scene describes to a table.
+
+use billiards::geometry::tables::{self, Kind, Values};
+use billiards::geometry::{
+    Error, Lattice, Outline, Piece, Table, Turn, Vector2,
+    shapes::{Circle, Ellipse, FullLine, Ray},
+};
+
+use crate::document::{Diagnostic, Span};
+use crate::scene::{self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape};
+
+use super::scale;
+
+/// A planar table as drawn, all lengths multiplied by a factor.
+#[derive(Clone, Debug)]
+pub(crate) struct Drawn {
+    /// The table.
+    pub(crate) table: Table,
+    /// Where each piece stands in the scene.
+    pub(crate) spans: Vec<Span>,
+    /// The laws that pieces have of their own.
+    pub(crate) laws: Vec<Option<LawKind>>,
+    /// The factor: a power of two.
+    pub(crate) factor: f64,
+}
+
+/// Draws the table of a planar scene.
+pub(crate) fn draw(scene: &Scene) -> Result<Drawn, Vec<Diagnostic>> {
+    let factor = scale::to_unity(lengths(scene));
+    let mut drawn = match &scene.table.shape {
+        TableShape::Named { model, arguments, span } => named(scene, model.name, arguments, *span, factor)?,
+        TableShape::Boundary(entries) => explicit(scene, entries, factor)?,
+    };
+    let complain = |span: Span, what: String| scene.source.diagnostic(span, what);
+    if let Err(error) = drawn.table.validate() {
+        return Err(vec![drawn.complaint(scene, &error)]);
+    }
+    for law in &scene.table.laws {
+        let (piece, count) = (law.piece.value, drawn.laws.len());
+        match drawn.laws.get_mut(piece) {
+            Some(of_piece) => *of_piece = Some(law.law.clone()),
+            None => {
+                let what = format!("there is no piece {piece}: the table has {count}, numbered from 0");
+                return Err(vec![complain(law.piece.span, what)]);
+            }
+        }
+    }
+    Ok(drawn)
+}
+
+impl Drawn {
+    /// An error of the geometry as one about the scene.
+    pub(crate) fn complaint(&self, scene: &Scene, error: &Error) -> Diagnostic {
+        let at = |piece: usize| self.spans.get(piece).copied().unwrap_or(scene.table.span);
+        let span = match error {
+            Error::Open { piece, .. } | Error::Orientation { piece } => at(*piece),
+            Error::Crossing { second, .. } => at(*second),
+            _ => scene.table.span,
+        };
+        scene.source.diagnostic(span, in_user_units(error, self.factor).to_string())
+    }
+}
+
+/// An error whose lengths are those of the user.
+fn in_user_units(error: &Error, factor: f64) -> Error {
+    let back = |x: f64| x / factor;
+    match error.clone() {
+        Error::Radius { radius } => Error::Radius { radius: back(radius) },
+        Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
+        Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
+        Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
+        other => other,
+    }
+}
+
+/// Every length that says how large a scene is.
+fn lengths(scene: &Scene) -> Vec<f64> {
+    let mut all = vec![scene.particle.radius.value];
+    all.extend(scene.table.lattice.iter().flat_map(|vector| vector.value.iter().copied()));
+    match &scene.table.shape {
+        TableShape::Named { model, arguments, .. } => {
+            let entry = tables::find(model.name);
+            let parameters = entry.map_or(&[][..], |entry| entry.parameters);
+            for parameter in parameters.iter().filter(|p| p.kind.is_length()) {
+                all.extend(arguments.numbers(parameter.name));
+                all.extend(arguments.points(parameter.name).iter().flat_map(|point| point.value.iter().copied()));
+            }
+        }
+        TableShape::Boundary(entries) => entries.iter().for_each(|entry| of_border(&entry.border, &mut all)),
+    }
+    if all.iter().all(|x| *x == 0.0)
+        && let scene::Starts::Orbits(orbits) = &scene.starts
+    {
+        // a table without any length of its own, such as a wedge
+        all.extend(orbits.iter().flat_map(|orbit| orbit.position.value.iter().copied()));
+    }
+    all
+}
+
+fn of_border(border: &Border, all: &mut Vec<f64>) {
+    match border {
+        Border::Loop { from, edges } => {
+            all.extend(&from.value);
+            for edge in edges {
+                match &edge.path {
+                    EdgePath::Line { to } => all.extend(&to.value),
+                    EdgePath::Arc { to, center, .. } => all.extend(to.value.iter().chain(&center.value)),
+                }
+            }
+        }
+        Border::Circle { center, radius, .. } => all.extend(center.value.iter().chain([&radius.value])),
+        Border::Ellipse { center, semi_axes, .. } => all.extend(center.value.iter().chain(&semi_axes.value)),
+        Border::Line { through, .. } | Border::Plane { through, .. } => all.extend(&through.value),
+        Border::Ray { from, .. } => all.extend(&from.value),
+        Border::Curve { curve: Curve::Polar { center, .. }, .. } => all.extend(&center.value),
+        Border::Curve { curve: Curve::Implicit { within, .. }, .. } => all.extend(within.value.as_flattened()),
+        Border::Shape { .. } | Border::Outline { .. } => {}
+    }
+}
+
+fn named(
+    scene: &Scene,
+    name: &str,
+    arguments: &Arguments,
+    span: Span,
+    factor: f64,
+) -> Result<Drawn, Vec<Diagnostic>> {
+    let one = |span: Span, what: String| vec![scene.source.diagnostic(span, what)];
+    let entry = tables::find(name).ok_or_else(|| one(span, format!("there is no table \"{name}\"")))?;
+    if let Some(vector) = scene.table.lattice.first() {
+        let what = format!("the built-in table \"{name}\" cannot be repeated on a lattice");
+        return Err(vec![
+            scene.source.diagnostic(vector.span, what).with_help("write its boundary with [[table.boundary]]"),
+        ]);
+    }
+    let values = values(entry, arguments);
+    let table = entry.planar(&entry.scaled(&values, factor)).map_err(|error| match error {
+        Error::Parameter { name, must, value } => {
+            let is_length = entry.parameters.iter().any(|p| p.name == name && p.kind.is_length());
+            let value = if is_length { value / factor } else { value };
+            one(arguments.span(name), Error::Parameter { name, must, value }.to_string())
+        }
+        other => one(span, in_user_units(&other, factor).to_string()),
+    })?;
+    let count = table.pieces().len();
+    Ok(Drawn { table, spans: vec![span; count], laws: vec![None; count], factor })
+}
+
+/// The values of a built-in table's parameters, as the geometry has them.
+pub(super) fn values(entry: &tables::Entry, arguments: &Arguments) -> Values {
+    let mut values = Values::new();
+    for parameter in entry.parameters {
+        let numbers = arguments.numbers(parameter.name);
+        values = match parameter.kind {
+            Kind::Points(_) => {
+                let point = |p: &crate::document::Spanned<Vec<f64>>| [p.value[0], p.value[1]];
+                values.with(parameter.name, arguments.points(parameter.name).iter().map(point).collect::<Vec<_>>())
+            }
+            Kind::Lengths(_) => values.with(parameter.name, numbers.to_vec()),
+            _ => values.with(parameter.name, arguments.number(parameter.name)),
+        };
+    }
+    values
+}
+
+/// Pieces of an explicit boundary, as they come.
+struct Pieces<'a> {
+    scene: &'a Scene,
+    factor: f64,
+    pieces: Vec<Box<dyn Piece>>,
+    spans: Vec<Span>,
+    laws: Vec<Option<LawKind>>,
+}
+
+fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<Diagnostic>> {
+    let mut all = Pieces { scene, factor, pieces: vec![], spans: vec![], laws: vec![] };
+    let mut wrong = vec![];
+    for entry in entries {
+        if let Err(diagnostic) = all.entry(entry) {
+            wrong.push(*diagnostic);
+        }
+    }
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
+    let lattice = lattice(scene, factor)?;
+    let Pieces { pieces, spans, laws, .. } = all;
+    let table = Table::periodic(pieces, lattice).map_err(|error| {
+        let span = match &error {
+            Error::Open { piece, .. } => spans.get(*piece).copied(),
+            _ => None,
+        };
+        vec![scene.source.diagnostic(span.unwrap_or(scene.table.span), in_user_units(&error, factor).to_string())]
+    })?;
+    Ok(Drawn { table, spans, laws, factor })
+}
+
+fn lattice(scene: &Scene, factor: f64) -> Result<Option<Lattice>, Vec<Diagnostic>> {
+    let vectors: Vec<_> = scene.table.lattice.iter().map(|v| plane(&v.value) * factor).collect();
+    let Some(first) = scene.table.lattice.first() else { return Ok(None) };
+    Lattice::new(&vectors).map(Some).map_err(|error| vec![scene.source.diagnostic(first.span, error.to_string())])
+}
+
+fn plane(coordinates: &[f64]) -> Vector2<f64> {
+    Vector2::new(coordinates[0], coordinates[1])
+}
+
+impl Pieces<'_> {
+    fn at(&self, point: &[f64]) -> Vector2<f64> {
+        plane(point) * self.factor
+    }
+
+    fn push(&mut self, piece: Box<dyn Piece>, span: Span, law: Option<&scene::Law>) {
+        self.pieces.push(piece);
+        self.spans.push(span);
+        self.laws.push(law.map(|law| law.kind.clone()));
+    }
+
+    fn wrong(&self, span: Span, error: &Error) -> Box<Diagnostic> {
+        Box::new(self.scene.source.diagnostic(span, in_user_units(error, self.factor).to_string()))
+    }
+
+    fn entry(&mut self, entry: &Entry) -> Result<(), Box<Diagnostic>> {
+        let law = entry.law.as_ref();
+        let inside = |domain: &Domain| *domain == Domain::Inside;
+        let piece: Result<Box<dyn Piece>, Error> = match &entry.border {
+            Border::Loop { from, edges } => return self.edges(&from.value, edges, law),
+            Border::Circle { center, radius, domain } => {
+                Circle::new(self.at(&center.value), radius.value * self.factor, inside(domain)).map(|c| Box::new(c) as _)
+            }
+            Border::Ellipse { center, semi_axes, angle, domain } => {
+                let [a, b] = [0, 1].map(|i| semi_axes.value[i] * self.factor);
+                Ellipse::new(self.at(&center.value), [a, b], angle.value, inside(domain)).map(|e| Box::new(e) as _)
+            }
+            Border::Line { through, direction } => {
+                FullLine::new(self.at(&through.value), unit(&direction.value)).map(|l| Box::new(l) as _)
+            }
+            Border::Ray { from, direction, domain } => {
+                Ray::new(self.at(&from.value), unit(&direction.value), *domain == Side::Left).map(|r| Box::new(r) as _)
+            }
+            other => {
+                let what = format!("{other:?} is not a planar boundary");
+                return Err(Box::new(self.scene.source.diagnostic(entry.span, what)));
+            }
+        };
+        let piece = piece.map_err(|error| self.wrong(entry.span, &error))?;
+        self.push(piece, entry.span, law);
+        Ok(())
+    }
+
+    fn edges(&mut self, from: &[f64], edges: &[Edge], law: Option<&scene::Law>) -> Result<(), Box<Diagnostic>> {
+        let start = self.at(from);
+        let size = edges
+            .iter()
+            .flat_map(|edge| match &edge.path {
+                EdgePath::Line { to } | EdgePath::Arc { to, .. } => self.at(&to.value).data.0[0],
+            })
+            .chain([start.x, start.y])
+            .fold(0.0, |m: f64, x| m.max(x.abs()));
+        let mut outline = Outline::from(start);
+        let mut at = start;
+        for (i, edge) in edges.iter().enumerate() {
+            let (EdgePath::Line { to } | EdgePath::Arc { to, .. }) = &edge.path;
+            let mut end = self.at(&to.value);
+            let last = i + 1 == edges.len();
+            // a first vertex written as another formula, such as sin(pi/3) for sqrt(3)/2, is still the first vertex
+            if last && (end - start).amax() <= 16.0 * f64::EPSILON * size {
+                end = start;
+            }
+            if last && end != start {
+                let gap = (end - start).norm() / self.factor;
+                let what = format!("the loop is open: its last edge ends {gap:e} away from its first vertex");
+                return Err(Box::new(
+                    self.scene.source.diagnostic(to.span, what).with_help("let the last edge end where \"from\" is"),
+                ));
+            }
+            outline = match &edge.path {
+                EdgePath::Line { .. } => outline.line_to(end),
+                EdgePath::Arc { center, turn, .. } => {
+                    let turn = match turn {
+                        scene::Turn::CounterClockwise => Turn::CounterClockwise,
+                        scene::Turn::Clockwise => Turn::Clockwise,
+                    };
+                    outline.arc_to(end, self.at(&center.value), turn)
+                }
+            }
+            .map_err(|error| self.wrong(edge.span, &error))?;
+            at = end;
+        }
+        debug_assert_eq!(at, start);
+        let pieces = outline.close().map_err(|error| self.wrong(edges[edges.len() - 1].span, &error))?;
+        for (piece, edge) in pieces.into_iter().zip(edges) {
+            self.push(piece, edge.span, edge.law.as_ref().or(law));
+        }
+        Ok(())
+    }
+}
+
+/// A direction of a length near one.
+fn unit(direction: &[f64]) -> Vector2<f64> {
+    let factor = scale::to_unity(direction.iter().copied());
+    plane(direction) * factor
+}

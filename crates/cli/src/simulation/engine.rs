@@ -1,0 +1,184 @@
+//! The engine's loop for the command line: two copies of it per kind of walls, bare and watched, for all scenes.
+
+use std::ops::ControlFlow;
+
+use billiards::geometry::{WallHit, Walls};
+use billiards::{
+    Angle, BallLaw, Billiard, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Observer, Orbit, Outcome, Timed,
+    Track, run,
+};
+
+use super::event::Event;
+use super::scale::Scale;
+
+/// Keeps the energy where the law does.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Keeper<const N: usize> {
+    conserved: Conserved<f64, N>,
+    strict: bool,
+}
+
+impl<const N: usize> Keeper<N> {
+    /// For an orbit that starts like this, under a law that is `strict` or not.
+    pub(crate) fn for_law<const S: usize>(strict: bool, velocity: &[f64; N], spin: &[f64; S]) -> Self {
+        Keeper { strict, ..EnergyKeeper::<f64, N, S>::new(velocity, spin) }
+    }
+}
+
+impl<const N: usize, const S: usize> EnergyKeeper<f64, N, S> for Keeper<N> {
+    #[inline(always)]
+    fn new(velocity: &[f64; N], spin: &[f64; S]) -> Self {
+        Keeper { conserved: EnergyKeeper::<f64, N, S>::new(velocity, spin), strict: true }
+    }
+    #[inline(always)]
+    fn arrive(&self, velocity: &mut [f64; N]) {
+        if self.strict {
+            EnergyKeeper::<f64, N, S>::arrive(&self.conserved, velocity);
+        }
+    }
+    #[inline(always)]
+    fn leave(&mut self, velocity: &[f64; N], spin: &[f64; S], hit: &WallHit<f64, N>) {
+        if self.strict {
+            self.conserved.leave(velocity, spin, hit);
+        }
+    }
+    fn replace(&mut self, mask: bool, by: &Self) {
+        if mask {
+            *self = *by;
+        }
+    }
+}
+
+/// So many collisions or so much time, whichever comes first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Until {
+    pub(crate) collisions: u64,
+    pub(crate) time: f64,
+}
+
+impl<T: Timed<f64>> Limit<T> for Until {
+    #[inline(always)]
+    fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool {
+        n > self.collisions || track.time() + flight > self.time
+    }
+}
+
+/// What a watched orbit tracks besides the time: in the plane x0 and the lattice cell, in space nothing.
+pub(crate) trait Trail<const N: usize, const S: usize>: Track<f64, N, S> + Clone + Send {
+    /// The spin position x0.
+    fn angle(&self) -> f64;
+    /// The accumulated translation.
+    fn cell(&self) -> [f64; 2];
+}
+
+/// The trail of a disk in the plane.
+#[derive(Clone, Debug)]
+pub(crate) struct PlanarTrail {
+    pub(crate) angle: Angle,
+    pub(crate) cell: Option<Cell>,
+}
+
+impl Track<f64, 2, 1> for PlanarTrail {
+    #[inline(always)]
+    fn fly(&mut self, from: &[f64; 2], velocity: &[f64; 2], spin: &[f64; 1], hit: &WallHit<f64, 2>) {
+        self.angle.fly(from, velocity, spin, hit);
+        if let Some(cell) = &mut self.cell {
+            cell.fly(from, velocity, spin, hit);
+        }
+    }
+}
+
+impl Trail<2, 1> for PlanarTrail {
+    fn angle(&self) -> f64 {
+        self.angle.0.value()
+    }
+    fn cell(&self) -> [f64; 2] {
+        self.cell.as_ref().map_or([0.0; 2], |cell| cell.cell)
+    }
+}
+
+impl Trail<3, 3> for () {
+    fn angle(&self) -> f64 {
+        0.0
+    }
+    fn cell(&self) -> [f64; 2] {
+        [0.0; 2]
+    }
+}
+
+/// An orbit of which only the time is tracked.
+pub(crate) type Bare<const N: usize, const S: usize> = Orbit<f64, N, S, Keeper<N>, Clock>;
+/// An orbit that is watched.
+pub(crate) type Watched<const N: usize, const S: usize, T> = Orbit<f64, N, S, Keeper<N>, (Clock, T)>;
+
+/// Sees every collision of a watched orbit.
+#[derive(Debug)]
+pub(crate) struct Watch<'a> {
+    pub(crate) events: Vec<Event>,
+    /// Number of the orbit.
+    pub(crate) orbit: u64,
+    /// Collisions before this run.
+    pub(crate) before: u64,
+    pub(crate) scale: Scale,
+    /// The number that a piece of the table has for the user.
+    pub(crate) pieces: &'a [u64],
+}
+
+impl<const N: usize, const S: usize, K, T: Trail<N, S>> Observer<N, S, K, (Clock, T)> for Watch<'_> {
+    #[inline(always)]
+    fn collision(&mut self, collision: &Collision<'_, N, S, K, (Clock, T)>) -> ControlFlow<()> {
+        self.events.push(self.event(collision));
+        ControlFlow::Continue(())
+    }
+}
+
+impl Watch<'_> {
+    fn event<const N: usize, const S: usize, K, T: Trail<N, S>>(
+        &self,
+        collision: &Collision<'_, N, S, K, (Clock, T)>,
+    ) -> Event {
+        let Collision { n, hit, orbit } = collision;
+        let (clock, trail) = &orbit.track;
+        let mut event = Event {
+            orbit: self.orbit,
+            n: self.before + n,
+            time: self.scale.time_out(clock.time()),
+            piece: self.pieces.get(collision.piece()).copied().unwrap_or(collision.piece() as u64),
+            angle: self.scale.length_out(trail.angle()),
+            cell: trail.cell(),
+            ..Event::default()
+        };
+        let normal = hit.unit_normal();
+        for i in 0..N {
+            event.position[i] = self.scale.length_out(orbit.position[i]);
+            event.velocity[i] = self.scale.speed_out(orbit.velocity[i]);
+            event.normal[i] = normal[i];
+        }
+        for i in 0..S {
+            event.spin[i] = self.scale.speed_out(orbit.spin[i]);
+        }
+        event
+    }
+}
+
+/// A table's walls and a law, ready to run orbits.
+pub(crate) trait Engine<const N: usize, const S: usize, T>: Sync {
+    /// Runs an orbit that nobody watches.
+    fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
+    /// Runs an orbit that somebody watches: the same collisions, bit by bit.
+    fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome;
+}
+
+impl<W, L, const N: usize, const S: usize, T> Engine<N, S, T> for Billiard<'_, W, L>
+where
+    W: Walls<N>,
+    L: BallLaw<N, S>,
+    T: Trail<N, S>,
+{
+    fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome {
+        run(self, orbit, &until, &mut ())
+    }
+    fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome {
+        run(self, orbit, &until, watch)
+    }
+}

@@ -1,0 +1,115 @@
+//! Starts of orbits, checked against the table.
+
+use billiards::geometry::{Table, Vector2};
+
+use crate::document::Diagnostic;
+use crate::scene::{Orbit, Scene};
+
+use super::scale::{Scale, to_unity};
+
+/// A start, scaled to the size of the engine.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Start<const N: usize, const S: usize> {
+    /// Centre; on a lattice, in the unit cell.
+    pub(crate) position: [f64; N],
+    /// Velocity.
+    pub(crate) velocity: [f64; N],
+    /// Scaled spin.
+    pub(crate) spin: [f64; S],
+    /// Scaled spin position x0.
+    pub(crate) angle: f64,
+    /// The cell of the start.
+    pub(crate) cell: [f64; 2],
+    /// How it is scaled.
+    pub(crate) scale: Scale,
+}
+
+/// Scales a start given by its numbers.
+pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64) -> Start<N, S> {
+    let of = |values: &[f64], i: usize| values.get(i).copied().unwrap_or(0.0);
+    let speed = to_unity(orbit.velocity.value.iter().chain(&orbit.spin.value).copied());
+    Start {
+        position: core::array::from_fn(|i| of(&orbit.position.value, i) * length),
+        velocity: core::array::from_fn(|i| of(&orbit.velocity.value, i) * speed),
+        spin: core::array::from_fn(|i| of(&orbit.spin.value, i) * speed),
+        angle: orbit.angle.value * length,
+        cell: [0.0; 2],
+        scale: Scale { length, speed },
+    }
+}
+
+/// A start in a table of centres, or what is wrong with it. `radius` is that of the particle.
+pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -> Result<Start<2, 1>, Box<Diagnostic>> {
+    let mut start: Start<2, 1> = scaled(orbit, length);
+    let lifted = Vector2::from(start.position);
+    let home = match table.lattice() {
+        Some(lattice) => {
+            let (home, cell) = lattice.reduce(&lifted);
+            start.cell = cell;
+            home
+        }
+        None => lifted,
+    };
+    start.position = home.into();
+    let (piece, landing) = table.closest(&home);
+    let off = home - landing.point;
+    let distance = libm::hypot(off.x, off.y);
+    // a point given on a wall is on it within the rounding of its coordinates and of the wall's
+    let slack = 16.0 * f64::EPSILON * home.amax().max(landing.point.amax());
+    let at = orbit.position.span;
+    if distance > slack {
+        if off.dot(&landing.normal) > 0.0 {
+            return Ok(start);
+        }
+        let beyond = format!("{:.3e} beyond piece {piece}", distance / length);
+        let radius = scene.particle.radius.value;
+        let what = if radius > 0.0 {
+            format!("a disk of radius {radius} does not fit there: its centre would be {beyond} of the region of centres")
+        } else {
+            format!("the start lies outside the table, {beyond}")
+        };
+        return Err(Box::new(scene.source.diagnostic(at, what)));
+    }
+    if moves_inwards(table, &home, &Vector2::from(start.velocity), slack) {
+        return Ok(start);
+    }
+    let what = format!("the start lies on piece {piece} and does not move into the table");
+    Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
+}
+
+/// Whether a path from a point of the boundary enters the table.
+///
+/// At a corner that points out of the table it must do so for both walls, at one that points into it for either.
+fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, slack: f64) -> bool {
+    let near = |a: &Vector2<f64>, b: &Vector2<f64>| libm::hypot(a.x - b.x, a.y - b.y) <= 2.0 * slack;
+    let mut normals = vec![];
+    let (mut ending, mut starting) = (None, None);
+    for shift in neighbours(table) {
+        let point = point - shift;
+        for piece in table.pieces() {
+            let landing = piece.closest(&point);
+            if near(&landing.point, &point) {
+                normals.push(landing.normal);
+                match piece.ends() {
+                    Some([_, b]) if near(&b, &point) => ending = Some(landing.normal),
+                    Some([a, _]) if near(&a, &point) => starting = Some(landing.normal),
+                    _ => {}
+                }
+            }
+        }
+    }
+    let enters = |normal: &Vector2<f64>| velocity.dot(normal) > 0.0;
+    match (&normals[..], ending, starting) {
+        // the boundary turns right there, with the table on its left
+        ([a, b], Some(before), Some(after)) if before.perp(&after) < 0.0 => enters(a) || enters(b),
+        _ => normals.iter().all(enters),
+    }
+}
+
+/// Translations to the neighbouring cells of a lattice, and none.
+fn neighbours(table: &Table) -> Vec<Vector2<f64>> {
+    let Some(lattice) = table.lattice() else { return vec![Vector2::zeros()] };
+    let steps = [-1.0, 0.0, 1.0];
+    let second = if lattice.vectors().len() == 2 { &steps[..] } else { &[0.0] };
+    steps.iter().flat_map(|a| second.iter().map(|b| lattice.translation([*a, *b]))).collect()
+}

@@ -1,0 +1,152 @@
+//! `summary.json`: what was run, and what came of it.
+
+use std::collections::BTreeMap;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+use serde::Serialize;
+
+use super::harvest::Totals;
+use crate::scene::{Limit, Scene, Starts, TableShape};
+
+/// A run in a page. Two runs of the same scene differ at most in the last six.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// The scene's title, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// SHA-256 of the scene file.
+    pub scene: String,
+    /// Version of this program.
+    pub version: &'static str,
+    /// Seed of the random choices; 0 where there are none.
+    pub seed: u64,
+    /// Dimension of space.
+    pub dimension: usize,
+    /// The table by name, or `boundary`.
+    pub table: String,
+    /// The law of every piece without one of its own.
+    pub law: String,
+    /// γ² = I/(m R²).
+    pub gamma_squared: f64,
+    /// Radius of the particle.
+    pub radius: f64,
+    /// Collisions after which an orbit ends, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub collisions_per_orbit: Option<u64>,
+    /// Time after which an orbit ends, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_per_orbit: Option<f64>,
+    /// Number of orbits.
+    pub orbits: u64,
+    /// Collisions of all orbits.
+    pub collisions: u64,
+    /// Simulated time of all orbits.
+    pub time: f64,
+    /// Largest relative deviation of an orbit's energy from that of its start.
+    pub energy_drift: f64,
+    /// How many orbits ended for which reason.
+    pub stops: BTreeMap<&'static str, u64>,
+    /// Time that the simulation itself took, in seconds.
+    pub seconds: f64,
+    /// The same per collision, in nanoseconds; 0 without collisions.
+    pub ns_per_collision: f64,
+    /// Number of threads.
+    pub threads: usize,
+    /// The machine.
+    pub host: String,
+    /// When the run ended, UTC.
+    pub date: String,
+    /// The command line.
+    pub command: String,
+}
+
+impl Summary {
+    /// Puts together what is known of a run.
+    pub(crate) fn new(scene: &Scene, orbits: u64, totals: &Totals, busy: Duration, threads: usize) -> Summary {
+        let seconds = busy.as_secs_f64();
+        let ns_per_collision = if totals.collisions == 0 { 0.0 } else { seconds * 1e9 / totals.collisions as f64 };
+        let (collisions_per_orbit, time_per_orbit) = match scene.limit {
+            Some(Limit::Collisions(n)) => (Some(n.value), None),
+            Some(Limit::Time(time)) => (None, Some(time.value)),
+            None => (None, None),
+        };
+        let mut stops = totals.stops.clone();
+        let never_begun = orbits - totals.orbits;
+        if never_begun > 0 {
+            *stops.entry(super::harvest::INTERRUPTED).or_default() += never_begun;
+        }
+        Summary {
+            title: scene.title.clone(),
+            scene: crate::sha256::hex(scene.source.text().as_bytes()),
+            version: env!("CARGO_PKG_VERSION"),
+            seed: match &scene.starts {
+                Starts::Ensemble(ensemble) => ensemble.seed,
+                Starts::Orbits(_) => 0,
+            },
+            dimension: scene.dimension,
+            table: match &scene.table.shape {
+                TableShape::Named { model, .. } => model.name.into(),
+                TableShape::Boundary(_) => "boundary".into(),
+            },
+            law: scene.law.kind.to_string(),
+            gamma_squared: scene.particle.gamma_squared.value,
+            radius: scene.particle.radius.value,
+            collisions_per_orbit,
+            time_per_orbit,
+            orbits,
+            collisions: totals.collisions,
+            time: totals.time,
+            energy_drift: totals.drift,
+            stops,
+            seconds,
+            ns_per_collision,
+            threads,
+            host: host(),
+            date: date(SystemTime::now()),
+            command: std::env::args().collect::<Vec<_>>().join(" "),
+        }
+    }
+
+    /// The file's content.
+    pub fn json(&self) -> String {
+        // A summary has nothing that JSON cannot hold.
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+}
+
+/// Operating system, processor and what it can do.
+fn host() -> String {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let (os, arch) = (std::env::consts::OS, std::env::consts::ARCH);
+    format!("{os} {arch}, {cores} cores, {}", lanes::instruction_set().0)
+}
+
+/// A moment as `2031-05-09T16:03:20Z`.
+fn date(moment: SystemTime) -> String {
+    let seconds = moment.duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
+    let (days, seconds) = (seconds / 86_400, seconds % 86_400);
+    // Civil date from days, in eras of 400 years that begin in March [Hinnant, chrono-compatible date algorithms].
+    let days = days + 719_468;
+    let (era, day) = (days / 146_097, days % 146_097);
+    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * day + 2) / 153;
+    let day = day - (153 * month + 2) / 5 + 1;
+    let (month, later) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
+    let year = era * 400 + year + later;
+    let (hour, minute, second) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
+    format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_are_civil() {
+        let at = |seconds| date(UNIX_EPOCH + Duration::from_secs(seconds));
+        assert_eq!(at(0), "1970-01-01T00:00:00Z");
+        assert_eq!(at(951_827_696), "2000-02-29T12:34:56Z");
+        assert_eq!(at(4_102_444_799), "2099-12-31T23:59:59Z");
+    }
+}
