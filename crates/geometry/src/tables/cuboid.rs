@@ -3,7 +3,7 @@ use super::registry::{Build, Entry, Parameter};
 use super::{SpatialTable, vertices::positive};
 use crate::{Error, walls::Cuboid};
 
-/// The box `0 < xᵢ < sizeᵢ` \[L\]; the wall at the lower (side 0) or upper (1) end of axis i = 0, 1, 2 is piece 2 i + side.
+/// The box `0 < xᵢ < sizeᵢ` \[L\]; the lower and the upper wall of axis i = 0, 1, 2 are the pieces 2 i and 2 i + 1.
 ///
 /// Volume `a b c`, surface `2 (a b + b c + c a)`.
 ///

@@ -4,8 +4,8 @@ use super::vertices::{positive, sides};
 use crate::{Error, Table};
 use nalgebra::Vector2;
 
-/// The triangle `(0, 0), (a, 0), (a/2, √3 a/2)` of side `a` \[L\]; piece i starts at vertex i. Area `√3 a²/4`, perimeter
-/// `3 a`.
+/// The triangle `(0, 0), (a, 0), (a/2, √3 a/2)` of side `a` \[L\]; piece i starts at vertex i. Area `√3 a²/4`,
+/// perimeter `3 a`.
 ///
 /// Every no-slip orbit of a uniform disk in it is periodic up to rotation, with period 2, 3, 4 or 6.
 ///

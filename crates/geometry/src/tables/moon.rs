@@ -4,8 +4,8 @@ use super::vertices::{positive, within};
 use crate::{Error, Outline, Table, shapes::Arc};
 use nalgebra::Vector2;
 
-/// The moon: the disk of radius `R` about the origin without the disk of radius `b` about `(d, 0)` \[L\]; pieces: 0 outer
-/// arc, 1 inner arc.
+/// The moon: the disk of radius `R` about the origin without the disk of radius `b` about `(d, 0)` \[L\]; pieces:
+/// 0 outer arc, 1 inner arc.
 ///
 /// The circles cross where `x₁ = (R² − b² + d²)/(2 d)`. With specular reflections ergodic for some parameters
 /// ([Correia–Zhang 2015]).

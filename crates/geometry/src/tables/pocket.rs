@@ -8,8 +8,8 @@ use nalgebra::Vector2;
 /// A rectangle with a corner at the origin and a circular pocket in the middle of its top side; pieces: 0 bottom,
 /// 1 right, 2 top right, 3 pocket, 4 top left, 5 left.
 ///
-/// The pocket is part of a circle of radius `r` and reaches `d` beyond the side \[L\], `0 < d < 2 r`: an arc that is more
-/// than half a circle where `d > r`. Its opening has the width `2 √(d (2 r − d))`, less than the rectangle's.
+/// The pocket is part of a circle of radius `r` and reaches `d` beyond the side \[L\], `0 < d < 2 r`: an arc that is
+/// more than half a circle where `d > r`. Its opening has the width `2 √(d (2 r − d))`, less than the rectangle's.
 ///
 /// # Errors
 /// [`Error::Parameter`] unless all are positive and finite, the pocket is open, and its opening fits into the side.

@@ -75,8 +75,8 @@ impl SpatialTable {
 
     /// A random point of the boundary, uniform by area, and the unit normal there, into the table.
     ///
-    /// `uniform` draws numbers uniform on [0, 1). The infinite slab looks the same everywhere: its points fill the square
-    /// 0 ≤ x₁, x₂ < height.
+    /// `uniform` draws numbers uniform on [0, 1). The infinite slab looks the same everywhere: its points fill the
+    /// square 0 ≤ x₁, x₂ < height.
     pub fn boundary_point(&self, uniform: &mut impl FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
         match self.figure {
             Figure::Slab { height, .. } => {

@@ -4,7 +4,8 @@ use super::vertices::{sides, within};
 use crate::{Error, Table};
 use nalgebra::Vector2;
 
-/// The triangle with the given vertices \[L\], counter-clockwise; piece i starts at vertex i. Area `½ |(b − a) × (c − a)|`.
+/// The triangle with the given vertices \[L\], counter-clockwise; piece i starts at vertex i. Area
+/// `½ (b − a) × (c − a)`.
 ///
 /// # Errors
 /// [`Error::Parameter`] unless the vertices are finite, [`Error::ZeroLength`] where two coincide, and
