@@ -212,7 +212,7 @@ impl Table {
     pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
         if let Some(lattice) = &self.lattice {
             return match self.figures().as_slice() {
-                [Figure::Circle { center, radius, inside: false }] if self.inside_cell(*center, *radius, lattice) => {
+                [Figure::Circle { center, radius, inside: false }] if inside_cell(*center, *radius, lattice) => {
                     match Scatterer::new(*center, *radius, 0) {
                         Ok(disk) => visit.run(&Periodic::new(disk, lattice)),
                         Err(_) => visit.run(&Periodic::new(self.translates(lattice), lattice)),
@@ -289,15 +289,6 @@ impl Table {
         (point - landing.point).dot(&landing.normal) >= 0.0
     }
 
-    /// Whether a disk lies in the unit cell, so that no translate of it reaches in.
-    fn inside_cell(&self, center: Vector2<f64>, radius: f64, lattice: &Lattice) -> bool {
-        (0..lattice.vectors().len()).all(|i| {
-            let [f, g] = lattice.functional(i);
-            let (at, reach) = (f * center.x + g * center.y, radius * libm::hypot(f, g));
-            at - reach >= 0.0 && at + reach <= 1.0
-        })
-    }
-
     /// Every piece that reaches into the unit cell, translated there.
     fn translates(&self, lattice: &Lattice) -> List {
         let mut corners = vec![];
@@ -309,6 +300,15 @@ impl Table {
         }
         List::new(pieces, &corners)
     }
+}
+
+/// Whether a disk lies in the unit cell, so that no translate of it reaches in.
+fn inside_cell(center: Vector2<f64>, radius: f64, lattice: &Lattice) -> bool {
+    (0..lattice.vectors().len()).all(|i| {
+        let [f, g] = lattice.functional(i);
+        let (at, reach) = (f * center.x + g * center.y, radius * libm::hypot(f, g));
+        at - reach >= 0.0 && at + reach <= 1.0
+    })
 }
 
 /// The closest of some pieces, the point of it that is closest, and its inward normal.

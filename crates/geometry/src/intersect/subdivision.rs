@@ -14,6 +14,10 @@ const PATIENCE: usize = 50_000;
 /// is below rounding.
 const TOUCHING: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 
+/// Arcs shorter than this part of the whole are so nearly straight that only their curvature tells how they bend: a sagitta
+/// of rounding `ε` goes with a length of `√ε` to `ε^{1/3}`.
+const SHORT: f64 = 1.0 / 8192.0;
+
 /// A point of a piece.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
@@ -51,21 +55,26 @@ impl Stretch {
         self.to.s - self.from.s
     }
 
-    fn hull(&self, rounding: f64) -> Hull {
+    /// The ellipse; `short` is the length below which the rounding of `ℓ − c` hides how the stretch bends, and its
+    /// curvature does not vary much.
+    fn hull(&self, rounding: f64, short: f64) -> Hull {
         let length = self.length();
         let chord = self.to.point - self.from.point;
         let distance = libm::hypot(chord.x, chord.y);
         let excess = ((length - distance) * (length + distance)).max(0.0).sqrt();
-        let bend = 1.5 * self.from.curvature.max(self.to.curvature) * length;
         // c/ℓ = 1 − φ²/24 for an arc that turns by φ
         let spread = (24.0 * (1.0 - distance / length)).max(0.0).sqrt();
-        let flat = spread < 0.3 && bend < 0.3;
-        let height = if flat { (0.5 * excess).min(0.125 * bend * length) } else { 0.5 * excess };
+        let bend = 2.0 * self.from.curvature.max(self.to.curvature) * length;
+        let (height, turning) = if length <= short && bend < 0.1 {
+            ((0.125 * bend * length).min(0.5 * excess), bend.min(spread))
+        } else {
+            (0.5 * excess, if spread < 0.3 { spread } else { f64::INFINITY })
+        };
         Hull {
             middle: (self.from.point + self.to.point) * 0.5,
             along: if distance > 0.0 { chord / distance } else { Vector2::new(1.0, 0.0) },
             semi_axes: [0.5 * length.max(distance) + rounding, height + rounding],
-            turning: if flat { spread.min(bend) } else { f64::INFINITY },
+            turning,
         }
     }
 
@@ -176,7 +185,8 @@ fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found:
     let whole =
         [0, 1].map(|k| Stretch { from: Mark::new(pieces[k], ranges[k][0]), to: Mark::new(pieces[k], ranges[k][1]) });
     let rounding = 0.25 * tolerance;
-    let least = TOUCHING * whole[0].length().max(whole[1].length());
+    let longest = whole[0].length().max(whole[1].length());
+    let (least, short) = (TOUCHING * longest, SHORT * longest);
     // a closed curve is halved first: its chord is no direction
     let mut open = vec![];
     for a in whole[0].halves(pieces[0]) {
@@ -187,7 +197,7 @@ fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found:
     let mut touching: Vec<[f64; 2]> = vec![];
     let mut steps = 0;
     while let Some(pair) = open.pop() {
-        let hulls = pair.map(|s| s.hull(rounding));
+        let hulls = pair.map(|s| s.hull(rounding, short));
         if hulls[0].apart(&hulls[1]) {
             continue;
         }

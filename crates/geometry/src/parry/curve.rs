@@ -17,8 +17,8 @@ use std::sync::OnceLock;
 /// used. Crossings are certified to be the first ones, with the error of the projection divided by the sine of the
 /// angle of incidence, and normals are good to about 10⁻¹³. A crossing costs some fifty projections.
 ///
-/// Arc length comes from the outline traced on a grid of 256 cells across the shape and refined to 10⁻¹²; loops smaller
-/// than a cell are hit but not measured. A shape with several loops is one piece: `s` runs through one loop after
+/// Arc length comes from the outline traced on a grid of 256 cells across the shape and refined to 10⁻¹² of its size,
+/// or 10⁻⁸ per corner; loops smaller than a cell are hit but not measured. A shape with several loops is one piece: `s` runs through one loop after
 /// another. A shape without an inside, or an infinite one, has no arc length: it is NaN. Curvature is a difference of
 /// normals, good to about 10⁻⁸ away from corners.
 pub struct DistancePiece {

@@ -22,6 +22,7 @@ mod planar;
 mod screen;
 mod slab;
 mod solid;
+mod solid_spec;
 mod spec;
 mod traced;
 mod union;
@@ -33,6 +34,7 @@ pub use parry3d_f64;
 pub use planar::pieces;
 pub use screen::Screen;
 pub use solid::{Closest, Solid};
+pub use solid_spec::SolidSpec;
 pub use spec::{Placed, ShapeSpec};
 
 /// On which side of a shape's surface the table lies.

@@ -89,6 +89,7 @@ impl Piece for Screen {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values")]
 mod tests {
     use super::*;
 

@@ -1,4 +1,7 @@
 //! The outline of a planar shape of which only the distance is known, traced and measured.
+//!
+//! Smooth stretches are right to 10⁻¹². At a corner a stretch is accepted as straight when its end lies 10⁻⁸ of the
+//! shape's size beyond the corner, so each corner adds that much of an error.
 use super::distance::Distance;
 use crate::{Landing, plane::cross};
 use nalgebra::Vector2;
@@ -10,8 +13,6 @@ pub(crate) struct Traced {
     /// Loops one after another; each ends with its first node again.
     nodes: Vec<Node>,
     area: f64,
-    /// Stretches shorter than this are straight.
-    straight: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +28,6 @@ struct Node {
 const DEPTH: u32 = 8;
 /// What a stretch may still gain by being halved, in units of the shape's size.
 const FINE: f64 = 1e-14;
-/// Nearer than 10⁻⁶ to a corner normals are not known; a smooth stretch this short is straight to 10⁻¹⁰ of itself.
-const STRAIGHT: f64 = 1e-5;
 /// Halvings of a stretch: at a corner the last is 10⁻¹³ of the size.
 const DEEPEST: u32 = 36;
 
@@ -37,13 +36,8 @@ type Vertex = (i64, i64);
 type Side = (Vertex, bool);
 
 /// Arc length, and the area between chord and arc, of the circular arc with these ends and normals.
-///
-/// Stretches shorter than `straight` count as straight: only corners need them, and normals are rough there.
-fn arc(a: &Landing, b: &Landing, straight: f64) -> (f64, f64) {
+fn arc(a: &Landing, b: &Landing) -> (f64, f64) {
     let chord = (b.point - a.point).norm();
-    if chord < straight {
-        return (chord, 0.0);
-    }
     let turn = cross(a.normal.into(), b.normal.into()).clamp(-1.0, 1.0);
     let t2 = turn * turn; // sin²φ, and φ = turn (1 + sin²φ/6 + …)
     let angle = turn * (1.0 + t2 * (1.0 / 6.0 + t2 * 3.0 / 40.0));
@@ -62,7 +56,7 @@ impl Traced {
             let [min, max] = distance.extent();
             (max - min).norm()
         };
-        let mut traced = Traced { nodes: vec![], area: 0.0, straight: STRAIGHT * size };
+        let mut traced = Traced { nodes: vec![], area: 0.0 };
         for start in loops(distance) {
             let mut corners: Vec<Landing> = start.iter().map(landing).collect();
             corners.dedup_by(|a, b| (a.point - b.point).norm() <= FINE * size);
@@ -80,7 +74,7 @@ impl Traced {
     /// Adds the stretch up to `b`, halved until halving no longer matters.
     fn refine(&mut self, landing: &impl Fn(&Vector2<f64>) -> Landing, a: &Landing, b: &Landing, size: f64, depth: u32) {
         let middle = landing(&((a.point + b.point) * 0.5));
-        let [whole, left, right] = [(a, b), (a, &middle), (&middle, b)].map(|(a, b)| arc(a, b, STRAIGHT * size));
+        let [whole, left, right] = [arc(a, b), arc(a, &middle), arc(&middle, b)];
         let triangle = 0.5 * cross((middle.point - a.point).into(), (b.point - a.point).into());
         let gain = [left.0 + right.0 - whole.0, left.1 + right.1 + triangle - whole.1];
         if depth < DEEPEST && (gain[0].abs() > FINE * size || gain[1].abs() > FINE * size * size) {
@@ -111,11 +105,7 @@ impl Traced {
             let u = ((at.point - a).dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
             let away = (a + chord * u - at.point).norm_squared();
             if away < best.0 {
-                let s = if u == 1.0 {
-                    pair[1].s
-                } else {
-                    (pair[0].s + arc(&pair[0].at, at, self.straight).0).min(pair[1].s)
-                };
+                let s = if u == 1.0 { pair[1].s } else { (pair[0].s + arc(&pair[0].at, at).0).min(pair[1].s) };
                 best = (away, s);
             }
         }
@@ -133,7 +123,7 @@ impl Traced {
         }
         let (mut point, mut normal, _) = distance.closest(&(a.at.point + (b.at.point - a.at.point) * u));
         for _ in 0..4 {
-            let ahead = s - (a.s + arc(&a.at, &Landing { point, normal }, self.straight).0);
+            let ahead = s - (a.s + arc(&a.at, &Landing { point, normal }).0);
             (point, normal, _) = distance.closest(&(point + Vector2::new(normal.y, -normal.x) * ahead));
         }
         point

@@ -4,7 +4,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{cross, dot, from},
+    plane::{cross, dot, from, slack},
     shapes::Circle,
 };
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -65,7 +65,7 @@ impl Arc {
     pub fn new(center: Vector2<f64>, a: Vector2<f64>, b: Vector2<f64>, inside: bool) -> Result<Arc, Error> {
         let (ra, rb) = (libm::hypot(a.x - center.x, a.y - center.y), libm::hypot(b.x - center.x, b.y - center.y));
         let radius = 0.5 * (ra + rb);
-        if (ra - rb).abs() > 1e-9 * radius {
+        if (ra - rb).abs() > 1e-9 * radius + slack([center.x, center.y]) {
             return Err(Error::OffCircle { start: ra, end: rb });
         }
         Arc::with_radius(center, radius, a, b, inside)
@@ -88,7 +88,8 @@ impl Arc {
         let circle = Circle::new(center, radius, inside)?;
         for vertex in [a, b] {
             let distance = libm::hypot(vertex.x - center.x, vertex.y - center.y);
-            if (distance - radius).abs() > 1e-9 * radius {
+            // a circle smaller than its place has vertices rounded as the place is
+            if (distance - radius).abs() > 1e-9 * radius + circle.slack {
                 return Err(Error::OffCircle { start: distance, end: radius });
             }
         }

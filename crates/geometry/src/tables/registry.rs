@@ -213,7 +213,7 @@ impl Values {
     pub(super) fn count(&self, name: &'static str) -> Result<usize, Error> {
         let value = self.number(name)?;
         // 2⁵³: from here on not every whole number is an f64
-        if !(value >= 0.0 && value < 9_007_199_254_740_992.0 && libm::floor(value) == value) {
+        if !((0.0..9_007_199_254_740_992.0).contains(&value) && libm::floor(value) == value) {
             return Err(Error::Parameter { name, must: "a whole number, 0 or more", value });
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked above")]

@@ -11,7 +11,7 @@ pub struct List(ByLane<Pieces>);
 
 #[derive(Clone, Debug)]
 struct Pieces {
-    pieces: Vec<(usize, Arc<dyn Piece>)>,
+    numbered: Vec<(usize, Arc<dyn Piece>)>,
     /// Vertices at which the boundary has a corner, per piece.
     corners: Vec<Vec<Vector2<f64>>>,
     /// Size of their coordinates, of which rounding is a fraction.
@@ -27,14 +27,14 @@ impl List {
             ends.into_iter().filter(|e| corners.contains(e)).collect()
         };
         let corners = pieces.iter().map(|(_, p)| own(p)).collect();
-        List(ByLane(Pieces { pieces, corners, size }))
+        List(ByLane(Pieces { numbered: pieces, corners, size }))
     }
 }
 
 impl Boundary<2> for Pieces {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
         let mut first = (Crossing::NEVER, None);
-        for (k, (_, piece)) in self.pieces.iter().enumerate() {
+        for (k, (_, piece)) in self.numbered.iter().enumerate() {
             let crossing = piece.crossing(path);
             if crossing.before(&first.0) {
                 first = (crossing, Some(k));
@@ -42,14 +42,14 @@ impl Boundary<2> for Pieces {
         }
         let k = first.1?;
         let time = first.0.time();
-        let landing = self.pieces[k].1.landing(path, time);
+        let landing = self.numbered[k].1.landing(path, time);
         // a path may come from far beyond the vertices
         let near = CORNER * self.size.max(path.point.amax());
         Some(Hit {
             time,
             point: landing.point,
             normal: landing.normal,
-            piece: self.pieces[k].0,
+            piece: self.numbered[k].0,
             corner: self.corners[k].iter().any(|c| (landing.point - c).amax() <= near),
         })
     }

@@ -4,7 +4,7 @@
 //! the function, so that its root `τ = (√(h'² − 2 c h) − h')/c` comes before the function's: marching from root to root
 //! cannot step over one. As soon as the bounds on `h''` prove that `h` rises steadily to its root, Newton's method
 //! finishes. Six or seven evaluations are typical.
-use super::Interval;
+use super::{Interval, rising_root};
 
 /// A function of one real variable that is twice differentiable, with an enclosure of its second derivative.
 pub trait Smooth {
@@ -18,9 +18,9 @@ pub trait Smooth {
 /// The marching steps allowed. Paths need about three; only one that creeps along a curve within rounding needs many.
 const STEPS: usize = 20_000;
 
-/// A step is at least this part of the whole range. What it might skip is a touch of depth `c τ²/2`, and that is
-/// rounding: 2⁻⁵⁴ of what `h` varies by.
-const LEAST_STEP: f64 = 1.0 / 134_217_728.0; // 2⁻²⁷
+/// A step is at least this part of the whole range. What it might skip is a touch of depth `c τ²/2`, and that is less
+/// than rounding: 2⁻⁶⁰ of what `h` varies by.
+const LEAST_STEP: f64 = 1.0 / 1_073_741_824.0; // 2⁻³⁰
 
 /// The first `t` in `over` at which `h` rises from negative to positive values; `None` if it never does.
 ///
@@ -50,6 +50,8 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
     let least = LEAST_STEP * (over.high - over.low);
     let mut t = over.low;
     let mut here = here.map(|a| sign * a);
+    // up to where h is certainly not positive
+    let mut sure = t;
     let (mut end, mut bend) = (over.high, second(t, over.high));
     for _ in 0..STEPS {
         let [value, slope] = here;
@@ -57,22 +59,28 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
             return None;
         }
         if value >= 0.0 && slope > 0.0 {
-            return Some(t);
+            // only a least step can have gone too far by more than rounding
+            return Some(if sure < t { rising_root(jet, [sure, t]) } else { t });
         }
         let value = value.min(0.0);
         let mut step = safe_step(value, slope, bend.high);
-        // a bound for where the root may be is sharper than one for the whole way
+        // a bound for where the root may be can be sharper than one for the whole way
         while step < 0.125 * (end - t) && end - t > 8.0 * least {
-            end = t + (4.0 * step).max(0.125 * (end - t)).max(least);
-            bend = second(t, end);
-            step = safe_step(value, slope, bend.high);
+            let near = t + (4.0 * step).max(0.125 * (end - t));
+            let sharp = second(t, near);
+            let farther = safe_step(value, slope, sharp.high);
+            if farther < 1.25 * step || farther == 0.0 {
+                break;
+            }
+            (end, bend, step) = (near, sharp, farther);
         }
         if let Some(reach) = certain_reach(value, slope, bend)
             && t + reach <= end
         {
             return Some(newton(jet, t, [value, slope], [step, reach], bend, over.high - over.low));
         }
-        t = if t + step < end { t + step.max(least) } else { end };
+        sure = t + step;
+        t = if sure < end { t + step.max(least) } else { end };
         if t >= over.high {
             return None;
         }

@@ -1,0 +1,287 @@
+//! The largest disk in a table.
+use crate::{
+    Extent, Figure, Landing, Table,
+    copies::{Copies, finite_extent},
+};
+use nalgebra::{Matrix3, Vector2, Vector3};
+use std::collections::BinaryHeap;
+
+/// Where the largest disk in a table lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LargestDisk {
+    /// Its centre [L].
+    pub center: Vector2<f64>,
+    /// Its radius [L]; infinite where a disk of any size fits.
+    pub radius: f64,
+}
+
+/// The search for the best place goes on until no place can be better by more than this part; from there an ascent
+/// finds the top.
+const COARSE: f64 = 1.0 / 1024.0;
+
+/// Squares looked at, at most: a ridge of equally good places would need ever more.
+const MOST_SQUARES: usize = 40_000;
+
+/// A square of the search.
+#[derive(Clone, Copy, Debug)]
+struct Square {
+    middle: Vector2<f64>,
+    half: f64,
+    distance: f64,
+    /// No point of the square is farther than this from the boundary.
+    bound: f64,
+}
+
+impl PartialEq for Square {
+    fn eq(&self, other: &Square) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+impl Eq for Square {}
+impl PartialOrd for Square {
+    fn partial_cmp(&self, other: &Square) -> Option<core::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Square {
+    fn cmp(&self, other: &Square) -> core::cmp::Ordering {
+        self.bound.total_cmp(&other.bound)
+    }
+}
+
+/// Signed distances from a table's boundary, by a tree.
+struct Field(Copies);
+
+impl Field {
+    fn feet(&self, point: &Vector2<f64>, reach: f64) -> Vec<Landing> {
+        let mut feet = vec![];
+        self.0.search(|e| e.distance(point) <= reach, |i| feet.push(self.0.get(i).0.piece.closest(point)));
+        feet
+    }
+
+    /// The distance from the boundary, negative outside the table.
+    fn distance(&self, point: &Vector2<f64>) -> f64 {
+        let Some((d, _)) = self.0.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
+        // at a shared vertex the piece that the point faces decides
+        let mut facing = 0.0_f64;
+        for foot in self.feet(point, d * (1.0 + 1e-12)) {
+            let off = point - foot.point;
+            let along = off.dot(&foot.normal);
+            if libm::hypot(off.x, off.y) <= d * (1.0 + 1e-12) && along.abs() > facing.abs() {
+                facing = along;
+            }
+        }
+        if facing < 0.0 { -d } else { d }
+    }
+
+    /// Climbs from a point to the nearest local maximum of the distance: where three walls, or two opposite ones, are
+    /// equally far.
+    fn climb(&self, mut center: Vector2<f64>, start: f64) -> LargestDisk {
+        let mut radius = self.distance(&center);
+        let mut step = start;
+        // each failure halves the step twice; quadratic convergence needs far fewer than this
+        for _ in 0..200 {
+            if step <= f64::EPSILON * (radius + center.amax()) {
+                break;
+            }
+            let walls: Vec<Vector3<f64>> = self
+                .feet(&center, radius + 2.0 * step)
+                .iter()
+                .filter_map(|foot| {
+                    let off = center - foot.point;
+                    let d = libm::hypot(off.x, off.y);
+                    (d > 0.0 && d <= radius + 2.0 * step).then(|| Vector3::new(off.x / d, off.y / d, d))
+                })
+                .collect();
+            let next = center + best_step(&walls, step);
+            let better = self.distance(&next);
+            if better > radius {
+                (center, radius) = (next, better);
+                step *= 2.0;
+            } else {
+                step *= 0.25;
+            }
+        }
+        LargestDisk { center, radius }
+    }
+}
+
+/// The step `δ`, `|δᵢ| ≤ limit`, that maximises the least of `d + n·δ` over walls `(n, d)`.
+fn best_step(walls: &[Vector3<f64>], limit: f64) -> Vector2<f64> {
+    // the nearest dozen decide: all combinations of three bounds are tried
+    let mut walls = walls.to_vec();
+    walls.sort_by(|a, b| a.z.total_cmp(&b.z));
+    walls.truncate(12);
+    let value = |d: &Vector2<f64>| walls.iter().map(|w| w.z + w.x * d.x + w.y * d.y).fold(f64::INFINITY, f64::min);
+    // bounds n·δ − w t ≥ −d as rows: walls with w = 1, the sides of the square with w = 0
+    let mut rows: Vec<(Vector3<f64>, f64)> = walls.iter().map(|w| (Vector3::new(w.x, w.y, -1.0), -w.z)).collect();
+    for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+        rows.push((Vector3::new(x, y, 0.0), -limit));
+    }
+    let mut best = (value(&Vector2::zeros()), Vector2::zeros());
+    for i in 0..rows.len() {
+        for j in i + 1..rows.len() {
+            for k in j + 1..rows.len() {
+                let matrix = Matrix3::from_rows(&[rows[i].0.transpose(), rows[j].0.transpose(), rows[k].0.transpose()]);
+                let Some(inverse) = matrix.try_inverse() else { continue };
+                let found = inverse * Vector3::new(rows[i].1, rows[j].1, rows[k].1);
+                let step = Vector2::new(found.x, found.y);
+                if step.amax() <= limit * (1.0 + 1e-12) && value(&step) > best.0 {
+                    best = (value(&step), step);
+                }
+            }
+        }
+    }
+    best.1
+}
+
+impl Table {
+    /// The largest disk that fits in the table; on a lattice it may overlap its own translates.
+    ///
+    /// The radius is right to rounding unless two places far apart differ by less than a thousandth: then it is that of
+    /// one of them.
+    pub fn largest_disk(&self) -> LargestDisk {
+        let finite = self.pieces().iter().all(|p| p.extent().is_finite());
+        if finite {
+            return self.largest_disk_in(&self.search_box());
+        }
+        // boxes 16 times as large each: where the disk keeps growing, there is no end to it
+        let home = self.search_box();
+        let (middle, half) = ((home.min + home.max) * 0.5, (home.max - home.min) * 0.5);
+        let in_box = |k: f64| self.largest_disk_in(&Extent { min: middle - half * k, max: middle + half * k });
+        let [small, large] = [in_box(4.0), in_box(64.0)];
+        if large.radius > 8.0 * small.radius {
+            return LargestDisk { center: large.center, radius: f64::INFINITY };
+        }
+        if large.radius > small.radius { large } else { small }
+    }
+
+    /// A box that contains the table, or its unit cell, or all that is finite of it.
+    fn search_box(&self) -> Extent {
+        let corners = |p: &std::sync::Arc<dyn crate::Piece>| match p.figure() {
+            Figure::Line { through, .. } => vec![through],
+            Figure::Ray { from, .. } => vec![from],
+            _ => vec![],
+        };
+        let mut home = finite_extent(self.pieces()).union(Extent::of(self.pieces().iter().flat_map(corners)));
+        let cell = self.lattice().map_or(&[][..], |l| l.vectors());
+        for v in cell {
+            home = home.union(Extent { min: home.min + v, max: home.max + v });
+        }
+        // a wedge or a half-plane has no size of its own
+        let size = (home.max - home.min).amax();
+        let margin = if size > 0.0 { size } else { home.size().max(1.0) };
+        let all_finite = self.pieces().iter().all(|p| p.extent().is_finite());
+        let least = if all_finite { 0.0 } else { margin };
+        Extent { min: home.min.add_scalar(-least), max: home.max.add_scalar(least) }
+    }
+
+    fn largest_disk_in(&self, home: &Extent) -> LargestDisk {
+        let sides = home.max - home.min;
+        let field = Field(Copies::new(self.pieces(), self.lattice(), home, sides.amax()));
+        let square = |middle: Vector2<f64>, half: f64| {
+            let distance = field.distance(&middle);
+            Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
+        };
+        // squares as wide as the box is narrow, but not too many
+        let side = sides.min().max(sides.max() / 256.0);
+        let mut open = BinaryHeap::new();
+        let count = sides.map(|s| libm::ceil(s / side).max(1.0));
+        let mut y = 0.5;
+        while y < count.y {
+            let mut x = 0.5;
+            while x < count.x {
+                open.push(square(home.min + Vector2::new(x, y) * side, 0.5 * side));
+                x += 1.0;
+            }
+            y += 1.0;
+        }
+        let mut best = square((home.min + home.max) * 0.5, 0.0);
+        let mut looked_at = 0;
+        while let Some(top) = open.pop() {
+            if top.distance > best.distance {
+                best = top;
+            }
+            looked_at += 1;
+            if top.bound <= best.distance * (1.0 + COARSE) || looked_at > MOST_SQUARES {
+                break;
+            }
+            for (x, y) in [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0)] {
+                let half = 0.5 * top.half;
+                let next = square(top.middle + Vector2::new(x, y) * half, half);
+                if next.distance > best.distance {
+                    best = next;
+                }
+                if next.bound > best.distance * (1.0 + COARSE) {
+                    open.push(next);
+                }
+            }
+        }
+        field.climb(best.middle, best.half.max(best.distance.abs() * COARSE))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{
+        Outline, Piece, Table, Turn, Vector2,
+        shapes::{Circle, Ellipse, FullLine, Ray},
+    };
+
+    fn v(x: f64, y: f64) -> Vector2<f64> {
+        Vector2::new(x, y)
+    }
+    fn polygon(vertices: &[[f64; 2]]) -> Table {
+        let mut o = Outline::from(vertices[0].into());
+        for &p in vertices[1..].iter().chain([&vertices[0]]) {
+            o = o.line_to(p.into()).unwrap();
+        }
+        Table::new(o.close().unwrap()).unwrap()
+    }
+    fn of(pieces: Vec<Box<dyn Piece>>) -> Table {
+        Table::new(pieces).unwrap()
+    }
+
+    #[test]
+    fn the_largest_disk_touches_three_walls_or_two() {
+        let triangle = polygon(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]).largest_disk();
+        assert!((triangle.radius - 1.0).abs() < 1e-15);
+        assert!((triangle.center - v(1.0, 1.0)).norm() < 1e-14);
+        // a ridge of equally good places
+        let rectangle = polygon(&[[0.0, 0.0], [7.0, 0.0], [7.0, 1.0], [0.0, 1.0]]).largest_disk();
+        assert!((rectangle.radius - 0.5).abs() < 1e-15);
+        let disk = of(vec![Box::new(Circle::new(v(3.0, 1.0), 2.0, true).unwrap())]).largest_disk();
+        assert!((disk.radius - 2.0).abs() < 1e-14, "{disk:?}");
+        let ellipse = of(vec![Box::new(Ellipse::new(v(0.0, 0.0), [2.0, 1.0], 0.3, true).unwrap())]).largest_disk();
+        assert!((ellipse.radius - 1.0).abs() < 1e-13, "{ellipse:?}");
+    }
+
+    #[test]
+    fn the_largest_disk_beside_a_scatterer_is_in_a_corner() {
+        let disk = Box::new(Circle::new(v(1.0, 1.0), 0.5, false).unwrap()) as Box<dyn Piece>;
+        let o = Outline::from(v(0.0, 0.0)).line_to(v(2.0, 0.0)).unwrap().line_to(v(2.0, 2.0)).unwrap();
+        let mut pieces = o.line_to(v(0.0, 2.0)).unwrap().line_to(v(0.0, 0.0)).unwrap().close().unwrap();
+        pieces.push(disk);
+        // r (1 + √2) = √2 − 1/2
+        let radius = (2.0_f64.sqrt() - 0.5) / (1.0 + 2.0_f64.sqrt());
+        assert!((of(pieces).largest_disk().radius - radius).abs() < 1e-15);
+    }
+
+    #[test]
+    fn infinite_tables_may_have_room_for_every_disk() {
+        let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
+        let strip = of(vec![line(0.25, 1.0), line(1.25, -1.0)]).largest_disk();
+        assert!((strip.radius - 0.5).abs() < 1e-15);
+        assert!(of(vec![line(0.0, 1.0)]).largest_disk().radius.is_infinite());
+        let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 4.0), left).unwrap()) as Box<dyn Piece>;
+        assert!(of(vec![ray(1.0, true), ray(-1.0, false)]).largest_disk().radius.is_infinite());
+    }
+
+    #[test]
+    fn the_largest_disk_of_a_stadium_with_a_cap_is_its_cap() {
+        let o = Outline::from(v(-1.0, -1.0)).line_to(v(1.0, -1.0)).unwrap();
+        let o = o.arc_to(v(1.0, 1.0), v(1.0, 0.0), Turn::CounterClockwise).unwrap().line_to(v(-1.0, 1.0)).unwrap();
+        let o = o.arc_to(v(-1.0, -1.0), v(-1.0, 0.0), Turn::CounterClockwise).unwrap();
+        assert!((Table::new(o.close().unwrap()).unwrap().largest_disk().radius - 1.0).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,96 @@
+//! Where the centre of a disk can be: the inward offset of a table.
+//!
+//! Every piece is moved inwards by the radius: straight walls shift, focusing arcs shrink, dispersing arcs grow, other
+//! curves become [`Parallel`](crate::shapes::Parallel)s, and arcs about the re-entrant corners join what they part. What
+//! is moved too far, over corners or through necks, crosses the rest. So all crossings are found, the moved pieces cut
+//! there, and only those parts kept that are as far from the boundary as they should be; they bound the region of
+//! centres.
+mod arrangement;
+mod joints;
+mod raw;
+mod vertices;
+
+use crate::{Error, Piece, Table};
+use arrangement::Arrangement;
+
+/// Which piece of the drawn boundary a piece of an offset comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Origin {
+    /// The parallel of the piece of that number.
+    Piece(usize),
+    /// The arc about the re-entrant corner where one piece ends and another starts.
+    Corner {
+        /// The piece that ends at the corner.
+        before: usize,
+        /// The piece that starts there.
+        after: usize,
+    },
+}
+
+impl Origin {
+    /// The number of the drawn piece that is touched; at a corner, of the one before it.
+    ///
+    /// ```
+    /// use geometry::Origin;
+    /// assert_eq!(Origin::Corner { before: 3, after: 0 }.piece(), 3);
+    /// ```
+    pub fn piece(self) -> usize {
+        match self {
+            Origin::Piece(piece) => piece,
+            Origin::Corner { before, .. } => before,
+        }
+    }
+}
+
+/// The region of centres of a disk on a table.
+#[derive(Clone, Debug)]
+pub struct Offset {
+    /// The region, a table by itself.
+    pub table: Table,
+    /// For each of its pieces, where it comes from.
+    pub origins: Vec<Origin>,
+}
+
+impl Table {
+    /// The points at distance at least `radius` [L] from everything outside the table: where the centre of a disk of
+    /// that radius can be.
+    ///
+    /// Pieces are numbered loop by loop, each loop from its piece of lowest origin. A neck narrower than the disk cuts the
+    /// region into several parts; a neck exactly as wide counts as closed.
+    ///
+    /// ```
+    /// use geometry::{Origin, tables};
+    /// // a disk in an equilateral triangle: its centre moves in a smaller one
+    /// let triangle = tables::equilateral(1.0)?;
+    /// let centres = triangle.offset(0.125)?;
+    /// let side = 1.0 - 2.0 * 3.0_f64.sqrt() * 0.125;
+    /// assert!((centres.table.perimeter() - 3.0 * side).abs() < 1e-15);
+    /// assert_eq!(centres.origins, [Origin::Piece(0), Origin::Piece(1), Origin::Piece(2)]);
+    /// assert!(triangle.offset(0.3).is_err()); // the inscribed circle has radius √3/6 = 0.2887
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Radius`] for a radius that is negative or not finite, [`Error::NothingLeft`] where no such disk fits,
+    /// [`Error::Undecided`] where rounding decides whether it does. The table should satisfy [`Table::validate`].
+    pub fn offset(&self, radius: f64) -> Result<Offset, Error> {
+        if radius == 0.0 {
+            let origins = (0..self.pieces().len()).map(Origin::Piece).collect();
+            return Ok(Offset { table: self.clone(), origins });
+        }
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Error::Radius { radius });
+        }
+        let raw = raw::raw(self, radius)?;
+        let loops = Arrangement::new(self, radius, raw).loops()?;
+        if loops.is_empty() {
+            return Err(Error::NothingLeft { radius, largest: self.largest_disk().radius });
+        }
+        let (mut pieces, mut origins): (Vec<Box<dyn Piece>>, Vec<Origin>) = (vec![], vec![]);
+        for (piece, origin) in loops.into_iter().flatten() {
+            pieces.push(piece);
+            origins.push(origin);
+        }
+        Ok(Offset { table: Table::periodic(pieces, self.lattice().cloned())?, origins })
+    }
+}

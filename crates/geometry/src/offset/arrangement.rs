@@ -1,0 +1,449 @@
+//! The moved pieces, cut where they meet, and what of them bounds the region of centres.
+use super::{
+    Origin,
+    joints::{Branch, leftmost},
+    raw::{Raw, RawBoundary},
+    vertices::{Site, Vertices, minus},
+};
+use crate::{
+    Error, Figure, MeetingKind, Piece, Table,
+    copies::{Copies, finite_extent},
+    intersect::direction_at,
+    meetings,
+    plane::slack,
+    shapes::{self, Parallel, Translated},
+};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// A meeting at an end, of directions that differ by less than this, says nothing about sides.
+const TANGENT: f64 = 1e-6;
+
+/// A place where a moved piece is cut.
+#[derive(Clone, Copy, Debug)]
+struct Cut {
+    /// Arc length.
+    s: f64,
+    site: Site,
+    /// Whether the piece comes from where it is too near the boundary, and whether it goes there: it crosses another
+    /// moved piece to the left, or to the right.
+    leaves: bool,
+    enters: bool,
+}
+
+/// Part of a moved piece between cuts.
+#[derive(Clone, Copy, Debug)]
+struct Section {
+    raw: usize,
+    /// The last of several parts of one parallel curve; otherwise `raw`.
+    last: usize,
+    range: [f64; 2],
+    sites: [Option<Site>; 2],
+}
+
+pub(super) struct Arrangement<'a> {
+    table: &'a Table,
+    radius: f64,
+    raw: Vec<Raw>,
+    vertices: Vertices,
+    cuts: Vec<Vec<Cut>>,
+    tolerance: f64,
+}
+
+/// The pieces of a loop, with their origins.
+type Loop = Vec<(Box<dyn Piece>, Origin)>;
+
+impl<'a> Arrangement<'a> {
+    pub(super) fn new(table: &'a Table, radius: f64, boundary: RawBoundary) -> Arrangement<'a> {
+        let RawBoundary { pieces: raw, vertices } = boundary;
+        let size = table.pieces().iter().map(|p| p.extent().size()).fold(radius, f64::max);
+        let mut all = Arrangement {
+            table,
+            radius,
+            cuts: vec![vec![]; raw.len()],
+            raw,
+            vertices,
+            // a vertex computed twice agrees to a few times the rounding of its coordinates
+            tolerance: 4.0 * slack([size]),
+        };
+        all.cut();
+        all.unite();
+        all
+    }
+
+    /// Finds all meetings.
+    fn cut(&mut self) {
+        let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
+        let copies = Copies::new(&pieces, self.table.lattice(), &finite_extent(&pieces), self.tolerance);
+        for &index in copies.order() {
+            let (copy, extent) = copies.get(index);
+            if copy.cell != [0.0; 2] {
+                continue;
+            }
+            let i = copy.number;
+            let mut others = vec![];
+            copies.search(|e| e.meets(extent, self.tolerance), |other| others.push(other));
+            for other in others {
+                let (other, _) = copies.get(other);
+                let j = other.number;
+                if j < i || (j == i && other.cell <= [0.0; 2]) {
+                    continue;
+                }
+                for m in meetings(&*copy.piece, &*other.piece) {
+                    let [t, u] = [&copy.piece, &other.piece].map(|p| direction_at(&**p, &m.point));
+                    // one way, they are on one side; opposite ways, the region is pinched here
+                    if m.kind == MeetingKind::Tangency && t.dot(&u) > 0.0 {
+                        continue;
+                    }
+                    // left of a moved piece is away from the wall it comes from; right of it, too near
+                    let leftward = u.perp(&t);
+                    let clear = match m.kind {
+                        MeetingKind::Crossing => true,
+                        MeetingKind::End => leftward.abs() > TANGENT,
+                        MeetingKind::Tangency | MeetingKind::Overlap => false,
+                    };
+                    let (left, right) = (clear && leftward > 0.0, clear && leftward < 0.0);
+                    let site = self.vertices.add(m.point);
+                    self.cuts[i].push(Cut { s: m.at[0], site, leaves: left, enters: right });
+                    let site = site.moved(minus(other.cell));
+                    self.cuts[j].push(Cut { s: m.at[1], site, leaves: right, enters: left });
+                }
+            }
+        }
+        for (raw, cuts) in self.raw.iter().zip(&mut self.cuts) {
+            let last = if raw.ends[0].is_some() { raw.piece.length() } else { 0.0 };
+            for (end, s) in [(raw.ends[0], 0.0), (raw.ends[1], last)] {
+                cuts.extend(end.map(|site| Cut { s, site, leaves: false, enters: false }));
+            }
+            cuts.sort_by(|a, b| a.s.total_cmp(&b.s));
+        }
+    }
+
+    /// Makes one vertex of those that differ by rounding, and one cut of those at one vertex.
+    fn unite(&mut self) {
+        self.vertices.unite_near(self.tolerance);
+        for (raw, cuts) in self.raw.iter().zip(&mut self.cuts) {
+            let mut single: Vec<Cut> = vec![];
+            for cut in cuts.drain(..) {
+                // nothing as short as this is a piece
+                if let Some(last) = single.last_mut().filter(|last| cut.s - last.s <= 4.0 * self.tolerance) {
+                    self.vertices.unite(last.site, cut.site);
+                    last.leaves |= cut.leaves;
+                    last.enters |= cut.enters;
+                } else {
+                    single.push(cut);
+                }
+            }
+            let length = raw.piece.length();
+            if raw.piece.ends().is_none() && single.len() > 1 {
+                let (first, last) = (single[0], single[single.len() - 1]);
+                if first.s + length - last.s <= 4.0 * self.tolerance {
+                    self.vertices.unite(first.site, last.site);
+                    single[0].leaves |= last.leaves;
+                    single[0].enters |= last.enters;
+                    single.pop();
+                }
+            }
+            if raw.piece.ends().is_none() && single.len() == 1 {
+                // a circle cut once: a second vertex opposite, since an arc has two ends
+                let s = single[0].s + 0.5 * length;
+                let site = self.vertices.add(raw.piece.point_at(s));
+                single.push(Cut { s, site, leaves: false, enters: false });
+            }
+            *cuts = single;
+        }
+    }
+
+    /// The loops of the region of centres.
+    pub(super) fn loops(&self) -> Result<Vec<Loop>, Error> {
+        let sections = self.kept();
+        let mut chains = self.chains(&sections)?;
+        for chain in &mut chains {
+            self.join(chain);
+        }
+        // loop by loop, each from its lowest origin
+        let rank = |s: &Section| {
+            let origin = self.raw[s.raw].origin;
+            (origin.piece(), origin, s.raw)
+        };
+        for chain in &mut chains {
+            if chain.closed.is_some() {
+                let first = (0..chain.sections.len()).min_by_key(|&k| rank(&chain.sections[k].0)).unwrap_or(0);
+                chain.rotate(first);
+            }
+        }
+        chains.sort_by_key(|chain| chain.sections.iter().map(|(s, _)| rank(s)).min());
+        let mut loops = vec![];
+        for chain in &chains {
+            let mut pieces = self.pieces(chain)?;
+            if chain.closed.is_none() {
+                pieces.sort_by_key(|(_, origin)| (origin.piece(), *origin));
+            }
+            loops.push(pieces);
+        }
+        Ok(loops)
+    }
+
+    /// The sections that are as far from the boundary as they should be.
+    fn kept(&self) -> Vec<Section> {
+        let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
+        let reach = self.radius + 2.0 * self.tolerance;
+        let drawn = Copies::new(self.table.pieces(), self.table.lattice(), &finite_extent(&pieces), reach);
+        let mut kept = vec![];
+        for (raw, (r, cuts)) in self.raw.iter().zip(&self.cuts).enumerate() {
+            let length = r.piece.length();
+            let mut pairs: Vec<[Option<Cut>; 2]> = cuts.windows(2).map(|w| [Some(w[0]), Some(w[1])]).collect();
+            match (cuts.first(), cuts.last()) {
+                (Some(&first), Some(&last)) => {
+                    if r.piece.ends().is_none() {
+                        pairs.push([Some(last), Some(Cut { s: first.s + length, ..first })]);
+                    } else if !length.is_finite() {
+                        // the parts that reach to infinity
+                        if r.ends[0].is_none() {
+                            pairs.insert(0, [None, Some(first)]);
+                        }
+                        if r.ends[1].is_none() {
+                            pairs.push([Some(last), None]);
+                        }
+                    }
+                }
+                _ => pairs.push([None, None]),
+            }
+            for pair in pairs {
+                let hidden = pair[0].is_some_and(|c| c.enters) || pair[1].is_some_and(|c| c.leaves);
+                let range = match pair.map(|c| c.map(|c| c.s)) {
+                    [Some(a), Some(b)] => [a, b],
+                    [Some(a), None] => [a, f64::INFINITY],
+                    [None, Some(b)] => [f64::NEG_INFINITY, b],
+                    [None, None] if length.is_finite() => [0.0, length],
+                    [None, None] => [f64::NEG_INFINITY, f64::INFINITY],
+                };
+                if !hidden && self.is_clear(&drawn, &*r.piece, range) {
+                    kept.push(Section { raw, last: raw, range, sites: pair.map(|c| c.map(|c| c.site)) });
+                }
+            }
+        }
+        kept
+    }
+
+    /// Whether the middle of a section is at its distance from the boundary, with room beside it.
+    fn is_clear(&self, drawn: &Copies, piece: &dyn Piece, [low, high]: [f64; 2]) -> bool {
+        let step = self.radius.max(self.tolerance / f64::EPSILON);
+        let middle = match (low.is_finite(), high.is_finite()) {
+            (true, true) => 0.5 * (low + high),
+            (true, false) => low + step,
+            (false, true) => high - step,
+            (false, false) => 0.0,
+        };
+        let at = piece.point_at(middle);
+        if drawn.nearest(&at, self.radius - self.tolerance).is_some() {
+            return false;
+        }
+        // walls on both sides: a corridor exactly as wide as the disk is closed
+        let normal = piece.closest(&at).normal;
+        let mut clear = true;
+        let reach = self.radius + self.tolerance;
+        drawn.search(
+            |e| e.distance(&at) <= reach,
+            |index| {
+                let off = at - drawn.get(index).0.piece.closest(&at).point;
+                clear &= !(libm::hypot(off.x, off.y) <= reach && off.dot(&normal) < -0.5 * self.radius);
+            },
+        );
+        clear
+    }
+
+    /// Strings the sections together.
+    fn chains(&self, sections: &[Section]) -> Result<Vec<Chain>, Error> {
+        let root = |site: Site| self.vertices.find(site);
+        let mut starting: std::collections::HashMap<usize, Vec<usize>> = std::collections::HashMap::new();
+        for (k, s) in sections.iter().enumerate() {
+            if let Some(site) = s.sites[0] {
+                starting.entry(root(site).vertex).or_default().push(k);
+            }
+        }
+        let undecided = |site: Site| Error::Undecided { radius: self.radius, at: self.vertices.at(site).into() };
+        let branch = |s: &Section, end: usize| {
+            let point = s.sites[end].map_or_else(Vector2::zeros, |site| self.vertices.at(site));
+            Branch::of(&*self.raw[s.raw].piece, &point)
+        };
+        let mut next = vec![None; sections.len()];
+        let mut has_previous = vec![false; sections.len()];
+        for (k, s) in sections.iter().enumerate() {
+            let Some(end) = s.sites[1] else { continue };
+            let candidates = starting.get(&root(end).vertex).ok_or_else(|| undecided(end))?;
+            let outgoing = candidates.iter().map(|&c| branch(&sections[c], 0));
+            let c = candidates[leftmost(branch(s, 1), outgoing).ok_or_else(|| undecided(end))?];
+            if has_previous[c] {
+                return Err(undecided(end));
+            }
+            has_previous[c] = true;
+            next[k] = Some(c);
+        }
+        for (s, has) in sections.iter().zip(&has_previous) {
+            if let Some(start) = s.sites[0].filter(|_| !has) {
+                return Err(undecided(start));
+            }
+        }
+        let mut used = vec![false; sections.len()];
+        let mut chains = vec![];
+        let heads = (0..sections.len()).filter(|&k| !has_previous[k]).chain(0..sections.len());
+        for head in heads.collect::<Vec<_>>() {
+            if used[head] {
+                continue;
+            }
+            let mut chain = Chain { sections: vec![], closed: None };
+            let (mut at, mut cell) = (head, [0.0; 2]);
+            loop {
+                used[at] = true;
+                chain.sections.push((sections[at], cell));
+                let Some(following) = next[at] else {
+                    // a circle without cuts has no next one, and needs none
+                    break;
+                };
+                // the next one starts where this one ends, in whatever cell that is
+                if let (Some(end), Some(start)) = (sections[at].sites[1], sections[following].sites[0]) {
+                    let (end, start) = (root(end), root(start));
+                    cell = [0, 1].map(|k| cell[k] + end.cell[k] - start.cell[k]);
+                }
+                if following == head {
+                    chain.closed = Some(cell);
+                    break;
+                }
+                at = following;
+            }
+            chains.push(chain);
+        }
+        Ok(chains)
+    }
+
+    /// Makes one section of neighbours that were parted by a cut which turned out to be none.
+    fn join(&self, chain: &mut Chain) {
+        let continues = |(a, cell): &(Section, [f64; 2]), (b, next): &(Section, [f64; 2])| {
+            let [p, q] = [a.last, b.raw].map(|raw| &self.raw[raw]);
+            let length = p.piece.length();
+            let wraps = p.piece.ends().is_none() && a.range[1] == b.range[0] + length;
+            let same = a.last == b.raw && (a.range[1] == b.range[0] || wraps);
+            let parts = match (&p.part, &q.part) {
+                (Some(p), Some(q)) => p.curve == q.curve && a.range[1] == length && b.range[0] == 0.0,
+                _ => false,
+            };
+            cell == next && (same || parts)
+        };
+        if chain.closed == Some([0.0; 2]) {
+            // begin where a section does not continue the one before
+            let count = chain.sections.len();
+            let start = (0..count).find(|&k| !continues(&chain.sections[(k + count - 1) % count], &chain.sections[k]));
+            if let Some(start) = start {
+                chain.rotate(start);
+            } else {
+                // a closed curve as a whole
+                chain.sections.truncate(1);
+                chain.sections[0].0.sites = [None; 2];
+                return;
+            }
+        }
+        let mut joined: Vec<(Section, [f64; 2])> = vec![];
+        for &(section, cell) in &chain.sections {
+            match joined.last_mut() {
+                Some((last, _)) if continues(&(*last, cell), &(section, cell)) => {
+                    last.sites[1] = section.sites[1];
+                    last.range[1] = section.range[1];
+                    last.last = section.last;
+                }
+                _ => joined.push((section, cell)),
+            }
+        }
+        chain.sections = joined;
+    }
+
+    /// The pieces of a chain, with shared vertices.
+    fn pieces(&self, chain: &Chain) -> Result<Loop, Error> {
+        let mut made: Loop = vec![];
+        let place = |site: Option<Site>, cell: [f64; 2]| site.map(|site| self.vertices.at(site.moved(cell)));
+        let Some(&(first, cell)) = chain.sections.first() else { return Ok(made) };
+        let start = place(first.sites[0], cell);
+        let mut from = start;
+        for (k, (section, cell)) in chain.sections.iter().enumerate() {
+            let last = k + 1 == chain.sections.len();
+            let closes = last && chain.closed == Some([0.0; 2]);
+            let to = if closes { start } else { place(section.sites[1], *cell) };
+            made.push((self.piece(section, *cell, [from, to])?, self.raw[section.raw].origin));
+            from = to;
+        }
+        Ok(made)
+    }
+
+    /// A section between its vertices.
+    fn piece(
+        &self,
+        section: &Section,
+        cell: [f64; 2],
+        ends: [Option<Vector2<f64>>; 2],
+    ) -> Result<Box<dyn Piece>, Error> {
+        let raw = &self.raw[section.raw];
+        let shift = self.vertices.translation(cell);
+        let somewhere = raw.piece.point_at(if section.range[0].is_finite() { section.range[0] } else { 0.0 });
+        let undecided = Error::Undecided { radius: self.radius, at: (somewhere + shift).into() };
+        Ok(match (raw.piece.figure(), ends) {
+            (Figure::Segment { .. } | Figure::Ray { .. } | Figure::Line { .. }, [Some(a), Some(b)]) => {
+                Box::new(shapes::Segment::new(a, b)?)
+            }
+            (Figure::Ray { direction, left, .. }, [Some(a), None] | [None, Some(a)]) => {
+                Box::new(shapes::Ray::new(a, direction, left)?)
+            }
+            (Figure::Line { direction, .. }, [Some(a), None]) => Box::new(shapes::Ray::new(a, direction, true)?),
+            (Figure::Line { direction, .. }, [None, Some(b)]) => Box::new(shapes::Ray::new(b, -direction, false)?),
+            (Figure::Line { through, direction }, [None, None]) => Box::new(shapes::FullLine::new(through, direction)?),
+            (
+                Figure::Arc { center, radius, inside, .. } | Figure::Circle { center, radius, inside },
+                [Some(a), Some(b)],
+            ) => Box::new(shapes::Arc::with_radius(center + shift, radius, a, b, inside)?),
+            (Figure::Circle { center, radius, inside }, _) => {
+                Box::new(shapes::Circle::new(center + shift, radius, inside)?)
+            }
+            (_, [Some(a), Some(b)]) if raw.part.is_some() => {
+                let parallels = [section.raw, section.last].map(|k| self.raw[k].part.as_ref().map(|p| &p.parallel));
+                let [Some(first), Some(last)] = parallels else { return Err(undecided) };
+                let range = [first.base_parameter(section.range[0]), last.base_parameter(section.range[1])];
+                let ends = [a - shift, b - shift];
+                translated(Parallel::new(first.base().clone(), self.radius, range, Some(ends))?, shift)
+            }
+            (_, [None, None]) => {
+                let Some(part) = &raw.part else { return Err(undecided) };
+                let base = part.parallel.base().clone();
+                let length = base.length();
+                translated(Parallel::new(base, self.radius, [0.0, length], None)?, shift)
+            }
+            _ => return Err(undecided),
+        })
+    }
+}
+
+fn translated(piece: Parallel, by: Vector2<f64>) -> Box<dyn Piece> {
+    if by == Vector2::zeros() { Box::new(piece) } else { Box::new(Translated::new(Arc::new(piece), by)) }
+}
+
+/// Sections that follow each other.
+struct Chain {
+    /// Each with the cell it is moved to.
+    sections: Vec<(Section, [f64; 2])>,
+    /// By how many lattice vectors it is moved after one round, if it is closed.
+    closed: Option<[f64; 2]>,
+}
+
+impl Chain {
+    /// Lets a closed chain begin elsewhere.
+    fn rotate(&mut self, first: usize) {
+        let period = self.closed.unwrap_or_default();
+        for (_, cell) in &mut self.sections[..first] {
+            *cell = [0, 1].map(|k| cell[k] + period[k]);
+        }
+        self.sections.rotate_left(first);
+        if let Some(&(_, origin)) = self.sections.first() {
+            for (_, cell) in &mut self.sections {
+                *cell = [0, 1].map(|k| cell[k] - origin[k]);
+            }
+        }
+    }
+}

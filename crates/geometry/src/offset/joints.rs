@@ -1,0 +1,92 @@
+//! How the pieces of a boundary follow each other, corner by corner.
+use crate::{Piece, Table, intersect::direction_at, plane::slack};
+use core::f64::consts::TAU;
+use nalgebra::Vector2;
+
+/// Where one piece ends and the next one starts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Joint {
+    pub(super) before: usize,
+    pub(super) after: usize,
+    /// `after`, moved by so many of each lattice vector, starts where `before` ends.
+    pub(super) cell: [f64; 2],
+    pub(super) vertex: Vector2<f64>,
+}
+
+/// How a boundary leaves a point, or comes into it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Branch {
+    /// Unit vector in the sense of traversal.
+    pub(super) direction: Vector2<f64>,
+    pub(super) curvature: f64,
+}
+
+impl Branch {
+    pub(super) fn of(piece: &dyn Piece, point: &Vector2<f64>) -> Branch {
+        Branch { direction: direction_at(piece, point), curvature: piece.curvature(point) }
+    }
+}
+
+/// Directions that differ by less than this (radians) are told apart by curvature: a point where curves touch is known
+/// to the root of rounding only.
+const STRAIGHT_BACK: f64 = 1e-6;
+
+/// Which of several branches turns most sharply to the left.
+///
+/// All of the table near the point that is next to the incoming piece lies between it and the piece found.
+pub(super) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>) -> Option<usize> {
+    let back = -incoming.direction;
+    let clockwise = |out: Branch| {
+        let angle = libm::atan2(out.direction.perp(&back), out.direction.dot(&back));
+        // straight back: no turn at all in a cusp, whose sides bend apart; a full turn about the tip of a slit
+        if angle.abs() <= STRAIGHT_BACK {
+            if incoming.curvature + out.curvature < 0.0 { 0.0 } else { TAU }
+        } else if angle < 0.0 {
+            angle + TAU
+        } else {
+            angle
+        }
+    };
+    outgoing.map(clockwise).enumerate().min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(k, _)| k)
+}
+
+/// The joints of a table, on a lattice also those across cells.
+pub(super) fn joints(table: &Table) -> Vec<Joint> {
+    let pieces = table.pieces();
+    let finite = |p: &Vector2<f64>| p.iter().all(|x| x.is_finite());
+    let mut starts: Vec<(Vector2<f64>, usize)> = pieces
+        .iter()
+        .enumerate()
+        .filter_map(|(j, p)| p.ends().map(|[a, _]| (a, j)))
+        .filter(|(a, _)| finite(a))
+        .collect();
+    let order = |a: &Vector2<f64>, b: &Vector2<f64>| (a.x, a.y).partial_cmp(&(b.x, b.y));
+    starts.sort_by(|(a, i), (b, j)| order(a, b).unwrap_or(core::cmp::Ordering::Equal).then(i.cmp(j)));
+    let mut found = vec![];
+    for (before, piece) in pieces.iter().enumerate() {
+        let Some([_, vertex]) = piece.ends().filter(|[_, b]| finite(b)) else { continue };
+        let first = starts.partition_point(|(a, _)| order(a, &vertex).is_some_and(core::cmp::Ordering::is_lt));
+        let mut candidates: Vec<(usize, [f64; 2])> =
+            starts[first..].iter().take_while(|(a, _)| *a == vertex).map(|&(_, j)| (j, [0.0; 2])).collect();
+        if candidates.is_empty()
+            && let Some(lattice) = table.lattice()
+        {
+            for (a, j) in &starts {
+                let cell = lattice.nearest(&(vertex - a));
+                let off = vertex - a - lattice.translation(cell);
+                if off.amax() <= slack(a.iter().chain(vertex.iter()).copied()) {
+                    candidates.push((*j, cell));
+                }
+            }
+        }
+        // where several tables touch, each keeps to itself
+        let incoming = Branch::of(&**piece, &vertex);
+        let start = |&(j, _): &(usize, [f64; 2])| pieces[j].ends().map_or(vertex, |[a, _]| a);
+        let outgoing = candidates.iter().map(|c| Branch::of(&*pieces[c.0], &start(c)));
+        if let Some(k) = leftmost(incoming, outgoing) {
+            let (after, cell) = candidates[k];
+            found.push(Joint { before, after, cell, vertex });
+        }
+    }
+    found
+}

@@ -1,0 +1,224 @@
+//! All pieces moved inwards, whatever becomes of them.
+use super::{
+    Origin,
+    joints::{Joint, joints},
+    vertices::{Site, Vertices, minus},
+};
+use crate::{
+    Error, Figure, Piece, Table,
+    plane::slack,
+    shapes::{self, Parallel, curve::rising_root},
+};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// A corner that turns by less than this (radians) is smooth: the vertex moves along the mean normal, and the distance
+/// `R` is off by `R` times an eighth of the square, which is rounding.
+const SMOOTH: f64 = 2e-7;
+
+/// A moved piece.
+#[derive(Clone, Debug)]
+pub(super) struct Raw {
+    pub(super) piece: Arc<dyn Piece>,
+    pub(super) origin: Origin,
+    /// Its finite ends.
+    pub(super) ends: [Option<Site>; 2],
+    /// For a curve without a figure, what it is part of.
+    pub(super) part: Option<Part>,
+}
+
+/// Part of a regular parallel curve.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub(super) parallel: Parallel,
+    /// Parts of one curve have the same mark.
+    pub(super) curve: usize,
+}
+
+/// The moved pieces, and their ends as vertices.
+#[derive(Debug)]
+pub(super) struct RawBoundary {
+    pub(super) pieces: Vec<Raw>,
+    pub(super) vertices: Vertices,
+}
+
+/// Where the ends of a piece go.
+type Ends = [Option<(Vector2<f64>, Site)>; 2];
+
+pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
+    let mut vertices = Vertices::new(table.lattice());
+    let mut pieces: Vec<Raw> = vec![];
+    let mut ends: Vec<Ends> = vec![[None; 2]; table.pieces().len()];
+    for joint in joints(table) {
+        if let Some(arc) = turn(table, radius, &joint, &mut vertices, &mut ends)? {
+            pieces.push(arc);
+        }
+    }
+    for (i, piece) in table.pieces().iter().enumerate() {
+        // an end without a neighbour to share it, or at a convex corner
+        for (k, end) in piece.ends().into_iter().flatten().enumerate() {
+            if ends[i][k].is_none() && end.iter().all(|x| x.is_finite()) {
+                let moved = end + piece.closest(&end).normal * radius;
+                ends[i][k] = Some((moved, vertices.add(moved)));
+            }
+        }
+        if piece.figure() == Figure::Other {
+            parallels(piece, i, radius, ends[i], &mut vertices, &mut pieces)?;
+        } else if let Some(moved) = shifted(&piece.figure(), radius, ends[i].map(|e| e.map(|(p, _)| p)))? {
+            pieces.push(Raw {
+                piece: moved,
+                origin: Origin::Piece(i),
+                ends: ends[i].map(|e| e.map(|(_, site)| site)),
+                part: None,
+            });
+        }
+    }
+    Ok(RawBoundary { pieces, vertices })
+}
+
+/// What becomes of a corner: a shared vertex where the boundary is smooth, an arc where it is re-entrant.
+fn turn(
+    table: &Table,
+    radius: f64,
+    joint: &Joint,
+    vertices: &mut Vertices,
+    ends: &mut [Ends],
+) -> Result<Option<Raw>, Error> {
+    let &Joint { before, after, cell, vertex } = joint;
+    let [p, q] = [before, after].map(|i| &table.pieces()[i]);
+    let there = vertex - vertices.translation(cell);
+    let (n, m) = (p.closest(&vertex).normal, q.closest(&there).normal);
+    let mut angle = libm::atan2(n.perp(&m), n.dot(&m));
+    if core::f64::consts::PI - angle.abs() <= SMOOTH {
+        // straight back: a cusp of the table if the curves bend apart, the tip of a slit otherwise
+        let bend = p.curvature(&vertex) + q.curvature(&there);
+        angle = libm::copysign(angle, if bend < 0.0 { 1.0 } else { -1.0 });
+    }
+    let shift = vertices.translation(cell);
+    if angle.abs() <= SMOOTH {
+        let point = vertex + (n + m) * (radius / (n + m).norm());
+        let site = vertices.add(point);
+        ends[before][1] = Some((point, site));
+        ends[after][0] = Some((point - shift, site.moved(minus(cell))));
+        return Ok(None);
+    }
+    if angle > 0.0 {
+        return Ok(None);
+    }
+    let (a, b) = (vertex + n * radius, vertex + m * radius);
+    let (from, to) = (vertices.add(a), vertices.add(b));
+    ends[before][1] = Some((a, from));
+    ends[after][0] = Some((b - shift, to.moved(minus(cell))));
+    if a == b {
+        return Ok(None); // the disk is smaller than rounding
+    }
+    Ok(Some(Raw {
+        piece: Arc::new(shapes::Arc::with_radius(vertex, radius, a, b, false)?),
+        origin: Origin::Corner { before, after },
+        ends: [Some(from), Some(to)],
+        part: None,
+    }))
+}
+
+/// A piece of known figure, moved; `None` where it shrinks to nothing.
+fn shifted(
+    figure: &Figure,
+    radius: f64,
+    ends: [Option<Vector2<f64>>; 2],
+) -> Result<Option<Arc<dyn Piece>>, Error> {
+    let left = |d: Vector2<f64>| Vector2::new(-d.y, d.x);
+    // a focusing arc of the radius of the disk, but for rounding, becomes a point
+    let reduced = |r: f64, inside: bool, center: Vector2<f64>| {
+        let moved = if inside { r - radius } else { r + radius };
+        (moved > slack([center.x, center.y, r])).then_some(moved)
+    };
+    Ok(match (*figure, ends) {
+        (Figure::Segment { .. }, [Some(a), Some(b)]) if a != b => Some(Arc::new(shapes::Segment::new(a, b)?)),
+        (Figure::Ray { from, direction, left: is_left }, _) => {
+            let n = if is_left { left(direction) } else { -left(direction) };
+            Some(Arc::new(shapes::Ray::new(from + n * radius, direction, is_left)?))
+        }
+        (Figure::Line { through, direction }, _) => {
+            Some(Arc::new(shapes::FullLine::new(through + left(direction) * radius, direction)?))
+        }
+        (Figure::Arc { center, radius: r, inside, .. }, [Some(a), Some(b)]) if a != b => {
+            match reduced(r, inside, center) {
+                Some(moved) => Some(Arc::new(shapes::Arc::with_radius(center, moved, a, b, inside)?)),
+                None => None,
+            }
+        }
+        (Figure::Circle { center, radius: r, inside }, _) => match reduced(r, inside, center) {
+            Some(moved) => Some(Arc::new(shapes::Circle::new(center, moved, inside)?)),
+            None => None,
+        },
+        _ => None,
+    })
+}
+
+/// Places where the curvature is looked at, and parts of a regular curve (a curve that meets itself is cut by that).
+const PLACES: usize = 256;
+const PARTS: usize = 4;
+
+/// The regular parts of the parallel of a curve: between centres of curvature.
+fn parallels(
+    base: &Arc<dyn Piece>,
+    number: usize,
+    radius: f64,
+    ends: Ends,
+    vertices: &mut Vertices,
+    pieces: &mut Vec<Raw>,
+) -> Result<(), Error> {
+    let length = base.length();
+    if !length.is_finite() {
+        return Err(Error::Parameter { name: "length", must: "finite for a curved piece to be offset", value: length });
+    }
+    let stretch = |s: f64| 1.0 - base.curvature(&base.point_at(s)) * radius;
+    let at = |k: usize| length * (k as f64 / PLACES as f64);
+    let root = |low: f64, high: f64, sign: f64| rising_root(|s| [sign * stretch(s), 0.0], [low, high]);
+    // the ranges in which the disk's curvature is greater than the curve's
+    let mut ranges: Vec<[f64; 2]> = vec![];
+    let mut from = (stretch(0.0) > 0.0).then_some(0.0);
+    for k in 1..=PLACES {
+        let regular = stretch(at(k)) > 0.0;
+        match from {
+            None if regular => from = Some(root(at(k - 1), at(k), 1.0)),
+            Some(start) if !regular => {
+                ranges.push([start, root(at(k - 1), at(k), -1.0)]);
+                from = None;
+            }
+            _ => {}
+        }
+    }
+    ranges.extend(from.map(|start| [start, length]));
+    let moved = |s: f64| {
+        let foot = base.point_at(s);
+        foot + base.closest(&foot).normal * radius
+    };
+    let seam = base.ends().is_none().then(|| {
+        let point = moved(0.0);
+        (point, vertices.add(point))
+    });
+    for [low, high] in ranges {
+        let curve = pieces.len();
+        let cuts = (1..PARTS).map(|k| low + (high - low) * (k as f64 / PARTS as f64));
+        let mut vertex = |s: f64, known: Option<(Vector2<f64>, Site)>| {
+            known.unwrap_or_else(|| {
+                let point = moved(s);
+                (point, vertices.add(point))
+            })
+        };
+        let mut start = (low, vertex(low, if low == 0.0 { seam.or(ends[0]) } else { None }));
+        for s in cuts.chain([high]) {
+            let end = (s, vertex(s, if s == length { seam.or(ends[1]) } else { None }));
+            let parallel = Parallel::new(base.clone(), radius, [start.0, s], Some([start.1.0, end.1.0]))?;
+            pieces.push(Raw {
+                piece: Arc::new(parallel.clone()),
+                origin: Origin::Piece(number),
+                ends: [Some(start.1.1), Some(end.1.1)],
+                part: Some(Part { parallel, curve }),
+            });
+            start = end;
+        }
+    }
+    Ok(())
+}

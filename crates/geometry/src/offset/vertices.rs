@@ -1,0 +1,105 @@
+//! Points that are one point but for rounding, on a lattice also but for a translation.
+use crate::{Extent, Lattice, boxes::BoxTree};
+use nalgebra::Vector2;
+
+/// A vertex moved by a lattice vector.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Site {
+    pub(super) vertex: usize,
+    /// By how many of each lattice vector.
+    pub(super) cell: [f64; 2],
+}
+
+impl Site {
+    /// The site moved by a lattice vector.
+    pub(super) fn moved(self, by: [f64; 2]) -> Site {
+        Site { vertex: self.vertex, cell: [self.cell[0] + by[0], self.cell[1] + by[1]] }
+    }
+}
+
+pub(super) fn minus(a: [f64; 2]) -> [f64; 2] {
+    // 0 − 0 is +0
+    [0.0 - a[0], 0.0 - a[1]]
+}
+
+/// Vertices, and which of them are the same (a union–find forest with translations).
+#[derive(Debug)]
+pub(super) struct Vertices {
+    lattice: Option<Lattice>,
+    points: Vec<Vector2<f64>>,
+    /// Each vertex is at its parent's place, moved.
+    parents: Vec<Site>,
+}
+
+impl Vertices {
+    pub(super) fn new(lattice: Option<&Lattice>) -> Vertices {
+        Vertices { lattice: lattice.cloned(), points: vec![], parents: vec![] }
+    }
+
+    /// A new vertex.
+    pub(super) fn add(&mut self, point: Vector2<f64>) -> Site {
+        let site = Site { vertex: self.points.len(), cell: [0.0; 2] };
+        self.points.push(point);
+        self.parents.push(site);
+        site
+    }
+
+    pub(super) fn translation(&self, cell: [f64; 2]) -> Vector2<f64> {
+        self.lattice.as_ref().map_or_else(Vector2::zeros, |l| l.translation(cell))
+    }
+
+    /// The same place as a translate of the vertex that stands for all of its class.
+    pub(super) fn find(&self, mut site: Site) -> Site {
+        loop {
+            let parent = self.parents[site.vertex];
+            if parent.vertex == site.vertex {
+                return site;
+            }
+            site = parent.moved(site.cell);
+        }
+    }
+
+    /// Where a site lies.
+    pub(super) fn at(&self, site: Site) -> Vector2<f64> {
+        let root = self.find(site);
+        self.points[root.vertex] + self.translation(root.cell)
+    }
+
+    /// Declares two sites to be one place.
+    pub(super) fn unite(&mut self, a: Site, b: Site) {
+        let (a, b) = (self.find(a), self.find(b));
+        if a.vertex == b.vertex {
+            return;
+        }
+        // the older vertex stands for both: vertices of the drawn boundary come before crossings
+        let (old, new) = if a.vertex < b.vertex { (a, b) } else { (b, a) };
+        self.parents[new.vertex] = old.moved(minus(new.cell));
+    }
+
+    /// Unites all vertices that are no farther apart than `tolerance` in each coordinate.
+    pub(super) fn unite_near(&mut self, tolerance: f64) {
+        let home: Vec<(Vector2<f64>, [f64; 2])> =
+            self.points.iter().map(|p| self.lattice.as_ref().map_or((*p, [0.0; 2]), |l| l.reduce(p))).collect();
+        let tree = BoxTree::new(home.iter().map(|(p, _)| Extent { min: *p, max: *p }).collect());
+        let steps: &[f64] = &[0.0, 1.0, -1.0];
+        let count = self.lattice.as_ref().map_or(0, |l| l.vectors().len());
+        let range = |k: usize| if k < count { steps } else { &steps[..1] };
+        for (i, (p, cell)) in home.iter().enumerate() {
+            for &first in range(0) {
+                for &second in range(1) {
+                    let by = [first, second];
+                    let moved = p + self.translation(by);
+                    let here = Extent { min: moved, max: moved };
+                    let mut near = vec![];
+                    tree.search(|e| e.meets(&here, tolerance), |j| near.push(j));
+                    for j in near.into_iter().filter(|&j| j != i) {
+                        // i − cell(i) + by is j − cell(j)
+                        let a = Site { vertex: i, cell: [by[0] - cell[0], by[1] - cell[1]] };
+                        let b = Site { vertex: j, cell: minus(home[j].1) };
+                        self.unite(a, b);
+                    }
+                }
+            }
+        }
+    }
+}

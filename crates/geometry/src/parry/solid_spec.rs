@@ -1,0 +1,216 @@
+//! Shapes in space as plain data, as scene files have them.
+use super::{Side, Solid, convert::to_glam3};
+use crate::Error;
+use core::f64::consts::FRAC_1_SQRT_2;
+use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use parry3d_f64::{
+    math::Vector as Glam,
+    shape::{
+        Ball, Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh,
+    },
+};
+
+/// A shape in space as plain data: what `shape = { … }` in a scene file says.
+///
+/// Lengths [L]. Shapes with a size are centred at the origin; `rounding` is the radius of a ball that rolls around the
+/// shape, 0 for none.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SolidSpec {
+    /// All points within `radius` of the origin.
+    Ball {
+        /// Radius.
+        radius: f64,
+    },
+    /// A box with edges along the axes.
+    Cuboid {
+        /// Lengths of its edges.
+        size: [f64; 3],
+        /// Rounding.
+        rounding: f64,
+    },
+    /// All points within `radius` of a segment.
+    Capsule {
+        /// One end of the segment.
+        from: [f64; 3],
+        /// The other end.
+        to: [f64; 3],
+        /// Radius.
+        radius: f64,
+    },
+    /// A cylinder with its axis along x₃.
+    Cylinder {
+        /// Radius.
+        radius: f64,
+        /// Height.
+        height: f64,
+        /// Rounding.
+        rounding: f64,
+    },
+    /// A cone with its axis along x₃, apex up.
+    Cone {
+        /// Radius of its base.
+        radius: f64,
+        /// Height.
+        height: f64,
+        /// Rounding.
+        rounding: f64,
+    },
+    /// The convex hull of some points.
+    ConvexHull {
+        /// The points.
+        points: Vec<[f64; 3]>,
+        /// Rounding.
+        rounding: f64,
+    },
+    /// Bounded by triangles, counter-clockwise as seen from outside.
+    TriMesh {
+        /// Vertices.
+        vertices: Vec<[f64; 3]>,
+        /// Triples of numbers of vertices.
+        triangles: Vec<[usize; 3]>,
+    },
+    /// Everything behind the plane through the origin.
+    HalfSpace {
+        /// Normal of the plane, out of the shape, of any length.
+        normal: [f64; 3],
+    },
+}
+
+impl SolidSpec {
+    /// The boundary of the shape, moved by `center`, with the table inside or outside of it.
+    ///
+    /// # Errors
+    /// [`Error::Field`] for a field that is wrong; otherwise as [`Solid::new`].
+    ///
+    /// ```
+    /// use geometry::{Vector3, parry::{Side, SolidSpec}};
+    /// let can = SolidSpec::Cylinder { radius: 1.0, height: 2.0, rounding: 0.0 };
+    /// let room = can.solid([0.0, 0.0, 1.0], Side::Inside)?;
+    /// assert!((room.distance(&Vector3::new(0.0, 0.0, 0.25)) - 0.25).abs() < 1e-15);
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn solid(&self, center: [f64; 3], side: Side) -> Result<Solid, Error> {
+        finite("center", &center)?;
+        let translation = Translation3::from(Vector3::from(center));
+        // parry's axes of revolution lie along x₂
+        let upright = UnitQuaternion::new_unchecked(Quaternion::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0, 0.0));
+        let rotation = match self {
+            SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. } => upright,
+            _ => UnitQuaternion::identity(),
+        };
+        Solid::new(&*self.shape()?, &Isometry3::from_parts(translation, rotation), side)
+    }
+
+    fn shape(&self) -> Result<Box<dyn Shape>, Error> {
+        Ok(match self {
+            SolidSpec::Ball { radius } => Box::new(Ball::new(positive("radius", *radius)?)),
+            SolidSpec::Cuboid { size, rounding } => {
+                size.iter().try_for_each(|x| positive("size", *x).map(|_| ()))?;
+                round(Cuboid::new(glam(size) * 0.5), *rounding)?
+            }
+            SolidSpec::Capsule { from, to, radius } => {
+                finite("from", from)?;
+                finite("to", to)?;
+                Box::new(Capsule::new(glam(from), glam(to), positive("radius", *radius)?))
+            }
+            SolidSpec::Cylinder { radius, height, rounding } => {
+                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
+                round(Cylinder::new(half, radius), *rounding)?
+            }
+            SolidSpec::Cone { radius, height, rounding } => {
+                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
+                round(Cone::new(half, radius), *rounding)?
+            }
+            SolidSpec::ConvexHull { points, rounding } => {
+                points.iter().try_for_each(|p| finite("points", p))?;
+                let points: Vec<Glam> = points.iter().map(glam).collect();
+                let hull = ConvexPolyhedron::from_convex_hull(&points)
+                    .ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))?;
+                round(hull, *rounding)?
+            }
+            SolidSpec::TriMesh { vertices, triangles } => {
+                vertices.iter().try_for_each(|p| finite("vertices", p))?;
+                let number = |v: usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
+                let numbers = triangles.iter().map(|[a, b, c]| Some([number(*a)?, number(*b)?, number(*c)?]));
+                let numbers: Vec<[u32; 3]> = numbers
+                    .collect::<Option<_>>()
+                    .ok_or_else(|| wrong("triangles", "numbers of vertices, counted from 0"))?;
+                let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
+                Box::new(mesh.map_err(|_| wrong("triangles", "a list of at least one triangle"))?)
+            }
+            SolidSpec::HalfSpace { normal } => {
+                finite("normal", normal)?;
+                let [x, y, z] = *normal;
+                let length = libm::hypot(libm::hypot(x, y), z);
+                if length == 0.0 {
+                    return Err(wrong("normal", "a vector other than zero"));
+                }
+                Box::new(HalfSpace { normal: glam(&normal.map(|n| n / length)) })
+            }
+        })
+    }
+}
+
+/// A shape, rounded if it is to be.
+fn round<S>(inner_shape: S, rounding: f64) -> Result<Box<dyn Shape>, Error>
+where
+    S: Shape,
+    RoundShape<S>: Shape,
+{
+    if rounding == 0.0 {
+        return Ok(Box::new(inner_shape));
+    }
+    Ok(Box::new(RoundShape { inner_shape, border_radius: positive("rounding", rounding)? }))
+}
+
+fn glam(v: &[f64; 3]) -> Glam {
+    to_glam3(&Vector3::from(*v))
+}
+
+fn wrong(field: &str, must: &'static str) -> Error {
+    Error::Field { field: field.into(), must }
+}
+
+fn positive(field: &str, value: f64) -> Result<f64, Error> {
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(wrong(field, "positive and finite")) }
+}
+
+fn finite(field: &str, value: &[f64; 3]) -> Result<(), Error> {
+    if value.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(wrong(field, "finite")) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_has_the_distance_it_should_have() {
+        let distance = |spec: &SolidSpec, at: [f64; 3]| spec.solid([0.0; 3], Side::Outside).unwrap().distance(&at.into());
+        let tetrahedron = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let faces = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        let cases = [
+            (SolidSpec::Ball { radius: 1.0 }, [0.0, 0.0, 3.0], 2.0),
+            (SolidSpec::Cuboid { size: [2.0, 4.0, 6.0], rounding: 0.0 }, [0.0, 0.0, 4.0], 1.0),
+            (SolidSpec::Cuboid { size: [2.0, 4.0, 6.0], rounding: 0.5 }, [0.0, 3.0, 0.0], 0.5),
+            (SolidSpec::Capsule { from: [0.0; 3], to: [1.0, 0.0, 0.0], radius: 0.5 }, [2.0, 0.0, 0.0], 0.5),
+            (SolidSpec::Cylinder { radius: 1.0, height: 4.0, rounding: 0.0 }, [0.0, 0.0, 3.0], 1.0),
+            (SolidSpec::Cylinder { radius: 1.0, height: 4.0, rounding: 0.25 }, [2.0, 0.0, 0.0], 0.75),
+            (SolidSpec::Cone { radius: 1.0, height: 2.0, rounding: 0.0 }, [0.0, 0.0, 3.0], 2.0),
+            (SolidSpec::ConvexHull { points: tetrahedron.clone(), rounding: 0.0 }, [-1.0, 0.1, 0.1], 1.0),
+            (SolidSpec::TriMesh { vertices: tetrahedron, triangles: faces }, [-1.0, 0.1, 0.1], 1.0),
+            (SolidSpec::HalfSpace { normal: [0.0, 0.0, 2.0] }, [5.0, 5.0, 1.5], 1.5),
+        ];
+        for (spec, at, expected) in cases {
+            // rounding of the quarter turn of cylinders and cones, and of parry's own projections
+            assert!((distance(&spec, at) - expected).abs() < 1e-12, "{spec:?}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_field_is_named() {
+        let error = SolidSpec::Cone { radius: 1.0, height: 0.0, rounding: 0.0 }.solid([0.0; 3], Side::Inside);
+        assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "positive and finite" });
+        let flat = SolidSpec::ConvexHull { points: vec![[0.0; 3]; 3], rounding: 0.0 };
+        assert!(flat.solid([0.0; 3], Side::Inside).is_err());
+    }
+}
