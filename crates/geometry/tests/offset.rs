@@ -198,8 +198,18 @@ fn re_entrant_corners_become_arcs() {
 fn a_neck_cuts_the_region_in_two() {
     // two rooms of side 2 joined by a corridor of width 0.5
     let rooms = [
-        [0.0, 0.0], [2.0, 0.0], [2.0, 0.75], [3.0, 0.75], [3.0, 0.0], [5.0, 0.0],
-        [5.0, 2.0], [3.0, 2.0], [3.0, 1.25], [2.0, 1.25], [2.0, 2.0], [0.0, 2.0],
+        [0.0, 0.0],
+        [2.0, 0.0],
+        [2.0, 0.75],
+        [3.0, 0.75],
+        [3.0, 0.0],
+        [5.0, 0.0],
+        [5.0, 2.0],
+        [3.0, 2.0],
+        [3.0, 1.25],
+        [2.0, 1.25],
+        [2.0, 2.0],
+        [0.0, 2.0],
     ];
     let t = table(polygon(&rooms));
     assert_eq!(check("rooms", &t, 0.2).table.chains().len(), 1);
@@ -280,11 +290,7 @@ fn disks_on_a_torus_overlap_in_chains_and_cages() {
 #[test]
 fn walls_go_on_across_cells() {
     let zigzag = |top: f64| {
-        let walls = [
-            [v(0.0, 0.0), v(0.5, 0.25)],
-            [v(0.5, 0.25), v(1.0, 0.0)],
-            [v(1.0, top), v(0.0, top)],
-        ];
+        let walls = [[v(0.0, 0.0), v(0.5, 0.25)], [v(0.5, 0.25), v(1.0, 0.0)], [v(1.0, top), v(0.0, top)]];
         let walls = walls.map(|[a, b]| Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>);
         let lattice = Lattice::new(&[v(1.0, 0.0)]).unwrap();
         Table::periodic(walls.into(), Some(lattice)).unwrap()
@@ -320,7 +326,8 @@ fn infinite_tables_have_offsets() {
 
 #[test]
 fn curves_have_parallels() {
-    let ellipse = |inside: bool| Box::new(Ellipse::new(v(0.1, 0.2), [2.0, 1.0], 0.3, inside).unwrap()) as Box<dyn Piece>;
+    let ellipse =
+        |inside: bool| Box::new(Ellipse::new(v(0.1, 0.2), [2.0, 1.0], 0.3, inside).unwrap()) as Box<dyn Piece>;
     let t = table(vec![ellipse(true)]);
     let inner = check("ellipse", &t, 0.25);
     assert_eq!(inner.table.pieces().len(), 1);

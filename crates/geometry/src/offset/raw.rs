@@ -121,11 +121,7 @@ fn turn(
 }
 
 /// A piece of known figure, moved; `None` where it shrinks to nothing.
-fn shifted(
-    figure: &Figure,
-    radius: f64,
-    ends: [Option<Vector2<f64>>; 2],
-) -> Result<Option<Arc<dyn Piece>>, Error> {
+fn shifted(figure: &Figure, radius: f64, ends: [Option<Vector2<f64>>; 2]) -> Result<Option<Arc<dyn Piece>>, Error> {
     let left = |d: Vector2<f64>| Vector2::new(-d.y, d.x);
     // a focusing arc of the radius of the disk, but for rounding, becomes a point
     let reduced = |r: f64, inside: bool, center: Vector2<f64>| {

@@ -292,7 +292,11 @@ impl Piece for Parallel {
                         let root = rising_root(|s| [sign * v.dot(&self.node(s).normal), 0.0], [a.s, b.s]);
                         let top = self.node(root);
                         if left(&top.point) != side {
-                            take(if side { self.time_between(path, &top, b) } else { self.time_between(path, a, &top) });
+                            take(if side {
+                                self.time_between(path, &top, b)
+                            } else {
+                                self.time_between(path, a, &top)
+                            });
                         }
                     }
                 }
