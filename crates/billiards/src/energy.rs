@@ -2,8 +2,8 @@
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
 //! same constants: after 10⁹ collisions 10⁻⁷ would be gone. [`Conserved`] computes the energy of the outgoing velocity
-//! with an error of about 2⁻⁷⁵, and hands what is missing to the **normal** component of the next incoming velocity.
-//! The correction is one collision late so that it is computed beside the search for the next hit and not after it.
+//! with an error of about 2⁻⁷⁵, and hands what is missing to the **normal** component of the next incoming velocity
+//! (to the velocity as a whole where it grazes the wall). The correction is one collision late so that it is computed beside the search for the next hit and not after it.
 use crate::orbit::square_speed;
 use geometry::WallHit;
 use lanes::{Lane, Mask};
@@ -41,9 +41,8 @@ pub struct Conserved<F, const N: usize> {
     /// `|v|² + |w|²` at the start, as a sum.
     high: F,
     low: F,
-    /// Below this normal speed (squared) nothing is corrected: grazing.
+    /// A normal speed whose square is below this grazes; a speed below it has next to no energy to correct.
     grazing: F,
-    missing: F,
     correction: [F; N],
 }
 
@@ -79,7 +78,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             libm::ldexp(3.0, exponent + 25)
         });
         let (high, low) = precise_square(grid, velocity, spin);
-        Conserved { grid, high, low, grazing: square * 1e-3, missing: grid.same(0.0), correction: [grid.same(0.0); N] }
+        Conserved { grid, high, low, grazing: square * 1e-3, correction: [grid.same(0.0); N] }
     }
     #[inline(always)]
     fn arrive(&self, velocity: &mut [F; N]) {
@@ -90,26 +89,27 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
     #[inline(always)]
     fn leave(&mut self, velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>) {
         let normal = &hit.normal;
-        let mut vn = velocity[0] * normal[0];
+        let (mut vn, mut square) = (velocity[0] * normal[0], velocity[0] * velocity[0]);
         for i in 1..N {
             vn = vn + velocity[i] * normal[i];
+            square = square + velocity[i] * velocity[i];
         }
-        let steep = self.grazing.lt(vn * vn * hit.inverse_square);
+        // along the normal; along the velocity where it grazes; not at all where nearly all energy is spin
         let zero = vn.same(0.0);
-        // half of what was missing one collision ago
-        let add = steep.select(self.missing * (zero.same(0.25) / vn), zero);
-        for i in 0..N {
-            self.correction[i] = add * normal[i];
-        }
+        let steep = self.grazing.lt(vn * vn * hit.inverse_square);
+        let moving = self.grazing.lt(square);
+        let share = moving.select(zero.same(0.5), zero) / steep.select(vn, square);
         let (high, low) = precise_square(self.grid, velocity, spin);
-        self.missing = (self.high - high) + (self.low - low);
+        let add = ((self.high - high) + (self.low - low)) * share;
+        for i in 0..N {
+            self.correction[i] = add * steep.select(normal[i], velocity[i]);
+        }
     }
     fn replace(&mut self, mask: F::Mask, by: &Self) {
         self.grid = mask.select(by.grid, self.grid);
         self.high = mask.select(by.high, self.high);
         self.low = mask.select(by.low, self.low);
         self.grazing = mask.select(by.grazing, self.grazing);
-        self.missing = mask.select(by.missing, self.missing);
         for i in 0..N {
             self.correction[i] = mask.select(by.correction[i], self.correction[i]);
         }

@@ -62,12 +62,21 @@ impl Walls<2> for Capsule {
         let distance = (zero.same(self.radius) - up.select(y, -y)).max(zero);
         let meet = (x[0] - self.center) * speed + distance * v[0];
         let flat = meet.abs().lt(speed * self.half_length);
-        // otherwise the cap on that side
-        let cap = zero.lt(meet).select(zero.same(self.right), zero.same(self.left));
-        let q1 = x[0] - cap;
-        let (a, b) = (v[0] * v[0] + v[1] * v[1], q1 * v[0] + y * v[1]);
-        let c = q1 * q1 + y * y - self.square;
-        let root = (b * b - a * c).max(zero).sqrt();
+        // otherwise the cap on that side; both are prepared, since knowing the side takes as long
+        let right = zero.lt(meet);
+        let a = v[0] * v[0] + v[1] * v[1];
+        let quadratic = |cap: f64| {
+            let q1 = x[0] - cap;
+            let b = q1 * v[0] + y * v[1];
+            let c = (q1 * q1 + y * y) - self.square;
+            (q1, b, c, b * b - a * c)
+        };
+        let (at_left, at_right) = (quadratic(self.left), quadratic(self.right));
+        let q1 = right.select(at_right.0, at_left.0);
+        let b = right.select(at_right.1, at_left.1);
+        let c = right.select(at_right.2, at_left.2);
+        let root = right.select(at_right.3, at_left.3).max(zero).sqrt();
+        let cap = right.select(zero.same(self.right), zero.same(self.left));
         let q = b.abs() + root;
         let leaving = zero.lt(b);
         let num = flat.select(distance, leaving.select((-c).max(zero), q));
@@ -78,14 +87,14 @@ impl Walls<2> for Capsule {
         let ratio = (l1 * l1 + l2 * l2) * self.inverse_square;
         let scale = ratio * -0.5 + 1.5;
         let side = zero.same(self.radius).copysign(v[1]);
-        let [lower, right, upper, left] = self.pieces.map(|p| zero.same(p));
+        let [lower, head, upper, tail] = self.pieces.map(|p| zero.same(p));
         WallHit {
             time,
             point: [flat.select(l1, l1 * scale) + cap, flat.select(side, l2 * scale) + self.middle],
             normal: [flat.select(zero, -l1), flat.select(-one.copysign(v[1]), -l2)],
             inverse: flat.select(one, scale * self.inverse),
             inverse_square: flat.select(one, (one.same(2.0) - ratio) * self.inverse_square),
-            piece: flat.select(up.select(upper, lower), zero.lt(meet).select(right, left)),
+            piece: flat.select(up.select(upper, lower), right.select(head, tail)),
             corner: zero.lt(zero),
         }
     }
