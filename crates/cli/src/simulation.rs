@@ -7,8 +7,10 @@ mod harvest;
 mod law;
 mod paths;
 mod planar;
+mod room;
 mod scale;
 mod schedule;
+mod spatial;
 mod start;
 mod strokes;
 mod summary;
@@ -29,6 +31,7 @@ use crate::whole_file::WholeFile;
 use harvest::{Harvest, Totals};
 use planar::Planar;
 use schedule::{Launch, Work, run_all};
+use spatial::Spatial;
 
 pub use summary::Summary;
 
@@ -36,7 +39,13 @@ pub use summary::Summary;
 #[derive(Debug)]
 pub struct Simulation {
     scene: Scene,
-    planar: Planar,
+    body: Body,
+}
+
+#[derive(Debug)]
+enum Body {
+    Plane(Box<Planar>),
+    Space(Box<Spatial>),
 }
 
 /// How a simulation is run, and how far it is.
@@ -76,8 +85,12 @@ impl Simulation {
     /// # Errors
     /// All that is wrong with the scene, at its place in the file.
     pub fn new(scene: Scene) -> Result<Self, Vec<Diagnostic>> {
-        let planar = Planar::new(&scene)?;
-        Ok(Simulation { scene, planar })
+        let body = if scene.dimension == 2 {
+            Body::Plane(Box::new(Planar::new(&scene)?))
+        } else {
+            Body::Space(Box::new(Spatial::new(&scene)?))
+        };
+        Ok(Simulation { scene, body })
     }
 
     /// The scene.
@@ -85,9 +98,17 @@ impl Simulation {
         &self.scene
     }
 
+    /// How many orbits there are.
+    pub fn orbits(&self) -> u64 {
+        match &self.body {
+            Body::Plane(planar) => planar.orbits(),
+            Body::Space(spatial) => spatial.orbits(),
+        }
+    }
+
     /// What [`Control::steps_done`] will be at the end.
     pub fn steps(&self) -> u64 {
-        self.planar.orbits().saturating_mul(schedule::STEPS)
+        self.orbits().saturating_mul(schedule::STEPS)
     }
 
     /// Runs all orbits and writes what the scene asks for into a folder.
@@ -95,54 +116,98 @@ impl Simulation {
     /// # Errors
     /// A file cannot be written.
     pub fn run(&self, folder: &Path, control: &Control) -> io::Result<Done> {
+        let asked = &self.scene.output.pictures;
         let pictures: Vec<&Picture> =
-            PICTURES.iter().filter(|known| self.scene.output.pictures.iter().any(|asked| asked.0 == known.name)).collect();
+            PICTURES.iter().filter(|known| asked.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
-        let (mut material, totals, busy) = self.orbits(folder, &needs, control)?;
-        material.outline = strokes::of(&self.planar.drawn.table, self.planar.drawn.factor);
-        let mut files: Vec<PathBuf> = self.scene.output.collisions.iter().map(|format| record::path(folder, *format)).collect();
+        let kept = Kept { folder, needs: &needs };
+        let (mut material, totals, busy) = match &self.body {
+            Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
+            Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
+        };
+        if let Body::Plane(planar) = &self.body {
+            material.outline = strokes::of(&planar.drawn.table, planar.drawn.factor);
+        }
+        let record = self.scene.output.collisions.map(|format| record::path(folder, format));
+        let mut files: Vec<PathBuf> = record.into_iter().collect();
         for file in pictures.iter().flat_map(|picture| (picture.draw)(&material)) {
             let path = folder.join(file.name);
             WholeFile::write(&path, &file.content)?;
             files.push(path);
         }
-        let summary = Summary::new(&self.scene, self.planar.orbits(), &totals, busy, control.threads);
+        let summary = Summary::new(&self.scene, self.orbits(), &totals, busy, control.threads);
         let path = folder.join("summary.json");
         WholeFile::write(&path, summary.json().as_bytes())?;
         files.insert(0, path);
         Ok(Done { summary, files })
     }
 
-    fn orbits(&self, folder: &Path, needs: &[Needs], control: &Control) -> io::Result<(Material, Totals, Duration)> {
-        let planar = &self.planar;
-        let columns = Columns { dimension: self.scene.dimension, lattice: planar.centres.lattice().is_some() };
-        let record = self.scene.output.collisions.map(|format| record::create(folder, format, columns)).transpose()?;
-        let start = |orbit| planar.lifted_start(orbit);
+    fn in_plane(&self, planar: &Planar, kept: &Kept<'_>, control: &Control) -> io::Result<(Material, Totals, Duration)> {
+        let starts = planar.starts().map_err(io::Error::other)?;
         let lattice = planar.centres.lattice().and_then(|lattice| {
             Lattice::new(&lattice.vectors().iter().map(|v| v / planar.drawn.factor).collect::<Vec<_>>()).ok()
         });
-        let mut harvest = Harvest::new(columns, record, needs, lattice, planar.orbits(), &start);
-        let (collisions, time) = match self.scene.limit {
-            Some(Limit::Collisions(n)) => (n.value, f64::INFINITY),
-            Some(Limit::Time(time)) => (u64::MAX, time.value),
-            None => (0, f64::INFINITY),
-        };
-        let work = Work {
-            orbits: planar.orbits(),
-            collisions,
-            time,
-            watch: harvest.extent(),
-            pieces: &planar.pieces,
-            threads: control.threads,
-            interrupted: &control.interrupted,
-            progress: &control.done,
-        };
+        let first = |orbit| planar.lifted(&starts(orbit));
+        let mut harvest = self.harvest(kept, lattice, &first)?;
+        let work = Work { pieces: &planar.pieces, ..self.work(&harvest, control) };
         let launch = |orbit| {
-            let start = planar.start(orbit);
+            let start = starts(orbit);
             Launch { orbit: planar.launch(&start), scale: start.scale }
         };
         let busy = planar.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
         let (material, totals) = harvest.finish()?;
         Ok((material, totals, busy))
     }
+
+    fn in_space(&self, spatial: &Spatial, kept: &Kept<'_>, control: &Control) -> io::Result<(Material, Totals, Duration)> {
+        let starts = spatial.starts().map_err(io::Error::other)?;
+        let first = |orbit| spatial.seen(&starts(orbit));
+        let mut harvest = self.harvest(kept, None, &first)?;
+        let work = Work { shift: spatial.shift.into(), ..self.work(&harvest, control) };
+        let launch = |orbit| {
+            let start = starts(orbit);
+            Launch { orbit: spatial.launch(&start), scale: start.scale }
+        };
+        let busy =
+            spatial.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
+        let (material, totals) = harvest.finish()?;
+        Ok((material, totals, busy))
+    }
+
+    fn harvest<'a>(
+        &self,
+        kept: &Kept<'_>,
+        lattice: Option<Lattice>,
+        first: &'a dyn Fn(u64) -> [f64; 2],
+    ) -> io::Result<Harvest<'a>> {
+        let columns = Columns { dimension: self.scene.dimension, lattice: lattice.is_some() };
+        let format = self.scene.output.collisions;
+        let record = format.map(|format| record::create(kept.folder, format, columns)).transpose()?;
+        Ok(Harvest::new(columns, record, kept.needs, lattice, self.orbits(), first))
+    }
+
+    fn work<'a>(&self, harvest: &Harvest<'_>, control: &'a Control) -> Work<'a> {
+        let (collisions, time) = match self.scene.limit {
+            Some(Limit::Collisions(n)) => (n.value, f64::INFINITY),
+            Some(Limit::Time(time)) => (u64::MAX, time.value),
+            None => (0, f64::INFINITY),
+        };
+        Work {
+            orbits: self.orbits(),
+            collisions,
+            time,
+            watch: harvest.extent(),
+            pieces: &[],
+            shift: [0.0; 3],
+            threads: control.threads,
+            interrupted: &control.interrupted,
+            progress: &control.done,
+        }
+    }
+}
+
+/// What is kept of a run, and where.
+struct Kept<'a> {
+    folder: &'a Path,
+    needs: &'a [Needs],
 }

@@ -1,7 +1,7 @@
 //! `[[table.boundary]]`: a boundary piece by piece.
 
 use super::law::{self, Law};
-use super::parameters::{self, Arguments, Model};
+use super::shapes::{self, Shape};
 use super::{choice, direction, list, point, text};
 use crate::document::{Item, Problems, Section, Span, Spanned, positive, real, vector};
 use crate::expression::Expression;
@@ -82,10 +82,10 @@ pub enum Border {
     },
     /// `shape = { name = "capsule", … }`.
     Shape {
-        /// Which shape.
-        model: &'static Model,
-        /// Its parameters.
-        arguments: Arguments,
+        /// The shape.
+        shape: Shape,
+        /// The lengths that say how large it is.
+        lengths: Vec<f64>,
         /// Where the domain lies; outside unless it says otherwise.
         domain: Domain,
     },
@@ -241,16 +241,17 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
 }
 
 fn shape(mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<Border> {
-    let Some(item) = section.required("name", "name = \"capsule\"") else {
+    let read = section
+        .required("name", "name = \"capsule\"")
+        .and_then(|item| shapes::read(&mut section, item, n, problems));
+    let domain = domain(&mut section, Domain::Outside, problems);
+    let Some((shape, lengths)) = read else {
+        // Which keys belong to an unknown shape is unknown too.
         section.finish_leniently(problems);
         return None;
     };
-    // Which keys belong to an unknown shape is unknown too.
-    let model = parameters::model(item, "shape", super::SHAPES, n, problems)?;
-    let arguments = parameters::arguments(&mut section, item.span, model, problems);
-    let domain = domain(&mut section, Domain::Outside, problems);
     section.finish(problems);
-    Some(Border::Shape { model, arguments: arguments?, domain: domain? })
+    Some(Border::Shape { shape, lengths, domain: domain? })
 }
 
 fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -> Option<Domain> {

@@ -46,6 +46,10 @@ pub enum Kind {
     Point,
     /// At least this many points of space.
     Points(usize),
+    /// At least this many real numbers.
+    Reals(usize),
+    /// Triples of whole numbers from 0.
+    Triples,
 }
 
 /// What a parameter is if absent.
@@ -80,6 +84,11 @@ impl Parameter {
         }
     }
 
+    /// Whether its numbers say how large something is.
+    pub(super) fn is_length(&self) -> bool {
+        matches!(self.kind, Kind::Length | Kind::Distance | Kind::Lengths(_) | Kind::Point | Kind::Points(_))
+    }
+
     fn example(&self) -> String {
         let value = match self.kind {
             Kind::Length | Kind::Distance | Kind::Real => "1",
@@ -88,6 +97,8 @@ impl Parameter {
             Kind::Lengths(_) => "[1, 1, 1]",
             Kind::Point => "[0, 0]",
             Kind::Points(_) => "[[0, 0], [4, 0], [1, 3]]",
+            Kind::Reals(_) => "[0, 0.5, 0.25]",
+            Kind::Triples => "[[0, 1, 2]]",
         };
         format!("{} = {value}", self.name)
     }
@@ -202,6 +213,24 @@ fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) 
         Kind::Count(least) => Argument::Numbers(vec![document::count(item, least, problems)?.value as f64]),
         Kind::Lengths(n) => Argument::Numbers(document::vector(item, n, document::positive, problems)?.value),
         Kind::Point => Argument::Numbers(point(item, dimension, problems)?.value),
+        Kind::Reals(least) => {
+            let items = super::list(item, "a list of numbers", problems)?;
+            let numbers: Vec<_> = items.iter().map(|item| document::real(item, problems)).collect();
+            if numbers.len() < least {
+                problems.add(item.span, format!("expected at least {least} numbers, found {}", numbers.len()));
+            }
+            Argument::Numbers(numbers.into_iter().map(|x| x.map(|x| x.value)).collect::<Option<_>>()?)
+        }
+        Kind::Triples => {
+            let whole = |item: &Item, problems: &mut Problems| {
+                let n = document::count(item, 0, problems)?;
+                Some(n.map(|n| n as f64))
+            };
+            let items = super::list(item, "a list of triples", problems)?;
+            let triples: Vec<_> = items.iter().map(|item| document::vector(item, 3, whole, problems)).collect();
+            let triples: Vec<_> = triples.into_iter().collect::<Option<_>>()?;
+            Argument::Numbers(triples.into_iter().flat_map(|t| t.value).collect())
+        }
         Kind::Points(least) => {
             let items = super::list(item, "a list of points", problems)?;
             let points: Vec<_> = items.iter().map(|item| point(item, dimension, problems)).collect();

@@ -1,12 +1,13 @@
 //! From the boundary that a scene describes to a table.
 
+use billiards::geometry::parry;
 use billiards::geometry::tables::{self, Kind, Values};
-use billiards::geometry::{
-    Error, Lattice, Outline, Piece, Table, Turn, Vector2,
-    shapes::{Circle, Ellipse, FullLine, Ray},
-};
+use billiards::geometry::shapes::curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula};
+use billiards::geometry::shapes::{Circle, Ellipse, FullLine, Ray};
+use billiards::geometry::{Error, Extent, Lattice, Outline, Piece, Table, Turn, Vector2};
 
 use crate::document::{Diagnostic, Span};
+use crate::expression::{ImplicitCurve, PolarCurve};
 use crate::scene::{self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape};
 
 use super::scale;
@@ -31,21 +32,26 @@ pub(crate) fn draw(scene: &Scene) -> Result<Drawn, Vec<Diagnostic>> {
         TableShape::Named { model, arguments, span } => named(scene, model.name, arguments, *span, factor)?,
         TableShape::Boundary(entries) => explicit(scene, entries, factor)?,
     };
-    let complain = |span: Span, what: String| scene.source.diagnostic(span, what);
     if let Err(error) = drawn.table.validate() {
         return Err(vec![drawn.complaint(scene, &error)]);
     }
+    own_laws(scene, &mut drawn.laws).map_err(|diagnostic| vec![*diagnostic])?;
+    Ok(drawn)
+}
+
+/// Gives pieces the laws that `laws = { 0 = "specular" }` names.
+pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<(), Box<Diagnostic>> {
+    let count = laws.len();
     for law in &scene.table.laws {
-        let (piece, count) = (law.piece.value, drawn.laws.len());
-        match drawn.laws.get_mut(piece) {
+        match laws.get_mut(law.piece.value) {
             Some(of_piece) => *of_piece = Some(law.law.clone()),
             None => {
-                let what = format!("there is no piece {piece}: the table has {count}, numbered from 0");
-                return Err(vec![complain(law.piece.span, what)]);
+                let what = format!("there is no piece {}: the table has {count}, numbered from 0", law.piece.value);
+                return Err(Box::new(scene.source.diagnostic(law.piece.span, what)));
             }
         }
     }
-    Ok(drawn)
+    Ok(())
 }
 
 impl Drawn {
@@ -57,7 +63,12 @@ impl Drawn {
             Error::Crossing { second, .. } => at(*second),
             _ => scene.table.span,
         };
-        scene.source.diagnostic(span, in_user_units(error, self.factor).to_string())
+        scene.source.diagnostic(span, self.in_user_units(error).to_string())
+    }
+
+    /// An error whose lengths are those of the user.
+    pub(crate) fn in_user_units(&self, error: &Error) -> Error {
+        in_user_units(error, self.factor)
     }
 }
 
@@ -74,7 +85,7 @@ fn in_user_units(error: &Error, factor: f64) -> Error {
 }
 
 /// Every length that says how large a scene is.
-fn lengths(scene: &Scene) -> Vec<f64> {
+pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
     let mut all = vec![scene.particle.radius.value];
     all.extend(scene.table.lattice.iter().flat_map(|vector| vector.value.iter().copied()));
     match &scene.table.shape {
@@ -114,7 +125,8 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         Border::Ray { from, .. } => all.extend(&from.value),
         Border::Curve { curve: Curve::Polar { center, .. }, .. } => all.extend(&center.value),
         Border::Curve { curve: Curve::Implicit { within, .. }, .. } => all.extend(within.value.as_flattened()),
-        Border::Shape { .. } | Border::Outline { .. } => {}
+        Border::Shape { lengths, .. } => all.extend(lengths),
+        Border::Outline { .. } => {}
     }
 }
 
@@ -134,16 +146,28 @@ fn named(
         ]);
     }
     let values = values(entry, arguments);
-    let table = entry.planar(&entry.scaled(&values, factor)).map_err(|error| match error {
-        Error::Parameter { name, must, value } => {
-            let is_length = entry.parameters.iter().any(|p| p.name == name && p.kind.is_length());
-            let value = if is_length { value / factor } else { value };
-            one(arguments.span(name), Error::Parameter { name, must, value }.to_string())
-        }
-        other => one(span, in_user_units(&other, factor).to_string()),
-    })?;
+    let table = entry
+        .planar(&entry.scaled(&values, factor))
+        .map_err(|error| vec![*wrong_argument(scene, arguments, &error, factor)])?;
     let count = table.pieces().len();
     Ok(Drawn { table, spans: vec![span; count], laws: vec![None; count], factor })
+}
+
+/// What is wrong with the parameters of a built-in table, at the parameter's place.
+pub(super) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error, factor: f64) -> Box<Diagnostic> {
+    let TableShape::Named { model, span, .. } = &scene.table.shape else {
+        return Box::new(scene.source.diagnostic(scene.table.span, error.to_string()));
+    };
+    Box::new(match error {
+        Error::Parameter { name, must, value } => {
+            let entry = tables::find(model.name);
+            let is_length =
+                entry.is_some_and(|entry| entry.parameters.iter().any(|p| p.name == *name && p.kind.is_length()));
+            let value = if is_length { value / factor } else { *value };
+            scene.source.diagnostic(arguments.span(name), Error::Parameter { name, must, value }.to_string())
+        }
+        other => scene.source.diagnostic(*span, in_user_units(other, factor).to_string()),
+    })
 }
 
 /// The values of a built-in table's parameters, as the geometry has them.
@@ -238,14 +262,48 @@ impl Pieces<'_> {
             Border::Ray { from, direction, domain } => {
                 Ray::new(self.at(&from.value), unit(&direction.value), *domain == Side::Left).map(|r| Box::new(r) as _)
             }
-            other => {
-                let what = format!("{other:?} is not a planar boundary");
-                return Err(Box::new(self.scene.source.diagnostic(entry.span, what)));
+            Border::Curve { curve, formula, domain } => {
+                let piece = self.curve(curve, *domain == Domain::Inside);
+                return match piece {
+                    Ok(piece) => {
+                        self.push(piece, entry.span, law);
+                        Ok(())
+                    }
+                    Err(error) => Err(self.wrong(formula.span, &error)),
+                };
+            }
+            Border::Shape { shape: scene::Shape::Planar { placed, .. }, domain, .. } => {
+                let side = if *domain == Domain::Inside { parry::Side::Inside } else { parry::Side::Outside };
+                let pieces = placed.scaled(self.factor).pieces(side);
+                for piece in pieces.map_err(|error| self.wrong(entry.span, &error))? {
+                    self.push(piece, entry.span, law);
+                }
+                return Ok(());
+            }
+            Border::Outline { file } => {
+                return Err(Box::new(self.scene.source.diagnostic(file.span, "outlines cannot be read yet")));
+            }
+            // the scene's reader lets these stand in space only
+            Border::Plane { .. } | Border::Shape { .. } => {
+                return Err(Box::new(self.scene.source.diagnostic(entry.span, "this is no planar boundary")));
             }
         };
         let piece = piece.map_err(|error| self.wrong(entry.span, &error))?;
         self.push(piece, entry.span, law);
         Ok(())
+    }
+
+    fn curve(&self, curve: &Curve, inside: bool) -> Result<Box<dyn Piece>, Error> {
+        Ok(match curve {
+            Curve::Polar { radius, center } => {
+                let formula = Scaled { formula: PolarCurve::new(radius), factor: self.factor };
+                Box::new(Polar::new(self.at(&center.value), formula, inside)?)
+            }
+            Curve::Implicit { function, within } => {
+                let formula = Scaled { formula: ImplicitCurve::new(function, within.value), factor: self.factor };
+                Box::new(Implicit::new(formula, inside)?)
+            }
+        })
     }
 
     fn edges(&mut self, from: &[f64], edges: &[Edge], law: Option<&scene::Law>) -> Result<(), Box<Diagnostic>> {
@@ -300,4 +358,45 @@ impl Pieces<'_> {
 fn unit(direction: &[f64]) -> Vector2<f64> {
     let factor = scale::to_unity(direction.iter().copied());
     plane(direction) * factor
+}
+
+/// A curve whose formula is in the user's units, all lengths multiplied by a power of two.
+#[derive(Clone, Debug)]
+struct Scaled<F> {
+    formula: F,
+    factor: f64,
+}
+
+impl<F: PolarFormula> PolarFormula for Scaled<F> {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        self.formula.jet(angle).map(|r| r * self.factor)
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        self.formula.jet_over(angle).map(|r| scaled(r, self.factor))
+    }
+}
+
+impl<F: ImplicitFormula> ImplicitFormula for Scaled<F> {
+    fn value(&self, point: [f64; 2]) -> f64 {
+        self.formula.value(point.map(|x| x / self.factor))
+    }
+    fn gradient(&self, point: [f64; 2]) -> [f64; 2] {
+        self.formula.gradient(point.map(|x| x / self.factor)).map(|g| g / self.factor)
+    }
+    fn hessian(&self, point: [f64; 2]) -> [f64; 3] {
+        self.formula.hessian(point.map(|x| x / self.factor)).map(|h| h / self.factor / self.factor)
+    }
+    fn hessian_over(&self, region: [Interval; 2]) -> [Interval; 3] {
+        let back = |x: Interval| scaled(x, 1.0 / self.factor);
+        self.formula.hessian_over(region.map(back)).map(|h| back(back(h)))
+    }
+    fn extent(&self) -> Extent {
+        let Extent { min, max } = self.formula.extent();
+        Extent { min: min * self.factor, max: max * self.factor }
+    }
+}
+
+/// An interval times a power of two: exact.
+fn scaled(of: Interval, factor: f64) -> Interval {
+    Interval { low: of.low * factor, high: of.high * factor }
 }

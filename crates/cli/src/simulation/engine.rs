@@ -122,6 +122,8 @@ pub(crate) struct Watch<'a> {
     pub(crate) scale: Scale,
     /// The number that a piece of the table has for the user.
     pub(crate) pieces: &'a [u64],
+    /// Where the engine's origin lies.
+    pub(crate) shift: [f64; 3],
 }
 
 impl<const N: usize, const S: usize, K, T: Trail<N, S>> Observer<N, S, K, (Clock, T)> for Watch<'_> {
@@ -150,7 +152,7 @@ impl Watch<'_> {
         };
         let normal = hit.unit_normal();
         for i in 0..N {
-            event.position[i] = self.scale.length_out(orbit.position[i]);
+            event.position[i] = self.scale.length_out(orbit.position[i] + self.shift[i]);
             event.velocity[i] = self.scale.speed_out(orbit.velocity[i]);
             event.normal[i] = normal[i];
         }

@@ -1,11 +1,13 @@
 //! From the laws that scenes name to those that the engine applies.
 
 use billiards::BallLaw;
-use billiards::collision_laws::laws::{NoSlip, Restitution, Specular};
-use billiards::geometry::{Figure, Piece, Vector2, WallHit};
-use billiards::laws::{Disk, PerPiece};
+use billiards::collision_laws::laws::{self, NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
+use billiards::collision_laws::{self, AnyLaw};
+use billiards::geometry::{Figure, Piece, Vector2, Vector3, WallHit};
+use billiards::laws::{Custom, Disk, PerPiece, RoughBall, Specular};
 use lanes::Lane;
 
+use super::scale::to_unity;
 use crate::scene::LawKind;
 
 /// The law of a disk on all pieces of a planar table.
@@ -64,12 +66,12 @@ impl Simple {
 
     fn disk(&self, gamma: f64) -> Disk {
         match *self {
-            Simple::Specular => Disk::new(&Specular, gamma),
+            Simple::Specular => Disk::new(&laws::Specular, gamma),
             Simple::NoSlip => Disk::new(&NoSlip, gamma),
             Simple::Restitution { normal, tangential } => match Restitution::new(normal, tangential) {
                 Ok(law) => Disk::new(&law, gamma),
                 // the scene has checked both coefficients
-                Err(_) => Disk::new(&Specular, gamma),
+                Err(_) => Disk::new(&laws::Specular, gamma),
             },
         }
     }
@@ -85,6 +87,75 @@ fn is_normal_to(direction: &[f64], piece: &dyn Piece) -> bool {
     let size = direction.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     let d = Vector2::new(direction[0], direction[1]) / size;
     d.dot(&along).abs() <= 8.0 * f64::EPSILON * along.amax()
+}
+
+/// The law of a ball on all walls of a table in space.
+#[derive(Clone, Debug)]
+pub(crate) enum SpatialLaw {
+    /// Specular everywhere.
+    Specular,
+    /// Rough along some directions, the same everywhere.
+    Rough(RoughBall),
+    /// Any laws, one per wall.
+    Any(Box<Custom<PerSurface<AnyLaw<3>>, 3>>),
+}
+
+impl BallLaw<3, 3> for SpatialLaw {
+    #[inline(always)]
+    fn collide<F: Lane>(&self, hit: &WallHit<F, 3>, velocity: &mut [F; 3], spin: &mut [F; 3]) {
+        match self {
+            SpatialLaw::Specular => Specular.collide(hit, velocity, spin),
+            SpatialLaw::Rough(law) => law.collide(hit, velocity, spin),
+            SpatialLaw::Any(law) => law.collide(hit, velocity, spin),
+        }
+    }
+}
+
+impl SpatialLaw {
+    /// The laws of numbered walls for a ball with γ.
+    ///
+    /// # Errors
+    /// A parameter of a law is wrong.
+    pub(crate) fn new(walls: &[&LawKind], gamma: f64) -> Result<SpatialLaw, String> {
+        let first = walls.first().copied().unwrap_or(&LawKind::Specular);
+        if walls.iter().all(|kind| *kind == first) {
+            match first {
+                LawKind::Specular => return Ok(SpatialLaw::Specular),
+                LawKind::NoSlip => return Ok(SpatialLaw::Rough(RoughBall::no_slip(gamma))),
+                LawKind::Rough(directions) => match &directions[..] {
+                    [] => return Ok(SpatialLaw::Specular),
+                    [one] => return Ok(SpatialLaw::Rough(RoughBall::along(gamma, space(one)))),
+                    _ => {}
+                },
+                _ => {}
+            }
+        }
+        let any = |kind| any(kind).map_err(|error| error.to_string());
+        let mut laws = PerSurface::new(any(first)?);
+        for (wall, kind) in walls.iter().enumerate() {
+            laws = laws.with(wall, any(kind)?);
+        }
+        let law = Custom::ball(laws, gamma).map_err(|error| error.to_string())?;
+        Ok(SpatialLaw::Any(Box::new(law)))
+    }
+}
+
+fn any(kind: &LawKind) -> Result<AnyLaw<3>, collision_laws::Error> {
+    Ok(match kind {
+        LawKind::Specular => AnyLaw::new(laws::Specular),
+        LawKind::NoSlip => AnyLaw::new(NoSlip),
+        LawKind::Rough(directions) => {
+            AnyLaw::new(RoughPlane::new(&directions.iter().map(|d| space(d)).collect::<Vec<_>>())?)
+        }
+        LawKind::Random { rank, seed } => AnyLaw::new(RandomGrassmannian::new(*rank, *seed)?),
+        LawKind::Restitution { normal, tangential } => AnyLaw::new(Restitution::new(*normal, *tangential)?),
+    })
+}
+
+/// A direction in space, of a length near one.
+fn space(direction: &[f64]) -> Vector3<f64> {
+    let factor = to_unity(direction.iter().copied());
+    Vector3::from_fn(|i, _| direction[i] * factor)
 }
 
 /// Whether a law conserves energy.

@@ -3,14 +3,15 @@
 use std::sync::Arc;
 
 use billiards::geometry::{Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Cell, Clock, Orbit};
+use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Keeper, PlanarTrail, Watched};
 use super::law::{PlanarLaw, is_strict};
+use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
 use crate::document::Diagnostic;
-use crate::scene::{LawKind, Scene, Starts};
+use crate::scene::{self, Ensemble, LawKind, Scene};
 
 /// A planar scene, ready to run.
 #[derive(Clone, Debug)]
@@ -23,15 +24,20 @@ pub(crate) struct Planar {
     pub(crate) pieces: Vec<u64>,
     law: PlanarLaw,
     strict: bool,
-    starts: Vec<Start<2, 1>>,
+    starts: Starts,
+}
+
+#[derive(Clone, Debug)]
+enum Starts {
+    Given(Vec<Start<2, 1>>),
+    Ensemble(Ensemble),
 }
 
 impl Planar {
     /// Builds everything and checks every start.
     pub(crate) fn new(scene: &Scene) -> Result<Planar, Vec<Diagnostic>> {
         let drawn = boundary::draw(scene)?;
-        let centres = drawn.table.clone();
-        let pieces: Vec<u64> = (0..centres.pieces().len() as u64).collect();
+        let (centres, pieces) = centres(scene, &drawn)?;
         let kind = |piece: u64| -> &LawKind {
             let own = usize::try_from(piece).ok().and_then(|i| drawn.laws.get(i)).and_then(Option::as_ref);
             own.unwrap_or(&scene.law.kind)
@@ -40,34 +46,55 @@ impl Planar {
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
         let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma);
         let starts = match &scene.starts {
-            Starts::Orbits(orbits) => {
-                let checked = orbits.iter().map(|orbit| start::planar(scene, &centres, orbit, drawn.factor));
-                let (good, bad): (Vec<_>, Vec<_>) = checked.partition(Result::is_ok);
-                if !bad.is_empty() {
-                    return Err(bad.into_iter().filter_map(Result::err).map(|e| *e).collect());
-                }
-                good.into_iter().filter_map(Result::ok).collect()
-            }
-            Starts::Ensemble(ensemble) => {
-                return Err(vec![scene.source.diagnostic(ensemble.span, "ensembles are not supported")]);
-            }
+            scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
+                start::planar(scene, &centres, orbit, drawn.factor)
+            })?),
+            scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
-        Ok(Planar { drawn, centres, pieces, law, strict, starts })
+        let planar = Planar { drawn, centres, pieces, law, strict, starts };
+        // an ensemble that cannot be drawn is found out before anything is written
+        let problem = planar.starts().err();
+        match (problem, &planar.starts) {
+            (Some(error), Starts::Ensemble(ensemble)) => {
+                Err(vec![scene.source.diagnostic(ensemble.span, error.to_string())])
+            }
+            _ => Ok(planar),
+        }
     }
 
     /// How many orbits there are.
     pub(crate) fn orbits(&self) -> u64 {
-        self.starts.len() as u64
+        match &self.starts {
+            Starts::Given(starts) => starts.len() as u64,
+            Starts::Ensemble(ensemble) => ensemble.count.value,
+        }
     }
 
-    /// The start of an orbit.
-    pub(crate) fn start(&self, index: u64) -> Start<2, 1> {
-        self.starts[usize::try_from(index).unwrap_or(usize::MAX) % self.starts.len()]
+    /// The start of an orbit, by its number.
+    #[allow(clippy::type_complexity, reason = "a function, boxed")]
+    pub(crate) fn starts(&self) -> Result<Box<dyn Fn(u64) -> Start<2, 1> + Sync + '_>, billiards::Error> {
+        let ensemble = match &self.starts {
+            Starts::Given(starts) => {
+                // orbits are numbered below the number of starts
+                return Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()]));
+            }
+            Starts::Ensemble(ensemble) => ensemble,
+        };
+        let scale = Scale { length: self.drawn.factor, speed: to_unity([ensemble.speed.value]) };
+        let speed = ensemble.speed.value * scale.speed;
+        let drawn: Box<dyn billiards::Starts<2, 1>> = match ensemble.sample {
+            "grid" => Box::new(Grid::of_at_least(&self.centres, speed, ensemble.count.value)?),
+            _ => Box::new(Canonical::new(&self.centres, speed, ensemble.seed)?),
+        };
+        Ok(Box::new(move |i| {
+            let start = drawn.start(i);
+            let home = start::folded(&self.centres, &start.position);
+            Start { position: home.0, velocity: start.velocity, spin: start.spin, angle: 0.0, cell: home.1, scale }
+        }))
     }
 
     /// Where an orbit starts, in the user's units and not folded into the unit cell of a lattice.
-    pub(crate) fn lifted_start(&self, index: u64) -> [f64; 2] {
-        let start = self.start(index);
+    pub(crate) fn lifted(&self, start: &Start<2, 1>) -> [f64; 2] {
         let shift = self.centres.lattice().map_or(Vector2::zeros(), |lattice| lattice.translation(start.cell));
         (Vector2::from(start.position) + shift).map(|x| start.scale.length_out(x)).into()
     }
@@ -92,6 +119,21 @@ impl Planar {
     /// Runs something with the engine for this table and law.
     pub(crate) fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R) -> R {
         self.centres.with_walls(On { law: &self.law, then })
+    }
+}
+
+/// Where the centre of the particle can be, and the drawn piece that each piece of that region stands for.
+fn centres(scene: &Scene, drawn: &Drawn) -> Result<(Table, Vec<u64>), Vec<Diagnostic>> {
+    let radius = scene.particle.radius;
+    if radius.value == 0.0 {
+        return Ok((drawn.table.clone(), (0..drawn.table.pieces().len() as u64).collect()));
+    }
+    match drawn.table.offset(radius.value * drawn.factor) {
+        Ok(offset) => Ok((offset.table, offset.origins.iter().map(|origin| origin.piece() as u64).collect())),
+        Err(error) => {
+            let what = format!("a disk of radius {}: {}", radius.value, drawn.in_user_units(&error));
+            Err(vec![scene.source.diagnostic(radius.span, what)])
+        }
     }
 }
 

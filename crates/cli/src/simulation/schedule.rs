@@ -41,6 +41,8 @@ pub(crate) struct Work<'a> {
     pub(crate) watch: Extent,
     /// For the user, what number a piece of the table has.
     pub(crate) pieces: &'a [u64],
+    /// Where the engine's origin lies, in its unit.
+    pub(crate) shift: [f64; 3],
     /// Number of threads.
     pub(crate) threads: usize,
     /// Set when the user has had enough.
@@ -172,7 +174,8 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             let outcome = match &mut orbit {
                 Running::Watched(orbit) => {
                     let events = core::mem::take(&mut self.results.events);
-                    let mut watch = Watch { events, orbit: index, before: n, scale, pieces: self.work.pieces };
+                    let Work { pieces, shift, .. } = *self.work;
+                    let mut watch = Watch { events, orbit: index, before: n, scale, pieces, shift };
                     let outcome = self.engine.watched(orbit, until, &mut watch);
                     self.results.events = watch.events;
                     outcome
@@ -197,11 +200,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             }
         };
         progress.fetch_add(STEPS - steps, Ordering::Relaxed);
-        let ended = orbit.end(end, stop);
-        let [position, velocity] = [
-            ended.0.map(|x| scale.length_out(x)),
-            ended.1.map(|v| scale.speed_out(v)),
-        ];
+        let (position, velocity) = orbit.end(end, stop);
+        let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
+        let velocity = velocity.map(|v| scale.speed_out(v));
         let time = if stop == Some(Stop::Finished) && n < most { self.work.time } else { scale.time_out(orbit.time()) };
         let ended = Ended { orbit: index, stop, collisions: n, time, drift, position, velocity };
         self.results.ends.push((self.results.events.len(), ended));

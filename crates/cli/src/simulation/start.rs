@@ -1,11 +1,12 @@
 //! Starts of orbits, checked against the table.
 
-use billiards::geometry::{Table, Vector2};
+use billiards::geometry::{Table, Vector2, Vector3};
 
 use crate::document::Diagnostic;
 use crate::scene::{Orbit, Scene};
 
 use super::scale::{Scale, to_unity};
+use super::spatial::Space;
 
 /// A start, scaled to the size of the engine.
 #[derive(Clone, Copy, Debug)]
@@ -38,19 +39,34 @@ pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64)
     }
 }
 
+/// The copy of a point in the unit cell of a lattice, and its cell.
+pub(crate) fn folded(table: &Table, point: &[f64; 2]) -> ([f64; 2], [f64; 2]) {
+    table.lattice().map_or((*point, [0.0; 2]), |lattice| {
+        let (home, cell) = lattice.reduce(&Vector2::from(*point));
+        (home.into(), cell)
+    })
+}
+
+/// All starts, or all that is wrong with them.
+pub(crate) fn all<T>(
+    orbits: &[Orbit],
+    start: impl Fn(&Orbit) -> Result<T, Box<Diagnostic>>,
+) -> Result<Vec<T>, Vec<Diagnostic>> {
+    let (mut good, mut bad) = (vec![], vec![]);
+    for orbit in orbits {
+        match start(orbit) {
+            Ok(start) => good.push(start),
+            Err(diagnostic) => bad.push(*diagnostic),
+        }
+    }
+    if bad.is_empty() { Ok(good) } else { Err(bad) }
+}
+
 /// A start in a table of centres, or what is wrong with it. `radius` is that of the particle.
 pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -> Result<Start<2, 1>, Box<Diagnostic>> {
     let mut start: Start<2, 1> = scaled(orbit, length);
-    let lifted = Vector2::from(start.position);
-    let home = match table.lattice() {
-        Some(lattice) => {
-            let (home, cell) = lattice.reduce(&lifted);
-            start.cell = cell;
-            home
-        }
-        None => lifted,
-    };
-    start.position = home.into();
+    (start.position, start.cell) = folded(table, &start.position);
+    let home = Vector2::from(start.position);
     let (piece, landing) = table.closest(&home);
     let off = home - landing.point;
     let distance = libm::hypot(off.x, off.y);
@@ -75,6 +91,33 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
     }
     let what = format!("the start lies on piece {piece} and does not move into the table");
     Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
+}
+
+/// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.
+pub(crate) fn spatial(
+    scene: &Scene,
+    centres: &Space,
+    shift: &Vector3<f64>,
+    orbit: &Orbit,
+    length: f64,
+) -> Result<Start<3, 3>, Box<Diagnostic>> {
+    let mut start: Start<3, 3> = scaled(orbit, length);
+    let point = Vector3::from(start.position) - shift;
+    start.position = point.into();
+    let touched = centres.touched(&point);
+    let at = orbit.position.span;
+    if let Some(distance) = touched.outside {
+        let what = format!("the start lies {:.3e} outside the region of centres", distance / length);
+        return Err(Box::new(scene.source.diagnostic(at, what)));
+    }
+    let velocity = Vector3::from(start.velocity);
+    if touched.normals.iter().any(|normal| velocity.dot(normal) <= 0.0) {
+        let what = "the start lies on a wall and does not move into the table";
+        return Err(Box::new(
+            scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall"),
+        ));
+    }
+    Ok(start)
 }
 
 /// Whether a path from a point of the boundary enters the table.

@@ -18,6 +18,7 @@ mod convert;
 mod curve;
 mod distance;
 mod mesh;
+mod outer;
 mod planar;
 mod screen;
 mod slab;

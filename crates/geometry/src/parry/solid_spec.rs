@@ -5,9 +5,7 @@ use core::f64::consts::FRAC_1_SQRT_2;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
 use parry3d_f64::{
     math::Vector as Glam,
-    shape::{
-        Ball, Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh,
-    },
+    shape::{Ball, Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh},
 };
 
 /// A shape in space as plain data: what `shape = { … }` in a scene file says.
@@ -101,6 +99,34 @@ impl SolidSpec {
         Solid::new(&*self.shape()?, &Isometry3::from_parts(translation, rotation), side)
     }
 
+    /// The same shape, `factor` times as large.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> SolidSpec {
+        let point = |p: &[f64; 3]| p.map(|x| x * factor);
+        match self {
+            SolidSpec::Ball { radius } => SolidSpec::Ball { radius: radius * factor },
+            SolidSpec::Cuboid { size, rounding } => {
+                SolidSpec::Cuboid { size: point(size), rounding: rounding * factor }
+            }
+            SolidSpec::Capsule { from, to, radius } => {
+                SolidSpec::Capsule { from: point(from), to: point(to), radius: radius * factor }
+            }
+            SolidSpec::Cylinder { radius, height, rounding } => {
+                SolidSpec::Cylinder { radius: radius * factor, height: height * factor, rounding: rounding * factor }
+            }
+            SolidSpec::Cone { radius, height, rounding } => {
+                SolidSpec::Cone { radius: radius * factor, height: height * factor, rounding: rounding * factor }
+            }
+            SolidSpec::ConvexHull { points, rounding } => {
+                SolidSpec::ConvexHull { points: points.iter().map(point).collect(), rounding: rounding * factor }
+            }
+            SolidSpec::TriMesh { vertices, triangles } => {
+                SolidSpec::TriMesh { vertices: vertices.iter().map(point).collect(), triangles: triangles.clone() }
+            }
+            SolidSpec::HalfSpace { normal } => SolidSpec::HalfSpace { normal: *normal },
+        }
+    }
+
     fn shape(&self) -> Result<Box<dyn Shape>, Error> {
         Ok(match self {
             SolidSpec::Ball { radius } => Box::new(Ball::new(positive("radius", *radius)?)),
@@ -185,7 +211,8 @@ mod tests {
 
     #[test]
     fn every_kind_has_the_distance_it_should_have() {
-        let distance = |spec: &SolidSpec, at: [f64; 3]| spec.solid([0.0; 3], Side::Outside).unwrap().distance(&at.into());
+        let distance =
+            |spec: &SolidSpec, at: [f64; 3]| spec.solid([0.0; 3], Side::Outside).unwrap().distance(&at.into());
         let tetrahedron = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let faces = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
         let cases = [

@@ -141,6 +141,16 @@ impl Placed {
         assemble(contours, side)
     }
 
+    /// The same shape at the same place seen at `factor` times the size.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Placed {
+        Placed {
+            shape: self.shape.scaled(factor),
+            translation: self.translation.map(|x| x * factor),
+            rotation: self.rotation,
+        }
+    }
+
     /// The outlines of the shape or of its members; `path` leads to its fields.
     fn contours(&self, frame: &Frame<2>, path: &str, contours: &mut Vec<Contour>) -> Result<(), Error> {
         let at = Fields { path };
@@ -162,6 +172,42 @@ impl Placed {
 }
 
 impl ShapeSpec {
+    /// The same shape, `factor` times as large.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> ShapeSpec {
+        let by = |x: &f64| x * factor;
+        let point = |p: &[f64; 2]| p.map(|x| x * factor);
+        let points = |all: &[[f64; 2]]| all.iter().map(point).collect();
+        match self {
+            ShapeSpec::Ball { radius } => ShapeSpec::Ball { radius: by(radius) },
+            ShapeSpec::Cuboid { half_extents } => ShapeSpec::Cuboid { half_extents: point(half_extents) },
+            ShapeSpec::Capsule { a, b, radius } => ShapeSpec::Capsule { a: point(a), b: point(b), radius: by(radius) },
+            ShapeSpec::Segment { a, b } => ShapeSpec::Segment { a: point(a), b: point(b) },
+            ShapeSpec::Triangle { vertices } => ShapeSpec::Triangle { vertices: vertices.map(|v| point(&v)) },
+            ShapeSpec::Polyline { vertices, closed } => {
+                ShapeSpec::Polyline { vertices: points(vertices), closed: *closed }
+            }
+            ShapeSpec::ConvexPolygon { vertices } => ShapeSpec::ConvexPolygon { vertices: points(vertices) },
+            ShapeSpec::RoundCuboid { half_extents, border_radius } => {
+                ShapeSpec::RoundCuboid { half_extents: point(half_extents), border_radius: by(border_radius) }
+            }
+            ShapeSpec::RoundTriangle { vertices, border_radius } => {
+                ShapeSpec::RoundTriangle { vertices: vertices.map(|v| point(&v)), border_radius: by(border_radius) }
+            }
+            ShapeSpec::RoundConvexPolygon { vertices, border_radius } => {
+                ShapeSpec::RoundConvexPolygon { vertices: points(vertices), border_radius: by(border_radius) }
+            }
+            ShapeSpec::HalfSpace { normal } => ShapeSpec::HalfSpace { normal: *normal },
+            ShapeSpec::TriMesh { vertices, triangles } => {
+                ShapeSpec::TriMesh { vertices: points(vertices), triangles: triangles.clone() }
+            }
+            ShapeSpec::HeightField { heights, scale } => {
+                ShapeSpec::HeightField { heights: heights.clone(), scale: point(scale) }
+            }
+            ShapeSpec::Compound(members) => ShapeSpec::Compound(members.iter().map(|m| m.scaled(factor)).collect()),
+        }
+    }
+
     fn contour(&self, frame: &Frame<2>, at: &Fields<'_>) -> Result<Contour, Error> {
         let glam = |v: &[f64; 2]| Glam::new(v[0], v[1]);
         let shape: Box<dyn Shape> = match self {

@@ -1,0 +1,238 @@
+//! A ball on a table in space.
+
+use billiards::geometry::tables::{self, SpatialTable};
+use billiards::geometry::walls::ByLane;
+use billiards::geometry::{Error, Vector3, Walls, WithWalls};
+use billiards::{Billiard, CanonicalSpatial, Clock, Orbit, Starts as _};
+
+use super::boundary;
+use super::engine::{Engine, Keeper, Watched};
+use super::law::{SpatialLaw, is_strict};
+use super::room::Room;
+use super::scale::{Scale, to_unity};
+use super::start::{self, Start};
+use crate::document::Diagnostic;
+use crate::scene::{self, Arguments, Ensemble, Scene, TableShape};
+
+/// A scene in space, ready to run.
+#[derive(Debug)]
+pub(crate) struct Spatial {
+    /// Where centres move, its corner or centre at the origin.
+    pub(crate) centres: Space,
+    /// From the engine's origin to the user's: the particle's radius, where the table begins at a corner.
+    pub(crate) shift: Vector3<f64>,
+    /// All lengths are multiplied by this power of two.
+    pub(crate) factor: f64,
+    /// What each piece is.
+    pub(crate) pieces: Vec<String>,
+    law: SpatialLaw,
+    strict: bool,
+    starts: Starts,
+}
+
+/// A region of space.
+#[derive(Debug)]
+pub(crate) enum Space {
+    /// A built-in table.
+    Named(SpatialTable),
+    /// Bounded by an explicit boundary.
+    Room(Room),
+}
+
+/// Where a point lies with respect to a region.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Touched {
+    /// How far outside, if it is outside.
+    pub(crate) outside: Option<f64>,
+    /// Normals of the walls on which it lies, into the region.
+    pub(crate) normals: Vec<Vector3<f64>>,
+}
+
+impl Space {
+    /// Where a point lies. A point given on a wall is on it within the rounding of coordinates.
+    pub(crate) fn touched(&self, point: &Vector3<f64>) -> Touched {
+        let slack = |size: f64| 16.0 * f64::EPSILON * size.max(point.amax());
+        let mut touched = Touched::default();
+        let mut wall = |distance: f64, normal: Vector3<f64>, slack: f64| {
+            if distance < -slack {
+                touched.outside = Some(touched.outside.unwrap_or(0.0).max(-distance));
+            } else if distance <= slack {
+                touched.normals.push(normal);
+            }
+        };
+        match self {
+            Space::Room(room) => room.each_closest(point, |closest| wall(closest.distance, closest.normal, slack(0.0))),
+            Space::Named(table) if table.name() == "ball" => {
+                let [_, high] = table.extent();
+                wall(table.signed_distance(point), -point, slack(high.x));
+            }
+            Space::Named(table) => {
+                let [low, high] = table.extent();
+                for axis in (0..3).filter(|axis| high[*axis].is_finite()) {
+                    let mut normal = Vector3::zeros();
+                    normal[axis] = 1.0;
+                    wall(point[axis] - low[axis], normal, slack(high[axis]));
+                    wall(high[axis] - point[axis], -normal, slack(high[axis]));
+                }
+            }
+        }
+        touched
+    }
+
+    /// A box around the region; infinite where the region is.
+    pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
+        match self {
+            Space::Named(table) => table.extent(),
+            Space::Room(room) => room.extent(),
+        }
+    }
+}
+
+#[derive(Clone, Debug)]
+enum Starts {
+    Given(Vec<Start<3, 3>>),
+    Ensemble(Ensemble),
+}
+
+impl Spatial {
+    /// Builds everything and checks every start.
+    pub(crate) fn new(scene: &Scene) -> Result<Spatial, Vec<Diagnostic>> {
+        let factor = to_unity(boundary::lengths(scene));
+        if let Some(vector) = scene.table.lattice.first() {
+            return Err(vec![scene.source.diagnostic(vector.span, "tables in space have no lattice")]);
+        }
+        let (centres, shift, pieces, mut laws) = match &scene.table.shape {
+            TableShape::Named { model, arguments, .. } => {
+                let (table, shift) = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
+                let pieces: Vec<String> = table.pieces().iter().map(|name| (*name).into()).collect();
+                let laws = vec![None; pieces.len()];
+                (Space::Named(table), shift, pieces, laws)
+            }
+            TableShape::Boundary(entries) => {
+                let room = Room::new(scene, entries, factor)?;
+                let pieces = room.names();
+                let laws = entries.iter().map(|entry| entry.law.as_ref().map(|law| law.kind.clone())).collect();
+                (Space::Room(room), Vector3::zeros(), pieces, laws)
+            }
+        };
+        boundary::own_laws(scene, &mut laws).map_err(|d| vec![*d])?;
+        let kinds: Vec<_> = laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind)).collect();
+        let gamma = libm::sqrt(scene.particle.gamma_squared.value);
+        let law = SpatialLaw::new(&kinds, gamma)
+            .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
+        let strict = kinds.iter().all(|kind| is_strict(kind));
+        let starts = match &scene.starts {
+            scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
+                start::spatial(scene, &centres, &shift, orbit, factor)
+            })?),
+            scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
+        };
+        if let Starts::Ensemble(ensemble) = &starts {
+            let problem = match (&centres, ensemble.sample) {
+                (Space::Room(_), _) => Some("in space, ensembles start in the built-in tables only"),
+                (_, "grid") => Some("in space, the sample is \"canonical\""),
+                _ => None,
+            };
+            if let Some(what) = problem {
+                return Err(vec![scene.source.diagnostic(ensemble.span, what)]);
+            }
+        }
+        Ok(Spatial { centres, shift, factor, pieces, law, strict, starts })
+    }
+
+    /// How many orbits there are.
+    pub(crate) fn orbits(&self) -> u64 {
+        match &self.starts {
+            Starts::Given(starts) => starts.len() as u64,
+            Starts::Ensemble(ensemble) => ensemble.count.value,
+        }
+    }
+
+    /// The start of an orbit, by its number.
+    #[allow(clippy::type_complexity, reason = "a function, boxed")]
+    pub(crate) fn starts(&self) -> Result<Box<dyn Fn(u64) -> Start<3, 3> + Sync + '_>, billiards::Error> {
+        let (ensemble, table) = match (&self.starts, &self.centres) {
+            (Starts::Ensemble(ensemble), Space::Named(table)) => (ensemble, table),
+            (Starts::Given(starts), _) => {
+                // orbits are numbered below the number of starts
+                return Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()]));
+            }
+            (Starts::Ensemble(_), Space::Room(_)) => return Err(Error::Unbounded.into()),
+        };
+        let scale = Scale { length: self.factor, speed: to_unity([ensemble.speed.value]) };
+        let drawn = CanonicalSpatial::new(table, ensemble.speed.value * scale.speed, ensemble.seed)?;
+        Ok(Box::new(move |i| {
+            let start = drawn.start(i);
+            let (position, velocity, spin) = (start.position, start.velocity, start.spin);
+            Start { position, velocity, spin, angle: 0.0, cell: [0.0; 2], scale }
+        }))
+    }
+
+    /// Where an orbit starts, as pictures see it: in the user's units, along x3 and an axis across.
+    pub(crate) fn seen(&self, start: &Start<3, 3>) -> [f64; 2] {
+        [0, 1].map(|i| start.scale.length_out(start.position[i] + self.shift[i]))
+    }
+
+    /// An orbit at its start.
+    pub(crate) fn launch(&self, start: &Start<3, 3>) -> Watched<3, 3, ()> {
+        Orbit {
+            position: start.position,
+            velocity: start.velocity,
+            spin: start.spin,
+            keeper: Keeper::for_law(self.strict, &start.velocity, &start.spin),
+            track: (Clock::new(0.0), ()),
+        }
+    }
+
+    /// Runs something with the engine for this table and law.
+    pub(crate) fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<3, 3, ()>) -> R) -> R {
+        let on = On { law: &self.law, then };
+        match &self.centres {
+            Space::Named(table) => table.with_walls(on),
+            Space::Room(room) => on.run(&ByLane(room)),
+        }
+    }
+}
+
+/// A built-in table of centres, and where its origin lies.
+fn named(
+    scene: &Scene,
+    name: &str,
+    arguments: &Arguments,
+    factor: f64,
+) -> Result<(SpatialTable, Vector3<f64>), Box<Diagnostic>> {
+    let wrong = |error: &Error| boundary::wrong_argument(scene, arguments, error, factor);
+    let entry = tables::find(name).ok_or_else(|| wrong(&Error::Empty))?;
+    let values = entry.scaled(&boundary::values(entry, arguments), factor);
+    let table = entry.spatial(&values).map_err(|error| wrong(&error))?;
+    let radius = scene.particle.radius.value * factor;
+    if radius == 0.0 {
+        return Ok((table, Vector3::zeros()));
+    }
+    // the same table, smaller by the radius on all sides
+    let [low, high] = table.extent();
+    let half = (high - low) * 0.5;
+    if half.iter().any(|half| *half <= radius) {
+        let what = format!("a ball of radius {} does not fit into the table", scene.particle.radius.value);
+        return Err(Box::new(scene.source.diagnostic(scene.particle.radius.span, what)));
+    }
+    let size = (high - low).map(|size| size - 2.0 * radius);
+    let (smaller, shift) = match name {
+        "slab" => (tables::slab(size.z), Vector3::new(0.0, 0.0, radius)),
+        "box" => (tables::cuboid(size.into()), Vector3::repeat(radius)),
+        _ => (tables::ball(high.x - radius), Vector3::zeros()),
+    };
+    Ok((smaller.map_err(|error| wrong(&error))?, shift))
+}
+
+struct On<'a, A> {
+    law: &'a SpatialLaw,
+    then: A,
+}
+
+impl<R, A: FnOnce(&dyn Engine<3, 3, ()>) -> R> WithWalls<3> for On<'_, A> {
+    type Output = R;
+    fn run<W: Walls<3>>(self, walls: &W) -> R {
+        (self.then)(&Billiard { walls, law: self.law })
+    }
+}
