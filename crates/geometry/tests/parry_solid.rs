@@ -1,4 +1,5 @@
 //! Tables inside and outside of shapes in space.
+#![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests panic where they fail, and claim exact values")]
 mod parry_random;
 
 use core::f64::consts::PI;
@@ -7,10 +8,16 @@ use geometry::{
     parry::{
         Side, Solid,
         parry3d_f64::{
+            bounding_volume::{Aabb, BoundingSphere},
+            mass_properties::MassProperties,
             math::{IVector, Pose, Vector},
+            query::{
+                PointProjection, PointQuery, Ray, RayCast, RayIntersection,
+                details::local_point_projection_on_support_map, gjk::VoronoiSimplex,
+            },
             shape::{
-                Ball, Capsule, Compound, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, RoundShape, Shape,
-                SharedShape, TriMesh, Triangle, Voxels,
+                Ball, Capsule, Compound, Cone, ConvexPolyhedron, Cuboid, Cylinder, FeatureId, HalfSpace, RoundShape,
+                Shape, ShapeType, SharedShape, SupportMap, TriMesh, Triangle, TypedShape, Voxels,
             },
         },
     },
@@ -109,7 +116,7 @@ fn hits_lie_on_the_boundary_and_nothing_lies_before_them() {
                 assert!(2.0 * hit.time >= away * (1.0 - 1e-12), "{name}: nearer than the distance");
                 worst = worst.max(solid.distance(&hit.point).abs());
                 assert!((hit.normal.norm() - 1.0).abs() < 1e-12);
-                assert!(hit.normal.dot(&path.velocity) < 0.0, "{name}");
+                assert!(hit.normal.dot(&path.velocity) < 0.0, "{name}: {hit:?}");
                 let landed = (path.at(hit.time) - hit.point).norm();
                 let sine = -hit.normal.dot(&path.velocity) / 2.0;
                 assert!(landed < 1e-14 / sine, "{name}: {landed:e} at {sine}");
@@ -140,7 +147,7 @@ fn a_particle_bounces_forever_inside_of_anything() {
             let mut path = Line { point: start, velocity: direction(&mut random) };
             for n in 0..400 {
                 let hit = solid.first_hit(&path).unwrap_or_else(|| panic!("{name}: lost after {n} at {path:?}"));
-                assert!(solid.distance(&hit.point).abs() < 1e-14, "{name}: {:e}", solid.distance(&hit.point));
+                assert!(solid.distance(&hit.point).abs() < 1e-14, "{name}: {:e} {hit:?}", solid.distance(&hit.point));
                 let velocity = path.velocity - hit.normal * (2.0 * path.velocity.dot(&hit.normal));
                 path = Line { point: hit.point, velocity };
             }
@@ -214,12 +221,13 @@ fn a_mesh_inside_out_is_turned_round_and_a_mixed_one_is_refused() {
     assert!(matches!(Solid::new(&mixed, &here(), Side::Inside), Err(Error::Shape { .. })));
 }
 
+type Pair = (&'static str, Box<dyn Shape>, Box<dyn Shape>);
+
 #[test]
 fn tiny_solids_work() {
     // parry fails below 1e-8
     for exponent in [-40, -100] {
         let s = libm::ldexp(1.0, exponent);
-        type Pair = (&'static str, Box<dyn Shape>, Box<dyn Shape>);
         let shapes: [Pair; 4] = [
             ("cylinder", Box::new(Cylinder::new(0.7, 0.9)), Box::new(Cylinder::new(0.7 * s, 0.9 * s))),
             ("cone", Box::new(Cone::new(0.8, 1.1)), Box::new(Cone::new(0.8 * s, 1.1 * s))),
@@ -290,4 +298,103 @@ fn shapes_without_volume_say_what_to_use_instead() {
     assert!(refused(&Triangle::new(a, b, c)));
     assert!(refused(&geometry::parry::parry3d_f64::shape::Segment::new(a, b)));
     assert!(matches!(Solid::new(&Ball::new(-1.0), &here(), Side::Inside), Err(Error::Parameter { .. })));
+}
+
+/// An ellipsoid of which only the support map is known.
+#[derive(Clone, Copy)]
+struct Ellipsoid(Vector3<f64>);
+
+impl SupportMap for Ellipsoid {
+    fn local_support_point(&self, d: Vector) -> Vector {
+        let scaled = Vector3::new(d.x, d.y, d.z).component_mul(&self.0);
+        let p = self.0.component_mul(&(scaled / scaled.norm()));
+        Vector::new(p.x, p.y, p.z)
+    }
+}
+impl PointQuery for Ellipsoid {
+    fn project_local_point(&self, point: Vector, solid: bool) -> PointProjection {
+        local_point_projection_on_support_map(self, &mut VoronoiSimplex::new(), point, solid)
+    }
+    fn project_local_point_and_get_feature(&self, point: Vector) -> (PointProjection, FeatureId) {
+        (self.project_local_point(point, false), FeatureId::Unknown)
+    }
+}
+impl RayCast for Ellipsoid {
+    fn cast_local_ray_and_get_normal(&self, _: &Ray, _: f64, _: bool) -> Option<RayIntersection> {
+        unimplemented!("rays are not parry's business here")
+    }
+}
+impl Shape for Ellipsoid {
+    fn compute_local_aabb(&self) -> Aabb {
+        let half = Vector::new(self.0.x, self.0.y, self.0.z);
+        Aabb::new(-half, half)
+    }
+    fn compute_local_bounding_sphere(&self) -> BoundingSphere {
+        BoundingSphere::new(Vector::ZERO, self.0.norm())
+    }
+    fn clone_dyn(&self) -> Box<dyn Shape> {
+        Box::new(*self)
+    }
+    fn scale_dyn(&self, scale: Vector, _: u32) -> Option<Box<dyn Shape>> {
+        Some(Box::new(Ellipsoid(self.0 * scale.x)))
+    }
+    fn mass_properties(&self, _: f64) -> MassProperties {
+        MassProperties::from_ball(1.0, 1.0)
+    }
+    fn as_support_map(&self) -> Option<&dyn SupportMap> {
+        Some(self)
+    }
+    fn shape_type(&self) -> ShapeType {
+        ShapeType::Custom
+    }
+    fn as_typed_shape(&self) -> TypedShape<'_> {
+        TypedShape::Custom(self)
+    }
+    fn ccd_thickness(&self) -> f64 {
+        0.0
+    }
+    fn ccd_angular_thickness(&self) -> f64 {
+        0.0
+    }
+}
+
+#[test]
+fn an_ellipsoid_known_by_its_support_map_is_hit_exactly() {
+    let half = Vector3::new(1.5, 1.0, 0.75);
+    for scale in [1.0, 1e-12] {
+        let half = half * scale;
+        for side in [Side::Inside, Side::Outside] {
+            let solid = Solid::new(&Ellipsoid(half), &here(), side).unwrap();
+            let mut random = Random(16);
+            let mut hits = 0;
+            while hits < 200 {
+                let p = Vector3::from_fn(|_, _| random.between(-2.0, 2.0)) * scale;
+                let v = direction(&mut random) * scale;
+                let (x, w) = (p.component_div(&half), v.component_div(&half));
+                if (x.norm() < 1.0) != (side == Side::Inside) {
+                    continue;
+                }
+                let (a, b, c) = (w.norm_squared(), x.dot(&w), x.norm_squared() - 1.0);
+                let root = b * b - a * c;
+                let hit = solid.first_hit(&Line { point: p, velocity: v });
+                if side == Side::Outside && (root < 0.0 || b > 0.0) {
+                    assert_eq!(hit, None);
+                    continue;
+                }
+                hits += 1;
+                let hit = hit.unwrap_or_else(|| panic!("lost {p:?} {v:?}"));
+                let exact = if side == Side::Inside {
+                    if b > 0.0 { -c / (b + libm::sqrt(root)) } else { (libm::sqrt(root) - b) / a }
+                } else {
+                    c / (libm::sqrt(root) - b)
+                };
+                let gradient = hit.point.component_div(&half).component_div(&half);
+                let normal = gradient / if side == Side::Inside { -gradient.norm() } else { gradient.norm() };
+                let sine = -normal.dot(&v) / v.norm();
+                // a dozen ulp of a distance of order 3, over the sine of the angle of incidence
+                assert!((hit.time - exact).abs() < 1e-14 / sine, "{:e} at {sine}", hit.time - exact);
+                assert!((hit.normal - normal).norm() < 1e-12, "{:e}", (hit.normal - normal).norm());
+            }
+        }
+    }
 }

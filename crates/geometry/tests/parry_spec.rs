@@ -1,4 +1,5 @@
 //! Shapes as plain data.
+#![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests panic where they fail, and claim exact values")]
 use core::f64::consts::{FRAC_PI_2, PI};
 use geometry::{
     Error, Table, Vector2,

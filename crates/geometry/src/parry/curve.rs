@@ -3,6 +3,7 @@ use super::{
     Side,
     convert::{Frame, from_glam2, to_glam2},
     distance::{Distance, Field},
+    outer::projected,
     traced::Traced,
 };
 use crate::{Crossing, Error, Extent, Landing, Line, Piece, plane::cross};
@@ -14,7 +15,8 @@ use std::sync::OnceLock;
 /// The boundary of any shape that can project points onto itself: one of parry's, or your own `impl Shape`.
 ///
 /// Only `project_local_point` (with `solid = false`), `compute_local_aabb`, `scale_dyn` and `clone_dyn` of the shape are
-/// used. Crossings are certified to be the first ones, with the error of the projection divided by the sine of the
+/// used, and of a convex one its support map: such shapes are only asked from outside, since parry's projection by
+/// support map is unreliable elsewhere. Crossings are certified to be the first ones, with the error of the projection divided by the sine of the
 /// angle of incidence, and normals are good to about 10⁻¹³. A crossing costs some fifty projections.
 ///
 /// Arc length comes from the outline traced on a grid of 256 cells across the shape and refined to 10⁻¹² of its size,
@@ -49,7 +51,7 @@ impl DistancePiece {
         Ok(DistancePiece { distance, traced: OnceLock::new() })
     }
 
-    /// Distance from the boundary [L], positive in the table and negative outside.
+    /// Distance from the boundary \[L\], positive in the table and negative outside.
     pub fn distance(&self, point: &Vector2<f64>) -> f64 {
         self.distance.probe(point).distance
     }
@@ -84,11 +86,16 @@ impl fmt::Debug for Planar {
 impl Field<2> for Planar {
     fn project(&self, x: &Vector2<f64>) -> (Vector2<f64>, bool) {
         let projection = self.shape.project_local_point(to_glam2(x), false);
-        (from_glam2(projection.point), projection.is_inside)
+        let support =
+            self.shape.as_support_map().map(|s| move |n: &Vector2<f64>| from_glam2(s.local_support_point(to_glam2(n))));
+        projected(x, (from_glam2(projection.point), projection.is_inside), support)
     }
     fn extent(&self) -> [Vector2<f64>; 2] {
         let extent = self.shape.compute_local_aabb();
         [from_glam2(extent.mins), from_glam2(extent.maxs)]
+    }
+    fn is_convex(&self) -> bool {
+        self.shape.is_convex() || self.shape.as_support_map().is_some()
     }
 }
 

@@ -17,21 +17,25 @@ pub(crate) trait Field<const N: usize>: Debug + Send + Sync {
     fn project(&self, x: &SVector<f64, N>) -> (SVector<f64, N>, bool);
     /// A box around the shape: least and greatest coordinates.
     fn extent(&self) -> [SVector<f64, N>; 2];
+    /// Whether the shape is convex: then it is asked from outside only.
+    fn is_convex(&self) -> bool {
+        false
+    }
 }
 
 /// The distance from a surface, positive in the table.
 #[derive(Debug)]
 pub(crate) struct Distance<const N: usize> {
-    field: Box<dyn Field<N>>,
+    pub(super) field: Box<dyn Field<N>>,
     frame: Frame<N>,
     /// Space to the field's unit: multiply by this power of two.
     scale: f64,
     /// +1 where the table is outside.
     sign: f64,
     /// In the field's coordinates: half the diagonal of the box, its sides, and the rounding of a distance.
-    size: f64,
+    pub(super) size: f64,
     extent: [SVector<f64, N>; 2],
-    rounding: f64,
+    pub(super) rounding: f64,
 }
 
 /// What is known of a point.
@@ -84,15 +88,26 @@ impl<const N: usize> Distance<N> {
 
     /// Distance and closest point, seen from `x`.
     pub(crate) fn probe(&self, x: &SVector<f64, N>) -> Probe<N> {
-        let probe = self.probe_local(&self.inward(x));
+        let y = self.inward(x);
+        let probe = if self.field.is_convex() {
+            let (probe, _) = self.outer(&y);
+            Probe { distance: probe.distance * self.sign, foot: probe.foot }
+        } else {
+            self.probe_local(&y)
+        };
         Probe { distance: probe.distance / self.scale, foot: self.outward(&probe.foot) }
     }
 
     /// Closest point and unit normal into the table.
     pub(crate) fn closest(&self, x: &SVector<f64, N>) -> (SVector<f64, N>, SVector<f64, N>, f64) {
         let y = self.inward(x);
-        let probe = self.probe_local(&y);
-        let normal = self.normal(&y, &probe);
+        let (probe, normal) = if self.field.is_convex() {
+            let (probe, outward) = self.outer(&y);
+            (Probe { distance: probe.distance * self.sign, foot: probe.foot }, outward * self.sign)
+        } else {
+            let probe = self.probe_local(&y);
+            (probe, self.normal(&y, &probe))
+        };
         (self.outward(&probe.foot), self.frame.direction(&normal), probe.distance / self.scale)
     }
 
@@ -188,6 +203,14 @@ impl<const N: usize> Distance<N> {
         let along = velocity / speed;
         let [enter, leave] = self.through_box(&start, &along)?;
         let rounding = self.rounding + 4.0 * f64::EPSILON * start.amax().min(1e6 * self.size);
+        if self.field.is_convex() {
+            let s = if self.sign > 0.0 {
+                self.enters(&start, &along, [enter, leave], rounding)
+            } else {
+                self.leaves(&start, &along, leave)
+            };
+            return s.map(|s| s / speed);
+        }
         let mut s = enter;
         let mut h = 0.25 * self.size;
         // towards the table, from the last ball's foot to its centre

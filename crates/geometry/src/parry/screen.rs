@@ -20,7 +20,7 @@ pub struct Screen {
 }
 
 impl Screen {
-    /// The screen from `a` to `b` [L].
+    /// The screen from `a` to `b` \[L\].
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if the ends coincide.

@@ -54,9 +54,9 @@ enum Body {
 /// The boundary as seen from a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest {
-    /// Distance from the boundary [L], negative outside the table.
+    /// Distance from the boundary \[L\], negative outside the table.
     pub distance: f64,
-    /// The closest point of the boundary [L].
+    /// The closest point of the boundary \[L\].
     pub point: Vector3<f64>,
     /// Unit normal there, into the table.
     pub normal: Vector3<f64>,
@@ -108,7 +108,7 @@ impl Solid {
         best
     }
 
-    /// Distance from the boundary [L], negative outside the table; see [`Solid::closest`].
+    /// Distance from the boundary \[L\], negative outside the table; see [`Solid::closest`].
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
         self.closest(point).distance
     }

@@ -9,7 +9,7 @@ use parry2d_f64::{
 
 /// A planar shape as plain data: what `shape = { … }` in a scene file says.
 ///
-/// Lengths [L]. Every shape is described in its own coordinates, in which it is centred at the origin where it has a
+/// Lengths \[L\]. Every shape is described in its own coordinates, in which it is centred at the origin where it has a
 /// size and lies where its vertices say otherwise.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapeSpec {
@@ -108,7 +108,7 @@ pub enum ShapeSpec {
 pub struct Placed {
     /// The shape.
     pub shape: ShapeSpec,
-    /// Moved by this [L].
+    /// Moved by this \[L\].
     pub translation: [f64; 2],
     /// Turned by this angle first, counter-clockwise, in radians.
     pub rotation: f64,

@@ -4,6 +4,7 @@ use super::super::{
     convert::{Frame, from_glam3, to_glam3},
     distance::{Distance, Field},
     mesh::Mesh,
+    outer::projected,
 };
 use super::unsupported;
 use crate::Error;
@@ -29,11 +30,21 @@ impl fmt::Debug for Spatial {
 impl Field<3> for Spatial {
     fn project(&self, x: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let projection = self.shape.project_local_point(to_glam3(x), false);
-        (from_glam3(projection.point), projection.is_inside)
+        // parry's own shapes project by formula
+        let own = matches!(self.shape.as_typed_shape(), TypedShape::Custom(_));
+        let support = self
+            .shape
+            .as_support_map()
+            .filter(|_| own)
+            .map(|s| move |n: &Vector3<f64>| from_glam3(s.local_support_point(to_glam3(n))));
+        projected(x, (from_glam3(projection.point), projection.is_inside), support)
     }
     fn extent(&self) -> [Vector3<f64>; 2] {
         let extent = self.shape.compute_local_aabb();
         [from_glam3(extent.mins), from_glam3(extent.maxs)]
+    }
+    fn is_convex(&self) -> bool {
+        self.shape.is_convex() || self.shape.as_support_map().is_some()
     }
 }
 
@@ -127,6 +138,10 @@ impl Field<3> for Offset {
         let [min, max] = self.inner.extent();
         let border = Vector3::repeat(self.radius);
         [min - border, max + border]
+    }
+    /// As all of parry's rounded shapes are.
+    fn is_convex(&self) -> bool {
+        true
     }
 }
 
