@@ -76,9 +76,10 @@ impl Circle {
         // 2 r × slack: how much |x − c|² − r² may be off
         let off = zero.same(2.0 * self.radius * self.slack);
         if self.inside {
-            // leaving the disk: the later root, in the form without cancellation
+            // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
             let coming = !zero.lt(b);
-            Crossing::when(allowed & zero.lt(q) & (coming | c.lt(off)), coming.select(q, -c), coming.select(a, q))
+            let moving = zero.lt(a);
+            Crossing::when(allowed & moving & (coming | c.lt(off)), coming.select(q, -c), coming.select(a, q))
         } else {
             // entering the disk: the earlier root
             Crossing::when(allowed & b.lt(zero) & (-off).lt(c), c, q)
@@ -183,6 +184,12 @@ mod tests {
         let at = circle.landing(&p, t);
         assert!((at.point.norm() - 1.0).abs() < 2.0 * f64::EPSILON);
         assert!((at.normal + at.point).norm() == 0.0);
+    }
+
+    #[test]
+    fn a_tangent_start_on_the_inside_crosses_at_once() {
+        let circle = Circle::new(Vector2::zeros(), 1.0, true).unwrap();
+        assert_eq!(circle.crossing(&path(1.0, 0.0, 0.0, 1.0)).time(), 0.0);
     }
 
     #[test]
