@@ -9,14 +9,15 @@ pub enum Error {
     /// Something wrong with the table.
     #[error(transparent)]
     Table(#[from] geometry::Error),
-    /// Something wrong with the law or the body.
-    #[error(transparent)]
-    Law(#[from] collision_laws::Error),
-    /// A radius that is negative or not finite.
-    #[error("the radius of the ball must be finite and not negative, not {radius}")]
-    Radius {
-        /// The radius given.
-        radius: f64,
+    /// A ball that cannot be.
+    #[error("the {quantity} of the ball must be {must}, not {value}")]
+    Ball {
+        /// What was given.
+        quantity: &'static str,
+        /// What it must be.
+        must: &'static str,
+        /// What it is.
+        value: f64,
     },
     /// A speed that is not positive and finite.
     #[error("the speed must be positive and finite, not {speed}")]

@@ -102,7 +102,7 @@ fn energy_drift_is_the_energy_that_is_missing() {
     strip.run(&mut falling, &Collisions(2), &mut drift);
     assert_eq!(drift.largest(), 1.0 - 1.0 / 16.0);
     // a drift of 2⁻⁵² in one component is seen, not rounded away; and so it is at any speed
-    for scale in [1e-150, 1.0, 1e150] {
+    for scale in [-498, 0, 498].map(|exponent| libm::ldexp(1.0, exponent)) {
         let at = |v: f64| Orbit::<f64, 2, 1>::new([0.0, 0.5], [0.0, v * scale], [0.0], ());
         let mut drift = EnergyDrift::of(&at(1.0 + f64::EPSILON));
         let specular = Planar { table: tables::strip(1.0).unwrap(), law: Specular };
@@ -117,8 +117,9 @@ fn the_keeper_keeps_the_energy_of_a_long_orbit() {
     let mut orbit = orbit([0.1, 0.2], [0.6, 0.3], 0.4);
     let mut drift = EnergyDrift::of(&orbit);
     stadium.run(&mut orbit, &Collisions(100_000), &mut drift);
-    // what one collision does before the next repairs it: about eight operations
-    assert!(drift.largest() < 8.0 * f64::EPSILON, "{:e}", drift.largest());
+    // a collision repairs what the one before did, unless it is too flat: along the caps many in a row may be, each with a
+    // few roundings; without the keeper it would be some 1e5 ε
+    assert!(drift.largest() < 64.0 * f64::EPSILON, "{:e}", drift.largest());
 }
 
 #[test]

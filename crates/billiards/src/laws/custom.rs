@@ -1,12 +1,13 @@
 //! Any law of [`collision_laws`], yours included, for a ball against a fixed wall.
 use crate::{Error, billiard::BallLaw};
-use collision_laws::{CollisionLaw, Contact, Fixed, Pair, Twist, bodies::Ball};
+use collision_laws::{CollisionLaw, Contact, Delassus};
 use geometry::WallHit;
 use lanes::Lane;
 use nalgebra::{SVector, Unit, Vector2, Vector3};
 
-/// Below this, γ cannot be told from 0: what it changes is 2⁻⁶⁰ of the velocities, less than their rounding.
-const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 60) as f64;
+/// Below this, γ counts as 0: the rim of a spinning ball would be so much faster than anything else that half of the digits
+/// of the contact velocity were lost.
+const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 
 /// Any [`CollisionLaw`] for a ball: linear or not, the same everywhere or a field over the boundary, per piece, random.
 ///
@@ -15,8 +16,10 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 60) as f64;
 /// after the other; [`Disk`](super::Disk), [`Specular`](super::Specular) and [`RoughBall`](super::RoughBall) are the fast
 /// ways of the laws that they cover.
 ///
-/// The spin is scaled, `γ R ω`, so γ = 0 is the limit of a point and no special case: for a point without radius the law is
-/// that of an infinitely light rotation.
+/// The contact velocity of a spinning ball is `u = v − (1/γ) W × ν` with the scaled spin `W = γ R ω`, so it is right to about
+/// `ε/γ` of the speed. In the limit γ → 0 of a point (γ < 2⁻²⁶ here) the slip is measured in the units of the spin: the
+/// tangential parts of `u` and of the impulse are `γ u` and `p/γ`. Strict laws and restitution do not notice such a change of
+/// units; laws that do, such as friction, have no limit there.
 ///
 /// ```
 /// use billiards::{BallLaw, laws::{Custom, Disk}};
@@ -39,16 +42,19 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 60) as f64;
 #[derive(Clone, Copy, Debug)]
 pub struct Custom<L, const N: usize> {
     law: L,
-    /// The ball in units of its radius: nothing but the contact point depends on the radius.
-    ball: Ball<N>,
+    mass: f64,
     radius: f64,
+    /// What a velocity of the centre along the wall counts in the slip: 1, or γ where γ is next to nothing.
+    centre: f64,
+    /// What a scaled spin counts in the slip: 1/γ as much.
+    rim: f64,
 }
 
 impl<L: CollisionLaw<2>> Custom<L, 2> {
     /// `law` for a disk with mass distribution parameter γ, of mass 1 and radius 0: the centre touches the wall.
     ///
     /// # Errors
-    /// [`Error::Law`] unless γ is finite and not negative.
+    /// [`Error::Ball`] unless γ is finite and not negative.
     pub fn disk(law: L, gamma: f64) -> Result<Self, Error> {
         Custom::new(law, gamma)
     }
@@ -58,7 +64,7 @@ impl<L: CollisionLaw<3>> Custom<L, 3> {
     /// `law` for a ball in space with mass distribution parameter γ, of mass 1 and radius 0: the centre touches the wall.
     ///
     /// # Errors
-    /// [`Error::Law`] unless γ is finite and not negative.
+    /// [`Error::Ball`] unless γ is finite and not negative.
     pub fn ball(law: L, gamma: f64) -> Result<Self, Error> {
         Custom::new(law, gamma)
     }
@@ -66,46 +72,78 @@ impl<L: CollisionLaw<3>> Custom<L, 3> {
 
 impl<L, const N: usize> Custom<L, N> {
     fn new(law: L, gamma: f64) -> Result<Self, Error> {
-        let gamma = if (0.0..LEAST_GAMMA).contains(&gamma) { LEAST_GAMMA } else { gamma };
-        // a negative γ must not pass as its square
-        let square = if gamma < 0.0 { gamma } else { gamma * gamma };
-        Ok(Custom { law, ball: Ball::with_gamma_squared(1.0, 1.0, square)?, radius: 0.0 })
+        if !(gamma.is_finite() && gamma >= 0.0) {
+            return Err(Error::Ball { quantity: "γ", must: "finite and not negative", value: gamma });
+        }
+        let (centre, rim) = if gamma < LEAST_GAMMA { (gamma, 1.0) } else { (1.0, 1.0 / gamma) };
+        Ok(Custom { law, mass: 1.0, radius: 0.0, centre, rim })
     }
 
     /// The same for a ball of mass `mass` \[M\]: impulses are that much larger.
     ///
     /// # Errors
-    /// [`Error::Law`] unless it is positive and finite.
+    /// [`Error::Ball`] unless it is positive and finite.
     pub fn with_mass(self, mass: f64) -> Result<Self, Error> {
-        let gamma = self.ball.gamma();
-        Ok(Custom { ball: Ball::with_gamma_squared(mass, 1.0, gamma * gamma)?, ..self })
+        if mass.is_finite() && mass > 0.0 {
+            return Ok(Custom { mass, ..self });
+        }
+        Err(Error::Ball { quantity: "mass", must: "positive and finite", value: mass })
     }
 
     /// The same for a ball of radius `radius` \[L\], which touches the wall that far from its centre.
     ///
     /// # Errors
-    /// [`Error::Radius`] unless it is finite and not negative.
+    /// [`Error::Ball`] unless it is finite and not negative.
     pub fn with_radius(self, radius: f64) -> Result<Self, Error> {
-        if radius.is_finite() && radius >= 0.0 { Ok(Custom { radius, ..self }) } else { Err(Error::Radius { radius }) }
+        if radius.is_finite() && radius >= 0.0 {
+            return Ok(Custom { radius, ..self });
+        }
+        Err(Error::Ball { quantity: "radius", must: "finite and not negative", value: radius })
     }
 
-    /// The ball at its contact with the wall in one lane.
-    fn pair<F: Lane>(&self, hit: &WallHit<F, N>, lane: usize) -> Pair<Ball<N>, Fixed, N> {
+    /// The changes of velocity and of slip by a collision in one lane, `p/m` split along the normal and the wall, at a
+    /// velocity `v` of the centre and a velocity `rim` of the rim along the wall, as a scaled spin has it.
+    fn kick<F: Lane>(
+        &self,
+        hit: &WallHit<F, N>,
+        lane: usize,
+        v: &SVector<f64, N>,
+        rim: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
+    ) -> Kick<N>
+    where
+        L: CollisionLaw<N>,
+    {
         let normal = SVector::from(hit.unit_normal().map(|n| n.lane(lane)));
-        let centre = SVector::from(hit.point.map(|x| x.lane(lane)));
+        let point = SVector::from(hit.point.map(|x| x.lane(lane))) - normal * self.radius;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
         let surface = hit.piece.lane(lane) as usize;
-        let contact =
-            Contact { point: centre - normal * self.radius, normal: Unit::new_unchecked(normal), surface };
-        Pair::new(contact, (self.ball, -normal), (Fixed, SVector::zeros()))
+        let contact = Contact { point, normal: Unit::new_unchecked(normal), surface };
+
+        let along = normal * normal.dot(v);
+        let u = along + (v - along) * self.centre + rim(&normal) * self.rim;
+        let slip = (self.centre * self.centre + self.rim * self.rim) / self.mass;
+        let delassus = Delassus::Isotropic { normal: 1.0 / self.mass, tangent: slip };
+        let p = self.law.impulse(&contact, &delassus, &u) / self.mass;
+        let push = normal * normal.dot(&p);
+        let grip = p - push;
+        Kick { normal, velocity: push + grip * self.centre, rim: grip * self.rim }
     }
 }
 
-/// Puts a number into one lane.
+/// What a collision does to a ball.
+struct Kick<const N: usize> {
+    normal: SVector<f64, N>,
+    /// The change of the velocity of the centre.
+    velocity: SVector<f64, N>,
+    /// The change of the velocity of the rim that the scaled spin makes.
+    rim: SVector<f64, N>,
+}
+
+/// Adds a number to one lane.
 #[inline(always)]
-fn put<F: Lane>(to: &mut F, lane: usize, value: f64) {
+fn add<F: Lane>(to: &mut F, lane: usize, change: f64) {
     let old = *to;
-    *to = old.each(|k| if k == lane { value } else { old.lane(k) });
+    *to = old.each(|k| if k == lane { old.lane(k) + change } else { old.lane(k) });
 }
 
 impl<L: CollisionLaw<2> + Sync> BallLaw<2, 1> for Custom<L, 2> {
@@ -113,11 +151,12 @@ impl<L: CollisionLaw<2> + Sync> BallLaw<2, 1> for Custom<L, 2> {
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
         for lane in 0..F::LANES {
             let v = Vector2::from(velocity.map(|v| v.lane(lane)));
-            let before = self.ball.with_scaled_spin(v, spin[0].lane(lane));
-            let (after, ()): (Twist<2>, ()) = self.pair(hit, lane).collide(&self.law, &(before, ())).velocities;
-            put(&mut velocity[0], lane, after.linear.x);
-            put(&mut velocity[1], lane, after.linear.y);
-            put(&mut spin[0], lane, self.ball.scaled_spin(&after));
+            let w = spin[0].lane(lane);
+            // the contact is at −R ν: a counter-clockwise spin moves it along −J ν
+            let kick = self.kick(hit, lane, &v, |n| Vector2::new(n.y, -n.x) * w);
+            add(&mut velocity[0], lane, kick.velocity.x);
+            add(&mut velocity[1], lane, kick.velocity.y);
+            add(&mut spin[0], lane, -kick.normal.perp(&kick.rim));
         }
     }
 }
@@ -127,12 +166,11 @@ impl<L: CollisionLaw<3> + Sync> BallLaw<3, 3> for Custom<L, 3> {
     fn collide<F: Lane>(&self, hit: &WallHit<F, 3>, velocity: &mut [F; 3], spin: &mut [F; 3]) {
         for lane in 0..F::LANES {
             let [v, w] = [&*velocity, &*spin].map(|x| Vector3::from(x.map(|x| x.lane(lane))));
-            let before = self.ball.with_scaled_spin(v, w);
-            let (after, ()): (Twist<3>, ()) = self.pair(hit, lane).collide(&self.law, &(before, ())).velocities;
-            let turned = self.ball.scaled_spin(&after);
+            let kick = self.kick(hit, lane, &v, |n| n.cross(&w));
+            let turn = kick.rim.cross(&kick.normal);
             for i in 0..3 {
-                put(&mut velocity[i], lane, after.linear[i]);
-                put(&mut spin[i], lane, turned[i]);
+                add(&mut velocity[i], lane, kick.velocity[i]);
+                add(&mut spin[i], lane, turn[i]);
             }
         }
     }
