@@ -7,6 +7,7 @@ mod cloud;
 mod grid;
 mod ink;
 mod orbit;
+mod phase_portrait;
 mod png;
 mod stroke;
 mod svg;
@@ -18,6 +19,7 @@ pub use cloud::Cloud;
 pub use grid::{Grid, Shading};
 pub use ink::{Colour, ORBITS};
 pub use orbit::draw as orbit;
+pub use phase_portrait::{Reduced, draw as phase_portrait};
 pub use png::Raster;
 pub use stroke::Stroke;
 pub use svg::{Anchor, Outline, Style, Svg};
@@ -49,6 +51,8 @@ pub enum Needs {
     Paths,
     /// [`Material::velocities`].
     Velocities,
+    /// [`Material::reduced`].
+    Reduced,
 }
 
 /// What a run has collected.
@@ -60,6 +64,8 @@ pub struct Material {
     pub paths: Vec<Path>,
     /// Velocities after collisions, scaled to length one: the pairs (v0, v·t), where t = J ν. See [`velocities`].
     pub velocities: Option<Cloud>,
+    /// Reduced phase space.
+    pub reduced: Option<Reduced>,
 }
 
 /// An orbit in the plane.
@@ -81,4 +87,4 @@ pub struct File {
 }
 
 /// Every picture a scene can ask for.
-pub const PICTURES: &[Picture] = &[orbit::PICTURE, velocity_portrait::PICTURE];
+pub const PICTURES: &[Picture] = &[orbit::PICTURE, velocity_portrait::PICTURE, phase_portrait::PICTURE];

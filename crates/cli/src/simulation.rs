@@ -5,6 +5,7 @@ mod engine;
 mod event;
 mod harvest;
 mod law;
+mod look;
 mod paths;
 mod planar;
 mod room;
@@ -28,7 +29,8 @@ use crate::record::{self, Columns};
 use crate::scene::{Limit, Scene};
 use crate::whole_file::WholeFile;
 
-use harvest::{Harvest, Totals};
+use harvest::{Harvest, Seen, Totals};
+use look::{Flat, Solid};
 use planar::Planar;
 use schedule::{Launch, Work, run_all};
 use spatial::Spatial;
@@ -90,7 +92,29 @@ impl Simulation {
         } else {
             Body::Space(Box::new(Spatial::new(&scene)?))
         };
-        Ok(Simulation { scene, body })
+        let simulation = Simulation { scene, body };
+        let impossible = simulation.impossible_pictures();
+        if impossible.is_empty() { Ok(simulation) } else { Err(impossible) }
+    }
+
+    /// Pictures asked for that do not exist for this table.
+    fn impossible_pictures(&self) -> Vec<Diagnostic> {
+        let infinite = match &self.body {
+            Body::Plane(planar) => !planar.centres.perimeter().is_finite(),
+            Body::Space(_) => false,
+        };
+        let why = |needs| match (needs, &self.body) {
+            (Needs::Velocities | Needs::Reduced, Body::Space(_)) => Some("shows the reduced phase space of planar tables"),
+            (Needs::Reduced, _) if infinite => Some("needs walls of finite length"),
+            _ => None,
+        };
+        let asked = self.scene.output.pictures.iter();
+        asked
+            .filter_map(|(name, span)| {
+                let picture = PICTURES.iter().find(|picture| picture.name == *name)?;
+                Some(self.scene.source.diagnostic(*span, format!("the picture \"{name}\" {}", why(picture.needs)?)))
+            })
+            .collect()
     }
 
     /// The scene.
@@ -121,13 +145,10 @@ impl Simulation {
             PICTURES.iter().filter(|known| asked.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
         let kept = Kept { folder, needs: &needs };
-        let (mut material, totals, busy) = match &self.body {
+        let (material, totals, busy) = match &self.body {
             Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
             Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
         };
-        if let Body::Plane(planar) = &self.body {
-            material.outline = strokes::of(&planar.drawn.table, planar.drawn.factor);
-        }
         let record = self.scene.output.collisions.map(|format| record::path(folder, format));
         let mut files: Vec<PathBuf> = record.into_iter().collect();
         for file in pictures.iter().flat_map(|picture| (picture.draw)(&material)) {
@@ -147,22 +168,23 @@ impl Simulation {
         let lattice = planar.centres.lattice().and_then(|lattice| {
             Lattice::new(&lattice.vectors().iter().map(|v| v / planar.drawn.factor).collect::<Vec<_>>()).ok()
         });
-        let first = |orbit| planar.lifted(&starts(orbit));
-        let mut harvest = self.harvest(kept, lattice, &first)?;
+        let seen = Flat::new(planar, &*starts);
+        let mut harvest = self.harvest(kept, lattice, &seen)?;
         let work = Work { pieces: &planar.pieces, ..self.work(&harvest, control) };
         let launch = |orbit| {
             let start = starts(orbit);
             Launch { orbit: planar.launch(&start), scale: start.scale }
         };
         let busy = planar.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
-        let (material, totals) = harvest.finish()?;
+        let (mut material, totals) = harvest.finish()?;
+        material.outline = strokes::of(&planar.drawn.table, planar.drawn.factor);
         Ok((material, totals, busy))
     }
 
     fn in_space(&self, spatial: &Spatial, kept: &Kept<'_>, control: &Control) -> io::Result<(Material, Totals, Duration)> {
         let starts = spatial.starts().map_err(io::Error::other)?;
-        let first = |orbit| spatial.seen(&starts(orbit));
-        let mut harvest = self.harvest(kept, None, &first)?;
+        let seen = Solid::new(spatial, &*starts);
+        let mut harvest = self.harvest(kept, None, &seen)?;
         let work = Work { shift: spatial.shift.into(), ..self.work(&harvest, control) };
         let launch = |orbit| {
             let start = starts(orbit);
@@ -170,7 +192,8 @@ impl Simulation {
         };
         let busy =
             spatial.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
-        let (material, totals) = harvest.finish()?;
+        let (mut material, totals) = harvest.finish()?;
+        material.outline = seen.edges();
         Ok((material, totals, busy))
     }
 
@@ -178,12 +201,12 @@ impl Simulation {
         &self,
         kept: &Kept<'_>,
         lattice: Option<Lattice>,
-        first: &'a dyn Fn(u64) -> [f64; 2],
+        seen: &'a dyn Seen,
     ) -> io::Result<Harvest<'a>> {
         let columns = Columns { dimension: self.scene.dimension, lattice: lattice.is_some() };
         let format = self.scene.output.collisions;
         let record = format.map(|format| record::create(kept.folder, format, columns)).transpose()?;
-        Ok(Harvest::new(columns, record, kept.needs, lattice, self.orbits(), first))
+        Ok(Harvest::new(columns, record, kept.needs, lattice, self.orbits(), seen))
     }
 
     fn work<'a>(&self, harvest: &Harvest<'_>, control: &'a Control) -> Work<'a> {

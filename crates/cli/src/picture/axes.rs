@@ -42,14 +42,22 @@ impl Label {
 pub struct Axis {
     /// What is measured.
     pub label: Label,
-    /// Where numbers stand.
+    /// Numbers.
     pub ticks: Vec<f64>,
+    /// Where a number stands in the picture's plane: it times this.
+    pub unit: f64,
 }
 
 impl Axis {
+    /// The same, drawn so many times larger.
+    #[must_use]
+    pub fn stretched(self, unit: f64) -> Self {
+        Self { unit, ..self }
+    }
+
     /// An axis with about `many` round numbers between two ends.
     pub fn between(low: f64, high: f64, many: usize, label: Label) -> Self {
-        Self { label, ticks: ticks(low, high, many) }
+        Self { label, ticks: ticks(low, high, many), unit: 1.0 }
     }
 }
 
@@ -65,7 +73,7 @@ pub(super) fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
     svg.rectangle([left, top], [right, bottom], hair);
     let names = numbers(&x.ticks);
     for (&tick, name) in x.ticks.iter().zip(&names) {
-        let [at, _] = view.place([tick, 0.0]);
+        let [at, _] = view.place([tick * x.unit, 0.0]);
         svg.line([at, bottom], [at, bottom - TICK], hair);
         svg.line([at, top], [at, top + TICK], hair);
         // A minus sign should not push its digit off the tick.
@@ -74,7 +82,7 @@ pub(super) fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
     }
     let names = numbers(&y.ticks);
     for (&tick, name) in y.ticks.iter().zip(&names) {
-        let [_, at] = view.place([0.0, tick]);
+        let [_, at] = view.place([0.0, tick * y.unit]);
         svg.line([left, at], [left + TICK, at], hair);
         svg.line([right, at], [right - TICK, at], hair);
         svg.text([left - 3.0, at + 0.33 * NUMBER], NUMBER, Anchor::End, name);

@@ -146,6 +146,7 @@ impl Watch<'_> {
             n: self.before + n,
             time: self.scale.time_out(clock.time()),
             piece: self.pieces.get(collision.piece()).copied().unwrap_or(collision.piece() as u64),
+            own_piece: collision.piece(),
             angle: self.scale.length_out(trail.angle()),
             cell: trail.cell(),
             ..Event::default()

@@ -12,6 +12,8 @@ pub(crate) struct Event {
     pub(crate) time: f64,
     /// The piece hit, as the user numbers them.
     pub(crate) piece: u64,
+    /// The same in the numbers of the region of centres.
+    pub(crate) own_piece: usize,
     /// Centre of the particle.
     pub(crate) position: [f64; 3],
     /// Velocity after the collision.

@@ -9,7 +9,7 @@ use billiards::geometry::Lattice;
 use super::event::Event;
 use super::paths::Paths;
 use super::schedule::{Ended, Extent, Results};
-use crate::picture::{self, Cloud, Material, Needs};
+use crate::picture::{self, Cloud, Material, Needs, Reduced};
 use crate::record::{Columns, RecordWriter, Row};
 
 /// Most orbits that a picture shows as lines.
@@ -38,8 +38,8 @@ pub(crate) struct Harvest<'a> {
     record: Option<Box<dyn RecordWriter + Send>>,
     paths: Option<Paths>,
     velocities: Option<Cloud>,
-    /// Where an orbit starts.
-    start: &'a dyn Fn(u64) -> [f64; 2],
+    reduced: Option<Reduced>,
+    seen: &'a dyn Seen,
     /// Legs shown of each orbit.
     legs: u64,
     /// Where the orbit at hand is, in lattice cells.
@@ -47,22 +47,37 @@ pub(crate) struct Harvest<'a> {
     totals: Totals,
 }
 
+/// How pictures see a table.
+pub(crate) trait Seen {
+    /// Where an orbit starts, in the plane of the picture; not folded into the unit cell of a lattice.
+    fn start(&self, orbit: u64) -> [f64; 2];
+    /// A point in the plane of the picture.
+    fn point(&self, position: [f64; 3]) -> [f64; 2];
+    /// A direction in the plane of the picture.
+    fn direction(&self, velocity: [f64; 3]) -> [f64; 2];
+    /// An empty reduced phase space, where there is one.
+    fn reduced(&self) -> Option<Reduced>;
+    /// The arc length of a collision.
+    fn arc_length(&self, event: &Event) -> f64;
+}
+
 impl<'a> Harvest<'a> {
-    /// For a record, if there is one, and for pictures with these needs, of so many orbits that start at `start`.
+    /// For a record, if there is one, and for pictures with these needs, of so many orbits.
     pub(crate) fn new(
         columns: Columns,
         record: Option<Box<dyn RecordWriter + Send>>,
         needs: &[Needs],
         lattice: Option<Lattice>,
         orbits: u64,
-        start: &'a dyn Fn(u64) -> [f64; 2],
+        seen: &'a dyn Seen,
     ) -> Self {
         Harvest {
             columns,
             record,
             paths: needs.contains(&Needs::Paths).then(|| Paths::new(lattice)),
             velocities: needs.contains(&Needs::Velocities).then(picture::velocities),
-            start,
+            reduced: needs.contains(&Needs::Reduced).then(|| seen.reduced()).flatten(),
+            seen,
             legs: (picture::MOST_LEGS as u64 / orbits.clamp(1, MOST_PATHS)).max(1),
             cell: [0.0; 2],
             totals: Totals::default(),
@@ -71,7 +86,7 @@ impl<'a> Harvest<'a> {
 
     /// How much of the orbits must be watched.
     pub(crate) fn extent(&self) -> Extent {
-        if self.record.is_some() || self.velocities.is_some() {
+        if self.record.is_some() || self.velocities.is_some() || self.reduced.is_some() {
             Extent { orbits: u64::MAX, collisions: u64::MAX }
         } else if self.paths.is_some() {
             Extent { orbits: MOST_PATHS, collisions: self.legs }
@@ -102,11 +117,14 @@ impl<'a> Harvest<'a> {
         if let Some(velocities) = &mut self.velocities {
             velocities.add(event.orbit, portrait(event));
         }
+        if let Some(reduced) = &mut self.reduced {
+            let [_, tangential] = portrait(event);
+            reduced.add(event.orbit, self.seen.arc_length(event), tangential);
+        }
         if event.n <= self.legs
-            && let Some(paths) = Self::paths_of(&mut self.paths, event.orbit, self.start, &mut self.cell)
+            && let Some(paths) = Self::paths_of(&mut self.paths, event.orbit, self.seen, &mut self.cell)
         {
-            let [x, y, _] = event.position;
-            paths.fly([x, y], [event.cell[0] - self.cell[0], event.cell[1] - self.cell[1]]);
+            paths.fly(self.seen.point(event.position), [event.cell[0] - self.cell[0], event.cell[1] - self.cell[1]]);
             self.cell = event.cell;
         }
         Ok(())
@@ -116,12 +134,12 @@ impl<'a> Harvest<'a> {
     fn paths_of<'p>(
         paths: &'p mut Option<Paths>,
         orbit: u64,
-        start: &dyn Fn(u64) -> [f64; 2],
+        seen: &dyn Seen,
         cell: &mut [f64; 2],
     ) -> Option<&'p mut Paths> {
         let paths = paths.as_mut().filter(|_| orbit < MOST_PATHS)?;
         while paths.started() <= orbit {
-            *cell = paths.start(start(paths.started()));
+            *cell = paths.start(seen.start(paths.started()));
         }
         Some(paths)
     }
@@ -134,11 +152,11 @@ impl<'a> Harvest<'a> {
         totals.drift = totals.drift.max(ended.drift);
         *totals.stops.entry(ended.stop.map_or(INTERRUPTED, Stop::name)).or_default() += 1;
         if ended.collisions <= self.legs
-            && let Some(paths) = Self::paths_of(&mut self.paths, ended.orbit, self.start, &mut self.cell)
+            && let Some(paths) = Self::paths_of(&mut self.paths, ended.orbit, self.seen, &mut self.cell)
         {
             match ended.stop {
-                Some(Stop::Escaped) => paths.escape([ended.velocity[0], ended.velocity[1]]),
-                Some(Stop::Finished) => paths.rest([ended.position[0], ended.position[1]]),
+                Some(Stop::Escaped) => paths.escape(self.seen.direction(ended.velocity)),
+                Some(Stop::Finished) => paths.rest(self.seen.point(ended.position)),
                 _ => {}
             }
         }
@@ -155,6 +173,7 @@ impl<'a> Harvest<'a> {
         let material = Material {
             paths: self.paths.map(Paths::into_paths).unwrap_or_default(),
             velocities: self.velocities,
+            reduced: self.reduced,
             ..Material::default()
         };
         Ok((material, self.totals))

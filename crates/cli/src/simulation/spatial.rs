@@ -168,11 +168,6 @@ impl Spatial {
         }))
     }
 
-    /// Where an orbit starts, as pictures see it: in the user's units, along x3 and an axis across.
-    pub(crate) fn seen(&self, start: &Start<3, 3>) -> [f64; 2] {
-        [0, 1].map(|i| start.scale.length_out(start.position[i] + self.shift[i]))
-    }
-
     /// An orbit at its start.
     pub(crate) fn launch(&self, start: &Start<3, 3>) -> Watched<3, 3, ()> {
         Orbit {

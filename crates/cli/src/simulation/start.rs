@@ -150,7 +150,7 @@ fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, s
 }
 
 /// Translations to the neighbouring cells of a lattice, and none.
-fn neighbours(table: &Table) -> Vec<Vector2<f64>> {
+pub(crate) fn neighbours(table: &Table) -> Vec<Vector2<f64>> {
     let Some(lattice) = table.lattice() else { return vec![Vector2::zeros()] };
     let steps = [-1.0, 0.0, 1.0];
     let second = if lattice.vectors().len() == 2 { &steps[..] } else { &[0.0] };

@@ -1,0 +1,100 @@
+//! The phase portrait of the billiard map: where the wall is hit, and how fast the particle then moves along it.
+//!
+//! The horizontal axis is arc length, all pieces laid end to end in the order of their numbers; the vertical one is the
+//! tangential part of a velocity of length one, spin included. For a specular point particle these are the usual
+//! coordinates (s, sin of the angle with the normal), in which the map preserves area.
+
+use super::axes::{self, Axis, HAIRLINE, Label};
+use super::cloud::Cloud;
+use super::grid::Shading;
+use super::ink::Colour;
+use super::svg::{Style, Svg};
+use super::view::{View, Window};
+use super::{COLUMN, File, Material, Needs, Picture};
+
+/// Width of the portrait, where its height is 2.
+const WIDTH: f64 = 2.6;
+/// White around the picture.
+const MARGIN: f64 = 3.0;
+/// Pixels of the grid for dense portraits.
+const PIXELS: usize = 1000;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "phase-portrait",
+    summary: "each collision: tangential velocity against arc length (SVG; dense ones PNG too)",
+    needs: Needs::Reduced,
+    draw: |material: &Material| {
+        let Some(reduced) = &material.reduced else { return Vec::new() };
+        let svg = File { name: "phase-portrait.svg".into(), content: draw(reduced).to_string().into_bytes() };
+        let png = reduced.cloud.counted().map(|grid| File {
+            name: "phase-portrait.png".into(),
+            content: grid.shade(Shading::Log).png(),
+        });
+        [svg].into_iter().chain(png).collect()
+    },
+};
+
+/// Points (s, v·t) of the reduced phase space.
+#[derive(Clone, Debug)]
+pub struct Reduced {
+    cloud: Cloud,
+    /// Arc length at the start of each piece, and of the whole boundary.
+    offsets: Vec<f64>,
+    length: f64,
+}
+
+impl Reduced {
+    /// No points yet, on a boundary whose pieces start at these arc lengths.
+    pub fn new(offsets: Vec<f64>, length: f64) -> Self {
+        let window = Window { low: [0.0, -1.0], high: [WIDTH, 1.0] };
+        Self { cloud: Cloud::new(window, PIXELS), offsets, length }
+    }
+
+    /// Adds a collision of an orbit at arc length `s`, with tangential velocity between −1 and 1.
+    pub fn add(&mut self, orbit: u64, s: f64, tangential: f64) {
+        self.cloud.add(orbit, [s / self.length * WIDTH, tangential]);
+    }
+}
+
+/// A portrait, each orbit in its colour; thin lines part the pieces.
+pub fn draw(reduced: &Reduced) -> Svg {
+    let [left, below] = axes::MARGIN;
+    let width = COLUMN - left - MARGIN;
+    let view = View::fit(reduced.cloud.window(), [left, MARGIN], width, width);
+    let [_, height] = view.size();
+    let mut svg = Svg::new(COLUMN, height + MARGIN + below);
+    let guide = Style::line(Colour::GUIDE, HAIRLINE);
+    let unit = WIDTH / reduced.length;
+    let draw_guides = |svg: &mut Svg| {
+        // of very many pieces, lines would be all one sees
+        if reduced.offsets.len() <= 32 {
+            for s in reduced.offsets.iter().filter(|s| **s > 0.0) {
+                svg.line(view.place([s * unit, -1.0]), view.place([s * unit, 1.0]), guide);
+            }
+        }
+    };
+    draw_guides(&mut svg);
+    reduced.cloud.draw(&mut svg, &view);
+    let x = Axis::between(0.0, reduced.length, 5, Label { symbol: "s".into(), index: String::new() }).stretched(unit);
+    axes::draw(&mut svg, &view, &x, &Axis::between(-1.0, 1.0, 4, Label::indexed("v", "t")));
+    svg
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn portraits_of_few_and_of_many_points_are_well_formed() {
+        for count in [10, 30_000] {
+            let mut reduced = Reduced::new(vec![0.0, 1.0, 3.0], 4.0);
+            for i in 0..count {
+                reduced.add(i, f64::from(i as u32 % 400) * 0.01, 0.5);
+            }
+            let material = Material { reduced: Some(reduced), ..Material::default() };
+            let files = (PICTURE.draw)(&material);
+            assert_eq!(files.len(), if count > 20_000 { 2 } else { 1 });
+            roxmltree::Document::parse(std::str::from_utf8(&files[0].content).unwrap()).unwrap();
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! How pictures look at a table: at one in the plane straight, at one in space from a corner.
+
+use std::cell::Cell;
+
+use billiards::geometry::{Vector2, Vector3};
+
+use super::event::Event;
+use super::harvest::Seen;
+use super::planar::Planar;
+use super::spatial::{Space, Spatial};
+use super::start::{self, Start};
+use crate::picture::{Reduced, Stroke};
+
+/// A table in the plane.
+pub(crate) struct Flat<'a> {
+    planar: &'a Planar,
+    starts: &'a dyn Fn(u64) -> Start<2, 1>,
+    /// Arc length at the start of each piece of the region of centres.
+    offsets: Vec<f64>,
+    shifts: Vec<Vector2<f64>>,
+}
+
+impl<'a> Flat<'a> {
+    pub(crate) fn new(planar: &'a Planar, starts: &'a dyn Fn(u64) -> Start<2, 1>) -> Self {
+        let (offsets, shifts) = (planar.centres.arc_length_offsets(), start::neighbours(&planar.centres));
+        Flat { planar, starts, offsets, shifts }
+    }
+
+    fn factor(&self) -> f64 {
+        self.planar.drawn.factor
+    }
+}
+
+impl Seen for Flat<'_> {
+    fn start(&self, orbit: u64) -> [f64; 2] {
+        self.planar.lifted(&(self.starts)(orbit))
+    }
+
+    fn point(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
+        [x, y]
+    }
+
+    fn direction(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
+        [x, y]
+    }
+
+    fn reduced(&self) -> Option<Reduced> {
+        let out = |s: f64| s / self.factor();
+        Some(Reduced::new(self.offsets.iter().map(|s| out(*s)).collect(), out(self.planar.centres.perimeter())))
+    }
+
+    fn arc_length(&self, event: &Event) -> f64 {
+        let [x, y, _] = event.position.map(|x| x * self.factor());
+        let piece = &self.planar.centres.pieces()[event.own_piece];
+        // on a lattice, the copy of the piece that was hit
+        let off = |point: &Vector2<f64>| (piece.closest(point).point - point).norm_squared();
+        let copies = self.shifts.iter().map(|shift| Vector2::new(x, y) - shift);
+        let at = copies.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default();
+        (self.offsets[event.own_piece] + piece.arc_length_at(&at)) / self.factor()
+    }
+}
+
+/// Directions on the page of the axes of space: orthographic, seen from far away, 35° round and 20° from above.
+const AXES: [[f64; 2]; 3] = [
+    [0.819_152_044_288_991_8, -0.196_174_694_969_010_4],
+    [0.573_576_436_351_046, 0.280_166_499_592_640_3],
+    [0.0, 0.939_692_620_785_908_4],
+];
+/// Points of a circle seen askew.
+const POINTS: u32 = 256;
+
+fn projected(p: [f64; 3]) -> [f64; 2] {
+    [0, 1].map(|i| AXES[0][i] * p[0] + AXES[1][i] * p[1] + AXES[2][i] * p[2])
+}
+
+/// A table in space.
+pub(crate) struct Solid<'a> {
+    spatial: &'a Spatial,
+    starts: &'a dyn Fn(u64) -> Start<3, 3>,
+    /// The box of all points seen so far.
+    bounds: Cell<[[f64; 3]; 2]>,
+}
+
+impl<'a> Solid<'a> {
+    pub(crate) fn new(spatial: &'a Spatial, starts: &'a dyn Fn(u64) -> Start<3, 3>) -> Self {
+        Solid { spatial, starts, bounds: Cell::new([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]]) }
+    }
+
+    /// The edges of the table; where it has no end, of the part in which orbits were seen.
+    pub(crate) fn edges(&self) -> Vec<Stroke> {
+        let (spatial, seen) = (self.spatial, self.bounds.get());
+        let out = |x: f64| x / spatial.factor;
+        if let Space::Named(table) = &spatial.centres
+            && table.name() == "ball"
+        {
+            let [_, high] = table.extent();
+            return ball(out(high.x));
+        }
+        let [low, high] = spatial.centres.extent().map(|corner| corner + spatial.shift);
+        let end = |i: usize, corner: &Vector3<f64>, which: usize| {
+            let room = 0.1 * (seen[1][i] - seen[0][i]);
+            let seen = seen[which][i] + if which == 0 { -room } else { room };
+            if corner[i].is_finite() { out(corner[i]) } else { seen }
+        };
+        let corners = [[0, 1, 2].map(|i| end(i, &low, 0)), [0, 1, 2].map(|i| end(i, &high, 1))];
+        let corner = |k: usize| projected([0, 1, 2].map(|i| corners[k >> i & 1][i]));
+        let mut edges = vec![];
+        for axis in 0..3 {
+            // the sides of a part of something infinite are no edges
+            let is_edge = (0..3).filter(|other| *other != axis).any(|other| low[other].is_finite());
+            for k in (0..8).filter(|k| k >> axis & 1 == 0 && is_edge) {
+                edges.push(Stroke::Segment(corner(k), corner(k | 1 << axis)));
+            }
+        }
+        edges
+    }
+}
+
+/// A sphere: its outline and its equator.
+fn ball(radius: f64) -> Vec<Stroke> {
+    let on_equator = |k: u32| {
+        let (sin, cos) = libm::sincos(core::f64::consts::TAU * f64::from(k) / f64::from(POINTS));
+        projected([radius * cos, radius * sin, 0.0])
+    };
+    vec![
+        Stroke::Circle { center: [0.0, 0.0], radius, solid: false },
+        Stroke::Chain { points: (0..=POINTS).map(on_equator).collect(), solid: false },
+    ]
+}
+
+impl Seen for Solid<'_> {
+    fn start(&self, orbit: u64) -> [f64; 2] {
+        let start = (self.starts)(orbit);
+        self.point([0, 1, 2].map(|i| start.scale.length_out(start.position[i] + self.spatial.shift[i])))
+    }
+
+    fn point(&self, position: [f64; 3]) -> [f64; 2] {
+        let [low, high] = self.bounds.get();
+        let bound = |of: [f64; 3], pick: fn(f64, f64) -> f64| [0, 1, 2].map(|i| pick(of[i], position[i]));
+        self.bounds.set([bound(low, f64::min), bound(high, f64::max)]);
+        projected(position)
+    }
+
+    fn direction(&self, velocity: [f64; 3]) -> [f64; 2] {
+        projected(velocity)
+    }
+
+    fn reduced(&self) -> Option<Reduced> {
+        None
+    }
+
+    fn arc_length(&self, _: &Event) -> f64 {
+        0.0
+    }
+}
