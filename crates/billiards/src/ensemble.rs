@@ -54,11 +54,7 @@ impl Ensemble {
     }
 
     /// Runs `orbit(i, statistics)` for every orbit number, on the threads of the current rayon pool.
-    pub fn run<M: Merge + Send>(
-        &self,
-        empty: impl Fn() -> M + Sync,
-        orbit: impl Fn(u64, &mut M) + Sync,
-    ) -> M {
+    pub fn run<M: Merge + Send>(&self, empty: impl Fn() -> M + Sync, orbit: impl Fn(u64, &mut M) + Sync) -> M {
         self.run_while(empty, orbit, |_| ControlFlow::Continue(())).1
     }
 

@@ -34,7 +34,9 @@ pub enum Error {
         pieces: usize,
     },
     /// Tangential velocities that leave nothing for the normal one.
-    #[error("(v0, v·t) = ({v0}, {vt}) does not lie inside the disk of radius {speed}, the speed: nothing is left to leave the wall with")]
+    #[error(
+        "(v0, v·t) = ({v0}, {vt}) does not lie inside the disk of radius {speed}, the speed: nothing is left to leave the wall with"
+    )]
     Tangential {
         /// Scaled spin.
         v0: f64,

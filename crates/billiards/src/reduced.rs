@@ -21,7 +21,7 @@ use geometry::{Landing, Table, Vector2, WallHit};
 pub struct ReducedState {
     /// Number of the piece.
     pub piece: usize,
-    /// Arc length along the piece [L], with the table on the left.
+    /// Arc length along the piece \[L\], with the table on the left.
     pub s: f64,
     /// Scaled spin `v₀ = γ R θ̇` [L T⁻¹].
     pub v0: f64,
@@ -110,7 +110,8 @@ fn arc_length(table: &Table, piece: usize, point: Vector2<f64>) -> f64 {
         ];
         let cells = corners.map(|corner| lattice.reduce(&corner).1);
         let range = |i: usize| {
-            let (low, high) = cells.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c[i]), h.max(c[i])));
+            let (low, high) =
+                cells.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c[i]), h.max(c[i])));
             #[allow(clippy::cast_possible_truncation, reason = "a count of cells")]
             let (low, high) = (low as i64, high as i64);
             if i < lattice.vectors().len() { low - 1..=high + 1 } else { 0..=0 }

@@ -1,10 +1,5 @@
 //! Time reversal.
-use crate::{
-    billiard::BallLaw,
-    energy::EnergyKeeper,
-    orbit::Orbit,
-    track::Track,
-};
+use crate::{billiard::BallLaw, energy::EnergyKeeper, orbit::Orbit, track::Track};
 use geometry::WallHit;
 use lanes::Lane;
 
@@ -38,8 +33,11 @@ use lanes::Lane;
 /// assert!((x1 - there[0]).abs() + (x2 - there[1]).abs() < 1e-9);
 /// # Ok::<(), billiards::geometry::Error>(())
 /// ```
-pub fn reverse<L, F, const N: usize, const S: usize, K, T>(law: &L, orbit: &mut Orbit<F, N, S, K, T>, hit: &WallHit<F, N>)
-where
+pub fn reverse<L, F, const N: usize, const S: usize, K, T>(
+    law: &L,
+    orbit: &mut Orbit<F, N, S, K, T>,
+    hit: &WallHit<F, N>,
+) where
     L: BallLaw<N, S>,
     F: Lane,
     K: EnergyKeeper<F, N, S>,

@@ -4,7 +4,7 @@ use lanes::Lane;
 
 /// A track that knows the scaled spin position.
 pub trait Turned<F: Lane> {
-    /// The scaled spin position `x₀ = γ R θ` [L], not reduced modulo a turn.
+    /// The scaled spin position `x₀ = γ R θ` \[L\], not reduced modulo a turn.
     fn angle(&self) -> F;
 }
 

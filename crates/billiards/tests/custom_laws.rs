@@ -102,7 +102,8 @@ fn a_law_does_to_a_ball_what_it_does_to_a_pair_of_bodies() {
     let (after, ()) = pair.collide(&Chasing, &(ball.with_scaled_spin(v, w), ())).velocities;
     let custom = Custom::ball(Chasing, gamma).unwrap().with_mass(3.0).unwrap().with_radius(0.25).unwrap();
     let (velocity, spin) = collide(&custom, normal.into(), v.into(), w.into());
-    let error = (after.linear - Vector3::from(velocity)).amax().max((ball.scaled_spin(&after) - Vector3::from(spin)).amax());
+    let error =
+        (after.linear - Vector3::from(velocity)).amax().max((ball.scaled_spin(&after) - Vector3::from(spin)).amax());
     assert!(error < 16.0 * f64::EPSILON, "{error:e}");
 }
 

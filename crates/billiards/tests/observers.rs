@@ -1,6 +1,7 @@
 //! What the observers see, against closed forms.
 use billiards::{
-    Angle, Canonical, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit, Planar, Starts, Stop,
+    Angle, Canonical, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit, Planar, Starts,
+    Stop,
     laws::{Disk, Specular},
     observe::{
         Density, EnergyDrift, FirstReturn, FreePath, Invariant, Nearest, Period, PlanarRow, Record, ReducedPortrait,
@@ -126,7 +127,8 @@ fn the_keeper_keeps_the_energy_of_a_long_orbit() {
 fn drifts_of_an_invariant_are_their_largest_and_their_root_mean_square() {
     let strip = Planar { table: tables::strip(1.0).unwrap(), law: Specular };
     let count = || Invariant::new(|c: &Collision<'_, 2, 1, _, _>| c.n as f64);
-    let run = |invariant: &mut Invariant<_>, n| strip.run(&mut orbit([0.0, 0.5], [0.0, 1.0], 0.0), &Collisions(n), invariant);
+    let run =
+        |invariant: &mut Invariant<_>, n| strip.run(&mut orbit([0.0, 0.5], [0.0, 1.0], 0.0), &Collisions(n), invariant);
     let mut counted = count();
     run(&mut counted, 5);
     assert_eq!((counted.largest_drift(), counted.rms_drift()), (4.0, 7.5_f64.sqrt()));

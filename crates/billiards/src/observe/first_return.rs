@@ -33,7 +33,7 @@ pub struct FirstReturn<F> {
 pub struct Entry {
     /// The number of the collision, from 1.
     pub collisions: u64,
-    /// The time since the start of the run [T].
+    /// The time since the start of the run \[T\].
     pub time: f64,
 }
 

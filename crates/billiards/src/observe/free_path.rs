@@ -74,12 +74,12 @@ impl<const N: usize, const S: usize> FreePath<N, S> {
         self.flight = Some(Flight::from(orbit));
     }
 
-    /// Mean time between collisions [T].
+    /// Mean time between collisions \[T\].
     pub fn time(&self) -> Mean {
         self.time.summary()
     }
 
-    /// Mean distance between collisions that the centre travels [L].
+    /// Mean distance between collisions that the centre travels \[L\].
     pub fn length(&self) -> Mean {
         self.length.summary()
     }
@@ -101,10 +101,6 @@ impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for FreePath<N, 
 /// The flight of `self` that has begun goes on.
 impl<const N: usize, const S: usize> Merge for FreePath<N, S> {
     fn merge(self, other: Self) -> Self {
-        FreePath {
-            flight: self.flight,
-            time: self.time.merge(other.time),
-            length: self.length.merge(other.length),
-        }
+        FreePath { flight: self.flight, time: self.time.merge(other.time), length: self.length.merge(other.length) }
     }
 }

@@ -63,7 +63,10 @@ impl<F> Invariant<F> {
 
 impl<F> fmt::Debug for Invariant<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Invariant").field("largest", &self.largest).field("rms", &self.rms_drift()).finish_non_exhaustive()
+        f.debug_struct("Invariant")
+            .field("largest", &self.largest)
+            .field("rms", &self.rms_drift())
+            .finish_non_exhaustive()
     }
 }
 

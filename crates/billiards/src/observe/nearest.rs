@@ -3,7 +3,7 @@ use super::{Observer, flight::Flight};
 use crate::{merge::Merge, orbit::Orbit, run::Collision};
 use core::ops::ControlFlow;
 
-/// The smallest distance [L] between the path of the centre and a point.
+/// The smallest distance \[L\] between the path of the centre and a point.
 ///
 /// In a circle the flights of one orbit touch one concentric circle (specular) or alternately two (no-slip), their
 /// caustics: about the centre this is the radius of the smaller one.

@@ -51,7 +51,7 @@ pub struct Return {
     pub period: u64,
     /// How far from it: the larger of the distance over the length and the change of velocity over the speed.
     pub error: f64,
-    /// How far the spin position `x₀ = γ R θ` moves in one period [L].
+    /// How far the spin position `x₀ = γ R θ` moves in one period \[L\].
     pub drift: f64,
     /// Whether that is 0 within the tolerance too: the orbit is periodic in the full phase space.
     pub drift_free: bool,

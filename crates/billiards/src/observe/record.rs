@@ -12,13 +12,13 @@ use core::{fmt, ops::ControlFlow};
 pub struct PlanarRow {
     /// Its number, from 1.
     pub n: u64,
-    /// Time since the start [T].
+    /// Time since the start \[T\].
     pub t: f64,
     /// Number of the piece hit.
     pub piece: usize,
-    /// Scaled spin position `x₀ = γ R θ` [L].
+    /// Scaled spin position `x₀ = γ R θ` \[L\].
     pub x0: f64,
-    /// Position of the centre [L]; on a lattice in the unit cell.
+    /// Position of the centre \[L\]; on a lattice in the unit cell.
     pub x: [f64; 2],
     /// Scaled spin `v₀ = γ R θ̇` after the collision [L T⁻¹].
     pub v0: f64,
@@ -34,11 +34,11 @@ pub struct PlanarRow {
 pub struct SpatialRow {
     /// Its number, from 1.
     pub n: u64,
-    /// Time since the start [T].
+    /// Time since the start \[T\].
     pub t: f64,
     /// Number of the piece hit.
     pub piece: usize,
-    /// Position of the centre [L].
+    /// Position of the centre \[L\].
     pub x: [f64; 3],
     /// Velocity of the centre after the collision [L T⁻¹].
     pub v: [f64; 3],
@@ -119,13 +119,6 @@ where
     #[inline]
     fn collision(&mut self, c: &Collision<'_, 3, 3, K, T>) -> ControlFlow<()> {
         let o = c.orbit;
-        self.0(SpatialRow {
-            n: c.n,
-            t: o.track.time(),
-            piece: c.piece(),
-            x: o.position,
-            v: o.velocity,
-            w: o.spin,
-        })
+        self.0(SpatialRow { n: c.n, t: o.track.time(), piece: c.piece(), x: o.position, v: o.velocity, w: o.spin })
     }
 }
