@@ -6,7 +6,6 @@
 //! there, and only those parts kept that are as far from the boundary as they should be; they bound the region of
 //! centres.
 mod arrangement;
-mod joints;
 mod raw;
 mod vertices;
 
@@ -52,7 +51,7 @@ pub struct Offset {
 }
 
 impl Table {
-    /// The points at distance at least `radius` [L] from everything outside the table: where the centre of a disk of
+    /// The points at distance at least `radius` \[L\] from everything outside the table: where the centre of a disk of
     /// that radius can be.
     ///
     /// Pieces are numbered loop by loop, each loop from its piece of lowest origin. A neck narrower than the disk cuts the

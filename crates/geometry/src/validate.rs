@@ -188,7 +188,7 @@ impl Table {
     }
 
     /// The `k`-th of 16 places spread over a chain.
-    fn place(&self, chain: &[usize], k: usize, part: f64, size: f64) -> (usize, Vector2<f64>) {
+    pub(crate) fn place(&self, chain: &[usize], k: usize, part: f64, size: f64) -> (usize, Vector2<f64>) {
         let i = chain[k * chain.len() / 16];
         let piece = &self.pieces()[i];
         let part = part + 0.236_067_977_499_79 * (k as f64 / 16.0);
@@ -221,7 +221,7 @@ fn finite_size(pieces: &[std::sync::Arc<dyn Piece>]) -> f64 {
 }
 
 /// What a look along a ray finds first.
-pub(crate) enum Seen {
+enum Seen {
     Nothing,
     /// A corner, or a wall it grazes.
     Unclear,
@@ -233,7 +233,7 @@ pub(crate) enum Seen {
 }
 
 /// The first piece along a ray that starts on the piece `own`.
-pub(crate) fn first_seen(copies: &Copies, own: usize, ray: &Ray, from: &Vector2<f64>, rounding: f64) -> Seen {
+fn first_seen(copies: &Copies, own: usize, ray: &Ray, from: &Vector2<f64>, rounding: f64) -> Seen {
     let mut best = (f64::INFINITY, Seen::Nothing);
     let Figure::Ray { direction, .. } = ray.figure() else { return Seen::Unclear };
     copies.search(
@@ -258,7 +258,7 @@ pub(crate) fn first_seen(copies: &Copies, own: usize, ray: &Ray, from: &Vector2<
 }
 
 /// Whether a ray meets a box, or comes close to it.
-fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64) -> bool {
+pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64) -> bool {
     let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
     for i in 0..2 {
         let (low, high) = (extent.min[i] - reach - from[i], extent.max[i] + reach - from[i]);

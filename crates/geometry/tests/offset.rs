@@ -118,7 +118,7 @@ fn every_named_table_has_offsets_by_the_definition() {
 fn a_convex_polygon_loses_its_rim() {
     // A − P R + R² Σ tan(θ/2), θ the turns at the vertices
     let mut random = spread(3);
-    for n in 3..12 {
+    for n in 3..12_u8 {
         let mut angles: Vec<f64> = (0..n).map(|k| (f64::from(k) + 0.8 * random()) * 2.0 * PI / f64::from(n)).collect();
         angles.sort_by(f64::total_cmp);
         let vertices: Vec<[f64; 2]> =
@@ -126,7 +126,7 @@ fn a_convex_polygon_loses_its_rim() {
         let drawn = table(polygon(&vertices));
         let radius = 0.02; // small enough for every side to survive
         let offset = check("polygon", &drawn, radius);
-        assert_eq!(offset.table.pieces().len(), n as usize);
+        assert_eq!(offset.table.pieces().len(), usize::from(n));
         let normals: Vec<Vector2<f64>> = drawn.pieces().iter().map(|p| p.closest(&v(0.0, 0.0)).normal).collect();
         let tangents: f64 = (0..normals.len())
             .map(|i| {

@@ -145,10 +145,7 @@ fn checks_do_not_depend_on_scale_or_place() {
         let scale = 2.0_f64.powi(k);
         let at = |x: f64, y: f64| v(x, y) * scale;
         let stadium = |bulge: Turn| {
-            let cap = |outline: Outline, to, center| match bulge {
-                Turn::CounterClockwise => outline.arc_to(to, center, bulge),
-                Turn::Clockwise => outline.arc_to(to, center, bulge),
-            };
+            let cap = |outline: Outline, to, center| outline.arc_to(to, center, bulge);
             let o = Outline::from(at(-1.0, -1.0)).line_to(at(1.0, -1.0)).unwrap();
             let o = cap(o, at(1.0, 1.0), at(1.0, 0.0)).unwrap().line_to(at(-1.0, 1.0)).unwrap();
             cap(o, at(-1.0, -1.0), at(-1.0, 0.0)).unwrap().close().unwrap()

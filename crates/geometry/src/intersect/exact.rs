@@ -157,7 +157,7 @@ pub(super) fn meetings(a: &Curve, b: &Curve) -> Vec<Meeting> {
     match (a, b) {
         (Curve::Straight(p), Curve::Straight(q)) => lines(p, q, tolerance, &mut found),
         (Curve::Circular(p), Curve::Circular(q)) if coincide(p, q, tolerance) => {
-            same_circle(a, b, tolerance, &mut found)
+            same_circle(a, b, tolerance, &mut found);
         }
         _ => {
             let Some(pair) = Pair::of(a, b, tolerance) else { return found };

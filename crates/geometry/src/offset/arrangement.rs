@@ -1,7 +1,6 @@
 //! The moved pieces, cut where they meet, and what of them bounds the region of centres.
 use super::{
     Origin,
-    joints::{Branch, leftmost},
     raw::{Raw, RawBoundary},
     vertices::{Site, Vertices, minus},
 };
@@ -9,6 +8,7 @@ use crate::{
     Error, Figure, MeetingKind, Piece, Table,
     copies::{Copies, finite_extent},
     intersect::direction_at,
+    joints::{Branch, leftmost},
     meetings,
     plane::slack,
     shapes::{self, Parallel, Translated},

@@ -1,11 +1,11 @@
 //! All pieces moved inwards, whatever becomes of them.
 use super::{
     Origin,
-    joints::{Joint, joints},
     vertices::{Site, Vertices, minus},
 };
 use crate::{
     Error, Figure, Piece, Table,
+    joints::{Joint, joints},
     plane::slack,
     shapes::{self, Parallel, curve::rising_root},
 };
@@ -88,12 +88,7 @@ fn turn(
     let [p, q] = [before, after].map(|i| &table.pieces()[i]);
     let there = vertex - vertices.translation(cell);
     let (n, m) = (p.closest(&vertex).normal, q.closest(&there).normal);
-    let mut angle = libm::atan2(n.perp(&m), n.dot(&m));
-    if core::f64::consts::PI - angle.abs() <= SMOOTH {
-        // straight back: a cusp of the table if the curves bend apart, the tip of a slit otherwise
-        let bend = p.curvature(&vertex) + q.curvature(&there);
-        angle = libm::copysign(angle, if bend < 0.0 { 1.0 } else { -1.0 });
-    }
+    let angle = joint.turn(table);
     let shift = vertices.translation(cell);
     if angle.abs() <= SMOOTH {
         let point = vertex + (n + m) * (radius / (n + m).norm());

@@ -1,28 +1,48 @@
 //! How the pieces of a boundary follow each other, corner by corner.
 use crate::{Piece, Table, intersect::direction_at, plane::slack};
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use nalgebra::Vector2;
 
 /// Where one piece ends and the next one starts.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Joint {
-    pub(super) before: usize,
-    pub(super) after: usize,
+pub(crate) struct Joint {
+    pub(crate) before: usize,
+    pub(crate) after: usize,
     /// `after`, moved by so many of each lattice vector, starts where `before` ends.
-    pub(super) cell: [f64; 2],
-    pub(super) vertex: Vector2<f64>,
+    pub(crate) cell: [f64; 2],
+    pub(crate) vertex: Vector2<f64>,
+}
+
+/// Directions straight back, within this (radians), are those of a cusp or of the tip of a slit.
+const CUSP: f64 = 2e-7;
+
+impl Joint {
+    /// The angle by which the boundary turns, positive to the left: in (−π, 0) at a re-entrant corner, −π at the tip of
+    /// a slit, π in a cusp.
+    pub(crate) fn turn(&self, table: &Table) -> f64 {
+        let [p, q] = [self.before, self.after].map(|i| &table.pieces()[i]);
+        let there = self.vertex - table.lattice().map_or_else(Vector2::zeros, |l| l.translation(self.cell));
+        let (n, m) = (p.closest(&self.vertex).normal, q.closest(&there).normal);
+        let angle = libm::atan2(n.perp(&m), n.dot(&m));
+        if PI - angle.abs() <= CUSP {
+            // the sides of a cusp bend apart
+            let bend = p.curvature(&self.vertex) + q.curvature(&there);
+            return libm::copysign(angle, if bend < 0.0 { 1.0 } else { -1.0 });
+        }
+        angle
+    }
 }
 
 /// How a boundary leaves a point, or comes into it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Branch {
+pub(crate) struct Branch {
     /// Unit vector in the sense of traversal.
-    pub(super) direction: Vector2<f64>,
-    pub(super) curvature: f64,
+    pub(crate) direction: Vector2<f64>,
+    pub(crate) curvature: f64,
 }
 
 impl Branch {
-    pub(super) fn of(piece: &dyn Piece, point: &Vector2<f64>) -> Branch {
+    pub(crate) fn of(piece: &dyn Piece, point: &Vector2<f64>) -> Branch {
         Branch { direction: direction_at(piece, point), curvature: piece.curvature(point) }
     }
 }
@@ -34,7 +54,7 @@ const STRAIGHT_BACK: f64 = 1e-6;
 /// Which of several branches turns most sharply to the left.
 ///
 /// All of the table near the point that is next to the incoming piece lies between it and the piece found.
-pub(super) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>) -> Option<usize> {
+pub(crate) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>) -> Option<usize> {
     let back = -incoming.direction;
     let clockwise = |out: Branch| {
         let angle = libm::atan2(out.direction.perp(&back), out.direction.dot(&back));
@@ -51,7 +71,7 @@ pub(super) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>)
 }
 
 /// The joints of a table, on a lattice also those across cells.
-pub(super) fn joints(table: &Table) -> Vec<Joint> {
+pub(crate) fn joints(table: &Table) -> Vec<Joint> {
     let pieces = table.pieces();
     let finite = |p: &Vector2<f64>| p.iter().all(|x| x.is_finite());
     let mut starts: Vec<(Vector2<f64>, usize)> = pieces

@@ -1,0 +1,316 @@
+//! What a table is like: its parts, sizes and corners.
+use crate::{
+    Extent, LargestDisk, MeetingKind, Table,
+    copies::{Copies, finite_extent},
+    joints::joints,
+    meetings,
+    plane::slack,
+    shapes::Ray,
+    validate::is_hit,
+};
+use nalgebra::Vector2;
+
+/// Corners that turn by less than this (radians) are smooth joints.
+const SMOOTH: f64 = 1e-9;
+
+/// The measures of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Description {
+    /// Number of pieces.
+    pub pieces: usize,
+    /// Length of the boundary \[L\], per unit cell on a lattice.
+    pub perimeter: f64,
+    /// Points at which the direction of the boundary jumps.
+    pub corners: usize,
+    /// Those of them where the table's angle is greater than π.
+    pub re_entrant_corners: usize,
+    /// The connected parts of the table.
+    pub components: Vec<Component>,
+    /// The largest disk that fits in.
+    pub largest_disk: LargestDisk,
+}
+
+impl Description {
+    /// Area of the table [L²], per unit cell on a lattice; infinite where it is unbounded.
+    pub fn area(&self) -> f64 {
+        self.components.iter().map(|c| c.area).sum()
+    }
+}
+
+/// A connected part of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Component {
+    /// The numbers of the pieces that bound it, in rising order.
+    pub pieces: Vec<usize>,
+    /// Its area [L²], per unit cell on a lattice; infinite where it is unbounded.
+    pub area: f64,
+}
+
+impl Table {
+    /// Describes the table, which should satisfy [`Table::validate`].
+    ///
+    /// ```
+    /// use geometry::tables;
+    /// let mushroom = tables::mushroom(1.0, 0.5, 0.75)?.describe();
+    /// assert_eq!((mushroom.corners, mushroom.re_entrant_corners), (6, 2));
+    /// assert!((mushroom.area() - (core::f64::consts::FRAC_PI_2 + 0.375)).abs() < 1e-14);
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn describe(&self) -> Description {
+        let turns: Vec<f64> = joints(self).iter().map(|joint| joint.turn(self)).collect();
+        Description {
+            pieces: self.pieces().len(),
+            perimeter: self.perimeter(),
+            corners: turns.iter().filter(|t| t.abs() > SMOOTH).count(),
+            re_entrant_corners: turns.iter().filter(|&&t| t < -SMOOTH).count(),
+            components: self.components(),
+            largest_disk: self.largest_disk(),
+        }
+    }
+
+    /// The connected parts of the table, in the order of their lowest piece numbers.
+    ///
+    /// ```
+    /// use geometry::tables;
+    /// // a disk that does not fit between the scatterer and the walls can only be in one of the four corners
+    /// let centres = tables::sinai(2.0, 0.5)?.offset(0.3)?.table;
+    /// assert_eq!(centres.components().len(), 4);
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn components(&self) -> Vec<Component> {
+        let chains = self.chains();
+        let mut groups = Groups::new(chains.len());
+        let around = finite_extent(self.pieces());
+        let size = if around.is_finite() { around.size() } else { 1.0 };
+        let far = self.lattice().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum());
+        let copies = Copies::new(self.pieces(), self.lattice(), &around, 2.0 * far);
+        let mut chain_of = vec![0; self.pieces().len()];
+        for (k, chain) in chains.iter().enumerate() {
+            for &i in chain {
+                chain_of[i] = k;
+            }
+        }
+        let infinite = |chain: &Vec<usize>| chain.iter().any(|&i| !self.pieces()[i].length().is_finite());
+        let distant: Vec<usize> = (0..chains.len()).filter(|&k| infinite(&chains[k])).collect();
+        // in one direction, every chain sees the next one of its part of the table, and the last of them its outer wall
+        let up = Vector2::new(0.030_901_7, 0.951_056_5);
+        let mut escaped: Option<usize> = None;
+        for (k, chain) in chains.iter().enumerate() {
+            let sight = Sight { table: self, copies: &copies, size };
+            let views = [View::Along(up), View::Inward];
+            let others = distant.iter().filter(|&&other| other != k).map(|&other| View::At(&chains[other]));
+            for view in views.into_iter().chain(others) {
+                let Some(walls) = sight.along(chain, &view) else { continue };
+                for pair in walls.windows(2).filter(|pair| pair[0].into_table) {
+                    groups.unite(chain_of[pair[0].number], chain_of[pair[1].number]);
+                }
+                // without infinite walls there is one outside
+                if distant.is_empty()
+                    && self.lattice().is_none()
+                    && let Some(last) = walls.last().filter(|wall| wall.into_table)
+                {
+                    let last = chain_of[last.number];
+                    groups.unite(*escaped.get_or_insert(last), last);
+                }
+            }
+        }
+        let mut components: Vec<Component> = vec![];
+        for group in groups.all() {
+            let members: Vec<&Vec<usize>> = group.iter().map(|&k| &chains[k]).collect();
+            let mut pieces: Vec<usize> = members.iter().flat_map(|c| c.iter().copied()).collect();
+            pieces.sort_unstable();
+            let area = if members.iter().any(|c| infinite(c)) {
+                f64::INFINITY
+            } else {
+                let enclosed: f64 = members.iter().map(|c| self.enclosed_by(c)).sum();
+                match self.lattice() {
+                    _ if enclosed > 0.0 => enclosed,
+                    Some(lattice) => lattice.cell_area() + enclosed,
+                    None => f64::INFINITY,
+                }
+            };
+            components.push(Component { pieces, area });
+        }
+        components.sort_by(|a, b| a.pieces.cmp(&b.pieces));
+        components
+    }
+
+    /// The area that a chain contributes; one that goes on in a translate of itself is closed along edges of the cell.
+    fn enclosed_by(&self, chain: &[usize]) -> f64 {
+        let area: f64 = chain.iter().map(|&i| self.pieces()[i].area()).sum();
+        match (chain.first(), chain.last()) {
+            (Some(&first), Some(&last)) if !self.is_closed(chain) => {
+                match (self.pieces()[first].ends(), self.pieces()[last].ends()) {
+                    (Some([a, _]), Some([_, b])) => area + 0.5 * a.perp(&b),
+                    _ => area,
+                }
+            }
+            _ => area,
+        }
+    }
+}
+
+/// A wall on a line of sight.
+struct Wall {
+    at: f64,
+    number: usize,
+    /// Whether the line goes on into the table.
+    into_table: bool,
+}
+
+/// Where to look from a chain.
+enum View<'a> {
+    Along(Vector2<f64>),
+    Inward,
+    At(&'a [usize]),
+}
+
+struct Sight<'a> {
+    table: &'a Table,
+    copies: &'a Copies,
+    size: f64,
+}
+
+impl Sight<'_> {
+    /// All walls on a line of sight from a chain, that chain's own first, if there is a line that grazes none.
+    fn along(&self, chain: &[usize], view: &View) -> Option<Vec<Wall>> {
+        (0..16).find_map(|k| {
+            let (number, from) = self.table.place(chain, k, 0.381_966_011_250_105, self.size);
+            let normal = self.table.pieces()[number].closest(&from).normal;
+            let direction = match view {
+                View::Along(direction) => *direction,
+                View::Inward => normal,
+                View::At(other) => self.table.place(other, k, 0.618_033_988_749_895, self.size).1 - from,
+            };
+            let ray = Ray::new(from, direction, true).ok()?;
+            let direction = direction / libm::hypot(direction.x, direction.y);
+            let rounding = slack([self.size]);
+            let facing = direction.dot(&normal);
+            let mut walls = vec![Wall { at: 0.0, number, into_table: facing > 0.0 }];
+            let mut clear = facing.abs() > 1e-6;
+            let wanted = |e: &Extent| is_hit(e, &from, &direction, rounding);
+            self.copies.search(wanted, |index| {
+                let (copy, _) = self.copies.get(index);
+                for m in meetings(&ray, &*copy.piece) {
+                    let own = copy.number == number && copy.cell == [0.0; 2];
+                    if own && m.at[0] <= 4.0 * rounding {
+                        continue;
+                    }
+                    let facing = copy.piece.closest(&m.point).normal.dot(&direction);
+                    clear &= m.kind == MeetingKind::Crossing && facing.abs() > 1e-6 && m.at[0] > 4.0 * rounding;
+                    walls.push(Wall { at: m.at[0], number: copy.number, into_table: facing > 0.0 });
+                }
+            });
+            walls.sort_by(|a, b| a.at.total_cmp(&b.at));
+            clear.then_some(walls)
+        })
+    }
+}
+
+/// Which of several things belong together.
+struct Groups(Vec<usize>);
+
+impl Groups {
+    fn new(count: usize) -> Groups {
+        Groups((0..count).collect())
+    }
+    fn root(&self, mut k: usize) -> usize {
+        while self.0[k] != k {
+            k = self.0[k];
+        }
+        k
+    }
+    fn unite(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+    fn all(&self) -> Vec<Vec<usize>> {
+        let mut groups: Vec<Vec<usize>> = vec![vec![]; self.0.len()];
+        for k in 0..self.0.len() {
+            groups[self.root(k)].push(k);
+        }
+        groups.retain(|g| !g.is_empty());
+        groups
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        Outline, Piece,
+        shapes::{Circle, FullLine},
+        tables,
+    };
+    use core::f64::consts::PI;
+
+    fn v(x: f64, y: f64) -> Vector2<f64> {
+        Vector2::new(x, y)
+    }
+    fn square(x: f64, y: f64, side: f64, hole: bool) -> Vec<Box<dyn Piece>> {
+        let mut corners = [v(x, y), v(x + side, y), v(x + side, y + side), v(x, y + side)];
+        if hole {
+            corners.reverse();
+        }
+        let o = Outline::from(corners[3]);
+        corners.into_iter().fold(o, |o, c| o.line_to(c).unwrap()).close().unwrap()
+    }
+    fn disk(x: f64, y: f64, r: f64) -> Box<dyn Piece> {
+        Box::new(Circle::new(v(x, y), r, false).unwrap())
+    }
+
+    #[test]
+    fn rooms_within_rooms_are_told_apart() {
+        let loops = [
+            square(0.0, 0.0, 8.0, false),
+            square(2.0, 2.0, 4.0, true),
+            square(3.0, 3.0, 2.0, false),
+            vec![disk(1.0, 1.0, 0.5), disk(7.0, 1.0, 0.5), disk(4.0, 4.0, 0.5)],
+            square(10.0, 0.0, 1.0, false),
+        ];
+        let table = Table::new(loops.into_iter().flatten().collect()).unwrap();
+        let found = table.components();
+        let sizes: Vec<usize> = found.iter().map(|c| c.pieces.len()).collect();
+        assert_eq!(sizes, [10, 5, 4]);
+        let areas = [64.0 - 16.0 - 0.5 * PI, 4.0 - 0.25 * PI, 1.0];
+        assert!(found.iter().zip(areas).all(|(c, a)| (c.area - a).abs() < 1e-13), "{found:?}");
+    }
+
+    #[test]
+    fn the_open_plane_is_one_part() {
+        let table = Table::new(vec![disk(0.0, 0.0, 1.0), disk(3.0, 0.0, 1.0), disk(1.0, 9.0, 1.0)]).unwrap();
+        let found = table.components();
+        assert_eq!((found.len(), found[0].area), (1, f64::INFINITY));
+    }
+
+    #[test]
+    fn two_strips_are_two_parts() {
+        let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
+        let lines = vec![line(0.0, 1.0), line(1.0, -1.0), line(2.0, 1.0), line(3.0, -1.0), disk(5.0, 2.5, 0.25)];
+        let table = Table::new(lines).unwrap();
+        let found: Vec<Vec<usize>> = table.components().into_iter().map(|c| c.pieces).collect();
+        assert_eq!(found, [vec![0, 1], vec![2, 3, 4]]);
+    }
+
+    #[test]
+    fn a_lattice_has_its_parts_once() {
+        let lorentz = tables::sinai_torus(0.25, 1.0).unwrap();
+        let whole = lorentz.components();
+        assert_eq!(whole.len(), 1);
+        assert!((whole[0].area - (1.0 - PI / 16.0)).abs() < 1e-15);
+        let channel = tables::channel(1.0, 1.0, 0.0).unwrap().components();
+        assert_eq!(channel, [Component { pieces: vec![0, 1], area: 1.0 }]);
+    }
+
+    #[test]
+    fn descriptions_count_corners() {
+        let stadium = tables::stadium(1.0, 1.0).unwrap().describe();
+        assert_eq!((stadium.pieces, stadium.corners, stadium.components.len()), (4, 0, 1));
+        assert!((stadium.largest_disk.radius - 1.0).abs() < 1e-15);
+        let moon = tables::moon(1.0, 0.75, 1.0).unwrap().describe();
+        assert_eq!((moon.corners, moon.re_entrant_corners), (2, 0));
+        let wedge = tables::wedge(1.0).unwrap().describe();
+        assert_eq!((wedge.corners, wedge.area()), (1, f64::INFINITY));
+        assert!(wedge.largest_disk.radius.is_infinite());
+    }
+}
