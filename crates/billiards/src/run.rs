@@ -20,7 +20,7 @@ pub trait Limit<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Collisions(pub u64);
 
-/// So much time [T] since the start.
+/// So much time \[T\] since the start.
 #[derive(Clone, Copy, Debug)]
 pub struct Time(pub f64);
 

@@ -13,7 +13,7 @@ use lanes::{Kernel, Lane, Mask};
 /// Where an orbit starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start<const N: usize, const S: usize> {
-    /// Position of the centre [L].
+    /// Position of the centre \[L\].
     pub position: [f64; N],
     /// Velocity of the centre [L T⁻¹].
     pub velocity: [f64; N],

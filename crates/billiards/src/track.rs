@@ -45,7 +45,7 @@ impl<F: Lane> LaneTrack<F> for Clock<F> {
 
 /// A track that knows the time.
 pub trait Timed<F: Lane> {
-    /// The time since the start [T].
+    /// The time since the start \[T\].
     fn time(&self) -> F;
 }
 
@@ -62,7 +62,7 @@ impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, 
     }
 }
 
-/// The time since the start [T], as a compensated sum: its error does not grow with the number of collisions.
+/// The time since the start \[T\], as a compensated sum: its error does not grow with the number of collisions.
 #[derive(Clone, Copy, Debug)]
 pub struct Clock<F = f64>(pub Double<F>);
 
@@ -94,7 +94,7 @@ impl<F: Lane, B> Timed<F> for (Clock<F>, B) {
     }
 }
 
-/// The scaled spin position `x₀ = γ R θ` of a disk [L], not reduced modulo a turn, as a compensated sum.
+/// The scaled spin position `x₀ = γ R θ` of a disk \[L\], not reduced modulo a turn, as a compensated sum.
 #[derive(Clone, Copy, Debug)]
 pub struct Angle<F = f64>(pub Double<F>);
 

@@ -5,9 +5,9 @@ use nalgebra::SVector;
 /// The first meeting of a path with a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit<const N: usize> {
-    /// Time from the start of the path [T].
+    /// Time from the start of the path \[T\].
     pub time: f64,
-    /// The point of the boundary that is hit [L].
+    /// The point of the boundary that is hit \[L\].
     pub point: SVector<f64, N>,
     /// Unit normal of the boundary there, pointing into the table.
     pub normal: SVector<f64, N>,

@@ -23,7 +23,7 @@ pub(crate) struct Copies {
 }
 
 impl Copies {
-    /// All copies of `pieces` that come as near as `reach` [L] to the box `around`. Infinite pieces lie along the lattice
+    /// All copies of `pieces` that come as near as `reach` \[L\] to the box `around`. Infinite pieces lie along the lattice
     /// and are their own translates.
     pub(crate) fn new(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>, around: &Extent, reach: f64) -> Copies {
         let (mut all, mut boxes) = (vec![], vec![]);

@@ -9,9 +9,9 @@ use std::collections::BinaryHeap;
 /// Where the largest disk in a table lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LargestDisk {
-    /// Its centre [L].
+    /// Its centre \[L\].
     pub center: Vector2<f64>,
-    /// Its radius [L]; infinite where a disk of any size fits.
+    /// Its radius \[L\]; infinite where a disk of any size fits.
     pub radius: f64,
 }
 

@@ -27,9 +27,9 @@ pub enum MeetingKind {
 /// A point that two pieces have in common.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
-    /// Where [L].
+    /// Where \[L\].
     pub point: Vector2<f64>,
-    /// Its arc length on the first and on the second piece [L].
+    /// Its arc length on the first and on the second piece \[L\].
     pub at: [f64; 2],
     /// How they meet there.
     pub kind: MeetingKind,

@@ -12,7 +12,7 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// The lattice spanned by one or two vectors [L].
+    /// The lattice spanned by one or two vectors \[L\].
     ///
     /// # Errors
     /// [`Error::Lattice`] unless they are finite and independent.

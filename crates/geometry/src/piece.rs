@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 /// Where a path lands on a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
-    /// The point of the piece, projected onto it [L].
+    /// The point of the piece, projected onto it \[L\].
     pub point: Vector2<f64>,
     /// Unit normal there, into the table.
     pub normal: Vector2<f64>,
@@ -95,7 +95,7 @@ pub enum Figure {
 
 /// A piece of a planar boundary. Object safe; a new shape is one implementation.
 ///
-/// A piece is traversed with the table on its left; arc length `s` [L] runs from 0 to [`Piece::length`]. Infinite
+/// A piece is traversed with the table on its left; arc length `s` \[L\] runs from 0 to [`Piece::length`]. Infinite
 /// pieces have infinite length and measure `s` from their end or from a given point, with either sign.
 pub trait Piece: Debug + Send + Sync {
     /// When the path first crosses the piece **outwards** (from the table's side).
@@ -112,7 +112,7 @@ pub trait Piece: Debug + Send + Sync {
     /// where the wall bulges into the table (dispersing).
     fn curvature(&self, point: &Vector2<f64>) -> f64;
 
-    /// Total arc length [L].
+    /// Total arc length \[L\].
     fn length(&self) -> f64;
 
     /// The point at arc length `s`.

@@ -161,7 +161,7 @@ impl Table {
         }
     }
 
-    /// Length of the boundary [L], per unit cell on a lattice.
+    /// Length of the boundary \[L\], per unit cell on a lattice.
     pub fn perimeter(&self) -> f64 {
         self.pieces.iter().map(|p| p.length()).sum()
     }
@@ -184,7 +184,7 @@ impl Table {
         (i, landing)
     }
 
-    /// The distance from the boundary [L], negative outside the table.
+    /// The distance from the boundary \[L\], negative outside the table.
     pub fn signed_distance(&self, point: &Vector2<f64>) -> f64 {
         let (_, landing) = self.closest(point);
         let d = point - landing.point;

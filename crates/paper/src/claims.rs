@@ -1,12 +1,63 @@
 //! The registry of claims: one per file, in the order of the paper.
+mod arc_survival;
+mod circle_caustics;
+mod circle_one_caustic;
+mod circle_polygons;
+mod collision_formula;
+mod contact_lines;
+mod equilateral;
+mod equilateral_tree;
+mod matrix_t;
+mod niven;
+mod non_escape_area;
+mod optimal_width;
+mod same_direction;
+mod slab;
+mod sliding_ladder;
 mod special_angle;
+mod strip_aperiodic;
+mod strip_of_period_six;
+mod strip_rotation;
 mod strip_width;
+mod wedge_angle;
+mod wedge_axis;
+mod wedge_dense;
+mod wedge_periods;
+mod wedge_polygon;
+mod wedge_repeat;
 
 use crate::Claim;
 
 /// Every claim, in the order of the paper; what goes beyond it comes last.
 pub fn all() -> &'static [Claim] {
-    const ALL: &[Claim] = &[special_angle::CLAIM, strip_width::CLAIM];
+    const ALL: &[Claim] = &[
+        special_angle::CLAIM,
+        collision_formula::CLAIM,
+        matrix_t::CLAIM,
+        strip_width::CLAIM,
+        contact_lines::CLAIM,
+        sliding_ladder::CLAIM,
+        same_direction::CLAIM,
+        slab::CLAIM,
+        strip_rotation::CLAIM,
+        niven::CLAIM,
+        strip_aperiodic::CLAIM,
+        optimal_width::CLAIM,
+        wedge_axis::CLAIM,
+        wedge_angle::CLAIM,
+        wedge_periods::CLAIM,
+        wedge_dense::CLAIM,
+        non_escape_area::CLAIM,
+        wedge_polygon::CLAIM,
+        wedge_repeat::CLAIM,
+        circle_caustics::CLAIM,
+        circle_one_caustic::CLAIM,
+        circle_polygons::CLAIM,
+        arc_survival::CLAIM,
+        equilateral::CLAIM,
+        equilateral_tree::CLAIM,
+        strip_of_period_six::CLAIM,
+    ];
     ALL
 }
 

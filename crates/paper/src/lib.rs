@@ -19,12 +19,15 @@
 //! measurement has the same bits every time.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
+mod circle;
 mod claim;
 pub mod claims;
 mod law;
 mod motion;
 mod random;
+pub mod side_sequences;
 mod statistics;
+mod strip;
 pub mod wedge;
 
 pub use claim::{Claim, Effort, Measurement, Quantity, Relation, STANDARD_ERRORS, Verdict};

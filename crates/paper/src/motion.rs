@@ -1,11 +1,12 @@
 //! Orbits of a disk, as the claims see them.
+use crate::random::Stream;
 use billiards::{
     Angle, Clock, Collision, Collisions, Conserved, Observer, Orbit, Planar, Stop, Timed,
     collision_laws::{
         DiskLaw,
         laws::{NoSlip, Specular},
     },
-    geometry::Table,
+    geometry::{BoundaryPoint, Perimeter, Table},
     laws::Disk,
 };
 use core::ops::ControlFlow;
@@ -108,6 +109,20 @@ impl<K> Observer<2, 1, K, (Clock, Angle)> for Watch<'_> {
             normal: c.hit.unit_normal(),
         })
     }
+}
+
+/// A start drawn by the canonical measure: uniform on the boundary, and `(v₀, vₜ)` uniform in the unit disk. Any table with a finite
+/// boundary has one.
+pub(crate) fn canonical_start(billiard: &Billiard, stream: &mut Stream) -> State {
+    let perimeter = Perimeter::of(&billiard.table).expect("a finite boundary");
+    from_boundary(perimeter.point(stream.uniform()), stream.in_disk())
+}
+
+/// The state right after a hit at a boundary point, at unit speed.
+pub(crate) fn from_boundary(at: BoundaryPoint, [v0, vt]: [f64; 2]) -> State {
+    let vn = libm::sqrt(1.0 - v0 * v0 - vt * vt);
+    let (nu, x) = (at.normal, at.point);
+    State { x: [0.0, x.x, x.y], v: [v0, nu.x * vn - nu.y * vt, nu.y * vn + nu.x * vt] }
 }
 
 /// `|a − b|`

@@ -3,7 +3,14 @@
 //! Fold the wedge along its bisector: with `M` the mirror `(x₀, x₁) → (−x₀, −x₁)` each hit is the same map `H = M C`, and `H` is the
 //! rotation by `−2δ` about the axis `b`. So the velocities after the hits of one wall turn about `b`, by `α = 2π − 4δ` per two
 //! hits, and everything else follows.
-use crate::law::UNIFORM;
+use crate::{
+    law::{UNIFORM, no_slip},
+    motion::{self, Billiard, State},
+    random::Stream,
+};
+use billiards::geometry::tables;
+use core::f64::consts::{PI, TAU};
+use nalgebra::{Matrix3, Vector3};
 
 /// `δ = arccos( cos(θ/2) / √(1+γ²) )`: a hit turns the folded velocity by `−2δ`.
 pub fn delta(theta: f64, gamma_squared: f64) -> f64 {
@@ -16,10 +23,17 @@ pub fn opening(delta: f64, gamma_squared: f64) -> Option<f64> {
     (cos > 0.0 && cos < 1.0).then(|| 2.0 * libm::acos(cos))
 }
 
+/// The opening angle for which two hits turn velocities by `α`, a uniform disk's: `arccos(1/2 − (3/2) cos(α/2))`; `None` if
+/// there is none in (0, π).
+pub fn opening_of_turn(alpha: f64) -> Option<f64> {
+    let cos = UNIFORM - (1.0 + UNIFORM) * libm::cos(0.5 * alpha);
+    (cos > -1.0 && cos < 1.0).then(|| libm::acos(cos))
+}
+
 /// The axis of periodicity `b ∝ (sin(θ/2)/γ, 1, 0)`, of length 1: orbits with this velocity have period two.
 pub fn axis(theta: f64, gamma_squared: f64) -> [f64; 3] {
     let spin = libm::sin(0.5 * theta) / libm::sqrt(gamma_squared);
-    let length = libm::sqrt(1.0 + spin * spin);
+    let length = libm::hypot(spin, 1.0);
     [spin / length, 1.0 / length, 0.0]
 }
 
@@ -32,7 +46,6 @@ pub fn cos_inradius(theta: f64, gamma_squared: f64) -> f64 {
 /// The area of each of the two regions of velocities that never escape: a cap if `q` is `None`, else the regular
 /// spherical q-gon with the same inradius, where `δ = π p/q` in lowest terms.
 pub fn non_escape_area(theta: f64, gamma_squared: f64, q: Option<u32>) -> f64 {
-    use core::f64::consts::{PI, TAU};
     let cos = cos_inradius(theta, gamma_squared);
     match q {
         None => TAU * (1.0 - cos),
@@ -44,11 +57,40 @@ pub fn non_escape_area(theta: f64, gamma_squared: f64, q: Option<u32>) -> f64 {
     }
 }
 
-/// The opening angle of the paper's Corollary 2.1 with `α = 2π/n`: `arccos(1/2 − (3/2) cos(π/n))`, for `γ² = 1/2`.
-pub fn opening_of_period(n: u32) -> Option<f64> {
-    use core::f64::consts::PI;
-    let n = f64::from(n);
-    // cos(α/2) = (γ² − cos θ)/(1 + γ²) with α = 2π/n
-    let cos = UNIFORM - (1.0 + UNIFORM) * libm::cos(PI / n);
-    (cos > -1.0 && cos < 1.0).then(|| libm::acos(cos))
+/// Inward normals of the walls: right, left.
+pub(crate) fn normals(theta: f64) -> [[f64; 2]; 2] {
+    let (sin, cos) = (libm::sin(0.5 * theta), libm::cos(0.5 * theta));
+    [[-cos, sin], [cos, sin]]
+}
+
+/// The velocity map of a hit of the left wall and one of the right wall, in this order.
+pub(crate) fn two_hits(theta: f64, gamma_squared: f64) -> Matrix3<f64> {
+    let [right, left] = normals(theta).map(|normal| no_slip(gamma_squared, normal));
+    right * left
+}
+
+/// The wedge as a billiard.
+pub(crate) fn billiard(theta: f64, gamma_squared: f64) -> Billiard {
+    motion::no_slip(tables::wedge(theta), gamma_squared)
+}
+
+/// The velocity at the angle `r` from the axis, in the direction `azimuth` around it.
+pub(crate) fn near_axis(theta: f64, gamma_squared: f64, r: f64, azimuth: f64) -> [f64; 3] {
+    let b = Vector3::from(axis(theta, gamma_squared));
+    let up = Vector3::z();
+    let across = b.cross(&up);
+    (b * libm::cos(r) + (across * libm::cos(azimuth) + up * libm::sin(azimuth)) * libm::sin(r)).into()
+}
+
+/// A start on the bisector whose velocity is uniform in the cap about the axis that has `part` of the radius of the largest
+/// one without escape.
+pub(crate) fn bounded_start(theta: f64, gamma_squared: f64, part: f64, stream: &mut Stream) -> State {
+    let most = part * libm::acos(cos_inradius(theta, gamma_squared));
+    let r = libm::acos(stream.between(libm::cos(most), 1.0));
+    State { x: [0.0, 0.0, 1.0], v: near_axis(theta, gamma_squared, r, stream.between(0.0, TAU)) }
+}
+
+/// The reduced period of all bounded orbits where `δ = πp/q` in lowest terms: q if q is even, else 2q.
+pub(crate) fn period(q: u32) -> usize {
+    if q.is_multiple_of(2) { q as usize } else { 2 * q as usize }
 }

@@ -9,7 +9,7 @@ pub(crate) struct Slab<const N: usize> {
     point: SVector<f64, N>,
     velocity: SVector<f64, N>,
     inverse: SVector<f64, N>,
-    /// By how much boxes grow on each side [L].
+    /// By how much boxes grow on each side \[L\].
     margin: f64,
 }
 

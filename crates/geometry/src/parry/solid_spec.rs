@@ -10,7 +10,7 @@ use parry3d_f64::{
 
 /// A shape in space as plain data: what `shape = { … }` in a scene file says.
 ///
-/// Lengths [L]. Shapes with a size are centred at the origin; `rounding` is the radius of a ball that rolls around the
+/// Lengths \[L\]. Shapes with a size are centred at the origin; `rounding` is the radius of a ball that rolls around the
 /// shape, 0 for none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolidSpec {

@@ -32,7 +32,7 @@ pub struct Bump {
 const FLAT: f64 = 1.0 / 524_288.0; // 2⁻¹⁹
 
 impl Bump {
-    /// The side from `a` to `b` with a bump of the given height `A` [L].
+    /// The side from `a` to `b` with a bump of the given height `A` \[L\].
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if the ends coincide, [`Error::Parameter`] for a height that is not finite.
@@ -52,7 +52,7 @@ impl Bump {
         Ok(Bump { a, b, outward, length, height, slack: slack([a.x, a.y, b.x, b.y, height]), table, extent })
     }
 
-    /// Height of the bump, positive out of the table [L].
+    /// Height of the bump, positive out of the table \[L\].
     pub fn height(&self) -> f64 {
         self.height
     }

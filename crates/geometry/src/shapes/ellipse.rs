@@ -25,7 +25,7 @@ pub struct Ellipse {
     axis: [f64; 2],
     /// Rows of `A` [L⁻¹].
     to_unit: [[f64; 2]; 2],
-    /// Columns of `A⁻¹` [L].
+    /// Columns of `A⁻¹` \[L\].
     from_unit: [[f64; 2]; 2],
     /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
     to_normal: [[f64; 2]; 2],
@@ -34,7 +34,7 @@ pub struct Ellipse {
 }
 
 impl Ellipse {
-    /// The ellipse with semi-axes `[a, b]` [L], the first at `angle` (radians, counter-clockwise) to the x₁ axis, and
+    /// The ellipse with semi-axes `[a, b]` \[L\], the first at `angle` (radians, counter-clockwise) to the x₁ axis, and
     /// the table inside (`inside`) or outside.
     ///
     /// # Errors
@@ -66,12 +66,12 @@ impl Ellipse {
         })
     }
 
-    /// The semi-axes `[a, b]` [L], as given.
+    /// The semi-axes `[a, b]` \[L\], as given.
     pub fn semi_axes(&self) -> [f64; 2] {
         self.semi_axes
     }
 
-    /// The two foci [L].
+    /// The two foci \[L\].
     pub fn foci(&self) -> [Vector2<f64>; 2] {
         let [a, b] = self.semi_axes;
         let distance = ((a - b).abs() * (a + b)).sqrt();

@@ -51,7 +51,7 @@ struct Node {
 }
 
 impl Parallel {
-    /// The curve at `distance` [L] from the part of `base` between two arc lengths [L]. Its ends are `ends`, where they
+    /// The curve at `distance` \[L\] from the part of `base` between two arc lengths \[L\]. Its ends are `ends`, where they
     /// are given and as near as rounding; a whole closed base has a closed parallel.
     ///
     /// # Errors
@@ -106,7 +106,7 @@ impl Parallel {
         &self.base
     }
 
-    /// The distance from the base [L].
+    /// The distance from the base \[L\].
     pub fn distance(&self) -> f64 {
         self.distance
     }

@@ -21,7 +21,7 @@ pub struct Segment {
 }
 
 impl Segment {
-    /// The segment from `a` to `b` [L].
+    /// The segment from `a` to `b` \[L\].
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if the ends coincide.

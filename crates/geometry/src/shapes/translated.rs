@@ -11,7 +11,7 @@ pub struct Translated {
 }
 
 impl Translated {
-    /// `piece` moved by the vector `by` [L].
+    /// `piece` moved by the vector `by` \[L\].
     pub fn new(piece: Arc<dyn Piece>, by: Vector2<f64>) -> Translated {
         Translated { piece, by }
     }

@@ -15,7 +15,7 @@ pub struct Cuboid<const N: usize> {
 }
 
 impl<const N: usize> Cuboid<N> {
-    /// The box between two opposite corners [L], with the numbers of the lower and the upper wall of each axis.
+    /// The box between two opposite corners \[L\], with the numbers of the lower and the upper wall of each axis.
     ///
     /// # Errors
     /// [`Error::Parameter`] unless `low < high` in each coordinate, all finite.

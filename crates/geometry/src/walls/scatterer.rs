@@ -17,7 +17,7 @@ pub struct Scatterer<const N: usize> {
 }
 
 impl<const N: usize> Scatterer<N> {
-    /// The scatterer about `center` [L] with a positive radius [L].
+    /// The scatterer about `center` \[L\] with a positive radius \[L\].
     ///
     /// # Errors
     /// [`Error::Radius`] unless the radius is positive and finite.

@@ -13,7 +13,7 @@ pub struct Slab<const N: usize, const AXIS: usize> {
 }
 
 impl<const N: usize, const AXIS: usize> Slab<N, AXIS> {
-    /// The slab between two heights [L], with the numbers of its lower and its upper wall.
+    /// The slab between two heights \[L\], with the numbers of its lower and its upper wall.
     ///
     /// # Errors
     /// [`Error::Parameter`] unless `low < high`, both finite.

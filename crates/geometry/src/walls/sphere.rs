@@ -15,7 +15,7 @@ pub struct Sphere<const N: usize> {
 }
 
 impl<const N: usize> Sphere<N> {
-    /// The ball about `center` [L] with a positive radius [L].
+    /// The ball about `center` \[L\] with a positive radius \[L\].
     ///
     /// # Errors
     /// [`Error::Radius`] unless the radius is positive and finite.

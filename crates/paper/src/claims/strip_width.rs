@@ -2,12 +2,13 @@
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{OTHERS, UNIFORM},
-    motion::{Bounce, State, fly, no_slip},
+    motion::{Billiard, State, fly, no_slip},
     random::Stream,
     statistics::Range,
+    strip::ladder,
 };
 use billiards::geometry::tables;
-use core::ops::ControlFlow;
+use core::{f64::consts::PI, ops::ControlFlow};
 
 pub(super) const CLAIM: Claim = Claim {
     name: "strip-width",
@@ -16,64 +17,71 @@ pub(super) const CLAIM: Claim = Claim {
                 ℓ = √(1/ẋ₂² − 1) is the length of a flight seen along x₂.",
     verdict: Verdict::HoldsCorrected(
         "Orbits are bounded, but the width is √3·ℓ: the supremum of the width of every orbit that is neither vertical nor \
-         horizontal. √(3/2)·ℓ is the width in the spin direction x₀ (cosine and sine of β/2 have changed places). The flights slide \
-         with their ends on two lines that cross under the angle β about the x₁ axis, so that |x₁ − O| ≤ ℓ/(2 sin(β/2)).",
+         horizontal. √(3/2)·ℓ is the width in the spin direction x₀ (the cosine and the sine of β/2 have changed places). The flights \
+         slide with their ends on two lines that cross at a point O under the angle β about the x₁ axis, so that |x₁ − O| ≤ \
+         ℓ/(2 sin(β/2)), and they come as close to that as one likes.",
     ),
-    general_gamma: Some("Width ℓ·√(1+γ²)/γ in x₁ and ℓ·√(1+γ²) in x₀, unless β/π is rational; then these are bounds."),
+    general_gamma: Some("Width ℓ·√(1+γ²)/γ in x₁ and ℓ·√(1+γ²) in x₀; if β/π is rational these are bounds."),
     measure,
 };
 
-/// The widths of an orbit in `x₁` and `x₀`, over ℓ.
-fn widths(gamma_squared: f64, sample: usize, collisions: usize) -> [f64; 2] {
-    let strip = no_slip(tables::strip(1.0), gamma_squared);
-    let mut stream = Stream::new(201, sample);
-    // neither vertical nor horizontal: ℓ between 1/7 and 7
+/// A random start in the strip, neither vertical nor horizontal: ℓ between 1/7 and 7.
+pub(super) fn random_start(stream: &mut Stream) -> State {
     let v = loop {
         let v = stream.on_sphere();
         if v[2].abs() > 0.14 && v[2].abs() < 0.99 {
             break v;
         }
     };
-    let start = State { x: [0.0, 0.0, stream.uniform()], v };
+    State { x: [0.0, 0.0, stream.between(0.1, 0.9)], v }
+}
+
+/// The widths of an orbit in `x₁` and `x₀`, over ℓ.
+fn widths(strip: &Billiard, sample: usize, collisions: usize) -> [f64; 2] {
+    let start = random_start(&mut Stream::new(201, sample));
     let mut ranges = [Range::EMPTY; 2];
-    fly(&strip, start, collisions, &mut |bounce: &Bounce| {
+    fly(strip, start, collisions, &mut |bounce| {
         ranges[0].add(bounce.state.x[1]);
         ranges[1].add(bounce.state.x[0]);
         ControlFlow::Continue(())
     });
-    let ell = libm::sqrt(1.0 / (v[2] * v[2]) - 1.0);
-    ranges.map(|range| range.width() / ell)
+    ranges.map(|range| range.width() / ladder(&start))
 }
 
 fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(10, 100), effort.of(10_000, 100_000));
-    // The extremes lie on a cosine, sampled at the multiples of 2β on each wall. The largest gap between `n` such points is less
-    // than 10/n turns for the β at hand; half a gap away from its top a cosine has fallen by (10π/n)²/2, and twice that on
-    // the two sides together.
-    let half_gap = 10.0 * core::f64::consts::PI / (0.5 * f64::from(collisions));
-    let resolution = half_gap * half_gap;
+    // The contact points of a wall lie where a cosine is sampled at the multiples of 2β. For the β at hand the largest gap between n
+    // such phases is less than 10/n turns, so one is within 10π/n of the top of the cosine, which has fallen by (10π/n)²/2
+    // there; and as much at the bottom.
+    let phase = 10.0 * PI / (0.5 * f64::from(collisions));
+    let short = phase * phase;
+    // positions are off by an ulp or two per collision at most
+    let rounding = 2.0 * f64::EPSILON * f64::from(collisions);
     let mut quantities = vec![];
     for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {
+        let strip = no_slip(tables::strip(1.0), gamma_squared);
         let (mut x1, mut x0) = (Range::EMPTY, Range::EMPTY);
         for sample in 0..orbits {
-            let [a, b] = widths(gamma_squared, sample, collisions as usize);
+            let [a, b] = widths(&strip, sample, collisions as usize);
             x1.add(a);
             x0.add(b);
         }
         let wide = libm::sqrt(1.0 + gamma_squared);
         let (width1, width0) = (wide / libm::sqrt(gamma_squared), wide);
-        // phases drift by an ulp per collision; near the extremes that does not show
-        let rounding = 1e-11;
         let label = |what: &str| format!("{what}, γ² = {gamma_squared}");
         quantities.extend([
-            Quantity::at_least(label("width in x₁ / ℓ, narrowest orbit"), x1.min, width1, width1 * resolution),
-            Quantity::at_most(label("width in x₁ / ℓ, widest orbit"), x1.max, width1, rounding),
-            Quantity::at_least(label("width in x₀ / ℓ, narrowest orbit"), x0.min, width0, width0 * resolution),
-            Quantity::at_most(label("width in x₀ / ℓ, widest orbit"), x0.max, width0, rounding),
+            Quantity::at_least(label("width in x₁ / ℓ, narrowest orbit"), x1.min, width1, width1 * short),
+            Quantity::at_most(label("width in x₁ / ℓ, widest orbit"), x1.max, width1, width1 * rounding),
+            Quantity::at_least(label("width in x₀ / ℓ, narrowest orbit"), x0.min, width0, width0 * short),
+            Quantity::at_most(label("width in x₀ / ℓ, widest orbit"), x0.max, width0, width0 * rounding),
         ]);
         if gamma_squared == UNIFORM {
-            let claimed = libm::sqrt(1.5);
-            quantities.push(Quantity::differs("width in x₁ / ℓ, against the paper's", x1.min, claimed, 0.5));
+            quantities.push(Quantity::differs(
+                "width in x₁ / ℓ, against the paper's √(3/2)",
+                x1.min,
+                libm::sqrt(1.5),
+                0.5,
+            ));
         }
     }
     quantities.into()

@@ -39,7 +39,7 @@ use nalgebra::Vector2;
 /// # Ok::<(), geometry::Error>(())
 /// ```
 pub trait PolarFormula: Debug + Send + Sync {
-    /// `r`, `r′` and `r″` [L] at any angle (radians, not reduced to one turn).
+    /// `r`, `r′` and `r″` \[L\] at any angle (radians, not reduced to one turn).
     fn jet(&self, angle: f64) -> [f64; 3];
 
     /// Intervals that contain `r`, `r′` and `r″` everywhere between two angles; the narrower, the faster.

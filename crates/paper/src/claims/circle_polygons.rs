@@ -1,0 +1,69 @@
+//! Periodic orbits of the circle.
+use super::wedge_periods::apart;
+use crate::{
+    Claim, Effort, Measurement, Quantity, Verdict,
+    circle::state,
+    law::{OTHERS, UNIFORM, cos_beta, sin_beta},
+    motion::{bounces, distance, no_slip},
+    random::Stream,
+    statistics::worst,
+};
+use billiards::geometry::tables;
+use core::f64::consts::{PI, TAU};
+
+pub(super) const CLAIM: Claim = Claim {
+    name: "circle-polygons",
+    place: "after eq. (3.2)",
+    statement: "If moreover ẋ₂ = tan(π/n) ẋ₁ the orbit is a regular n-gon. For each n there is a continuum of initial conditions with periodic \
+                orbits.",
+    verdict: Verdict::Holds,
+    general_gamma: Some(
+        "With ẋ₀ = γ ẋ₁. The orbits of period 2k in general: θ₁ + θ₂ a multiple of π/k, tan θᵢ = τᵢ/ẋ₂, a curve of velocities.",
+    ),
+    measure,
+};
+
+fn measure(effort: Effort) -> Measurement {
+    let orbits = effort.of(20, 500);
+    let (mut closed, mut sides, mut early) = (vec![], vec![], f64::INFINITY);
+    let (mut families, mut families_early) = (vec![], f64::INFINITY);
+    for sample in 0..orbits {
+        let mut stream = Stream::new(232, sample);
+        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma = libm::sqrt(gamma_squared);
+        let circle = no_slip(tables::circle(1.0), gamma_squared);
+        let phi = stream.between(0.0, TAU);
+        for n in 3..=12_u32 {
+            let tau =
+                1.0 / libm::sqrt(1.0 + gamma_squared + libm::tan(PI / f64::from(n)) * libm::tan(PI / f64::from(n)));
+            let start = state(1.0, phi, gamma * tau, tau, libm::tan(PI / f64::from(n)) * tau);
+            let orbit = bounces(&circle, start, n as usize + 1);
+            let place = |i: usize| [orbit[i].state.x[1], orbit[i].state.x[2]];
+            closed.push(distance(place(0), place(n as usize)));
+            early = (1..n as usize).map(|i| distance(place(0), place(i))).fold(early, f64::min);
+            let side = 2.0 * libm::sin(PI / f64::from(n));
+            sides.extend((0..n as usize).map(|i| (distance(place(i), place(i + 1)) - side).abs()));
+        }
+        // θ₁ at will, θ₂ = π m/k − θ₁: tan θ₂ = τ₂/n with τ₂ = s v₀ + c τ₁
+        for (m, k) in [(1, 3), (1, 4), (2, 5), (1, 7)] {
+            let sum = PI * f64::from(m) / f64::from(k);
+            let first = stream.between(sum - 1.3, 1.3);
+            let [t1, t2] = [first, sum - first].map(libm::tan);
+            let v0 = (t2 - cos_beta(gamma_squared) * t1) / sin_beta(gamma_squared);
+            let size = libm::sqrt(1.0 + t1 * t1 + v0 * v0);
+            let orbit = bounces(&circle, state(1.0, phi, v0 / size, t1 / size, 1.0 / size), 2 * k as usize + 1);
+            families.push(apart(&orbit[0], &orbit[2 * k as usize]));
+            families_early = (1..k as usize).map(|i| apart(&orbit[0], &orbit[2 * i])).fold(families_early, f64::min);
+        }
+    }
+    // some tens of collisions; the polar angle is as exact as τ/n, up to tan 1.3 = 3.6, and v₀ up to 20 of it
+    let rounding = 1e-13;
+    [
+        Quantity::residual("n-gons, n = 3 … 12: off after n collisions", worst(closed), rounding),
+        Quantity::at_least("n-gons: nearest return before", early, 2.0 * libm::sin(PI / 12.0), rounding),
+        Quantity::residual("n-gons: length of a side against 2 sin(π/n)", worst(sides), rounding),
+        Quantity::residual("θ₁ + θ₂ = πm/k, random θ₁: off after 2k collisions", worst(families), rounding),
+        Quantity::at_least("θ₁ + θ₂ = πm/k, random θ₁: nearest return before", families_early, 0.5, 0.0),
+    ]
+    .into()
+}

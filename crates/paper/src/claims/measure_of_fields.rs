@@ -1,0 +1,153 @@
+//! The canonical measure under fields of strict laws that are not parallel, and under laws that are not strict.
+use crate::{Claim, Effort, Measurement, Quantity, Verdict, random::Stream, statistics::worst};
+use billiards::collision_laws::{
+    CollisionLaw, Contact, Fixed, Pair, Twist,
+    bodies::Ball,
+    check::{
+        axioms,
+        controls::{Chasing, ReversiblyChasing, slip_angle},
+        jacobian_determinant,
+    },
+    laws::{Grooved, NoSlip, RandomGrassmannian, RoughPlane, Specular},
+};
+use core::f64::consts::PI;
+use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3, dvector};
+
+pub(super) const CLAIM: Claim = Claim {
+    name: "measure-of-fields",
+    place: "Section 1, before Theorem 1.2",
+    statement: "A field of strict collision maps that is parallel preserves the Liouville measure; it is not clear whether this holds for more general \
+                boundary conditions.",
+    verdict: Verdict::HoldsCorrected(
+        "It holds for every measurable field of strict maps, parallel or not, in every dimension: on each fibre C is a linear isometry that keeps \
+         |⟨v, N⟩|, so its determinant is ±1, and it covers the identity of the boundary. What it needs is linearity: rough directions that depend on the \
+         velocity break it, even if energy is conserved and the law is reversible.",
+    ),
+    general_gamma: Some("Holds for all bodies."),
+    measure,
+};
+
+/// Central differences of order 6. The fields vary on the scale of 0.1, in units of speed and of the ball's radius: (STEP/0.1)⁶ = 1e-12 times
+/// constants of order ten, and rounding 1e-16/STEP times as much.
+const STEP: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-9;
+
+const HEIGHT: f64 = 1.5;
+
+fn ball() -> Ball<3> {
+    Ball::uniform(2.0, 0.7).expect("a ball")
+}
+
+/// The rotation by the vector `w`.
+fn turn(w: Vector3<f64>) -> UnitQuaternion<f64> {
+    let angle = w.norm();
+    let factor = if angle > 0.0 { libm::sin(0.5 * angle) / angle } else { 0.5 };
+    UnitQuaternion::new_unchecked(Quaternion::from_parts(libm::cos(0.5 * angle), w * factor))
+}
+
+/// The vector of a rotation by less than a half turn.
+fn vector_of(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
+    let (v, w) = (rotation.vector().into_owned(), rotation.scalar());
+    let size = v.norm();
+    if size > 0.0 { v * (2.0 * libm::atan2(size * w.signum(), w.abs()) / size) } else { v }
+}
+
+/// The law at a contact, given how the ball has turned.
+type Field<'a> = &'a dyn Fn(&UnitQuaternion<f64>) -> Box<dyn CollisionLaw<3>>;
+
+/// From the floor of a slab to the ceiling and through the collision there: `(x₁, x₂, γR·rotation, v₁, v₂, W)` at unit 6-speed. The orientation is
+/// in exponential coordinates about `base`; the new one about `image`.
+fn slab_step(field: Field<'_>, state: &DVector<f64>, base: &UnitQuaternion<f64>, image: &UnitQuaternion<f64>) -> DVector<f64> {
+    let (ball, scale) = (ball(), ball().gamma() * ball().radius());
+    let w = Vector3::new(state[7], state[8], state[9]);
+    let rise = libm::sqrt(1.0 - state.rows(5, 5).norm_squared());
+    let v = Vector3::new(state[5], state[6], rise);
+
+    let time = HEIGHT / rise;
+    let turned = turn(w / scale * time) * turn(Vector3::new(state[2], state[3], state[4]) / scale) * base;
+    let centre = Vector3::new(state[0], state[1], 0.0) + v * time;
+
+    let arm = Vector3::z() * ball.radius();
+    let contact = Contact::new(centre + arm, -Vector3::z(), 0).expect("a normal");
+    let pair = Pair::new(contact, (ball, arm), (Fixed, Vector3::zeros()));
+    let after = pair.collide(&*field(&turned), &(ball.with_scaled_spin(v, w), ())).velocities.0;
+    let w = ball.scaled_spin(&after);
+    let rotation = vector_of(&(turned * image.inverse())) * scale;
+    dvector![centre.x, centre.y, rotation.x, rotation.y, rotation.z, after.linear.x, after.linear.y, w.x, w.y, w.z]
+}
+
+/// The determinant of the step at a random state.
+fn determinant(field: Field<'_>, sample: usize) -> f64 {
+    let mut stream = Stream::new(130, sample);
+    let base = turn(Vector3::from(stream.on_sphere()) * stream.between(0.0, PI));
+    // half of the energy along the normal or more
+    let tangential: [f64; 5] = core::array::from_fn(|_| stream.between(-0.3, 0.3));
+    let mut state = DVector::zeros(10);
+    state[0] = stream.between(-1.0, 1.0);
+    state[1] = stream.between(-1.0, 1.0);
+    state.rows_mut(5, 5).copy_from_slice(&tangential);
+    let w = Vector3::new(state[7], state[8], state[9]) / (ball().gamma() * ball().radius());
+    let time = HEIGHT / libm::sqrt(1.0 - state.rows(5, 5).norm_squared());
+    let image = turn(w * time) * base;
+    jacobian_determinant(|x| slab_step(field, x, &base, &image), &state, STEP)
+}
+
+/// A velocity of approach whose slip has the angle ψ, against a wall.
+fn approach(psi: f64) -> (Pair<Ball<3>, Fixed, 3>, DVector<f64>) {
+    let arm = Vector3::new(0.0, 0.0, -ball().radius());
+    let contact = Contact::new(Vector3::zeros(), Vector3::z(), 0).expect("a normal");
+    let pair = Pair::new(contact, (ball(), arm), (Fixed, Vector3::zeros()));
+    let zero = slip_angle(&contact, &Vector3::x());
+    let v = Vector3::new(libm::cos(psi - zero), libm::sin(psi - zero), -0.8);
+    let coordinates = pair.coordinates(&(Twist::spatial(v, Vector3::zeros()), ()));
+    (pair, coordinates)
+}
+
+/// A law that knows nothing of the orientation.
+fn always<L: CollisionLaw<3> + Clone + 'static>(law: L) -> impl Fn(&UnitQuaternion<f64>) -> Box<dyn CollisionLaw<3>> {
+    move |_| Box::new(law.clone())
+}
+
+fn measure(effort: Effort) -> Measurement {
+    let samples = effort.of(10, 300);
+    let mut quantities = vec![];
+    let mut keeps = |name: &str, field: Field<'_>| {
+        let defects = (0..samples).map(|sample| (determinant(field, sample).abs() - 1.0).abs());
+        quantities.push(Quantity::residual(format!("{name}: | |det| − 1 |, ten coordinates"), worst(defects), TOLERANCE));
+    };
+    let along = Vector3::new(1.0, 2.0, -3.0);
+    let turning = |contact: &Contact<3>| {
+        let angle = 2.0 * contact.point.x - 1.5 * contact.point.y * contact.point.y;
+        Vector3::new(libm::cos(angle), libm::sin(angle), 0.0)
+    };
+    let glued = |turned: &UnitQuaternion<f64>| -> Box<dyn CollisionLaw<3>> {
+        Box::new(RoughPlane::new(&[turned * Vector3::new(1.0, 0.2, 0.0)]).expect("a direction"))
+    };
+    keeps("ball in a slab, specular (k = 0)", &always(Specular));
+    keeps("ball in a slab, no-slip (k = 2, not parallel)", &always(NoSlip));
+    keeps("one rough direction, constant", &always(RoughPlane::new(&[along]).expect("a direction")));
+    keeps("one rough direction that turns from place to place", &always(Grooved::new(turning)));
+    keeps("one rough direction glued to the ball", &glued);
+
+    // a frozen random field is nowhere smooth: in the velocities alone, where the measure is |⟨v, N⟩| dv
+    let (pair, v) = approach(0.7);
+    let random = RandomGrassmannian::<3>::new(1, 5).expect("one of two directions");
+    let step = |x: &DVector<f64>| pair.coordinates(&pair.collide(&random, &pair.velocities(x.as_slice())).velocities);
+    let ratio = axioms::measure_ratio(&pair.tangent_space(), step, &v);
+    quantities.push(Quantity::equal("random rough direction: factor of the measure", ratio, 1.0, TOLERANCE));
+
+    let chasing = (0..samples).map(|sample| (determinant(&always(Chasing), sample).abs() - 0.3).abs());
+    quantities.push(Quantity::residual("control, direction 0.35ψ + 0.2 of the slip: | |det| − 0.3 |", worst(chasing), 1e-5));
+    for psi in [0.3, -1.2, 0.9] {
+        let (pair, v) = approach(psi);
+        let space = pair.tangent_space();
+        let step = |x: &DVector<f64>| pair.coordinates(&pair.collide(&ReversiblyChasing, &pair.velocities(x.as_slice())).velocities);
+        let label = |what: &str| format!("control, reversible but not linear, ψ = {psi}: {what}");
+        quantities.push(Quantity::residual(label("change of energy"), axioms::energy(&space, &v, &step(&v)), 1e-14));
+        quantities.push(Quantity::residual(label("|CCv − v|"), axioms::involution(&space, step, &v), 1e-14));
+        let (ratio, expected) = (axioms::measure_ratio(&space, step, &v), ReversiblyChasing::measure_ratio(psi));
+        quantities.push(Quantity::equal(label("factor of the measure"), ratio, expected, TOLERANCE));
+        quantities.push(Quantity::differs(label("factor of the measure, against 1"), ratio, 1.0, 0.05));
+    }
+    quantities.into()
+}
