@@ -121,6 +121,10 @@ struct Group<F: Lane, const N: usize, const S: usize, K, T> {
     lanes: [Seat; MOST_LANES],
 }
 
+/// The group of a run that keeps the energy as `P` says and tracks `Q`.
+type GroupOf<F, const N: usize, const S: usize, P, Q> =
+    Group<F, N, S, <P as Keeping<N, S>>::Keeper<F>, <Q as Tracking<N, S>>::In<F>>;
+
 /// Who sits in a lane.
 #[derive(Clone, Copy)]
 struct Seat {
@@ -145,10 +149,9 @@ where
     /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there.
     #[cold]
     #[inline(never)]
-    #[allow(clippy::type_complexity, reason = "the group says what it holds")]
     fn change<F: Lane>(
         &mut self,
-        group: &mut Group<F, N, S, P::Keeper<F>, Q::In<F>>,
+        group: &mut GroupOf<F, N, S, P, Q>,
         next: &mut u64,
         step: u64,
         ended: impl Fn(usize) -> Option<Stop>,
@@ -199,7 +202,7 @@ where
 
     /// One collision of every lane.
     #[inline(always)]
-    fn step<F: Lane>(&mut self, group: &mut Group<F, N, S, P::Keeper<F>, Q::In<F>>, next: &mut u64, step: u64) {
+    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, P, Q>, next: &mut u64, step: u64) {
         let zero = group.slow.same(0.0);
         let hit: WallHit<F, N> = loop {
             let hit = self.billiard.flight(&group.orbit);
@@ -224,7 +227,7 @@ where
     #[inline(never)]
     fn look<F: Lane>(
         &mut self,
-        group: &mut Group<F, N, S, P::Keeper<F>, Q::In<F>>,
+        group: &mut GroupOf<F, N, S, P, Q>,
         hit: &WallHit<F, N>,
         next: &mut u64,
         step: u64,
@@ -266,7 +269,7 @@ where
         let mut next = 0;
         let seat = Seat { index: None, until: 0, since: 0, idle_at: u64::MAX, idle: 0 };
         let nobody = Orbit::new([zero; N], [zero.same(1.0); N], [zero; S], Q::In::<F>::all(&Q::start(), zero));
-        let mut groups: [Group<F, N, S, P::Keeper<F>, Q::In<F>>; VECTORS] =
+        let mut groups: [GroupOf<F, N, S, P, Q>; VECTORS] =
             core::array::from_fn(|_| Group { orbit: nobody.clone(), slow: zero, lanes: [seat; MOST_LANES] });
         for group in &mut groups {
             self.change(group, &mut next, 0, |_| Some(Stop::Finished));
