@@ -31,7 +31,7 @@ pub struct Description {
 }
 
 impl Description {
-    /// Area of the table [L²], per unit cell on a lattice; infinite where it is unbounded.
+    /// Area of the table \[L²\], per unit cell on a lattice; infinite where it is unbounded.
     pub fn area(&self) -> f64 {
         self.components.iter().map(|c| c.area).sum()
     }
@@ -42,7 +42,7 @@ impl Description {
 pub struct Component {
     /// The numbers of the pieces that bound it, in rising order.
     pub pieces: Vec<usize>,
-    /// Its area [L²], per unit cell on a lattice; infinite where it is unbounded.
+    /// Its area \[L²\], per unit cell on a lattice; infinite where it is unbounded.
     pub area: f64,
 }
 

@@ -99,6 +99,14 @@ pub enum Error {
         /// About where.
         at: [f64; 2],
     },
+    /// A file that holds no outline, or not one that can be read.
+    #[error("{place}: {problem}")]
+    Outline {
+        /// Line and element, or the path of keys.
+        place: String,
+        /// What is wrong there.
+        problem: String,
+    },
     /// No piece at all.
     #[error("the table has no boundary")]
     Empty,

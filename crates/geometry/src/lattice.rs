@@ -46,7 +46,7 @@ impl Lattice {
         all
     }
 
-    /// Area of the unit cell [L²]; infinite for a channel's band.
+    /// Area of the unit cell \[L²\]; infinite for a channel's band.
     pub fn cell_area(&self) -> f64 {
         match self.vectors.as_slice() {
             [a, b] => (a.x * b.y - a.y * b.x).abs(),

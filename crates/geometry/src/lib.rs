@@ -20,6 +20,7 @@ mod copies;
 mod crossing;
 mod describe;
 mod error;
+pub mod import;
 mod inscribed;
 mod intersect;
 mod joints;

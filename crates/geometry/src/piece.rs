@@ -108,7 +108,7 @@ pub trait Piece: Debug + Send + Sync {
     /// The point of the piece reached at `time`, projected onto the piece, and the normal there.
     fn landing(&self, path: &Line<2>, time: f64) -> Landing;
 
-    /// Curvature at a point of the piece [L⁻¹]: positive where the table is on the concave side (focusing), negative
+    /// Curvature at a point of the piece \[L⁻¹\]: positive where the table is on the concave side (focusing), negative
     /// where the wall bulges into the table (dispersing).
     fn curvature(&self, point: &Vector2<f64>) -> f64;
 
@@ -131,7 +131,7 @@ pub trait Piece: Debug + Send + Sync {
     /// A box around the piece.
     fn extent(&self) -> Extent;
 
-    /// `½ ∮ (x dy − y dx)` along the piece [L²]: the areas of the pieces of a closed boundary add up to the area of
+    /// `½ ∮ (x dy − y dx)` along the piece \[L²\]: the areas of the pieces of a closed boundary add up to the area of
     /// the table. Infinite pieces return NaN.
     fn area(&self) -> f64;
 

@@ -144,7 +144,7 @@ impl Table {
         chain.last().is_some_and(|&last| self.next[last] == chain.first().copied())
     }
 
-    /// Area of the table [L²], per unit cell on a lattice; infinite or NaN for infinite tables.
+    /// Area of the table \[L²\], per unit cell on a lattice; infinite or NaN for infinite tables.
     pub fn area(&self) -> f64 {
         let mut enclosed: f64 = self.pieces.iter().map(|p| p.area()).sum();
         // a chain that goes on in a translate of itself is closed along edges of the cell, of which two differ by the

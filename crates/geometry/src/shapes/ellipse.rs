@@ -23,7 +23,7 @@ pub struct Ellipse {
     semi_axes: [f64; 2],
     /// Unit vector along the first semi-axis.
     axis: [f64; 2],
-    /// Rows of `A` [L⁻¹].
+    /// Rows of `A` \[L⁻¹\].
     to_unit: [[f64; 2]; 2],
     /// Columns of `A⁻¹` \[L\].
     from_unit: [[f64; 2]; 2],
