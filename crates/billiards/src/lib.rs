@@ -1,4 +1,18 @@
-//! Billiards with any collision law.
+//! Billiards with any collision law: the engine, phase space, observers, ensembles.
+//!
+//! A particle flies freely to the wall of its table, and a collision law turns its velocity and its spin. Everything is
+//! generic in what a scene has, and nothing that it lacks is carried along:
+//!
+//! * [`Orbit`]: position, velocity, as many components of spin as the law needs, what keeps the energy
+//!   ([`Conserved`] or [`Free`]), and what is tracked along the path ([`Clock`], [`Angle`], [`Cell`], or nothing).
+//! * [`Billiard`]: walls and a law; [`run`] is the loop, [`run_side_by_side`] the same for many orbits in the lanes of
+//!   vector registers, with the same bits. [`Planar`] and [`Spatial`] choose the fastest walls for a table.
+//! * [`laws`]: laws of [`collision_laws`] as the loop applies them; [`laws::Custom`] runs any of them, yours included.
+//! * [`observe`]: measurements that watch a run, alone or several together, and may stop it.
+//! * [`ReducedState`]: arc length, spin and tangential velocity; the billiard map and its inverse.
+//! * [`Ensemble`] and [`Starts`]: many orbits on the canonical measure, the same whatever the number of threads.
+//!
+//! The scaled spin is `v₀ = γ R θ̇`, so that the energy is `(m/2)(|v|² + v₀²)`; normals point into the table.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod billiard;
@@ -35,5 +49,9 @@ pub use run::{Collision, Collisions, Limit, Outcome, Stop, Time, run};
 pub use side_by_side::{Conserve, Finished, Forget, Keeping, Start, Tracking, run_side_by_side};
 pub use spatial::Spatial;
 pub use start::{Canonical, CanonicalSpatial, Grid, Starts};
-pub use track::{LaneTrack, Angle, Cell, Clock, Timed, Track};
+pub use track::{Angle, Cell, Clock, LaneTrack, Timed, Track};
 pub use tracked::{InCell, Turned};
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
