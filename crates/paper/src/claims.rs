@@ -5,13 +5,24 @@ mod circle_one_caustic;
 mod circle_polygons;
 mod collision_formula;
 mod contact_lines;
+mod corner_components;
 mod equilateral;
 mod equilateral_tree;
+mod finite_groups;
+mod flower;
+mod grassmannians;
 mod matrix_t;
+mod mean_free_path;
+mod measure_of_fields;
 mod niven;
 mod non_escape_area;
 mod optimal_width;
+mod parallel_sides;
+mod period_two;
+mod perturbed_pentagon;
+mod planar_measure;
 mod same_direction;
+mod sinai_torus;
 mod slab;
 mod sliding_ladder;
 mod special_angle;
@@ -19,6 +30,8 @@ mod strip_aperiodic;
 mod strip_of_period_six;
 mod strip_rotation;
 mod strip_width;
+mod wave_fronts;
+mod wedge_all_gamma;
 mod wedge_angle;
 mod wedge_axis;
 mod wedge_dense;
@@ -31,6 +44,12 @@ use crate::Claim;
 /// Every claim, in the order of the paper; what goes beyond it comes last.
 pub fn all() -> &'static [Claim] {
     const ALL: &[Claim] = &[
+        grassmannians::CLAIM,
+        measure_of_fields::CLAIM,
+        planar_measure::CLAIM,
+        corner_components::CLAIM,
+        parallel_sides::CLAIM,
+        sinai_torus::CLAIM,
         special_angle::CLAIM,
         collision_formula::CLAIM,
         matrix_t::CLAIM,
@@ -56,7 +75,14 @@ pub fn all() -> &'static [Claim] {
         arc_survival::CLAIM,
         equilateral::CLAIM,
         equilateral_tree::CLAIM,
+        wave_fronts::CLAIM,
+        perturbed_pentagon::CLAIM,
+        flower::CLAIM,
         strip_of_period_six::CLAIM,
+        wedge_all_gamma::CLAIM,
+        period_two::CLAIM,
+        finite_groups::CLAIM,
+        mean_free_path::CLAIM,
     ];
     ALL
 }

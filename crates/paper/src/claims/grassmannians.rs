@@ -16,8 +16,10 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "The strict collision maps of two rigid bodies in contact are the disjoint union of the Grassmannians Gr(k, n−1), k = 0 … n−1; for \
                 n = 2 there are two, the specular and the no-slip one.",
     verdict: Verdict::Holds,
-    general_gamma: Some("For any two bodies: C = 1 − 2P, P the orthogonal projector onto the impulses along the normal and k rough directions. \
-                         The k-plane lies in the contact plane and does not depend on inertia."),
+    general_gamma: Some(
+        "For any two bodies: C = 1 − 2P, P the orthogonal projector onto the impulses along the normal and k rough directions. \
+                         The k-plane lies in the contact plane and does not depend on inertia.",
+    ),
     measure,
 };
 
@@ -25,7 +27,7 @@ type Free<const N: usize> = Pair<RigidBody<N>, RigidBody<N>, N>;
 
 fn vector<const N: usize>(stream: &mut Stream) -> SVector<f64, N> {
     loop {
-        let x = SVector::from_fn(|_, _| stream.between(-1.0, 1.0));
+        let x: SVector<f64, N> = SVector::from_fn(|_, _| stream.between(-1.0, 1.0));
         if x.norm() > 0.3 {
             return x;
         }
@@ -37,7 +39,8 @@ fn pair<const N: usize>(stream: &mut Stream) -> Free<N> {
     let mut body = || {
         let frame = SMatrix::<f64, N, N>::from_fn(|_, _| stream.between(-1.0, 1.0));
         let moments = frame * frame.transpose() + SMatrix::identity() * 0.3;
-        RigidBody::new(stream.between(0.5, 2.0), Inertia::SecondMoments((moments + moments.transpose()) * 0.5)).expect("a body")
+        RigidBody::new(stream.between(0.5, 2.0), Inertia::SecondMoments((moments + moments.transpose()) * 0.5))
+            .expect("a body")
     };
     let (first, second) = (body(), body());
     let contact = Contact::new(vector(stream), vector(stream), 0).expect("a normal");
@@ -101,7 +104,8 @@ fn survey<const N: usize>(samples: usize, tally: &mut Tally) {
             }
             let elsewhere = [others, vec![random(&mut stream, size)]].concat();
             let map = in_coordinates(&space, &involution(space.normal(), &elsewhere));
-            tally.false_alarms += usize::from(classify(&space, &map, TOLERANCE).expect("a square matrix").strict.is_some());
+            tally.false_alarms +=
+                usize::from(classify(&space, &map, TOLERANCE).expect("a square matrix").strict.is_some());
         }
     }
 }
@@ -119,7 +123,9 @@ fn strict_isometries(sample: usize) -> usize {
         let (sin, cos) = (libm::sin(TAU * f64::from(degrees) / 360.0), libm::cos(TAU * f64::from(degrees) / 360.0));
         let images = [normal * cos + &tangent * sin, (&tangent * cos - normal * sin) * flip];
         let size = normal.len();
-        DMatrix::identity(size, size) + (&images[0] - normal) * normal.transpose() + (&images[1] - &tangent) * tangent.transpose()
+        DMatrix::identity(size, size)
+            + (&images[0] - normal) * normal.transpose()
+            + (&images[1] - &tangent) * tangent.transpose()
     };
     let is_strict = |map: &DMatrix<f64>| {
         classify(&space, &in_coordinates(&space, map), TOLERANCE).expect("a square matrix").strict.is_some()
@@ -133,10 +139,22 @@ fn measure(effort: Effort) -> Measurement {
     let mut note = |n: usize, tally: &Tally| {
         let label = |what: &str| format!("n = {n}, random bodies, all k: {what}");
         quantities.extend([
-            Quantity::count(label("involutions of the impulse space found strict with their k"), tally.strict, tally.maps),
+            Quantity::count(
+                label("involutions of the impulse space found strict with their k"),
+                tally.strict,
+                tally.maps,
+            ),
             // bodies of comparable size: condition numbers of ten to a thousand
-            Quantity::residual(label("map against the law of the rough directions found"), worst(tally.law.iter().copied()), 1e-10),
-            Quantity::count(label("reflections in a direction that is no contact impulse, found strict"), tally.false_alarms, 0),
+            Quantity::residual(
+                label("map against the law of the rough directions found"),
+                worst(tally.law.iter().copied()),
+                1e-10,
+            ),
+            Quantity::count(
+                label("reflections in a direction that is no contact impulse, found strict"),
+                tally.false_alarms,
+                0,
+            ),
         ]);
     };
     let mut in_dimension = |n: usize, survey: fn(usize, &mut Tally)| {

@@ -57,7 +57,12 @@ type Field<'a> = &'a dyn Fn(&UnitQuaternion<f64>) -> Box<dyn CollisionLaw<3>>;
 
 /// From the floor of a slab to the ceiling and through the collision there: `(x₁, x₂, γR·rotation, v₁, v₂, W)` at unit 6-speed. The orientation is
 /// in exponential coordinates about `base`; the new one about `image`.
-fn slab_step(field: Field<'_>, state: &DVector<f64>, base: &UnitQuaternion<f64>, image: &UnitQuaternion<f64>) -> DVector<f64> {
+fn slab_step(
+    field: Field<'_>,
+    state: &DVector<f64>,
+    base: &UnitQuaternion<f64>,
+    image: &UnitQuaternion<f64>,
+) -> DVector<f64> {
     let (ball, scale) = (ball(), ball().gamma() * ball().radius());
     let w = Vector3::new(state[7], state[8], state[9]);
     let rise = libm::sqrt(1.0 - state.rows(5, 5).norm_squared());
@@ -113,7 +118,11 @@ fn measure(effort: Effort) -> Measurement {
     let mut quantities = vec![];
     let mut keeps = |name: &str, field: Field<'_>| {
         let defects = (0..samples).map(|sample| (determinant(field, sample).abs() - 1.0).abs());
-        quantities.push(Quantity::residual(format!("{name}: | |det| − 1 |, ten coordinates"), worst(defects), TOLERANCE));
+        quantities.push(Quantity::residual(
+            format!("{name}: | |det| − 1 |, ten coordinates"),
+            worst(defects),
+            TOLERANCE,
+        ));
     };
     let along = Vector3::new(1.0, 2.0, -3.0);
     let turning = |contact: &Contact<3>| {
@@ -137,11 +146,17 @@ fn measure(effort: Effort) -> Measurement {
     quantities.push(Quantity::equal("random rough direction: factor of the measure", ratio, 1.0, TOLERANCE));
 
     let chasing = (0..samples).map(|sample| (determinant(&always(Chasing), sample).abs() - 0.3).abs());
-    quantities.push(Quantity::residual("control, direction 0.35ψ + 0.2 of the slip: | |det| − 0.3 |", worst(chasing), 1e-5));
+    quantities.push(Quantity::residual(
+        "control, direction 0.35ψ + 0.2 of the slip: | |det| − 0.3 |",
+        worst(chasing),
+        1e-5,
+    ));
     for psi in [0.3, -1.2, 0.9] {
         let (pair, v) = approach(psi);
         let space = pair.tangent_space();
-        let step = |x: &DVector<f64>| pair.coordinates(&pair.collide(&ReversiblyChasing, &pair.velocities(x.as_slice())).velocities);
+        let step = |x: &DVector<f64>| {
+            pair.coordinates(&pair.collide(&ReversiblyChasing, &pair.velocities(x.as_slice())).velocities)
+        };
         let label = |what: &str| format!("control, reversible but not linear, ψ = {psi}: {what}");
         quantities.push(Quantity::residual(label("change of energy"), axioms::energy(&space, &v, &step(&v)), 1e-14));
         quantities.push(Quantity::residual(label("|CCv − v|"), axioms::involution(&space, step, &v), 1e-14));

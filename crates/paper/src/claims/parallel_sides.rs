@@ -15,8 +15,10 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "The no-slip stadium is not ergodic, however short its straight sides: near the orbit perpendicular to them a set of positive measure \
                 stays between them. The same holds for the stem of the mushroom and for the pocketed rectangle.",
     verdict: Verdict::Holds,
-    general_gamma: Some("An orbit that starts between two parallel sides at a distance d stays if the width dℓ√(1+γ²)/γ about its middle fits on them, \
-                         which is an open condition; if β/π is irrational and it does not fit, the orbit leaves."),
+    general_gamma: Some(
+        "An orbit that starts between two parallel sides at a distance d stays if the width dℓ√(1+γ²)/γ about its middle fits on them, \
+                         which is an open condition; if β/π is irrational and it does not fit, the orbit leaves.",
+    ),
     measure,
 };
 
@@ -66,10 +68,38 @@ fn measure(effort: Effort) -> Measurement {
     let half_width = 0.5 * libm::sqrt(1.0 + gamma_squared) / libm::sqrt(gamma_squared);
     let mut quantities = vec![];
     for sides in [
-        Sides { name: "stadium", table: tables::stadium(1.0, 1.0), gap: 2.0, length: 2.0, from: [-1.0, -1.0], upright: false },
-        Sides { name: "stadium with sides of 0.02", table: tables::stadium(0.01, 1.0), gap: 2.0, length: 0.02, from: [-0.01, -1.0], upright: false },
-        Sides { name: "mushroom", table: tables::mushroom(1.0, 0.5, 0.75), gap: 0.5, length: 0.75, from: [0.25, -0.75], upright: true },
-        Sides { name: "pocketed rectangle", table: tables::pocket([2.0, 1.0], 0.3125, 0.5625), gap: 2.0, length: 1.0, from: [2.0, 0.0], upright: true },
+        Sides {
+            name: "stadium",
+            table: tables::stadium(1.0, 1.0),
+            gap: 2.0,
+            length: 2.0,
+            from: [-1.0, -1.0],
+            upright: false,
+        },
+        Sides {
+            name: "stadium with sides of 0.02",
+            table: tables::stadium(0.01, 1.0),
+            gap: 2.0,
+            length: 0.02,
+            from: [-0.01, -1.0],
+            upright: false,
+        },
+        Sides {
+            name: "mushroom",
+            table: tables::mushroom(1.0, 0.5, 0.75),
+            gap: 0.5,
+            length: 0.75,
+            from: [0.25, -0.75],
+            upright: true,
+        },
+        Sides {
+            name: "pocketed rectangle",
+            table: tables::pocket([2.0, 1.0], 0.3125, 0.5625),
+            gap: 2.0,
+            length: 1.0,
+            from: [2.0, 0.0],
+            upright: true,
+        },
     ] {
         let billiard = no_slip(sides.table.clone(), gamma_squared);
         let strip = no_slip(tables::strip(sides.gap), gamma_squared);
@@ -92,14 +122,24 @@ fn measure(effort: Effort) -> Measurement {
             fitting_leave += usize::from(fits && !stays);
             // an orbit fills its width up to the square of 10π/n of it, as in the claim strip-width
             let phase = 10.0 * core::f64::consts::PI / (0.5 * collisions as f64);
-            let by_far = middle - reach * (1.0 - phase * phase) < 0.0 || middle + reach * (1.0 - phase * phase) > sides.length;
+            let by_far =
+                middle - reach * (1.0 - phase * phase) < 0.0 || middle + reach * (1.0 - phase * phase) > sides.length;
             others_stay += usize::from(by_far && stays);
         }
         let label = |what: &str| format!("{}: {what}", sides.name);
         let share = fit as f64 / samples as f64;
         quantities.extend([
-            Quantity::at_least(label("share of steep enough starts on a side whose width fits on it"), share, 0.02, 0.0),
-            Quantity::count(label(&format!("of these {fit}, leaving within {collisions} collisions")), fitting_leave, 0),
+            Quantity::at_least(
+                label("share of steep enough starts on a side whose width fits on it"),
+                share,
+                0.02,
+                0.0,
+            ),
+            Quantity::count(
+                label(&format!("of these {fit}, leaving within {collisions} collisions")),
+                fitting_leave,
+                0,
+            ),
             Quantity::count(label("starts whose width does not fit, still there"), others_stay, 0),
         ]);
     }

@@ -1,0 +1,58 @@
+//! The flower.
+use super::arc_survival::limit;
+use crate::{
+    Claim, Effort, Measurement, Quantity, Verdict,
+    law::UNIFORM,
+    motion::{fly, from_boundary, no_slip},
+    random::Stream,
+    statistics::standard_error_of_share,
+};
+use billiards::geometry::{Perimeter, tables};
+use core::ops::ControlFlow;
+
+pub(super) const CLAIM: Claim = Claim {
+    name: "flower",
+    place: "Section 3.3",
+    statement: "The no-slip flower fails to be ergodic by Remark 2, and pocket billiards do by it and by their parallel sides.",
+    verdict: Verdict::False(
+        "Remark 2 does not hold, so it shows nothing of the flower: the orbits still on a petal after N hits are a share C/N, with the constant of the claim arc-survival. \
+         Pocket billiards are not ergodic by their parallel sides alone: see parallel-sides.",
+    ),
+    general_gamma: Some("For every γ."),
+    measure,
+};
+
+fn measure(effort: Effort) -> Measurement {
+    let (samples, most) = (effort.of(400_000, 8_000_000), effort.of(250, 6250));
+    let flower = no_slip(tables::flower(4, 1.25, 2.0), UNIFORM);
+    let perimeter = Perimeter::of(&flower.table).expect("a finite boundary");
+    let mut survivors: Vec<_> = [50, 250, 1250, 6250].map(|n| (n, 0_usize)).into();
+    survivors.retain(|(n, _)| *n <= most);
+    for sample in 0..samples {
+        let mut stream = Stream::new(190, sample);
+        let at = perimeter.point(stream.uniform());
+        let mut hits = 0;
+        fly(&flower, from_boundary(at, stream.in_disk()), most, &mut |bounce| {
+            if bounce.piece != at.piece {
+                return ControlFlow::Break(());
+            }
+            hits = bounce.n;
+            ControlFlow::Continue(())
+        });
+        for (n, count) in &mut survivors {
+            *count += usize::from(hits >= *n);
+        }
+    }
+    // a side of 2 is the chord of a petal
+    let limit = limit(2.0 * libm::asin(1.0 / 1.25), UNIFORM);
+    let quantity = |(n, count): (usize, usize)| {
+        let (share, n) = (count as f64 / samples as f64, n as f64);
+        let error = n * standard_error_of_share(limit / n, samples);
+        let mut quantity =
+            Quantity::sampled(format!("{n} × share still on its petal after {n} hits"), n * share, error, limit);
+        // hits come in pairs: a correction of relative size 2/n
+        quantity.bound += 2.0 / n * limit;
+        quantity
+    };
+    Measurement { quantities: survivors.into_iter().map(quantity).collect() }
+}

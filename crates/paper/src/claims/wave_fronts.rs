@@ -1,0 +1,74 @@
+//! How fast wave fronts grow.
+use crate::{
+    Claim, Effort, Measurement, Quantity, STANDARD_ERRORS, Verdict,
+    law::UNIFORM,
+    motion::{Billiard, State, bounces, distance, no_slip, specular},
+    random::Stream,
+    statistics::Mean,
+};
+use billiards::geometry::tables;
+use core::f64::consts::PI;
+
+pub(super) const CLAIM: Claim = Claim {
+    name: "wave-fronts",
+    place: "Section 3.3, Figure 19",
+    statement: "In channels with curved walls, convex or concave, fronts of no-slip disks grow too, but a greater curvature is needed for a comparable growth after as \
+                many collisions.",
+    verdict: Verdict::Holds,
+    general_gamma: Some("The smaller γ the closer to the smooth disk."),
+    measure,
+};
+
+/// The mean of `ln(length of a short front after so many collisions / before)`, of disks that start
+/// from a point of the middle line without spin.
+fn growth(billiard: &Billiard, collisions: usize, samples: usize) -> Mean {
+    let tiny = 1e-8;
+    let mut mean = Mean::default();
+    for sample in 0..samples {
+        let mut stream = Stream::new(198, sample);
+        let (x1, angle) = (stream.uniform(), PI * stream.between(0.15, 0.85));
+        let at = |angle: f64| State { x: [0.0, x1, 0.5], v: [0.0, libm::cos(angle), libm::sin(angle)] };
+        let [a, b] = [angle, angle + tiny].map(|angle| bounces(billiard, at(angle), collisions));
+        let (Some(a), Some(b)) = (a.get(collisions - 1), b.get(collisions - 1)) else { continue };
+        // neighbours hit the same wall, about a front's length apart, or across the edge of the cell
+        let place = |s: &State| [libm::sin(2.0 * PI * s.x[1]), libm::cos(2.0 * PI * s.x[1]), 2.0 * PI * s.x[2]];
+        if a.piece == b.piece {
+            mean.add(libm::log(distance(place(&a.state), place(&b.state)) / tiny));
+        }
+    }
+    mean
+}
+
+fn measure(effort: Effort) -> Measurement {
+    let (samples, collisions) = (effort.of(4000, 100_000), 6);
+    let mut quantities = vec![];
+    for (kind, sign) in [("convex", -1.0), ("concave", 1.0)] {
+        let mut less: Option<(f64, Mean)> = None;
+        for amount in [0.0, 0.05, 0.1, 0.2] {
+            let channel = tables::channel(1.0, 1.0, sign * amount);
+            let rough = growth(&no_slip(channel.clone(), UNIFORM), collisions, samples);
+            let label = |what: &str| {
+                format!(
+                    "{kind} walls, sagitta {amount}: mean ln growth of a no-slip front in {collisions} hits, {what}"
+                )
+            };
+            let within = |other: &Mean| STANDARD_ERRORS * libm::hypot(rough.standard_error(), other.standard_error());
+            if amount > 0.0 {
+                let smooth = growth(&specular(channel), collisions, samples);
+                let bound = -within(&smooth);
+                quantities.push(Quantity::at_most(label("below a smooth one's"), rough.value(), smooth.value(), bound));
+            }
+            if let Some((flatter, before)) = less {
+                let bound = -within(&before);
+                quantities.push(Quantity::at_least(
+                    label(&format!("above that at {flatter}")),
+                    rough.value(),
+                    before.value(),
+                    bound,
+                ));
+            }
+            less = Some((amount, rough));
+        }
+    }
+    quantities.into()
+}
