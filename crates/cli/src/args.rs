@@ -33,6 +33,8 @@ pub enum Command {
     Laws,
     /// Compute one collision of two rigid bodies, in dimension 2 to 5
     Collide(Collide),
+    /// Recompute every figure and every claim of the paper, on one page
+    Reproduce(Reproduce),
 }
 
 /// Arguments of `billiards run`.
@@ -102,6 +104,31 @@ pub struct Collide {
     /// Print JSON, every number to the last digit
     #[arg(long)]
     pub json: bool,
+}
+
+/// Arguments of `billiards reproduce`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Writes DIR/index.html with the pictures beside it, and DIR/claims.json; same bits every time.
+
+Examples:
+  billiards reproduce --out report
+  billiards reproduce --quick
+  billiards reproduce --only hexagon
+  billiards reproduce --list")]
+pub struct Reproduce {
+    /// Folder for the page, the pictures and claims.json
+    #[arg(long, value_name = "DIR", default_value = "report")]
+    pub out: PathBuf,
+    /// Smaller samples: under a minute
+    #[arg(long)]
+    pub quick: bool,
+    /// Only one figure or one claim
+    #[arg(long, value_name = "NAME")]
+    pub only: Option<String>,
+    /// List the names of figures and claims, and do nothing else
+    #[arg(long, conflicts_with_all = ["only", "quick"])]
+    pub list: bool,
 }
 
 /// A number of collisions: a whole number, perhaps written as 1e6.

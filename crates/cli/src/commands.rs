@@ -2,6 +2,7 @@
 
 pub mod collide;
 pub mod laws;
+pub mod reproduce;
 pub mod run;
 
 use std::fmt;

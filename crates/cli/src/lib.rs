@@ -9,6 +9,7 @@ pub mod document;
 pub mod expression;
 pub mod picture;
 pub mod record;
+pub mod reproduce;
 pub mod scene;
 pub mod sha256;
 pub mod simulation;

@@ -14,7 +14,7 @@ mod svg;
 mod velocity_portrait;
 mod view;
 
-pub use axes::{Axis, Label, ticks};
+pub use axes::{Axis, Label, MARGIN as AXES_MARGIN, draw as axes, ticks};
 pub use cloud::Cloud;
 pub use grid::{Grid, Shading};
 pub use ink::{Colour, ORBITS};
@@ -22,7 +22,7 @@ pub use orbit::draw as orbit;
 pub use phase_portrait::{Reduced, draw as phase_portrait};
 pub use png::Raster;
 pub use stroke::Stroke;
-pub use svg::{Anchor, Outline, Style, Svg};
+pub use svg::{Anchor, Outline, Style, Svg, escape};
 pub use velocity_portrait::{cloud as velocities, draw as velocity_portrait};
 pub use view::{View, Window};
 

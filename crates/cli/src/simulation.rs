@@ -13,7 +13,7 @@ mod scale;
 mod schedule;
 mod spatial;
 mod start;
-mod strokes;
+pub(crate) mod strokes;
 mod summary;
 
 use std::io;

@@ -62,10 +62,10 @@ impl Axis {
 }
 
 /// Room that axes need beside the frame: left, below.
-pub(super) const MARGIN: [f64; 2] = [31.0, 25.0];
+pub const MARGIN: [f64; 2] = [31.0, 25.0];
 
 /// Draws a frame around a view, with ticks and numbers below and on the left.
-pub(super) fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
+pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
     let [left, top] = view.corner();
     let [width, height] = view.size();
     let (right, bottom) = (left + width, top + height);

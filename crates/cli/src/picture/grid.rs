@@ -23,6 +23,8 @@ pub enum Shading {
     Log,
     /// By the rank of the count among all counts: every depth is used for equally many cells.
     Equalised,
+    /// By the logarithm, in the colours themselves and never near black: thin curves keep their colour, single points show.
+    Tinted,
 }
 
 /// Depth of the faintest cell that is not empty.
@@ -114,6 +116,10 @@ impl Grid {
         let most = sorted.get(sorted.len().saturating_sub(1 + sorted.len() / 200)).copied().unwrap_or(1);
         move |count| {
             let share = match shading {
+                Shading::Tinted => {
+                    let share = libm::log(count as f64) / libm::log(most.max(2) as f64);
+                    return 0.42 + 0.28 * share.min(1.0);
+                }
                 Shading::Log if most == 1 => 1.0,
                 Shading::Log => (libm::log(count as f64) / libm::log(most as f64)).min(1.0),
                 Shading::Equalised => {

@@ -66,12 +66,12 @@ impl Stroke {
     }
 
     /// Whether the inside is an obstacle.
-    pub(super) fn is_solid(&self) -> bool {
+    pub fn is_solid(&self) -> bool {
         matches!(self, Self::Circle { solid: true, .. } | Self::Chain { solid: true, .. })
     }
 
     /// Its outline on the page.
-    pub(super) fn outline(&self, view: &View) -> Outline {
+    pub fn outline(&self, view: &View) -> Outline {
         let mut outline = Outline::new();
         let window = view.window();
         match *self {

@@ -266,7 +266,7 @@ impl fmt::Display for Hex {
 }
 
 /// Text with the characters that mean something in XML written out, and those it forbids left out.
-pub(super) fn escape(text: &str) -> String {
+pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {
         match c {
