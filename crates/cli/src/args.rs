@@ -29,8 +29,12 @@ pub struct Cli {
 pub enum Command {
     /// Run a scene: its orbits, their record, pictures and a summary
     Run(Run),
+    /// Check a scene and describe it: pieces, area, perimeter, where the particle fits, its starts
+    Check(Check),
+    /// List the tables a scene can name, with their parameters
+    Tables(Listing),
     /// List the collision laws a scene can name
-    Laws,
+    Laws(Listing),
     /// Compute one collision of two rigid bodies, in dimension 2 to 5
     Collide(Collide),
     /// Recompute every figure and every claim of the paper, on one page
@@ -81,6 +85,20 @@ pub struct Check {
     /// Scene file (TOML)
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
+    /// Law in place of the scene's; pieces with a law of their own keep it
+    #[arg(long, value_name = "LAW")]
+    pub law: Option<LawKind>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Arguments of `billiards tables` and `billiards laws`.
+#[derive(Clone, Copy, Debug, Args)]
+pub struct Listing {
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Arguments of `billiards collide`.

@@ -1,9 +1,11 @@
 //! What the command does, one file per subcommand.
 
+pub mod check;
 pub mod collide;
 pub mod laws;
 pub mod reproduce;
 pub mod run;
+pub mod tables;
 
 use std::fmt;
 use std::io;

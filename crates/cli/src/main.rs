@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use billiards_cli::args::{Cli, Command};
-use billiards_cli::commands::{Failure, collide, laws, reproduce, run};
+use billiards_cli::commands::{Failure, check, collide, laws, reproduce, run, tables};
 use billiards_cli::document::Source;
 use clap::Parser;
 
@@ -24,7 +24,9 @@ fn main() -> ExitCode {
 fn execute(command: Command, out: &mut impl Write) -> Result<(), Failure> {
     match command {
         Command::Run(arguments) => run::run(&arguments, out),
-        Command::Laws => Ok(laws::run(out)?),
+        Command::Check(arguments) => check::run(&arguments, out),
+        Command::Tables(arguments) => Ok(tables::run(arguments.json, out)?),
+        Command::Laws(arguments) => Ok(laws::run(arguments.json, out)?),
         Command::Reproduce(arguments) => reproduce::run(&arguments, out),
         Command::Collide(arguments) => collide::run(&Source::read(&arguments.contact)?, arguments.json, out),
     }

@@ -47,7 +47,7 @@ pub struct Picture {
 /// What a run must collect for a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
-    /// [`Material::outline`] and [`Material::paths`].
+    /// [`Material::outline`], [`Material::centres`], [`Material::radius`], [`Material::window`] and [`Material::paths`].
     Paths,
     /// [`Material::velocities`].
     Velocities,
@@ -60,6 +60,12 @@ pub enum Needs {
 pub struct Material {
     /// The walls.
     pub outline: Vec<Stroke>,
+    /// Where the centre of a particle of positive radius can be.
+    pub centres: Vec<Stroke>,
+    /// Radius of the particle.
+    pub radius: f64,
+    /// What of a table without end is shown; of all others, everything is.
+    pub window: Option<Window>,
     /// Each orbit in the plane.
     pub paths: Vec<Path>,
     /// Velocities after collisions, scaled to length one: the pairs (v0, v·t), where t = J ν. See [`velocities`].

@@ -18,7 +18,7 @@ use crate::document::{self, Diagnostic, Problems, Section, Source, Span, Spanned
 
 pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
 pub(crate) use law::named as read_law;
-pub use law::{LAWS, Law, LawKind};
+pub use law::{LAWS, Law, LawKind, LawModel};
 pub use output::{Output, RecordFormat};
 pub use parameters::{Argument, Arguments, Default, Kind, Model, Parameter};
 pub use particle::{INERTIAS, Inertia, Particle};

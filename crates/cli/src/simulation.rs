@@ -1,6 +1,7 @@
 //! A scene run: its table built, its starts checked, its orbits run on all cores, what is asked for kept.
 
 mod boundary;
+mod describe;
 mod engine;
 mod event;
 mod harvest;
@@ -35,6 +36,8 @@ use planar::Planar;
 use schedule::{Launch, Work, run_all};
 use spatial::Spatial;
 
+pub(crate) use describe::short;
+pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub use summary::Summary;
 
 /// A scene whose table is built and whose starts are checked.
@@ -104,7 +107,9 @@ impl Simulation {
             Body::Space(_) => false,
         };
         let why = |needs| match (needs, &self.body) {
-            (Needs::Velocities | Needs::Reduced, Body::Space(_)) => Some("shows the reduced phase space of planar tables"),
+            (Needs::Velocities | Needs::Reduced, Body::Space(_)) => {
+                Some("shows the reduced phase space of planar tables")
+            }
             (Needs::Reduced, _) if infinite => Some("needs walls of finite length"),
             _ => None,
         };
@@ -163,7 +168,12 @@ impl Simulation {
         Ok(Done { summary, files })
     }
 
-    fn in_plane(&self, planar: &Planar, kept: &Kept<'_>, control: &Control) -> io::Result<(Material, Totals, Duration)> {
+    fn in_plane(
+        &self,
+        planar: &Planar,
+        kept: &Kept<'_>,
+        control: &Control,
+    ) -> io::Result<(Material, Totals, Duration)> {
         let starts = planar.starts().map_err(io::Error::other)?;
         let lattice = planar.centres.lattice().and_then(|lattice| {
             Lattice::new(&lattice.vectors().iter().map(|v| v / planar.drawn.factor).collect::<Vec<_>>()).ok()
@@ -175,13 +185,24 @@ impl Simulation {
             let start = starts(orbit);
             Launch { orbit: planar.launch(&start), scale: start.scale }
         };
-        let busy = planar.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
+        let busy =
+            planar.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
         let (mut material, totals) = harvest.finish()?;
-        material.outline = strokes::of(&planar.drawn.table, planar.drawn.factor);
+        let factor = planar.drawn.factor;
+        material.outline = strokes::of(&planar.drawn.table, factor);
+        material.radius = self.scene.particle.radius.value;
+        if material.radius > 0.0 {
+            material.centres = strokes::of(&planar.centres, factor);
+        }
         Ok((material, totals, busy))
     }
 
-    fn in_space(&self, spatial: &Spatial, kept: &Kept<'_>, control: &Control) -> io::Result<(Material, Totals, Duration)> {
+    fn in_space(
+        &self,
+        spatial: &Spatial,
+        kept: &Kept<'_>,
+        control: &Control,
+    ) -> io::Result<(Material, Totals, Duration)> {
         let starts = spatial.starts().map_err(io::Error::other)?;
         let seen = Solid::new(spatial, &*starts);
         let mut harvest = self.harvest(kept, None, &seen)?;
@@ -193,16 +214,11 @@ impl Simulation {
         let busy =
             spatial.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
         let (mut material, totals) = harvest.finish()?;
-        material.outline = seen.edges();
+        (material.outline, material.window) = seen.edges();
         Ok((material, totals, busy))
     }
 
-    fn harvest<'a>(
-        &self,
-        kept: &Kept<'_>,
-        lattice: Option<Lattice>,
-        seen: &'a dyn Seen,
-    ) -> io::Result<Harvest<'a>> {
+    fn harvest<'a>(&self, kept: &Kept<'_>, lattice: Option<Lattice>, seen: &'a dyn Seen) -> io::Result<Harvest<'a>> {
         let columns = Columns { dimension: self.scene.dimension, lattice: lattice.is_some() };
         let format = self.scene.output.collisions;
         let record = format.map(|format| record::create(kept.folder, format, columns)).transpose()?;

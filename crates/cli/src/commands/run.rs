@@ -25,8 +25,7 @@ const GLANCE: Duration = Duration::from_millis(100);
 /// # Errors
 /// The scene is wrong, or something cannot be written.
 pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
-    let request =
-        Request { law: arguments.law.clone(), collisions: arguments.collisions, needs_limit: true };
+    let request = Request { law: arguments.law.clone(), collisions: arguments.collisions, needs_limit: true };
     let source = Source::read(&arguments.scene)?;
     let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
     let cores = thread::available_parallelism().map_or(1, usize::from);
@@ -76,7 +75,9 @@ fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnc
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {percent:>3} %  {elapsed} passed, {eta} to go  (Ctrl-C ends and keeps what is done)");
+    let style = ProgressStyle::with_template(
+        "{bar:40} {percent:>3} %  {elapsed} passed, {eta} to go  (Ctrl-C ends and keeps what is done)",
+    );
     ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 

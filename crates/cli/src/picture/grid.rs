@@ -29,6 +29,8 @@ pub enum Shading {
 
 /// Depth of the faintest cell that is not empty.
 const FAINTEST: f64 = 0.22;
+/// The same where points are few.
+const SPARSE: f64 = 0.6;
 
 impl Grid {
     /// An empty grid over a window, this many cells wide; cells are square.
@@ -88,8 +90,38 @@ impl Grid {
     }
 
     /// The picture of the counts: empty cells white, full ones in the mean colour of their points.
+    ///
+    /// Where most points are alone in their cells, they are drawn larger and darker, or nothing would be seen.
     pub fn shade(&self, shading: Shading) -> Raster {
-        let depth = self.depths(shading);
+        let filled = self.counts.iter().filter(|count| **count > 0).count() as u64;
+        if self.total() < 2 * filled && filled < self.counts.len() as u64 / 4 {
+            return self.spread().shaded(shading, SPARSE);
+        }
+        self.shaded(shading, FAINTEST)
+    }
+
+    /// The same with every empty cell like the fullest of its neighbours above and on the left: dots of four cells.
+    fn spread(&self) -> Self {
+        let mut wide = self.clone();
+        for row in 0..self.height {
+            for column in 0..self.width {
+                let cell = row * self.width + column;
+                let back = |rows: usize, columns: usize| {
+                    (row >= rows && column >= columns).then(|| cell - rows * self.width - columns)
+                };
+                let near = [back(1, 0), back(0, 1), back(1, 1)].into_iter().flatten();
+                if let Some(fullest) = near.max_by_key(|near| self.counts[*near])
+                    && self.counts[cell] == 0
+                {
+                    (wide.counts[cell], wide.tints[cell]) = (self.counts[fullest], self.tints[fullest]);
+                }
+            }
+        }
+        wide
+    }
+
+    fn shaded(&self, shading: Shading, faintest: f64) -> Raster {
+        let depth = self.depths(shading, faintest);
         let colour = |(&count, tint): (&u64, &[u64; 3])| {
             if count == 0 {
                 return Colour::WHITE;
@@ -109,7 +141,7 @@ impl Grid {
     }
 
     /// The depth of colour, 0 … 1, of a count that is not zero.
-    fn depths(&self, shading: Shading) -> impl Fn(u64) -> f64 {
+    fn depths(&self, shading: Shading, faintest: f64) -> impl Fn(u64) -> f64 {
         let mut sorted: Vec<u64> = self.counts.iter().copied().filter(|count| *count > 0).collect();
         sorted.sort_unstable();
         // Without the few cells of periodic orbits, which all else would be pale beside.
@@ -129,7 +161,7 @@ impl Grid {
                     (below + upto) as f64 / (2 * sorted.len()) as f64
                 }
             };
-            FAINTEST + (1.0 - FAINTEST) * share
+            faintest + (1.0 - faintest) * share
         }
     }
 }
@@ -159,7 +191,7 @@ mod tests {
             }
         }
         for shading in [Shading::Log, Shading::Equalised] {
-            let depth = grid.depths(shading);
+            let depth = grid.depths(shading, FAINTEST);
             assert!(depth(1) < depth(10) && depth(10) < depth(100) && depth(100) <= 1.0);
         }
     }

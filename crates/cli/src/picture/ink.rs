@@ -11,6 +11,8 @@ impl Colour {
     pub const WHITE: Self = Self(0xff, 0xff, 0xff);
     /// The inside of obstacles.
     pub const SOLID: Self = Self(0xe6, 0xe6, 0xe6);
+    /// Lines beside the point.
+    pub const MIDDLE: Self = Self(0x8a, 0x8a, 0x8a);
     /// Guide lines.
     pub const GUIDE: Self = Self(0xd0, 0xd0, 0xd0);
 

@@ -9,6 +9,10 @@ use super::{COLUMN, File, Material, Needs, Picture};
 const WALL: f64 = 0.8;
 /// White around the picture.
 const MARGIN: f64 = 3.0;
+/// Width of the boundary of the region of centres.
+const THIN: f64 = 0.4;
+/// Most orbits whose starts are marked.
+const MOST_STARTS: usize = 50;
 /// Legs drawn by one element.
 const PART: usize = 50;
 
@@ -19,30 +23,49 @@ pub(super) const PICTURE: Picture = Picture {
     draw: |material| vec![File { name: "orbit.svg".into(), content: draw(material).to_string().into_bytes() }],
 };
 
-/// Draws walls and orbits in true proportions, without axes; each start is marked by a dot.
+/// Longest side of a picture of a table without end, in units of its shorter side.
+const LONGEST: f64 = 5.0;
+
+/// Draws walls and orbits in true proportions, without axes; each start is marked by a dot, or by the particle itself if
+/// it has a radius.
 pub fn draw(material: &Material) -> Svg {
-    let walls = material.outline.iter().flat_map(super::Stroke::extent);
-    let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
-    let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
-    let unbounded = material.outline.iter().any(|s| matches!(s, super::Stroke::Line(..) | super::Stroke::Ray(..)))
-        || material.paths.iter().any(|path| path.escape.is_some());
-    let tight = Window::around(walls.chain(points)).unwrap_or(whole);
-    // What goes on for ever is seen to go on.
-    let window = tight.padded(if unbounded { 0.06 } else { 0.0 });
+    let window = material.window.unwrap_or_else(|| window(material));
     let inner = COLUMN - 2.0 * MARGIN;
     let view = View::fit(window.padded(1e-3), [MARGIN, MARGIN], inner, 1.2 * inner);
     let [width, height] = view.size();
     let mut svg = Svg::new(width + 2.0 * MARGIN, height + 2.0 * MARGIN);
-    let wall = Style::line(Colour::BLACK, WALL);
-    for stroke in material.outline.iter().filter(|stroke| stroke.is_solid()) {
-        svg.path(&stroke.outline(&view), Style::area(Colour::SOLID));
-    }
     let corner = [MARGIN - 0.5 * WALL, MARGIN - 0.5 * WALL];
-    svg.clipped(corner, [width + WALL, height + WALL], |svg| orbits(svg, &view, material));
-    for stroke in &material.outline {
-        svg.path(&stroke.outline(&view), wall);
-    }
+    svg.clipped(corner, [width + WALL, height + WALL], |svg| {
+        for stroke in material.outline.iter().filter(|stroke| stroke.is_solid()) {
+            svg.path(&stroke.outline(&view), Style::area(Colour::SOLID));
+        }
+        orbits(svg, &view, material);
+        for stroke in &material.centres {
+            svg.path(&stroke.outline(&view), Style::line(Colour::MIDDLE, THIN));
+        }
+        for stroke in &material.outline {
+            svg.path(&stroke.outline(&view), Style::line(Colour::BLACK, WALL));
+        }
+        starts(svg, &view, material);
+    });
     svg
+}
+
+/// Everything; of a table without end, some room beyond the orbits.
+fn window(material: &Material) -> Window {
+    let walls = material.outline.iter().flat_map(super::Stroke::extent);
+    let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
+    let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
+    let tight = Window::around(walls.chain(points)).unwrap_or(whole);
+    let endless = material.outline.iter().any(|s| matches!(s, super::Stroke::Line(..) | super::Stroke::Ray(..)))
+        || material.paths.iter().any(|path| path.escape.is_some());
+    if !endless {
+        return tight;
+    }
+    // what goes on for ever is seen to go on, but not to the vanishing point
+    let starts = material.paths.iter().filter_map(|path| path.chains.first()?.first().copied());
+    let about = Window::around(starts).unwrap_or(tight);
+    tight.padded(0.12).no_longer_than(LONGEST, about)
 }
 
 fn orbits(svg: &mut Svg, view: &View, material: &Material) {
@@ -67,12 +90,19 @@ fn orbits(svg: &mut Svg, view: &View, material: &Material) {
             svg.path(Outline::new().chain(ends.map(|p| view.place(p))), style);
         }
     }
+}
+
+/// Where each orbit starts, unless they are too many to be told apart.
+fn starts(svg: &mut Svg, view: &View, material: &Material) {
+    if material.paths.len() > MOST_STARTS {
+        return;
+    }
     for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
-        if let Some(start) = path.chains.first().and_then(|chain| chain.first())
-            && material.paths.len() <= 50
-        {
-            svg.circle(view.place(*start), 1.5, Style::line(Colour::WHITE, 0.5).filled(colour));
+        let Some(&start) = path.chains.first().and_then(|chain| chain.first()) else { continue };
+        if material.radius > 0.0 {
+            svg.circle(view.place(start), material.radius * view.scale(), Style::line(colour, 0.6));
         }
+        svg.circle(view.place(start), 1.5, Style::line(Colour::WHITE, 0.5).filled(colour));
     }
 }
 

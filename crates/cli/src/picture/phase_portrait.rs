@@ -26,10 +26,10 @@ pub(super) const PICTURE: Picture = Picture {
     draw: |material: &Material| {
         let Some(reduced) = &material.reduced else { return Vec::new() };
         let svg = File { name: "phase-portrait.svg".into(), content: draw(reduced).to_string().into_bytes() };
-        let png = reduced.cloud.counted().map(|grid| File {
-            name: "phase-portrait.png".into(),
-            content: grid.shade(Shading::Log).png(),
-        });
+        let png = reduced
+            .cloud
+            .counted()
+            .map(|grid| File { name: "phase-portrait.png".into(), content: grid.shade(Shading::Log).png() });
         [svg].into_iter().chain(png).collect()
     },
 };

@@ -43,6 +43,22 @@ impl Window {
         Self { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by) }
     }
 
+    /// The part of it, about another window, of which no side is longer than `longest` times the other.
+    #[must_use]
+    pub fn no_longer_than(self, longest: f64, about: Self) -> Self {
+        let size = self.size();
+        let mut cut = self;
+        for i in 0..2 {
+            let most = longest * size[1 - i];
+            if size[i] > most && most > 0.0 {
+                let middle = 0.5 * (about.low[i] + about.high[i]);
+                let low = (middle - 0.5 * most).clamp(self.low[i], self.high[i] - most);
+                (cut.low[i], cut.high[i]) = (low, low + most);
+            }
+        }
+        cut
+    }
+
     /// The part of the line `point + s direction`, `from ≤ s`, inside the window.
     pub fn clip(self, point: [f64; 2], direction: [f64; 2], from: f64) -> Option<[[f64; 2]; 2]> {
         let (mut enter, mut leave) = (from, f64::INFINITY);
@@ -119,6 +135,15 @@ mod tests {
         assert_eq!(window.clip([1.0, 0.5], [1.0, 0.0], 0.0), Some([[1.0, 0.5], [2.0, 0.5]]));
         assert_eq!(window.clip([1.0, 2.0], [1.0, 0.0], f64::NEG_INFINITY), None);
         assert_eq!(window.clip([0.0, 0.0], [1.0, 1.0], f64::NEG_INFINITY), Some([[0.0, 0.0], [1.0, 1.0]]));
+    }
+
+    #[test]
+    fn a_long_window_is_cut_about_another_one() {
+        let long = Window { low: [0.0, 0.0], high: [100.0, 1.0] };
+        let about = |x: f64| Window { low: [x, 0.5], high: [x, 0.5] };
+        assert_eq!(long.no_longer_than(4.0, about(50.0)), Window { low: [48.0, 0.0], high: [52.0, 1.0] });
+        assert_eq!(long.no_longer_than(4.0, about(1.0)), Window { low: [0.0, 0.0], high: [4.0, 1.0] });
+        assert_eq!(long.no_longer_than(200.0, about(1.0)), long);
     }
 
     #[test]

@@ -241,9 +241,8 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
 }
 
 fn shape(mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<Border> {
-    let read = section
-        .required("name", "name = \"capsule\"")
-        .and_then(|item| shapes::read(&mut section, item, n, problems));
+    let read =
+        section.required("name", "name = \"capsule\"").and_then(|item| shapes::read(&mut section, item, n, problems));
     let domain = domain(&mut section, Domain::Outside, problems);
     let Some((shape, lengths)) = read else {
         // Which keys belong to an unknown shape is unknown too.

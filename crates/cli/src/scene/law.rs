@@ -85,7 +85,9 @@ impl std::fmt::Display for LawKind {
             Self::NoSlip => f.write_str("no-slip"),
             Self::Rough(directions) => write!(f, "rough {directions:?}"),
             Self::Random { rank, seed } => write!(f, "random rank {rank} seed {seed}"),
-            Self::Restitution { normal, tangential } => write!(f, "restitution normal {normal} tangential {tangential}"),
+            Self::Restitution { normal, tangential } => {
+                write!(f, "restitution normal {normal} tangential {tangential}")
+            }
         }
     }
 }

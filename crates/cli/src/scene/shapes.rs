@@ -39,7 +39,12 @@ pub const SHAPES: &[Model] = &[
     shape("polygon", 2, "any simple polygon, by its corners in order", &[CENTER2, ANGLE, points(3), ROUNDING]),
     shape("polyline", 2, "an open chain of segments, a wall with two sides", &[CENTER2, ANGLE, points(2), ROUNDING]),
     shape("half-space", 2, "all points behind a line; the normal points out of it", &[CENTER2, ANGLE, NORMAL]),
-    shape("trimesh", 2, "triangles; its walls are the edges of one triangle only", &[CENTER2, ANGLE, points(3), TRIANGLES]),
+    shape(
+        "trimesh",
+        2,
+        "triangles; its walls are the edges of one triangle only",
+        &[CENTER2, ANGLE, points(3), TRIANGLES],
+    ),
     shape(
         "heightfield",
         2,
@@ -89,7 +94,12 @@ pub enum Shape {
 }
 
 /// Reads a shape and the lengths it is made of; the keys of the section that belong to it are then known.
-pub(super) fn read(section: &mut Section<'_>, item: &Item, n: usize, problems: &mut Problems) -> Option<(Shape, Vec<f64>)> {
+pub(super) fn read(
+    section: &mut Section<'_>,
+    item: &Item,
+    n: usize,
+    problems: &mut Problems,
+) -> Option<(Shape, Vec<f64>)> {
     let model = parameters::model(item, "shape", SHAPES, n, problems)?;
     let members = if model.name == "compound" {
         let item = section.required("shapes", "shapes = [{ name = \"ball\", radius = 1 }, ...]")?;
@@ -164,7 +174,9 @@ fn planar(name: &str, arguments: &Arguments) -> ShapeSpec {
         }
         ("capsule", _) => ShapeSpec::Capsule { a: from, b: to, radius: arguments.number("radius") },
         ("segment", _) => ShapeSpec::Segment { a: from, b: to },
-        ("triangle", false) if corners.len() == 3 => ShapeSpec::Triangle { vertices: [corners[0], corners[1], corners[2]] },
+        ("triangle", false) if corners.len() == 3 => {
+            ShapeSpec::Triangle { vertices: [corners[0], corners[1], corners[2]] }
+        }
         ("triangle" | "convex-polygon", false) => ShapeSpec::ConvexPolygon { vertices: corners },
         ("triangle" | "convex-polygon", true) => {
             ShapeSpec::RoundConvexPolygon { vertices: corners, border_radius: rounding }

@@ -1,9 +1,9 @@
 //! From the boundary that a scene describes to a table.
 
 use billiards::geometry::parry;
-use billiards::geometry::tables::{self, Kind, Values};
 use billiards::geometry::shapes::curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula};
 use billiards::geometry::shapes::{Circle, Ellipse, FullLine, Ray};
+use billiards::geometry::tables::{self, Kind, Values};
 use billiards::geometry::{Error, Extent, Lattice, Outline, Piece, Table, Turn, Vector2};
 
 use crate::document::{Diagnostic, Span};
@@ -130,13 +130,7 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
     }
 }
 
-fn named(
-    scene: &Scene,
-    name: &str,
-    arguments: &Arguments,
-    span: Span,
-    factor: f64,
-) -> Result<Drawn, Vec<Diagnostic>> {
+fn named(scene: &Scene, name: &str, arguments: &Arguments, span: Span, factor: f64) -> Result<Drawn, Vec<Diagnostic>> {
     let one = |span: Span, what: String| vec![scene.source.diagnostic(span, what)];
     let entry = tables::find(name).ok_or_else(|| one(span, format!("there is no table \"{name}\"")))?;
     if let Some(vector) = scene.table.lattice.first() {
@@ -250,7 +244,8 @@ impl Pieces<'_> {
         let piece: Result<Box<dyn Piece>, Error> = match &entry.border {
             Border::Loop { from, edges } => return self.edges(&from.value, edges, law),
             Border::Circle { center, radius, domain } => {
-                Circle::new(self.at(&center.value), radius.value * self.factor, inside(domain)).map(|c| Box::new(c) as _)
+                Circle::new(self.at(&center.value), radius.value * self.factor, inside(domain))
+                    .map(|c| Box::new(c) as _)
             }
             Border::Ellipse { center, semi_axes, angle, domain } => {
                 let [a, b] = [0, 1].map(|i| semi_axes.value[i] * self.factor);

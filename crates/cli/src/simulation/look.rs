@@ -9,7 +9,7 @@ use super::harvest::Seen;
 use super::planar::Planar;
 use super::spatial::{Space, Spatial};
 use super::start::{self, Start};
-use crate::picture::{Reduced, Stroke};
+use crate::picture::{Reduced, Stroke, Window};
 
 /// A table in the plane.
 pub(crate) struct Flat<'a> {
@@ -66,6 +66,8 @@ const AXES: [[f64; 2]; 3] = [
     [0.573_576_436_351_046, 0.280_166_499_592_640_3],
     [0.0, 0.939_692_620_785_908_4],
 ];
+/// How far a table without end is shown, in units of its height.
+const FARTHEST: f64 = 3.0;
 /// Points of a circle seen askew.
 const POINTS: u32 = 256;
 
@@ -79,30 +81,32 @@ pub(crate) struct Solid<'a> {
     starts: &'a dyn Fn(u64) -> Start<3, 3>,
     /// The box of all points seen so far.
     bounds: Cell<[[f64; 3]; 2]>,
+    /// The first point seen.
+    first: Cell<[f64; 3]>,
 }
 
 impl<'a> Solid<'a> {
     pub(crate) fn new(spatial: &'a Spatial, starts: &'a dyn Fn(u64) -> Start<3, 3>) -> Self {
-        Solid { spatial, starts, bounds: Cell::new([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]]) }
+        Solid {
+            spatial,
+            starts,
+            bounds: Cell::new([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]]),
+            first: Cell::new([0.0; 3]),
+        }
     }
 
-    /// The edges of the table; where it has no end, of the part in which orbits were seen.
-    pub(crate) fn edges(&self) -> Vec<Stroke> {
-        let (spatial, seen) = (self.spatial, self.bounds.get());
+    /// The edges of the table; of one without end, those of a part about the orbits, and the window that shows it.
+    pub(crate) fn edges(&self) -> (Vec<Stroke>, Option<Window>) {
+        let spatial = self.spatial;
         let out = |x: f64| x / spatial.factor;
         if let Space::Named(table) = &spatial.centres
             && table.name() == "ball"
         {
             let [_, high] = table.extent();
-            return ball(out(high.x));
+            return (ball(out(high.x)), None);
         }
         let [low, high] = spatial.centres.extent().map(|corner| corner + spatial.shift);
-        let end = |i: usize, corner: &Vector3<f64>, which: usize| {
-            let room = 0.1 * (seen[1][i] - seen[0][i]);
-            let seen = seen[which][i] + if which == 0 { -room } else { room };
-            if corner[i].is_finite() { out(corner[i]) } else { seen }
-        };
-        let corners = [[0, 1, 2].map(|i| end(i, &low, 0)), [0, 1, 2].map(|i| end(i, &high, 1))];
+        let corners = self.part(low.map(out), high.map(out));
         let corner = |k: usize| projected([0, 1, 2].map(|i| corners[k >> i & 1][i]));
         let mut edges = vec![];
         for axis in 0..3 {
@@ -112,7 +116,24 @@ impl<'a> Solid<'a> {
                 edges.push(Stroke::Segment(corner(k), corner(k | 1 << axis)));
             }
         }
-        edges
+        let endless = !low.iter().chain(high.iter()).all(|x| x.is_finite());
+        (edges, endless.then(|| Window::around((0..8).map(corner))).flatten().map(|window| window.padded(0.01)))
+    }
+
+    /// Opposite corners of what is shown of a box whose sides may lie at infinity: there, as far as orbits go, but not
+    /// much farther than the box is high.
+    fn part(&self, low: Vector3<f64>, high: Vector3<f64>) -> [[f64; 3]; 2] {
+        let [least, most] = self.bounds.get();
+        let size = (0..3).map(|i| high[i] - low[i]).filter(|size| size.is_finite()).fold(0.0, f64::max);
+        let first = self.first.get();
+        let end = |i: usize, which: usize| {
+            let (given, seen) = if which == 0 { (low[i], least[i]) } else { (high[i], most[i]) };
+            let sign = if which == 0 { -1.0 } else { 1.0 };
+            let room = 0.1 * (most[i] - least[i]) + 0.1 * size;
+            let reach = if size > 0.0 { FARTHEST * size } else { f64::INFINITY };
+            if given.is_finite() { given } else { first[i] + (seen + sign * room - first[i]).clamp(-reach, reach) }
+        };
+        [[0, 1, 2].map(|i| end(i, 0)), [0, 1, 2].map(|i| end(i, 1))]
     }
 }
 
@@ -136,6 +157,9 @@ impl Seen for Solid<'_> {
 
     fn point(&self, position: [f64; 3]) -> [f64; 2] {
         let [low, high] = self.bounds.get();
+        if low[0] > high[0] {
+            self.first.set(position);
+        }
         let bound = |of: [f64; 3], pick: fn(f64, f64) -> f64| [0, 1, 2].map(|i| pick(of[i], position[i]));
         self.bounds.set([bound(low, f64::min), bound(high, f64::max)]);
         projected(position)

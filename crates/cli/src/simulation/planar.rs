@@ -46,9 +46,9 @@ impl Planar {
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
         let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma);
         let starts = match &scene.starts {
-            scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
-                start::planar(scene, &centres, orbit, drawn.factor)
-            })?),
+            scene::Starts::Orbits(orbits) => {
+                Starts::Given(start::all(orbits, |orbit| start::planar(scene, &centres, orbit, drawn.factor))?)
+            }
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
         let planar = Planar { drawn, centres, pieces, law, strict, starts };

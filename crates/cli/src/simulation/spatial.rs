@@ -12,7 +12,7 @@ use super::room::Room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
 use crate::document::Diagnostic;
-use crate::scene::{self, Arguments, Ensemble, Scene, TableShape};
+use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
 
 /// A scene in space, ready to run.
 #[derive(Debug)]
@@ -25,6 +25,8 @@ pub(crate) struct Spatial {
     pub(crate) factor: f64,
     /// What each piece is.
     pub(crate) pieces: Vec<String>,
+    /// The laws that pieces have of their own.
+    pub(crate) laws: Vec<Option<LawKind>>,
     law: SpatialLaw,
     strict: bool,
     starts: Starts,
@@ -79,6 +81,18 @@ impl Space {
         touched
     }
 
+    /// The distance of a point from the boundary; negative outside.
+    pub(crate) fn distance(&self, point: &Vector3<f64>) -> f64 {
+        match self {
+            Space::Named(table) => table.signed_distance(point),
+            Space::Room(room) => {
+                let mut least = f64::INFINITY;
+                room.each_closest(point, |closest| least = least.min(closest.distance));
+                least
+            }
+        }
+    }
+
     /// A box around the region; infinite where the region is.
     pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
         match self {
@@ -118,13 +132,12 @@ impl Spatial {
         boundary::own_laws(scene, &mut laws).map_err(|d| vec![*d])?;
         let kinds: Vec<_> = laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind)).collect();
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
-        let law = SpatialLaw::new(&kinds, gamma)
-            .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
+        let law = SpatialLaw::new(&kinds, gamma).map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
         let strict = kinds.iter().all(|kind| is_strict(kind));
         let starts = match &scene.starts {
-            scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
-                start::spatial(scene, &centres, &shift, orbit, factor)
-            })?),
+            scene::Starts::Orbits(orbits) => {
+                Starts::Given(start::all(orbits, |orbit| start::spatial(scene, &centres, &shift, orbit, factor))?)
+            }
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
         if let Starts::Ensemble(ensemble) = &starts {
@@ -137,7 +150,8 @@ impl Spatial {
                 return Err(vec![scene.source.diagnostic(ensemble.span, what)]);
             }
         }
-        Ok(Spatial { centres, shift, factor, pieces, law, strict, starts })
+        drop(kinds);
+        Ok(Spatial { centres, shift, factor, pieces, laws, law, strict, starts })
     }
 
     /// How many orbits there are.

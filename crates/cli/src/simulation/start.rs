@@ -80,7 +80,9 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
         let beyond = format!("{:.3e} beyond piece {piece}", distance / length);
         let radius = scene.particle.radius.value;
         let what = if radius > 0.0 {
-            format!("a disk of radius {radius} does not fit there: its centre would be {beyond} of the region of centres")
+            format!(
+                "a disk of radius {radius} does not fit there: its centre would be {beyond} of the region of centres"
+            )
         } else {
             format!("the start lies outside the table, {beyond}")
         };

@@ -1,0 +1,134 @@
+//! `billiards check`: whether a scene can run, and what it is like.
+
+use std::io::{self, Write};
+
+use super::Failure;
+use crate::args;
+use crate::document::{Source, spell};
+use crate::scene::{Request, Scene};
+use crate::simulation::{Description, Region, Simulation, short};
+
+/// Checks a scene and describes it.
+///
+/// # Errors
+/// The scene is wrong, or the output cannot be written.
+pub fn run(arguments: &args::Check, out: &mut impl Write) -> Result<(), Failure> {
+    let request = Request { law: arguments.law.clone(), collisions: None, needs_limit: false };
+    let source = Source::read(&arguments.scene)?;
+    let description = Simulation::new(Scene::parse(&source, &request)?)?.describe();
+    if arguments.json {
+        let json = serde_json::to_string_pretty(&description).map_err(|error| Failure::Work(error.to_string()))?;
+        writeln!(out, "{json}")?;
+    } else {
+        describe(&description, out)?;
+    }
+    Ok(())
+}
+
+/// A number to six digits, or infinity.
+fn measure(x: Option<f64>) -> String {
+    x.map_or("infinite".into(), short)
+}
+
+fn point(p: &[f64]) -> String {
+    format!("({})", p.iter().map(|x| measure(Some(*x))).collect::<Vec<_>>().join(", "))
+}
+
+fn plural(n: usize, one: &str) -> String {
+    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+}
+
+fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
+    if let Some(title) = &scene.title {
+        writeln!(out, "{title}")?;
+    }
+    let plane = scene.dimension == 2;
+    writeln!(out, "  table       {}", scene.table)?;
+    writeln!(out, "  law         {}, gamma^2 = {}", scene.law, spell(scene.gamma_squared))?;
+    let (area, perimeter) = if plane { ("area", "perimeter") } else { ("volume", "surface") };
+    writeln!(out, "  {area:<12}{}", measure(scene.walls.area))?;
+    writeln!(out, "  {perimeter:<12}{}", measure(scene.walls.perimeter))?;
+    if let Some([corners, inwards]) = scene.walls.corners {
+        let inwards = if inwards == 0 { String::new() } else { format!(", {inwards} of them re-entrant") };
+        writeln!(out, "  corners     {corners}{inwards}")?;
+    }
+    parts(&scene.walls, "table", out)?;
+    if let Some((radius, center)) = scene.largest_disk {
+        writeln!(
+            out,
+            "  fits        a disk of radius up to {}, there about {}",
+            measure(Some(radius)),
+            point(&center)
+        )?;
+    }
+    if let Some(centres) = &scene.centres {
+        writeln!(out, "  particle    a disk of radius {}; its centre moves in a region of", spell(scene.radius))?;
+        let corners = centres.corners.map_or(0, |corners| corners[0]);
+        writeln!(
+            out,
+            "              area {}, perimeter {}, {}, {}",
+            measure(centres.area),
+            measure(centres.perimeter),
+            plural(centres.pieces, "piece"),
+            plural(corners, "corner")
+        )?;
+        parts(centres, "region", out)?;
+    }
+    if let Some(time) = scene.mean_free_time {
+        let formula = if plane { "4 area/perimeter" } else { "(15 pi/8) volume/surface" };
+        writeln!(out, "  mean free   time {} = {formula}, at unit speed, spin included", measure(Some(time)))?;
+    }
+    writeln!(out, "  engine      {}", scene.engine)?;
+    writeln!(out, "  pieces      {}", scene.pieces.len())?;
+    pieces(scene, out)?;
+    starts(scene, out)
+}
+
+/// Says so if a region falls apart.
+fn parts(region: &Region, what: &str, out: &mut impl Write) -> io::Result<()> {
+    if region.parts.len() > 1 {
+        let areas: Vec<_> = region.parts.iter().map(|area| measure(*area)).collect();
+        writeln!(
+            out,
+            "              the {what} falls apart into {}, of area {}",
+            plural(areas.len(), "part"),
+            areas.join(", ")
+        )?;
+    }
+    Ok(())
+}
+
+/// Most pieces that are listed.
+const MOST_PIECES: usize = 100;
+
+fn pieces(scene: &Description, out: &mut impl Write) -> io::Result<()> {
+    for (i, piece) in scene.pieces.iter().enumerate().take(MOST_PIECES) {
+        let mut line = format!("    {i:>3}  {:<17} {}", piece.kind, piece.place);
+        if scene.dimension == 2 {
+            line += &format!(", length {}", measure(piece.length));
+        }
+        if let Some(normal) = piece.normal {
+            line += &format!(", normal {}", point(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)));
+        }
+        if piece.law != scene.law {
+            line += &format!(", law {}", piece.law);
+        }
+        writeln!(out, "{}", line.trim_end())?;
+    }
+    if scene.pieces.len() > MOST_PIECES {
+        writeln!(out, "    and {} more", scene.pieces.len() - MOST_PIECES)?;
+    }
+    Ok(())
+}
+
+fn starts(scene: &Description, out: &mut impl Write) -> io::Result<()> {
+    writeln!(out, "  orbits      {}", scene.orbits)?;
+    for (i, start) in scene.starts.iter().enumerate() {
+        let distance = measure(Some(start.distance));
+        writeln!(out, "    {i:>3}  starts at {}, {distance} from a wall; {}", point(&start.position), start.first)?;
+    }
+    if scene.orbits > scene.starts.len() as u64 {
+        writeln!(out, "    and {} more", scene.orbits - scene.starts.len() as u64)?;
+    }
+    Ok(())
+}

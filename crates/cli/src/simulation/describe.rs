@@ -1,0 +1,343 @@
+//! What a scene is like before it runs: for `billiards check`.
+
+use std::fmt;
+
+use billiards::Stop;
+use billiards::geometry::{self, Figure, Piece, Vector2, Walls, WithWalls};
+use serde::Serialize;
+
+use super::engine::{Engine, Trail, Until, Watch};
+use super::planar::Planar;
+use super::schedule::Launch;
+use super::spatial::{Space, Spatial};
+use super::{Body, Simulation};
+use crate::document::spell;
+use crate::scene::{Scene, TableShape};
+
+/// Most starts that are described.
+const MOST_STARTS: u64 = 10;
+
+/// A scene described. Lengths are in the scene's unit; nothing stands for infinity.
+#[derive(Clone, Debug, Serialize)]
+pub struct Description {
+    /// The scene's title, if it has one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// Dimension of space.
+    pub dimension: usize,
+    /// The table by name, or `boundary`.
+    pub table: String,
+    /// The law of every piece without one of its own.
+    pub law: String,
+    /// γ² = I/(m R²).
+    pub gamma_squared: f64,
+    /// Radius of the particle.
+    pub radius: f64,
+    /// The pieces as drawn.
+    pub pieces: Vec<PieceOf>,
+    /// The walls as drawn.
+    pub walls: Region,
+    /// Where the centre of the particle can be, if its radius is positive.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centres: Option<Region>,
+    /// Radius of the largest disk that fits in, and its centre.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub largest_disk: Option<(f64, [f64; 2])>,
+    /// Mean time between collisions in the invariant measure, at unit speed, spin included.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_free_time: Option<f64>,
+    /// The walls that the engine found for the table.
+    pub engine: String,
+    /// Number of orbits.
+    pub orbits: u64,
+    /// The first few of them.
+    pub starts: Vec<StartOf>,
+}
+
+/// A piece of wall.
+#[derive(Clone, Debug, Serialize)]
+pub struct PieceOf {
+    /// What it is.
+    pub kind: String,
+    /// Its length in the plane, if that is finite.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length: Option<f64>,
+    /// Where it is.
+    pub place: String,
+    /// The unit normal in its middle, into the table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal: Option<[f64; 2]>,
+    /// Its law.
+    pub law: String,
+}
+
+/// A region and its measures.
+#[derive(Clone, Debug, Serialize)]
+pub struct Region {
+    /// Number of pieces.
+    pub pieces: usize,
+    /// Area, in space volume; of a unit cell on a lattice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area: Option<f64>,
+    /// Perimeter, in space surface; of a unit cell on a lattice.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub perimeter: Option<f64>,
+    /// Points where the direction of the boundary jumps, and how many of them point into the table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corners: Option<[usize; 2]>,
+    /// Areas of its connected parts.
+    pub parts: Vec<Option<f64>>,
+}
+
+/// Where an orbit starts, and what becomes of it at first.
+#[derive(Clone, Debug, Serialize)]
+pub struct StartOf {
+    /// Position of the centre.
+    pub position: Vec<f64>,
+    /// Distance of the centre from the nearest wall it can reach.
+    pub distance: f64,
+    /// Time and piece of the first collision, or why there is none.
+    pub first: First,
+}
+
+/// What an orbit meets first.
+#[derive(Clone, Copy, Debug, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum First {
+    /// A wall, after some time.
+    Hit {
+        /// The time.
+        time: f64,
+        /// The piece.
+        piece: u64,
+    },
+    /// Nothing: why it ends.
+    Nothing(&'static str),
+}
+
+impl fmt::Display for First {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Hit { time, piece } => write!(f, "hits piece {piece} at t = {}", short(*time)),
+            Self::Nothing(stop) => f.write_str(stop),
+        }
+    }
+}
+
+/// A number to six digits.
+pub(crate) fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    spell(rounded)
+}
+
+fn point(p: &[f64]) -> String {
+    format!("({})", p.iter().map(|x| short(*x)).collect::<Vec<_>>().join(", "))
+}
+
+fn finite(x: f64) -> Option<f64> {
+    x.is_finite().then_some(x)
+}
+
+impl Simulation {
+    /// Describes the scene.
+    pub fn describe(&self) -> Description {
+        let scene = &self.scene;
+        let mut description = Description {
+            title: scene.title.clone(),
+            dimension: scene.dimension,
+            table: match &scene.table.shape {
+                TableShape::Named { model, .. } => model.name.into(),
+                TableShape::Boundary(_) => "boundary".into(),
+            },
+            law: scene.law.kind.to_string(),
+            gamma_squared: scene.particle.gamma_squared.value,
+            radius: scene.particle.radius.value,
+            pieces: vec![],
+            walls: Region { pieces: 0, area: None, perimeter: None, corners: None, parts: vec![] },
+            centres: None,
+            largest_disk: None,
+            mean_free_time: None,
+            engine: String::new(),
+            orbits: self.orbits(),
+            starts: vec![],
+        };
+        match &self.body {
+            Body::Plane(planar) => in_plane(scene, planar, &mut description),
+            Body::Space(spatial) => in_space(scene, spatial, &mut description),
+        }
+        description
+    }
+}
+
+fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
+    let factor = planar.drawn.factor;
+    let table = &planar.drawn.table;
+    let laws = planar.drawn.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
+    description.pieces =
+        table.pieces().iter().zip(laws).map(|(piece, law)| piece_of(&**piece, factor, law.to_string())).collect();
+    let walls = table.describe();
+    description.walls = region(&walls, factor);
+    let disk = walls.largest_disk;
+    description.largest_disk =
+        finite(disk.radius).map(|radius| (radius / factor, [disk.center.x / factor, disk.center.y / factor]));
+    let centres = if scene.particle.radius.value > 0.0 {
+        let centres = planar.centres.describe();
+        description.centres = Some(region(&centres, factor));
+        centres
+    } else {
+        walls
+    };
+    description.mean_free_time = finite(4.0 * centres.area() / centres.perimeter / factor);
+    description.engine = planar.centres.with_walls(NameOfWalls);
+    let Ok(starts) = planar.starts() else { return };
+    description.starts = planar.with_engine(|engine| {
+        (0..planar.orbits().min(MOST_STARTS))
+            .map(|orbit| {
+                let start = starts(orbit);
+                let position = planar.lifted(&start).to_vec();
+                let distance = planar.centres.signed_distance(&Vector2::from(start.position)) / factor;
+                let launch = Launch { orbit: planar.launch(&start), scale: start.scale };
+                StartOf { position, distance: distance.max(0.0), first: first(engine, launch, &planar.pieces) }
+            })
+            .collect()
+    });
+}
+
+fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
+    let out = |x: f64| x / spatial.factor;
+    let laws = spatial.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
+    description.pieces = spatial
+        .pieces
+        .iter()
+        .zip(laws)
+        .map(|(kind, law)| PieceOf {
+            kind: kind.clone(),
+            length: None,
+            place: String::new(),
+            normal: None,
+            law: law.to_string(),
+        })
+        .collect();
+    description.walls.pieces = spatial.pieces.len();
+    description.engine = match &spatial.centres {
+        Space::Named(table) => {
+            let (volume, surface) = (table.volume(), table.surface_area());
+            // volume and area in two and three steps: their factors alone might overflow
+            description.walls.area = finite(out(out(out(volume))));
+            description.walls.perimeter = finite(out(out(surface)));
+            description.walls.parts = vec![description.walls.area];
+            // (V/S) |S⁵|/|B⁵|
+            description.mean_free_time = finite(out(1.875 * core::f64::consts::PI * volume / surface));
+            table.with_walls(NameOfWalls)
+        }
+        Space::Room(_) => "solids, one by one".into(),
+    };
+    let Ok(starts) = spatial.starts() else { return };
+    description.starts = spatial.with_engine(|engine| {
+        (0..spatial.orbits().min(MOST_STARTS))
+            .map(|orbit| {
+                let start = starts(orbit);
+                let position = (0..3).map(|i| start.scale.length_out(start.position[i] + spatial.shift[i])).collect();
+                let distance = out(spatial.centres.distance(&start.position.into()));
+                let launch = Launch { orbit: spatial.launch(&start), scale: start.scale };
+                StartOf { position, distance: distance.max(0.0), first: first(engine, launch, &[]) }
+            })
+            .collect()
+    });
+}
+
+/// The first collision of an orbit.
+fn first<const N: usize, const S: usize, T: Trail<N, S>>(
+    engine: &dyn Engine<N, S, T>,
+    launch: Launch<N, S, T>,
+    pieces: &[u64],
+) -> First {
+    let mut watch = Watch { events: vec![], orbit: 0, before: 0, scale: launch.scale, pieces, shift: [0.0; 3] };
+    let mut orbit = launch.orbit;
+    let outcome = engine.watched(&mut orbit, Until { collisions: 1, time: f64::INFINITY }, &mut watch);
+    match watch.events.first() {
+        Some(event) => First::Hit { time: event.time, piece: event.piece },
+        None => First::Nothing(if outcome.stop == Stop::Escaped { "escapes at once" } else { outcome.stop.name() }),
+    }
+}
+
+fn region(of: &geometry::Description, factor: f64) -> Region {
+    let area = |area: f64| finite(area / factor / factor);
+    Region {
+        pieces: of.pieces,
+        area: area(of.area()),
+        perimeter: finite(of.perimeter / factor),
+        corners: Some([of.corners, of.re_entrant_corners]),
+        parts: of.components.iter().map(|part| area(part.area)).collect(),
+    }
+}
+
+fn piece_of(piece: &dyn Piece, factor: f64, law: String) -> PieceOf {
+    let at = |p: Vector2<f64>| point(&[p.x / factor, p.y / factor]);
+    let radius = |r: f64| short(r / factor);
+    let (kind, place) = match piece.figure() {
+        Figure::Segment { ends: [a, b] } => ("segment", format!("{} to {}", at(a), at(b))),
+        Figure::Ray { from, direction, .. } => {
+            ("ray", format!("from {} along {}", at(from), point(&[direction.x, direction.y])))
+        }
+        Figure::Line { through, direction } => {
+            ("line", format!("through {} along {}", at(through), point(&[direction.x, direction.y])))
+        }
+        Figure::Arc { center, radius: r, ends: [a, b], inside } => (
+            if inside { "focusing arc" } else { "dispersing arc" },
+            format!("{} to {} about {}, radius {}", at(a), at(b), at(center), radius(r)),
+        ),
+        Figure::Circle { center, radius: r, inside } => (
+            if inside { "focusing circle" } else { "dispersing circle" },
+            format!("about {}, radius {}", at(center), radius(r)),
+        ),
+        Figure::Other => (
+            "curve",
+            match piece.ends() {
+                Some([a, b]) => format!("{} to {}", at(a), at(b)),
+                None => format!("closed, through {}", at(piece.point_at(0.0))),
+            },
+        ),
+    };
+    let length = piece.length();
+    let middle = if length.is_finite() { 0.5 * length } else { 0.0 };
+    let normal = piece.closest(&piece.point_at(middle)).normal;
+    PieceOf { kind: kind.into(), length: finite(length / factor), place, normal: Some(normal.into()), law }
+}
+
+/// The walls that a table finds for itself, by the name of their type.
+struct NameOfWalls;
+
+impl<const N: usize> WithWalls<N> for NameOfWalls {
+    type Output = String;
+    fn run<W: Walls<N>>(self, _: &W) -> String {
+        plain(core::any::type_name::<W>())
+    }
+}
+
+/// The name of a type without the modules that things are in: `Both<Cuboid, Scatterer>`.
+fn plain(name: &str) -> String {
+    let mut plain = String::new();
+    for part in name.split_inclusive(['<', '>', ',', ' ']) {
+        plain += part.rsplit("::").next().unwrap_or(part);
+    }
+    // the dimension says nothing new
+    ["<2>", "<3>", "<2, 0>", "<2, 1>", "<3, 2>"].iter().fold(plain, |name, dimension| name.replace(dimension, ""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn type_names_become_plain_words() {
+        assert_eq!(plain("geometry::walls::capsule::Capsule"), "Capsule");
+        assert_eq!(plain("a::Both<b::c::Cuboid<2>, d::Scatterer<2>>"), "Both<Cuboid, Scatterer>");
+        assert_eq!(plain("a::Slab<2, 1>"), "Slab");
+    }
+
+    #[test]
+    fn short_numbers_have_six_digits() {
+        assert_eq!([short(1.0 / 3.0), short(0.25), short(1e-7), short(0.0)], ["0.333333", "0.25", "1e-7", "0"]);
+    }
+}

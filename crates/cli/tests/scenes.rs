@@ -1,0 +1,108 @@
+//! Every scene in `scenes/` runs, under its own law, under the specular one and under no-slip.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use billiards_cli::scene::TABLES;
+use serde_json::Value;
+
+fn scenes() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
+    let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|file| file.unwrap().path()).collect();
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    files
+}
+
+fn billiards() -> Command {
+    Command::cargo_bin("billiards").unwrap()
+}
+
+/// Runs a scene into a folder of its own; what it printed, the summary and the names of the files.
+fn run(scene: &Path, law: Option<&str>) -> (String, Value, BTreeSet<String>) {
+    let name = scene.file_stem().unwrap().to_string_lossy();
+    let folder = format!("billiards-scenes-{}-{name}-{}", std::process::id(), law.unwrap_or("own"));
+    let folder = std::env::temp_dir().join(folder);
+    let mut command = billiards();
+    command.arg("run").arg(scene).arg("--out").arg(&folder);
+    if let Some(law) = law {
+        command.args(["--law", law]);
+    }
+    let output = command.output().unwrap();
+    assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    assert!(output.stderr.is_empty(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    let summary = serde_json::from_str(&fs::read_to_string(folder.join("summary.json")).unwrap()).unwrap();
+    let files = fs::read_dir(&folder).unwrap().map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
+    fs::remove_dir_all(folder).unwrap();
+    (String::from_utf8(output.stdout).unwrap(), summary, files)
+}
+
+#[test]
+fn every_scene_runs_under_every_law_and_conserves_energy() {
+    for scene in scenes() {
+        for law in [None, Some("specular"), Some("no-slip")] {
+            let (printed, summary, files) = run(&scene, law);
+            let name = scene.display();
+            assert!(files.contains("summary.json"), "{name}");
+            assert!(files.len() >= 2, "{name}: nothing but a summary: {files:?}");
+            assert!(printed.contains(summary["title"].as_str().unwrap()), "{name}: {printed}");
+            assert!(summary["collisions"].as_u64().unwrap() > 0, "{name}");
+            if law.is_some() {
+                assert_eq!(summary["law"], law.unwrap(), "{name}");
+            }
+            if !summary["law"].as_str().unwrap().starts_with("restitution") {
+                // seen at the ends of orbits, where the keeper's own last correction is still to come
+                let drift = summary["energy_drift"].as_f64().unwrap();
+                assert!(drift <= 1e-14, "{name}, {law:?}: energy drifts by {drift:e}");
+            }
+            let ends = summary["stops"].as_object().unwrap();
+            let orbits: u64 = ends.values().map(|count| count.as_u64().unwrap()).sum();
+            assert_eq!(summary["orbits"].as_u64(), Some(orbits), "{name}");
+            assert!(ends.keys().all(|stop| stop == "finished" || stop == "escaped"), "{name}, {law:?}: {ends:?}");
+        }
+    }
+}
+
+#[test]
+fn every_built_in_table_has_a_scene_of_its_name() {
+    let names: BTreeSet<_> =
+        scenes().iter().map(|file| file.file_stem().unwrap().to_string_lossy().into_owned()).collect();
+    for table in TABLES.iter() {
+        assert!(names.contains(table.name), "{}", table.name);
+    }
+}
+
+#[test]
+fn every_scene_is_described_by_check() {
+    for scene in scenes() {
+        let output = billiards().arg("check").arg(&scene).output().unwrap();
+        assert!(output.status.success(), "{}: {}", scene.display(), String::from_utf8_lossy(&output.stderr));
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains("law") && text.contains("engine") && text.contains("starts at"), "{text}");
+        let output = billiards().arg("check").arg(&scene).arg("--json").output().unwrap();
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(!json["pieces"].as_array().unwrap().is_empty(), "{}", scene.display());
+    }
+}
+
+#[test]
+fn a_scene_has_the_same_results_twice_and_on_any_number_of_threads() {
+    let scene = scenes().into_iter().find(|scene| scene.ends_with("isosceles.toml")).unwrap();
+    let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-twice", std::process::id()));
+    let mut kept: Vec<(Value, Vec<u8>)> = vec![];
+    for (i, threads) in ["1", "1", "3"].into_iter().enumerate() {
+        let out = folder.join(i.to_string());
+        let status = billiards().arg("run").arg(&scene).arg("--out").arg(&out).args(["--threads", threads]).status();
+        assert!(status.unwrap().success());
+        let mut summary: Value = serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
+        for key in ["seconds", "ns_per_collision", "threads", "host", "date", "command"] {
+            assert!(summary.as_object_mut().unwrap().remove(key).is_some(), "{key}");
+        }
+        kept.push((summary, fs::read(out.join("velocity-portrait.svg")).unwrap()));
+    }
+    assert!(kept.windows(2).all(|pair| pair[0] == pair[1]));
+    fs::remove_dir_all(folder).unwrap();
+}
