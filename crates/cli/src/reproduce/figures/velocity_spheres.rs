@@ -27,7 +27,7 @@ fn is_free(v: [f64; 3], tan: f64) -> bool {
 
 fn draw(effort: Effort) -> Drawing {
     let (turns, pixels, fine) = if effort == Effort::Quick { (100, 160, 2) } else { (400, 300, 3) };
-    let triangle = wedge::opening_of_period(3).ok_or("no such wedge")?;
+    let triangle = wedge::opening_of_turn(2.0 * PI / 3.0).ok_or("no such wedge")?;
     let panels = [
         (PI / 3.0, "θ = π/3", false),
         (PI / 3.0, "θ = π/3", true),

@@ -27,7 +27,7 @@ fn draw(_: Effort) -> Drawing {
     let view = View::fit(window, [left, 3.0], side, side);
     let mut sheet = Sheet::new(COLUMN, side + below + 3.0);
     for n in 2..=5_u32 {
-        let theta = wedge::opening_of_period(n).ok_or("no such wedge")?;
+        let theta = wedge::opening_of_turn(2.0 * PI / f64::from(n)).ok_or("no such wedge")?;
         let alpha = 2.0 * PI / f64::from(n);
         let grey = Style::line(Colour(0x90, 0x90, 0x90), 0.4);
         sheet.dashed(view.place([0.0, alpha]), view.place([theta, alpha]), grey);

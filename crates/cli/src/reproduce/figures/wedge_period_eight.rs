@@ -16,7 +16,7 @@ pub(super) const FIGURE: Figure = Figure {
 };
 
 fn draw(_: Effort) -> Drawing {
-    let theta = wedge::opening_of_period(4).ok_or("no such wedge")?;
+    let theta = wedge::opening_of_turn(core::f64::consts::FRAC_PI_2).ok_or("no such wedge")?;
     let mut sheet = Sheet::new(COLUMN, 150.0);
     for (i, (part, side)) in [(0.45, 0.5), (0.6, 1.1)].into_iter().enumerate() {
         let path = bounded(theta, part, side, 32)?;
