@@ -118,8 +118,8 @@ fn the_keeper_keeps_the_energy_of_a_long_orbit() {
     let mut orbit = orbit([0.1, 0.2], [0.6, 0.3], 0.4);
     let mut drift = EnergyDrift::of(&orbit);
     stadium.run(&mut orbit, &Collisions(100_000), &mut drift);
-    // a collision repairs what the one before did, unless it is too flat: along the caps many in a row may be, each with a
-    // few roundings; without the keeper it would be some 1e5 ε
+    // a few roundings each for the collisions in a row along a cap that are too flat to be repaired well at once; without
+    // the keeper it would be some 1e5 ε
     assert!(drift.largest() < 64.0 * f64::EPSILON, "{:e}", drift.largest());
 }
 
@@ -263,7 +263,7 @@ fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
         let [v1, v2] = start.velocity;
         assert!((start.spin[0].powi(2) + v1 * v1 + v2 * v2 - 4.0).abs() < 1e-14);
         let normal = table.closest(&start.position.into()).1.normal;
-        let vn = (v1 * normal.x + v2 * normal.y) / 2.0;
+        let vn = 0.5 * (v1 * normal.x + v2 * normal.y);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "r² is between 0 and 1")]
         let ring = ((1.0 - vn * vn) * 3.0) as usize;
         radii[ring] += 1;

@@ -177,6 +177,8 @@ fn a_state_and_its_orbit_are_the_same_point() {
     for (name, table) in tables() {
         for state in states(&table, 100) {
             let orbit = state.orbit::<(), ()>(&table, ()).unwrap();
+            let start = state.start(&table).unwrap();
+            assert_eq!((start.position, start.velocity, start.spin), (orbit.position, orbit.velocity, orbit.spin));
             let landing = table.closest(&orbit.position.into()).1;
             let at = WallHit::never(orbit.position);
             let hit = WallHit { piece: state.piece as f64, normal: landing.normal.into(), ..at };
