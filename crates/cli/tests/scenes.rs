@@ -95,8 +95,8 @@ fn a_scene_has_the_same_results_twice_and_on_any_number_of_threads() {
     let mut kept: Vec<(Value, Vec<u8>)> = vec![];
     for (i, threads) in ["1", "1", "3"].into_iter().enumerate() {
         let out = folder.join(i.to_string());
-        let status = billiards().arg("run").arg(&scene).arg("--out").arg(&out).args(["--threads", threads]).status();
-        assert!(status.unwrap().success());
+        let status = billiards().arg("run").arg(&scene).arg("--out").arg(&out).args(["--threads", threads]).output();
+        assert!(status.unwrap().status.success());
         let mut summary: Value = serde_json::from_str(&fs::read_to_string(out.join("summary.json")).unwrap()).unwrap();
         for key in ["seconds", "ns_per_collision", "threads", "host", "date", "command"] {
             assert!(summary.as_object_mut().unwrap().remove(key).is_some(), "{key}");
