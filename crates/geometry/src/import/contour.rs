@@ -1,0 +1,218 @@
+//! Closed outlines, turned the right way.
+use crate::{
+    Error, MeetingKind, Piece,
+    boxes::BoxTree,
+    meetings,
+    plane::slack,
+    shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
+    validate::is_hit,
+};
+use nalgebra::Vector2;
+
+/// Semi-axes that differ by less than this part make a circle: transformations round.
+const ROUND: f64 = 1e-12;
+
+/// An ellipse, or the one that an arc is part of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Oval {
+    pub(super) center: Vector2<f64>,
+    pub(super) semi_axes: [f64; 2],
+    /// Of the first semi-axis (radians).
+    pub(super) angle: f64,
+}
+
+impl Oval {
+    fn radius(&self) -> Option<f64> {
+        let [a, b] = self.semi_axes;
+        ((a - b).abs() <= ROUND * a.max(b)).then(|| (a * b).sqrt())
+    }
+
+    fn whole(&self, inside: bool) -> Result<Box<dyn Piece>, Error> {
+        Ok(match self.radius() {
+            Some(radius) => Box::new(Circle::new(self.center, radius, inside)?),
+            None => Box::new(Ellipse::new(self.center, self.semi_axes, self.angle, inside)?),
+        })
+    }
+}
+
+/// What leads from one vertex to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Edge {
+    Line,
+    Arc { oval: Oval, counter_clockwise: bool },
+}
+
+impl Edge {
+    fn piece(&self, from: Vector2<f64>, to: Vector2<f64>, reversed: bool) -> Result<Box<dyn Piece>, Error> {
+        let (a, b) = if reversed { (to, from) } else { (from, to) };
+        Ok(match *self {
+            Edge::Line => Box::new(Segment::new(a, b)?),
+            Edge::Arc { oval, counter_clockwise } => {
+                let inside = counter_clockwise != reversed;
+                if oval.radius().is_some() {
+                    Box::new(Arc::new(oval.center, a, b, inside)?)
+                } else {
+                    let ellipse = Ellipse::new(oval.center, oval.semi_axes, oval.angle, inside)?;
+                    Box::new(EllipticArc::new(ellipse, a, b)?)
+                }
+            }
+        })
+    }
+}
+
+/// The form of a closed outline.
+#[derive(Clone, Debug)]
+pub(super) enum Form {
+    /// A start, and edges with the vertices that they lead to; the last one leads back.
+    Path(Vector2<f64>, Vec<(Edge, Vector2<f64>)>),
+    Oval(Oval),
+}
+
+/// What an outline bounds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// Whatever the outlines around it make of it.
+    Nested,
+    Outer,
+    Hole,
+}
+
+/// A closed outline, and where in the file it is.
+#[derive(Clone, Debug)]
+pub(super) struct Contour {
+    pub(super) place: String,
+    pub(super) form: Form,
+    pub(super) role: Role,
+}
+
+impl Contour {
+    fn pieces(&self, reversed: bool) -> Result<Vec<Box<dyn Piece>>, Error> {
+        let located = |e: Error| Error::Outline { place: self.place.clone(), problem: e.to_string() };
+        match &self.form {
+            Form::Oval(oval) => Ok(vec![oval.whole(!reversed).map_err(located)?]),
+            Form::Path(start, edges) => {
+                let mut from = *start;
+                let mut pieces = vec![];
+                for (edge, to) in edges {
+                    pieces.push(edge.piece(from, *to, reversed).map_err(located)?);
+                    from = *to;
+                }
+                if reversed {
+                    pieces.reverse();
+                }
+                Ok(pieces)
+            }
+        }
+    }
+}
+
+/// A path drawn edge by edge: edges without length are left out, and the last vertex becomes the first one again.
+#[derive(Debug)]
+pub(super) struct Pen {
+    start: Vector2<f64>,
+    at: Vector2<f64>,
+    edges: Vec<(Edge, Vector2<f64>)>,
+}
+
+impl Pen {
+    pub(super) fn new(start: Vector2<f64>) -> Pen {
+        Pen { start, at: start, edges: vec![] }
+    }
+    pub(super) fn at(&self) -> Vector2<f64> {
+        self.at
+    }
+    pub(super) fn draw(&mut self, edge: Edge, to: Vector2<f64>) {
+        if to != self.at {
+            self.edges.push((edge, to));
+            self.at = to;
+        }
+    }
+    /// The closed path; `None` where there is no edge.
+    pub(super) fn close(mut self) -> Option<Form> {
+        let gap = (self.at - self.start).amax();
+        if gap > 4.0 * slack(self.at.iter().chain(self.start.iter()).copied()) {
+            self.draw(Edge::Line, self.start);
+        } else if let Some(last) = self.edges.last_mut() {
+            last.1 = self.start;
+        }
+        // snapping may leave an edge without length
+        let edges = core::mem::take(&mut self.edges);
+        let mut from = self.start;
+        for (edge, to) in edges {
+            if to != from {
+                self.edges.push((edge, to));
+            }
+            from = to;
+        }
+        (!self.edges.is_empty()).then_some(Form::Path(self.start, self.edges))
+    }
+}
+
+/// The pieces of all outlines, in their order, each loop turned so that the table is on its left.
+pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Error> {
+    if contours.is_empty() {
+        return Err(Error::Empty);
+    }
+    let mut loops = vec![];
+    for contour in contours {
+        loops.push(contour.pieces(false)?);
+    }
+    let owners: Vec<usize> = loops.iter().enumerate().flat_map(|(k, l)| l.iter().map(move |_| k)).collect();
+    let all: Vec<&dyn Piece> = loops.iter().flatten().map(|p| &**p).collect();
+    let tree = BoxTree::new(all.iter().map(|p| p.extent()).collect());
+    let mut turned = vec![];
+    for (k, contour) in contours.iter().enumerate() {
+        let area: f64 = loops[k].iter().map(|p| p.area()).sum();
+        let size = loops[k].iter().map(|p| p.extent().size()).fold(0.0, f64::max);
+        if area.is_nan() || area.abs() <= size * slack([size]) {
+            let problem = "the outline encloses no area".into();
+            return Err(Error::Outline { place: contour.place.clone(), problem });
+        }
+        let hole = match contour.role {
+            Role::Outer => false,
+            Role::Hole => true,
+            Role::Nested => is_nested_oddly(&all, &owners, &tree, k, &loops[k]),
+        };
+        turned.push((area < 0.0) != hole);
+    }
+    let mut pieces = vec![];
+    for ((contour, given), reversed) in contours.iter().zip(loops).zip(turned) {
+        pieces.extend(if reversed { contour.pieces(true)? } else { given });
+    }
+    Ok(pieces)
+}
+
+/// Whether an outline lies inside an odd number of others: a ray from it crosses them an odd number of times.
+fn is_nested_oddly(
+    all: &[&dyn Piece],
+    owners: &[usize],
+    tree: &BoxTree,
+    own: usize,
+    outline: &[Box<dyn Piece>],
+) -> bool {
+    let direction = Vector2::new(0.587_785_252_292_473, 0.809_016_994_374_947);
+    let mut odd = false;
+    for k in 0..16_usize {
+        let piece = &outline[k * outline.len() / 16];
+        let from = piece.point_at(piece.length() * (0.381_966 + 0.031 * k as f64));
+        let Ok(ray) = Ray::new(from, direction, true) else { return false };
+        let (mut count, mut clear) = (0_usize, true);
+        let reach = slack(from.iter().copied());
+        tree.search(
+            |e| is_hit(e, &from, &direction, reach),
+            |i| {
+                if owners[i] != own {
+                    for m in meetings(&ray, all[i]) {
+                        count += 1;
+                        clear &= m.kind == MeetingKind::Crossing;
+                    }
+                }
+            },
+        );
+        odd = count % 2 == 1;
+        if clear {
+            break;
+        }
+    }
+    odd
+}

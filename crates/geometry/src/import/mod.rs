@@ -1,0 +1,26 @@
+//! Outlines from files: drawings (SVG) and maps (`GeoJSON`) as pieces of a table.
+//!
+//! Straight edges become segments, circular arcs arcs, elliptic arcs elliptic arcs: exactly. Bézier curves become
+//! smoothly joined circular arcs within a tolerance. Loops are oriented as a table needs them: an outline that lies in
+//! an even number of others is an outer wall, any other one is a hole in it.
+//!
+//! ```
+//! use geometry::{Table, import};
+//! let drawing = r#"<svg xmlns="http://www.w3.org/2000/svg">
+//!   <path d="M 0 0 h 4 v 2 h -4 z"/>
+//!   <circle cx="2" cy="1" r="0.5"/>
+//! </svg>"#;
+//! let table = Table::new(import::svg(drawing, import::TOLERANCE)?)?;
+//! assert!((table.area() - (8.0 - core::f64::consts::PI / 4.0)).abs() < 1e-15);
+//! # Ok::<(), geometry::Error>(())
+//! ```
+mod biarc;
+mod contour;
+mod geojson;
+mod svg;
+
+pub use geojson::geojson;
+pub use svg::svg;
+
+/// How far, as part of the size of the drawing, the arcs that replace Bézier curves may be from them.
+pub const TOLERANCE: f64 = 1e-9;

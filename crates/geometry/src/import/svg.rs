@@ -1,0 +1,270 @@
+//! Outlines from SVG drawings.
+mod affine;
+mod path;
+
+use super::{
+    biarc::Fit,
+    contour::{Contour, Edge, Form, Oval, Pen, Role, oriented},
+};
+use crate::{Error, Piece};
+use affine::Affine;
+use nalgebra::Vector2;
+use path::{Draw, Subpath};
+use roxmltree::{Document, Node, ParsingOptions};
+
+/// The outlines of an SVG drawing, as pieces of a table.
+///
+/// Read are `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse`, with the transformations of elements and
+/// groups; open outlines are closed by a straight edge, as filling does. Colours, fill rules and the view box mean
+/// nothing here: lengths are user units, and absolute units (`mm`, `in`, …) are converted at 96 per inch. The x₂ axis of
+/// a table points up, that of a drawing down: `y` becomes `−y`, so that both look the same. Bézier curves become arcs
+/// within `tolerance` times the greatest coordinate ([`TOLERANCE`](super::TOLERANCE) is a good one).
+///
+/// # Errors
+/// [`Error::Outline`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, and for
+/// a `use`, which should be expanded by the drawing program; [`Error::Empty`] for a drawing without outlines;
+/// [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
+pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
+    if !(1e-14..=1.0).contains(&tolerance) {
+        return Err(Error::Parameter { name: "tolerance", must: "between 1e-14 and 1", value: tolerance });
+    }
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(text, options).map_err(|e| {
+        let place = format!("line {}, column {}", e.pos().row, e.pos().col);
+        Error::Outline { place, problem: e.to_string() }
+    })?;
+    let root = document.root_element();
+    if root.tag_name().name() != "svg" {
+        return Err(place(&root).fail("an SVG drawing must have <svg> as its outermost element"));
+    }
+    let mut outlines = vec![];
+    // depth does not overflow a stack of our own
+    let mut open = vec![(root, Affine::FLIP)];
+    while let Some((node, outer)) = open.pop() {
+        if is_hidden(&node) {
+            continue;
+        }
+        let here =
+            outer.after(&affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| place(&node).fail(e))?);
+        match node.tag_name().name() {
+            "svg" | "g" | "a" | "switch" => {
+                let here = if node == root { here } else { here.after(&nested(&node)?) };
+                open.extend(node.children().filter(Node::is_element).rev().map(|child| (child, here)));
+            }
+            name @ ("line" | "use") => {
+                let problem = match name {
+                    "line" => "a straight line bounds nothing: an outline must enclose an area",
+                    _ => "references are not followed: expand them (\"unlink clones\") in the drawing program",
+                };
+                return Err(place(&node).fail(problem));
+            }
+            name => {
+                if let Some(subpaths) = element(name, &node)? {
+                    outlines.extend(subpaths.into_iter().map(|drawn| Outline { place: place(&node), drawn, here }));
+                }
+            }
+        }
+    }
+    let size = outlines.iter().flat_map(Outline::points).fold(0.0, |m: f64, p| m.max(p.amax()));
+    let fit = Fit { tolerance: tolerance * size, size };
+    let mut contours = vec![];
+    for outline in &outlines {
+        contours.extend(outline.contour(&fit)?);
+    }
+    oriented(&contours)
+}
+
+/// Line and name of an element.
+#[derive(Clone, Debug)]
+struct Place(String);
+
+impl Place {
+    fn fail(&self, problem: impl Into<String>) -> Error {
+        Error::Outline { place: self.0.clone(), problem: problem.into() }
+    }
+}
+
+fn place(node: &Node) -> Place {
+    let line = node.document().text_pos_at(node.range().start).row;
+    Place(format!("line {line}, <{}>", node.tag_name().name()))
+}
+
+fn is_hidden(node: &Node) -> bool {
+    let style = node.attribute("style").unwrap_or("");
+    let squeezed: String = style.chars().filter(|c| !c.is_whitespace()).collect();
+    node.attribute("display") == Some("none") || squeezed.contains("display:none")
+}
+
+/// The placement of a drawing within a drawing.
+fn nested(node: &Node) -> Result<Affine, Error> {
+    if node.tag_name().name() != "svg" {
+        return Ok(Affine::IDENTITY);
+    }
+    if node.attribute("viewBox").is_some() {
+        return Err(place(node).fail("a drawing within a drawing may be moved but not have a viewBox"));
+    }
+    Ok(Affine::translation(length(node, "x", 0.0)?, length(node, "y", 0.0)?))
+}
+
+/// A length in user units; `or` where it is not given.
+fn length(node: &Node, name: &str, or: f64) -> Result<f64, Error> {
+    let Some(text) = node.attribute(name) else { return Ok(or) };
+    let text = text.trim();
+    let digits = text.trim_end_matches(|c: char| c.is_ascii_alphabetic() || c == '%');
+    // "1e3" has no unit, "1em" has
+    let (number, unit) = match text.parse::<f64>() {
+        Ok(_) => (text, ""),
+        Err(_) => (digits, &text[digits.len()..]),
+    };
+    let scale = match unit {
+        "" | "px" => 1.0,
+        "in" => 96.0,
+        "pt" => 96.0 / 72.0,
+        "pc" => 16.0,
+        "mm" => 96.0 / 25.4,
+        "cm" => 96.0 / 2.54,
+        "Q" => 96.0 / 101.6,
+        _ => return Err(place(node).fail(format!("{name}=\"{text}\" must be a number, with an absolute unit if any"))),
+    };
+    match number.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value * scale),
+        _ => Err(place(node).fail(format!("{name}=\"{text}\" must be a number"))),
+    }
+}
+
+/// An outline in the coordinates of its element.
+#[derive(Clone, Debug)]
+enum Drawn {
+    Path(Subpath),
+    Oval { center: Vector2<f64>, radii: [f64; 2] },
+}
+
+/// What an element draws; `None` for elements that draw no outlines.
+fn element(name: &str, node: &Node) -> Result<Option<Vec<Drawn>>, Error> {
+    let v = Vector2::new;
+    let fail = |problem: String| Err(place(node).fail(problem));
+    Ok(Some(match name {
+        "path" => {
+            let subpaths = path::parse(node.attribute("d").unwrap_or("")).map_err(|e| place(node).fail(e))?;
+            subpaths.into_iter().map(Drawn::Path).collect()
+        }
+        "polygon" | "polyline" => {
+            let points = path::points(node.attribute("points").unwrap_or("")).map_err(|e| place(node).fail(e))?;
+            let Some((first, rest)) = points.split_first() else { return Ok(None) };
+            vec![Drawn::Path(Subpath { start: *first, edges: rest.iter().map(|&p| Draw::Line(p)).collect() })]
+        }
+        "circle" | "ellipse" => {
+            let center = v(length(node, "cx", 0.0)?, length(node, "cy", 0.0)?);
+            let radii = match name {
+                "circle" => [length(node, "r", 0.0)?; 2],
+                _ => [length(node, "rx", 0.0)?, length(node, "ry", 0.0)?],
+            };
+            if radii.iter().any(|&r| r < 0.0) {
+                return fail("a radius must not be negative".into());
+            }
+            // radius 0 draws nothing
+            if radii.contains(&0.0) {
+                return Ok(None);
+            }
+            vec![Drawn::Oval { center, radii }]
+        }
+        "rect" => {
+            let [x, y] = [length(node, "x", 0.0)?, length(node, "y", 0.0)?];
+            let [w, h] = [length(node, "width", 0.0)?, length(node, "height", 0.0)?];
+            if w < 0.0 || h < 0.0 {
+                return fail("width and height must not be negative".into());
+            }
+            if w == 0.0 || h == 0.0 {
+                return Ok(None);
+            }
+            // one radius stands for both
+            let given =
+                |name: &str| node.attribute(name).filter(|r| *r != "auto").map(|_| length(node, name, 0.0)).transpose();
+            let (rx, ry) = (given("rx")?, given("ry")?);
+            let (rx, ry) = (rx.or(ry).unwrap_or(0.0).min(0.5 * w), ry.or(rx).unwrap_or(0.0).min(0.5 * h));
+            if rx < 0.0 || ry < 0.0 {
+                return fail("a radius must not be negative".into());
+            }
+            let corner = |to| Draw::Arc { radii: [rx, ry], tilt: 0.0, large: false, sweep: true, to };
+            let (right, bottom) = (x + w, y + h);
+            let edges = if rx == 0.0 || ry == 0.0 {
+                [v(right, y), v(right, bottom), v(x, bottom)].map(Draw::Line).to_vec()
+            } else {
+                vec![
+                    Draw::Line(v(right - rx, y)),
+                    corner(v(right, y + ry)),
+                    Draw::Line(v(right, bottom - ry)),
+                    corner(v(right - rx, bottom)),
+                    Draw::Line(v(x + rx, bottom)),
+                    corner(v(x, bottom - ry)),
+                    Draw::Line(v(x, y + ry)),
+                    corner(v(x + rx, y)),
+                ]
+            };
+            let start = if rx == 0.0 || ry == 0.0 { v(x, y) } else { v(x + rx, y) };
+            vec![Drawn::Path(Subpath { start, edges })]
+        }
+        _ => return Ok(None),
+    }))
+}
+
+/// An outline, and what takes it into the table.
+#[derive(Clone, Debug)]
+struct Outline {
+    place: Place,
+    drawn: Drawn,
+    here: Affine,
+}
+
+impl Outline {
+    /// Points that tell its size.
+    fn points(&self) -> Vec<Vector2<f64>> {
+        let points = match &self.drawn {
+            Drawn::Path(path) => core::iter::once(path.start).chain(path.edges.iter().flat_map(Draw::points)).collect(),
+            Drawn::Oval { center, radii: [a, b] } => vec![center - Vector2::new(*a, *b), center + Vector2::new(*a, *b)],
+        };
+        points.into_iter().map(|p| self.here.apply(p)).collect()
+    }
+
+    /// The closed outline in the plane of the table; `None` for a path without edges.
+    fn contour(&self, fit: &Fit) -> Result<Option<Contour>, Error> {
+        if self.points().iter().any(|p| !p.iter().all(|x| x.is_finite())) {
+            return Err(self.place.fail("the coordinates overflow"));
+        }
+        let oval = |center: Vector2<f64>, radii: [f64; 2], tilt: f64| {
+            let (semi_axes, angle) = self.here.ellipse(radii, tilt);
+            Oval { center: self.here.apply(center), semi_axes, angle }
+        };
+        let form = match &self.drawn {
+            Drawn::Oval { center, radii } => Some(Form::Oval(oval(*center, *radii, 0.0))),
+            Drawn::Path(path) => {
+                let mut from = path.start;
+                let mut pen = Pen::new(self.here.apply(from));
+                for draw in &path.edges {
+                    match *draw {
+                        Draw::Line(to) => pen.draw(Edge::Line, self.here.apply(to)),
+                        Draw::Cubic(b, c, d) => {
+                            let [b, c, d] = [b, c, d].map(|p| self.here.apply(p));
+                            let a = pen.at();
+                            fit.cubic(&mut pen, [a, b, c, d]);
+                        }
+                        Draw::Arc { radii, tilt, large, sweep, to } => {
+                            let end = self.here.apply(to);
+                            match path::center(from, to, radii, tilt, large, sweep) {
+                                Some((center, radii)) => {
+                                    // the drawing's positive sense is clockwise on paper
+                                    let counter_clockwise = sweep == (self.here.determinant() > 0.0);
+                                    pen.draw(Edge::Arc { oval: oval(center, radii, tilt), counter_clockwise }, end);
+                                }
+                                None => pen.draw(Edge::Line, end),
+                            }
+                        }
+                    }
+                    from = draw.end();
+                }
+                pen.close()
+            }
+        };
+        Ok(form.map(|form| Contour { place: self.place.0.clone(), form, role: Role::Nested }))
+    }
+}
