@@ -6,7 +6,7 @@ use billiards::collision_laws::laws::NoSlip;
 use billiards::geometry::Table;
 use billiards::laws::Disk;
 use billiards::observe::Watch;
-use billiards::{Angle, BallLaw, Cell, Collision, Collisions, Conserved, Orbit, Planar, Stop};
+use billiards::{Angle, BallLaw, Cell, Collision, Collisions, Conserved, Orbit, Planar};
 
 use super::UNIFORM;
 
@@ -40,8 +40,6 @@ impl Hit {
 pub(super) struct Path {
     pub(super) start: [f64; 3],
     pub(super) hits: Vec<Hit>,
-    /// Where it flies for ever, if it does.
-    pub(super) escapes: bool,
 }
 
 impl Path {
@@ -73,7 +71,7 @@ pub(super) fn follow<L: BallLaw<2, 1>>(billiard: &Planar<L>, x: [f64; 3], v: [f6
         hits.push(Hit { piece, x, v, normal: c_hit.unit_normal() });
     };
     let (position, velocity, spin) = ([x[1], x[2]], [v[1], v[2]], [v[0]]);
-    let stop = if let Some(lattice) = billiard.table.lattice() {
+    if let Some(lattice) = billiard.table.lattice() {
         let lattice = Arc::new(lattice.clone());
         let track = (Angle::new(x[0]), Cell::new(Arc::clone(&lattice), 0.0));
         let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new(position, velocity, spin, track);
@@ -83,7 +81,7 @@ pub(super) fn follow<L: BallLaw<2, 1>>(billiard: &Planar<L>, x: [f64; 3], v: [f6
             note(c.hit, c.piece(), x, [o.spin[0], o.velocity[0], o.velocity[1]]);
             core::ops::ControlFlow::Continue(())
         };
-        billiard.run(&mut orbit, &Collisions(collisions), &mut Watch::new(look)).stop
+        billiard.run(&mut orbit, &Collisions(collisions), &mut Watch::new(look));
     } else {
         let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new(position, velocity, spin, Angle::new(x[0]));
         let look = |c: &Collision<'_, 2, 1, Conserved<f64, 2>, Angle>| {
@@ -92,7 +90,7 @@ pub(super) fn follow<L: BallLaw<2, 1>>(billiard: &Planar<L>, x: [f64; 3], v: [f6
             note(c.hit, c.piece(), x, [o.spin[0], o.velocity[0], o.velocity[1]]);
             core::ops::ControlFlow::Continue(())
         };
-        billiard.run(&mut orbit, &Collisions(collisions), &mut Watch::new(look)).stop
-    };
-    Path { start: x, hits, escapes: stop == Stop::Escaped }
+        billiard.run(&mut orbit, &Collisions(collisions), &mut Watch::new(look));
+    }
+    Path { start: x, hits }
 }

@@ -77,13 +77,6 @@ impl Sheet {
         self.svg.text([x, y + 0.33 * size], size, anchor, &math(text));
     }
 
-    /// Fills the obstacles of a table, before its orbits are drawn.
-    pub(super) fn obstacles(&mut self, view: &View, table: &Table) {
-        for stroke in strokes::of(table, 1.0).iter().filter(|stroke| stroke.is_solid()) {
-            self.svg.path(&stroke.outline(view), Style::area(Colour::SOLID));
-        }
-    }
-
     /// Draws the walls of a table.
     pub(super) fn walls(&mut self, view: &View, table: &Table) {
         for stroke in strokes::of(table, 1.0) {

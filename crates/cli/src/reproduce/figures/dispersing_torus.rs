@@ -45,7 +45,7 @@ fn draw(effort: Effort) -> Drawing {
         sheet.dashed(view.place([t, 0.0]), view.place([t, 2.0]), guide);
         sheet.dashed(view.place([0.0, t]), view.place([2.0, t]), guide);
     }
-    for i in 0..10 {
+    for i in 0..10_u32 {
         let (a, b) = (0.09 * f64::from(i % 5), 0.11 * f64::from(i / 5));
         let path = follow(&billiard, [0.0, 0.0, 0.5], unit([a, 1.0, 0.02 + b]), 3000);
         let stays = path.hits.iter().all(|hit| hit.x[1].abs() < 0.2 && (hit.x[2] - 0.5).abs() < 0.4);

@@ -12,16 +12,16 @@ pub(super) const FIGURE: Figure = Figure {
     place: "Figure 4",
     caption: "Left: one orbit of a disk that does not slip. Right: the velocity portrait, the points (v₀, vₜ) after every collision, of \
               many orbits, each in its colour. Closed curves surround periodic points; nothing here looks ergodic.",
-    parameters: "Side 1, uniform disk, γ² = 1/2; orbits start by the canonical measure (seed 4): 400 × 4000 collisions, with --quick \
-                 150 × 2000; those that spread over an area are grey. The orbit on the left is one of them, 200 collisions.",
+    parameters: "Side 1, uniform disk, γ² = 1/2; orbits start by the canonical measure (seed 4): 150 × 1500 collisions, with --quick \
+                 80 × 1000; those that spread over an area are grey. The orbit on the left is one of them, 200 collisions.",
     draw,
 };
 
 fn draw(effort: Effort) -> Drawing {
     let billiard = no_slip(tables::hexagon(1.0)?);
-    let (orbits, collisions) = if effort == Effort::Quick { (150, 2000) } else { (400, 4000) };
+    let (orbits, collisions) = if effort == Effort::Quick { (80, 1000) } else { (150, 1500) };
     let starts = starts(&billiard.table, 4, orbits)?;
-    let mut portrait = Portrait::new(760);
+    let mut portrait = Portrait::new(480);
     portrait.orbits(&billiard, &starts, collisions);
     let mut sheet = Sheet::new(320.0, 164.0);
     let half = libm::sqrt(3.0) / 2.0;

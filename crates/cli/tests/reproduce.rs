@@ -1,0 +1,81 @@
+//! `billiards reproduce`: the page is whole, the same every time, and tells what it cannot find.
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use billiards_cli::reproduce::{Effort, figures};
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("billiards-reproduce-{name}-{}", std::process::id()));
+    let _ = fs::remove_dir_all(&folder);
+    folder
+}
+
+fn reproduce(words: &[&str], out: &Path) -> assert_cmd::assert::Assert {
+    Command::cargo_bin("billiards").unwrap().arg("reproduce").args(words).arg("--out").arg(out).assert()
+}
+
+#[test]
+fn every_figure_is_well_formed_and_the_same_every_time() {
+    for figure in figures::all() {
+        let once = (figure.draw)(Effort::Quick).unwrap_or_else(|e| panic!("{}: {e}", figure.name)).to_string();
+        let options = roxmltree::ParsingOptions { nodes_limit: u32::MAX, ..Default::default() };
+        roxmltree::Document::parse_with_options(&once, options).unwrap_or_else(|e| panic!("{}: {e}", figure.name));
+        assert!(!once.contains("NaN") && !once.contains("inf "), "{}", figure.name);
+        let twice = (figure.draw)(Effort::Quick).unwrap().to_string();
+        assert!(once == twice, "{}", figure.name);
+    }
+}
+
+#[test]
+fn names_of_figures_and_claims_are_unique() {
+    let mut names: Vec<_> =
+        figures::all().iter().map(|f| f.name).chain(paper::claims::all().iter().map(|c| c.name)).collect();
+    let many = names.len();
+    names.sort_unstable();
+    names.dedup();
+    assert_eq!(names.len(), many);
+}
+
+#[test]
+fn one_figure_makes_its_page_and_its_picture() {
+    let out = folder("one");
+    reproduce(&["--quick", "--only", "strip"], &out).success();
+    let mut files: Vec<_> =
+        fs::read_dir(&out).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+    files.sort();
+    assert_eq!(files, ["claims.json", "index.html", "strip.svg"]);
+    let page = fs::read_to_string(out.join("index.html")).unwrap();
+    assert!(page.contains("src=\"strip.svg\"") && !page.contains("<script") && !page.contains("http"));
+    fs::remove_dir_all(out).unwrap();
+}
+
+#[test]
+fn one_claim_is_measured_with_its_verdict() {
+    let out = folder("claim");
+    reproduce(&["--quick", "--only", "strip-width"], &out).success();
+    let json: serde_json::Value = serde_json::from_str(&fs::read_to_string(out.join("claims.json")).unwrap()).unwrap();
+    let claim = &json["claims"][0];
+    assert_eq!((claim["name"].as_str(), claim["consistent"].as_bool()), (Some("strip-width"), Some(true)));
+    assert!(claim["measured"].as_array().is_some_and(|m| !m.is_empty()));
+    assert!(fs::read_to_string(out.join("index.html")).unwrap().contains("id=\"strip-width\""));
+    fs::remove_dir_all(out).unwrap();
+}
+
+#[test]
+fn an_unknown_name_is_bad_input_and_writes_nothing() {
+    let out = folder("unknown");
+    let output = reproduce(&["--only", "hexagn"], &out).failure().code(2).get_output().clone();
+    assert!(String::from_utf8(output.stderr).unwrap().contains("hexagon"));
+    assert!(!out.exists());
+}
+
+#[test]
+fn the_list_names_all() {
+    let output = Command::cargo_bin("billiards").unwrap().args(["reproduce", "--list"]).assert().success();
+    let text = String::from_utf8(output.get_output().stdout.clone()).unwrap();
+    assert!(figures::all().iter().all(|f| text.contains(f.name)));
+    assert!(paper::claims::all().iter().all(|c| text.contains(c.name)));
+}
