@@ -158,7 +158,7 @@ fn table(page: &mut String, claims: &[&Measured]) -> fmt::Result {
         };
         writeln!(
             page,
-            "<tr id=\"{name}\"><td><span class=\"soft\">{place}</span><br>{statement}<br><code class=\"soft\">{name}</code></td>\n<td class=\"numbers\">",
+            "<tr id=\"claim-{name}\"><td><span class=\"soft\">{place}</span><br>{statement}<br><code class=\"soft\">{name}</code></td>\n<td class=\"numbers\">",
             name = claim.name,
             place = escape(claim.place),
             statement = escape(claim.statement),
