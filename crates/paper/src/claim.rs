@@ -206,8 +206,8 @@ impl fmt::Display for Quantity {
             Relation::Sampled { standard_error } => {
                 write!(f, "{label}: {measured:.6} ± {standard_error:.6} = {expected:.6}")?
             }
-            Relation::AtMost => write!(f, "{label}: {measured:.10} ≤ {expected:.10} + {bound:.1e}")?,
-            Relation::AtLeast => write!(f, "{label}: {measured:.10} ≥ {expected:.10} − {bound:.1e}")?,
+            Relation::AtMost => write!(f, "{label}: {measured:.10} ≤ {:.10}", expected + bound)?,
+            Relation::AtLeast => write!(f, "{label}: {measured:.10} ≥ {:.10}", expected - bound)?,
             Relation::Differs => write!(f, "{label}: {measured:.10} ≠ {expected:.10} (by more than {bound:.1e})")?,
         }
         f.write_str(sign)

@@ -37,22 +37,28 @@ pub fn axis(theta: f64, gamma_squared: f64) -> [f64; 3] {
     [spin / length, 1.0 / length, 0.0]
 }
 
-/// `cos ρ` of the circle about `b` that touches the velocities of direct escape: `sin(θ/2) √((1+γ²)/(γ² + sin²(θ/2)))`.
-pub fn cos_inradius(theta: f64, gamma_squared: f64) -> f64 {
-    let sin = libm::sin(0.5 * theta);
-    sin * libm::sqrt((1.0 + gamma_squared) / (gamma_squared + sin * sin))
+/// The radius ρ of the circle about `b` that touches the velocities of direct escape: `tan ρ = γ cos(θ/2) / (√(1+γ²) sin(θ/2))`.
+pub fn inradius(theta: f64, gamma_squared: f64) -> f64 {
+    let (sin, cos) = (libm::sin(0.5 * theta), libm::cos(0.5 * theta));
+    libm::atan2(libm::sqrt(gamma_squared) * cos, libm::sqrt(1.0 + gamma_squared) * sin)
 }
 
-/// The area of each of the two regions of velocities that never escape: a cap if `q` is `None`, else the regular
-/// spherical q-gon with the same inradius, where `δ = π p/q` in lowest terms.
+/// `cos ρ` of the [`inradius`]: `sin(θ/2) √((1+γ²)/(γ² + sin²(θ/2)))`.
+pub fn cos_inradius(theta: f64, gamma_squared: f64) -> f64 {
+    libm::cos(inradius(theta, gamma_squared))
+}
+
+/// The area of each of the two regions of velocities that never escape: the cap of radius ρ if `q` is `None`, else the regular
+/// spherical q-gon with that inradius, where `δ = π p/q` in lowest terms.
 pub fn non_escape_area(theta: f64, gamma_squared: f64, q: Option<u32>) -> f64 {
-    let cos = cos_inradius(theta, gamma_squared);
+    let rho = inradius(theta, gamma_squared);
     match q {
-        None => TAU * (1.0 - cos),
+        None => 2.0 * TAU * libm::sin(0.5 * rho) * libm::sin(0.5 * rho),
         Some(q) => {
+            // 2q right triangles with the legs ρ and h, tan h = sin ρ tan(π/q), of excess 2 atan(tan(ρ/2) tan(h/2))
             let q = f64::from(q);
-            let angle = 2.0 * libm::acos(cos * libm::sin(PI / q));
-            q * angle - (q - 2.0) * PI
+            let half = libm::atan(libm::sin(rho) * libm::tan(PI / q));
+            4.0 * q * libm::atan(libm::tan(0.5 * rho) * libm::tan(0.5 * half))
         }
     }
 }
@@ -85,7 +91,7 @@ pub(crate) fn near_axis(theta: f64, gamma_squared: f64, r: f64, azimuth: f64) ->
 /// A start on the bisector whose velocity is uniform in the cap about the axis that has `part` of the radius of the largest
 /// one without escape.
 pub(crate) fn bounded_start(theta: f64, gamma_squared: f64, part: f64, stream: &mut Stream) -> State {
-    let most = part * libm::acos(cos_inradius(theta, gamma_squared));
+    let most = part * inradius(theta, gamma_squared);
     let r = libm::acos(stream.between(libm::cos(most), 1.0));
     State { x: [0.0, 0.0, 1.0], v: near_axis(theta, gamma_squared, r, stream.between(0.0, TAU)) }
 }

@@ -56,8 +56,8 @@ fn measure(effort: Effort) -> Measurement {
             families_early = (1..k as usize).map(|i| apart(&orbit[0], &orbit[2 * i])).fold(families_early, f64::min);
         }
     }
-    // some tens of collisions; the polar angle is as exact as τ/n, up to tan 1.3 = 3.6, and v₀ up to 20 of it
-    let rounding = 1e-13;
+    // up to 14 collisions of some ten roundings, with normal velocities of 0.05 or more to divide by
+    let rounding = 14.0 * 16.0 * f64::EPSILON / 0.05;
     [
         Quantity::residual("n-gons, n = 3 … 12: off after n collisions", worst(closed), rounding),
         Quantity::at_least("n-gons: nearest return before", early, 2.0 * libm::sin(PI / 12.0), rounding),

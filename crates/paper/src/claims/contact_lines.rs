@@ -1,5 +1,5 @@
 //! Where an orbit of the strip touches the walls.
-use super::strip_width::random_start;
+use super::strip_width::{random_start, rounding};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{OTHERS, UNIFORM, beta},
@@ -22,8 +22,7 @@ pub(super) const CLAIM: Claim = Claim {
 
 fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(30, 300), effort.of(1000, 3000));
-    // at most two ulp of rounding per collision, in units of ℓ
-    let rounding = 2.0 * f64::EPSILON * f64::from(collisions);
+    let rounding = rounding(f64::from(collisions));
     let mut quantities = vec![];
     for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {
         let strip = no_slip(tables::strip(1.0), gamma_squared);

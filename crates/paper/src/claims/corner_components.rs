@@ -5,7 +5,7 @@ use crate::{
     motion::{State, bounces, no_slip},
     random::Stream,
     statistics::Range,
-    wedge::{bounded_start, cos_inradius},
+    wedge::{bounded_start, inradius},
 };
 use billiards::geometry::{Table, Vector2, tables};
 
@@ -37,7 +37,7 @@ fn corner(
     // the bisector is the wedge's second axis
     let up = (a / libm::hypot(a.x, a.y) + b / libm::hypot(b.x, b.y)) / (2.0 * libm::cos(0.5 * theta));
     let across = Vector2::new(up.y, -up.x);
-    let rho = libm::acos(cos_inradius(theta, UNIFORM));
+    let rho = inradius(theta, UNIFORM);
     let part = 0.8;
     let sine = libm::sin((1.0 - part) * rho);
     let side = libm::hypot(a.x, a.y).min(libm::hypot(b.x, b.y));

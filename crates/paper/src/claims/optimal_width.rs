@@ -1,4 +1,5 @@
 //! Whether the width of the strip's orbits is reached.
+use super::strip_width::rounding;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{UNIFORM, beta},
@@ -24,19 +25,19 @@ pub(super) const CLAIM: Claim = Claim {
 };
 
 fn measure(effort: Effort) -> Measurement {
-    let (orbits, turns) = (effort.of(10, 100), effort.of(2_000, 20_000_u32));
+    let (orbits, turns) = (effort.of(10, 100), effort.of(2_000, 5_000_u32));
     let strip = no_slip(tables::strip(1.0), UNIFORM);
     let gamma = libm::sqrt(UNIFORM);
     let reach = 0.5 / libm::sin(0.5 * beta(UNIFORM));
     // contact points n hits after the turning point: reach·cos(nβ) with sign (−1)ⁿ
-    let other = (1..=2 * turns)
+    let other = (1..2 * turns)
         .map(|n| libm::cos(f64::from(n) * beta(UNIFORM)) * if n % 2 == 0 { 1.0 } else { -1.0 })
         .fold(1.0, f64::min);
     let (mut near, mut far, mut back) = (Range::EMPTY, Range::EMPTY, vec![]);
     for sample in 0..orbits {
         let mut stream = Stream::new(207, sample);
         // towards the upper wall, which reverses (1, −γ) in the (x₀, x₁) plane: perpendicular to its contact line
-        let (steep, size) = (stream.between(0.2, 0.9), libm::sqrt(1.0 + UNIFORM));
+        let (steep, size) = (stream.between(0.3, 0.9), libm::sqrt(1.0 + UNIFORM));
         let flat = libm::sqrt(1.0 - steep * steep) / size;
         let start = State { x: [0.0, 0.0, 0.5], v: [flat, -gamma * flat, steep] };
         let orbit = bounces(&strip, start, 2 * turns as usize);
@@ -46,8 +47,7 @@ fn measure(effort: Effort) -> Measurement {
         near.add(-x1.min);
         far.add(x1.max);
     }
-    // two roundings per collision
-    let rounding = 8.0 * f64::EPSILON * f64::from(turns);
+    let rounding = rounding(2.0 * f64::from(turns));
     let turned = back.into_iter().fold(0.0, f64::max);
     [
         Quantity::residual("velocity after turning back, against its negative", turned, 8.0 * f64::EPSILON),

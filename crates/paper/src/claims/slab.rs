@@ -95,9 +95,12 @@ fn measure(effort: Effort) -> Measurement {
             let size = libm::sqrt(a * a + b * b + c * c + d * d + e * e);
             (a / size, b / size, [d / size, e / size, c / size])
         };
-        let contacts = contacts([v1 * along, v2 * along, rise], w.map(|w| w * along), collisions as usize);
         let spin = w[2] * along;
         let ell = libm::sqrt((1.0 - spin * spin) / (rise * rise) - 1.0);
+        if ell < 0.3 {
+            continue;
+        }
+        let contacts = contacts([v1 * along, v2 * along, rise], w.map(|w| w * along), collisions as usize);
         for plane in [0, 1] {
             for pair in [0, 1] {
                 let touches: Vec<[f64; 2]> =
@@ -118,8 +121,8 @@ fn measure(effort: Effort) -> Measurement {
             agreeing.add(width);
         }
     }
-    // two ulp per collision in units of ℓ; a slope divides by a width that is not small
-    let rounding = 16.0 * f64::EPSILON * f64::from(collisions);
+    // as in a strip, with ℓ² between 0.1 and 24
+    let rounding = 2.0 * super::strip_width::rounding(f64::from(collisions));
     // as in a strip: one contact of each plane is within half a gap of phases, 10π/n, of the extreme
     let phase = 10.0 * core::f64::consts::PI / (0.5 * f64::from(collisions));
     [

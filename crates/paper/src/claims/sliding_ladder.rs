@@ -1,5 +1,5 @@
 //! The curve that the flights of the strip touch.
-use super::strip_width::random_start;
+use super::strip_width::{random_start, rounding};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{OTHERS, UNIFORM, beta, cos_beta, sin_beta},
@@ -26,8 +26,7 @@ pub(super) const CLAIM: Claim = Claim {
 
 fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(30, 300), effort.of(1000, 3000));
-    // two ulp of rounding per collision, in units of ℓ, divided by the sine of the angle of the lines
-    let rounding = 16.0 * f64::EPSILON * f64::from(collisions);
+    let rounding = rounding(f64::from(collisions));
     let mut quantities = vec![];
     for gamma_squared in [UNIFORM, 1.0].into_iter().chain(OTHERS) {
         let strip = no_slip(tables::strip(1.0), gamma_squared);

@@ -1,5 +1,5 @@
 //! The strips in which every orbit is periodic.
-use super::strip_width::random_start;
+use super::strip_width::{random_start, rounding};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{UNIFORM, beta},
@@ -41,8 +41,8 @@ fn measure(effort: Effort) -> Measurement {
             closed.push(off(&orbit[0], &orbit[50 * period]));
             early = (1..period).map(|n| off(&orbit[0], &orbit[n])).fold(early, f64::min);
         }
-        // an ulp or two per collision, on positions as far out as ℓ/γ ≤ 7/0.2
-        let rounding = 2.0 * 35.0 * f64::EPSILON * 50.0 * period as f64;
+        // in places as far out as ℓ√(1+γ²)/γ, with ℓ up to 3.2 and γ down to tan(π/14) = 0.23
+        let rounding = 15.0 * rounding(50.0 * period as f64);
         quantities.push(Quantity::residual(
             format!("β = {p}π/{q}: off after 50 periods of {period}"),
             worst(closed),

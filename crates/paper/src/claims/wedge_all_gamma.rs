@@ -1,5 +1,5 @@
 //! The wedge for all disks.
-use super::wedge_periods::reduced_period;
+use super::wedge_periods::Survey;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::no_slip,
@@ -69,23 +69,8 @@ fn measure(effort: Effort) -> Measurement {
         [(0.15, 1, 4), (0.15, 2, 7), (0.4, 1, 3), (0.4, 3, 10), (0.85, 2, 5), (1.0, 1, 3), (1.0, 3, 8)]
     {
         let Some(theta) = opening(PI * f64::from(p) / f64::from(q), gamma_squared) else { continue };
-        let wedge = billiard(theta, gamma_squared);
-        let (mut count, mut drifts) = (0, vec![]);
-        for sample in 0..orbits {
-            let start = bounded_start(theta, gamma_squared, 0.9, &mut Stream::new(196, sample));
-            let orbit = bounces(&wedge, start, 2 * period(q) + 1);
-            count += usize::from(reduced_period(&orbit, 2 * period(q)) == period(q));
-            drifts.push((orbit[period(q)].state.x[0] - orbit[0].state.x[0]).abs());
-        }
-        drifts.sort_by(f64::total_cmp);
-        let label = |what: &str| format!("γ² = {gamma_squared}, δ = {p}π/{q}, θ = {theta:.5}: {what}");
-        quantities.push(Quantity::count(label(&format!("orbits of period {}, of {orbits}", period(q))), count, orbits));
-        // see wedge-periods
-        quantities.push(if q % 2 == 1 {
-            Quantity::residual(label("drift of x₀ in a period, greatest"), drifts[orbits - 1], 1e-10)
-        } else {
-            Quantity::at_least(label("drift of x₀ in a period, median"), drifts[orbits / 2], 1e-4, 0.0)
-        });
+        let name = format!("γ² = {gamma_squared}, δ = {p}π/{q}, θ = {theta:.5}");
+        quantities.extend(Survey::new(theta, gamma_squared, period(q), orbits).quantities(&name, q % 2 == 1));
     }
     quantities.extend([
         Quantity::equal("δ/π at a right angle with γ = 1", delta(FRAC_PI_2, 1.0) / PI, 1.0 / 3.0, 4.0 * f64::EPSILON),

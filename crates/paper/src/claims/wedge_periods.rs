@@ -4,6 +4,7 @@ use crate::{
     law::UNIFORM,
     motion::{Bounce, bounces, distance},
     random::Stream,
+    statistics::{Range, worst},
     wedge::{billiard, bounded_start, opening_of_turn},
 };
 use core::f64::consts::{FRAC_PI_3, PI};
@@ -37,37 +38,59 @@ pub(super) fn reduced_period(orbit: &[Bounce], most: usize) -> usize {
     (1..orbit.len().min(most + 1)).find(|n| apart(&orbit[0], &orbit[*n]) < 1e-9).unwrap_or(0)
 }
 
-/// How many of some bounded orbits have the given reduced period, and the absolute drifts of `x₀` in it, in order.
-fn survey(theta: f64, orbits: usize, period: usize) -> (usize, Vec<f64>) {
-    let wedge = billiard(theta, UNIFORM);
-    let (mut count, mut drifts) = (0, vec![]);
-    for sample in 0..orbits {
-        let start = bounded_start(theta, UNIFORM, 0.95, &mut Stream::new(222, sample));
-        let orbit = bounces(&wedge, start, 61);
-        count += usize::from(reduced_period(&orbit, 60) == period);
-        drifts.push((orbit[period].state.x[0] - orbit[0].state.x[0]).abs());
+/// What bounded orbits of a wedge do.
+pub(super) struct Survey {
+    orbits: usize,
+    period: usize,
+    /// How many of them have the period in the reduced phase space.
+    periodic: usize,
+    /// `|Δx₀|` in a period, in order.
+    drifts: Vec<f64>,
+    /// The greatest `|Δx₀|` in a period times the least `(v·ν)²` of the orbit: `l = I/(v·ν)` magnifies rounding by the inverse of that.
+    rounded: f64,
+}
+
+impl Survey {
+    pub(super) fn new(theta: f64, gamma_squared: f64, period: usize, orbits: usize) -> Survey {
+        let wedge = billiard(theta, gamma_squared);
+        let (mut periodic, mut drifts, mut rounded) = (0, vec![], vec![]);
+        for sample in 0..orbits {
+            let start = bounded_start(theta, gamma_squared, 0.95, &mut Stream::new(222, sample));
+            let orbit = bounces(&wedge, start, 2 * period + 1);
+            periodic += usize::from(reduced_period(&orbit, 2 * period) == period);
+            let drift = (orbit[period].state.x[0] - orbit[0].state.x[0]).abs();
+            let least: Range = orbit.iter().map(Bounce::normal_velocity).collect();
+            drifts.push(drift);
+            rounded.push(drift * least.min * least.min);
+        }
+        drifts.sort_by(f64::total_cmp);
+        Survey { orbits, period, periodic, drifts, rounded: worst(rounded) }
     }
-    drifts.sort_by(f64::total_cmp);
-    (count, drifts)
+
+    /// The period of all orbits, and whether `x₀` returns.
+    pub(super) fn quantities(&self, name: &str, returns: bool) -> [Quantity; 2] {
+        let Survey { orbits, period, periodic, .. } = *self;
+        let drift = if returns {
+            // some ten roundings per collision
+            let rounding = 16.0 * f64::EPSILON * period as f64;
+            Quantity::residual(
+                format!("{name}: greatest drift of x₀ in a period, times least (v·ν)²"),
+                self.rounded,
+                rounding,
+            )
+        } else {
+            // a smooth function of the velocity that vanishes on the axis and on curves through it, and nowhere else
+            Quantity::at_least(format!("{name}: median drift of x₀ in a period"), self.drifts[orbits / 2], 1e-4, 0.0)
+        };
+        [Quantity::count(format!("{name}: bounded orbits of period {period}, of {orbits}"), periodic, orbits), drift]
+    }
 }
 
 fn measure(effort: Effort) -> Measurement {
     let orbits = effort.of(200, 5000);
     let mut quantities = vec![];
     let mut try_angle = |name: String, theta: f64, period: usize, returns: bool| {
-        let (count, drifts) = survey(theta, orbits, period);
-        quantities.push(Quantity::count(
-            format!("{name}: bounded orbits of period {period}, of {orbits}"),
-            count,
-            orbits,
-        ));
-        quantities.push(if returns {
-            // some dozen collisions, magnified by 1/(v·ν), up to a hundredfold, in the length of flights
-            Quantity::residual(format!("{name}: drift of x₀ in a period, greatest"), drifts[orbits - 1], 1e-10)
-        } else {
-            // the drift is a smooth function of the velocity that vanishes on the axis and on curves through it, no more
-            Quantity::at_least(format!("{name}: drift of x₀ in a period, median"), drifts[orbits / 2], 1e-4, 0.0)
-        });
+        quantities.extend(Survey::new(theta, UNIFORM, period, orbits).quantities(&name, returns));
     };
     for n in 2..=9 {
         let theta = opening_of_turn(2.0 * PI / f64::from(n)).unwrap_or(f64::NAN);

@@ -5,7 +5,7 @@ use crate::{
     motion::{State, bounces, fly},
     random::Stream,
     statistics::{Range, worst},
-    wedge::{axis, billiard, bounded_start, cos_inradius, near_axis, opening, period},
+    wedge::{axis, billiard, bounded_start, inradius, near_axis, opening, period},
 };
 use billiards::Stop;
 use core::{
@@ -71,7 +71,7 @@ fn measure(effort: Effort) -> Measurement {
             ));
         }
         // a direction may be half a step from the middle of a side: tan r = tan ρ / cos(azimuth)
-        let inradius = libm::acos(cos_inradius(theta, UNIFORM));
+        let inradius = inradius(theta, UNIFORM);
         let step = PI / f64::from(directions);
         quantities.push(Quantity::equal(
             label("inradius"),
@@ -82,7 +82,7 @@ fn measure(effort: Effort) -> Measurement {
     }
     for theta in [0.7, FRAC_PI_2, 2.3] {
         let radii: Range = radii(theta, effort.of(400, 4000), effort.of(30, 120)).into_iter().collect();
-        let inradius = libm::acos(cos_inradius(theta, UNIFORM));
+        let inradius = inradius(theta, UNIFORM);
         // what lies ε outside escapes within about 1/√ε collisions: 10/n² covers it
         let late = 10.0 / (effort.of(400.0, 4000.0) * effort.of(400.0, 4000.0));
         quantities.push(Quantity::equal(
