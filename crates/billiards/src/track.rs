@@ -42,7 +42,6 @@ impl<F: Lane> LaneTrack<F> for Clock<F> {
     }
 }
 
-
 /// A track that knows the time.
 pub trait Timed<F: Lane> {
     /// The time since the start \[T\].

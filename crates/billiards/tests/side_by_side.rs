@@ -29,17 +29,17 @@ fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<Fi
     let mut ended: Vec<Finished<2, 1, Clock>> = vec![];
     billiard.run_side_by_side::<Conserve, Clock>(&mut starts.iter().copied(), 300, &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
-    assert_eq!(ended.len(), starts.len(), "{}", name);
+    assert_eq!(ended.len(), starts.len(), "{name}");
     for (k, (start, lane)) in starts.iter().zip(&ended).enumerate() {
         let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> =
             Orbit::new(start.position, start.velocity, start.spin, Clock::new(0.0));
         let outcome = billiard.run(&mut orbit, &Collisions(300), &mut ());
         assert_eq!(lane.index, k as u64);
-        assert_eq!(lane.outcome, outcome, "{} {k}", name);
+        assert_eq!(lane.outcome, outcome, "{name} {k}");
         let bits = |p: [f64; 2], v: [f64; 2], s: [f64; 1], t: f64| [p[0], p[1], v[0], v[1], s[0], t].map(f64::to_bits);
         let one = bits(orbit.position, orbit.velocity, orbit.spin, orbit.track.time());
         let o = &lane.orbit;
-        assert_eq!(bits(o.position, o.velocity, o.spin, o.track.time()), one, "{} {k}", name);
+        assert_eq!(bits(o.position, o.velocity, o.spin, o.track.time()), one, "{name} {k}");
     }
     ended
 }

@@ -62,7 +62,9 @@ pub enum Error {
         piece: usize,
     },
     /// A piece that rounding has used up.
-    #[error("piece {piece} has a length of only {length:e}: its ends coincide within the rounding of their coordinates")]
+    #[error(
+        "piece {piece} has a length of only {length:e}: its ends coincide within the rounding of their coordinates"
+    )]
     TooShort {
         /// The piece.
         piece: usize,

@@ -124,7 +124,7 @@ mod tests {
         move || {
             k += 1.0;
             let step = if k % 2.0 == 1.0 { 0.754_877_666_246_692_7 } else { 0.569_840_290_998_053_3 };
-            let x = step * ((k + 1.0) / 2.0_f64).floor();
+            let x = step * (0.5 * k + 0.5_f64).floor();
             x - x.floor()
         }
     }

@@ -1,5 +1,6 @@
 //! `billiards check`: whether a scene can run, and what it is like.
 
+use std::fmt::Write as _;
 use std::io::{self, Write};
 
 use super::Failure;
@@ -105,13 +106,13 @@ fn pieces(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     for (i, piece) in scene.pieces.iter().enumerate().take(MOST_PIECES) {
         let mut line = format!("    {i:>3}  {:<17} {}", piece.kind, piece.place);
         if scene.dimension == 2 {
-            line += &format!(", length {}", measure(piece.length));
+            let _ = write!(line, ", length {}", measure(piece.length));
         }
         if let Some(normal) = piece.normal {
-            line += &format!(", normal {}", point(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)));
+            let _ = write!(line, ", normal {}", point(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)));
         }
         if piece.law != scene.law {
-            line += &format!(", law {}", piece.law);
+            let _ = write!(line, ", law {}", piece.law);
         }
         writeln!(out, "{}", line.trim_end())?;
     }

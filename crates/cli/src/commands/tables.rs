@@ -38,7 +38,7 @@ pub fn run(json: bool, out: &mut impl Write) -> io::Result<()> {
 fn list<'a>(models: impl Iterator<Item = &'a Model>, out: &mut impl Write) -> io::Result<()> {
     for model in models {
         writeln!(out, "  {:<18} {}", model.name, model.summary)?;
-        let parameters: Vec<_> = model.parameters.iter().map(|parameter| parameter.signature()).collect();
+        let parameters: Vec<_> = model.parameters.iter().map(crate::scene::Parameter::signature).collect();
         if !parameters.is_empty() {
             writeln!(out, "  {:<18} {}", "", parameters.join(", "))?;
         }

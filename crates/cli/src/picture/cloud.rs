@@ -30,6 +30,7 @@ impl Cloud {
 
     /// Adds a point of an orbit.
     pub fn add(&mut self, orbit: u64, point: [f64; 2]) {
+        #[allow(clippy::cast_possible_truncation, reason = "a remainder is below the number of colours")]
         let colour = ORBITS[(orbit % ORBITS.len() as u64) as usize];
         match &mut self.points {
             Points::Counted(grid) => grid.add(point, colour),

@@ -86,10 +86,10 @@ mod tests {
 
     #[test]
     fn portraits_of_few_and_of_many_points_are_well_formed() {
-        for count in [10, 30_000] {
+        for count in [10_u32, 30_000] {
             let mut reduced = Reduced::new(vec![0.0, 1.0, 3.0], 4.0);
             for i in 0..count {
-                reduced.add(i, f64::from(i as u32 % 400) * 0.01, 0.5);
+                reduced.add(u64::from(i), f64::from(i % 400) * 0.01, 0.5);
             }
             let material = Material { reduced: Some(reduced), ..Material::default() };
             let files = (PICTURE.draw)(&material);

@@ -43,13 +43,11 @@ pub(crate) fn draw(scene: &Scene) -> Result<Drawn, Vec<Diagnostic>> {
 pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<(), Box<Diagnostic>> {
     let count = laws.len();
     for law in &scene.table.laws {
-        match laws.get_mut(law.piece.value) {
-            Some(of_piece) => *of_piece = Some(law.law.clone()),
-            None => {
-                let what = format!("there is no piece {}: the table has {count}, numbered from 0", law.piece.value);
-                return Err(Box::new(scene.source.diagnostic(law.piece.span, what)));
-            }
-        }
+        let Some(of_piece) = laws.get_mut(law.piece.value) else {
+            let what = format!("there is no piece {}: the table has {count}, numbered from 0", law.piece.value);
+            return Err(Box::new(scene.source.diagnostic(law.piece.span, what)));
+        };
+        *of_piece = Some(law.law.clone());
     }
     Ok(())
 }
@@ -182,7 +180,7 @@ pub(super) fn values(entry: &tables::Entry, arguments: &Arguments) -> Values {
 }
 
 /// Pieces of an explicit boundary, as they come.
-struct Pieces<'a> {
+struct Collected<'a> {
     scene: &'a Scene,
     factor: f64,
     pieces: Vec<Box<dyn Piece>>,
@@ -191,7 +189,7 @@ struct Pieces<'a> {
 }
 
 fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<Diagnostic>> {
-    let mut all = Pieces { scene, factor, pieces: vec![], spans: vec![], laws: vec![] };
+    let mut all = Collected { scene, factor, pieces: vec![], spans: vec![], laws: vec![] };
     let mut wrong = vec![];
     for entry in entries {
         if let Err(diagnostic) = all.entry(entry) {
@@ -202,7 +200,7 @@ fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<
         return Err(wrong);
     }
     let lattice = lattice(scene, factor)?;
-    let Pieces { pieces, spans, laws, .. } = all;
+    let Collected { pieces, spans, laws, .. } = all;
     let table = Table::periodic(pieces, lattice).map_err(|error| {
         let span = match &error {
             Error::Open { piece, .. } => spans.get(*piece).copied(),
@@ -223,7 +221,7 @@ fn plane(coordinates: &[f64]) -> Vector2<f64> {
     Vector2::new(coordinates[0], coordinates[1])
 }
 
-impl Pieces<'_> {
+impl Collected<'_> {
     fn at(&self, point: &[f64]) -> Vector2<f64> {
         plane(point) * self.factor
     }

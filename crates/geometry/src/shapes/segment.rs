@@ -99,7 +99,13 @@ impl Piece for Segment {
         let [a, b] = [Vector2::from(self.a), Vector2::from(self.b)];
         let s = (point - a).dot(&self.direction());
         // the vertices themselves, which neighbours share
-        let at = if s <= 0.0 { a } else if s >= self.length { b } else { self.point_at(s) };
+        let at = if s <= 0.0 {
+            a
+        } else if s >= self.length {
+            b
+        } else {
+            self.point_at(s)
+        };
         Landing { point: at, normal: self.normal.into() }
     }
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {
