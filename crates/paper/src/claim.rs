@@ -204,7 +204,7 @@ impl fmt::Display for Quantity {
                 self.deviation()
             )?,
             Relation::Sampled { standard_error } => {
-                write!(f, "{label}: {measured:.6} ± {standard_error:.6} = {expected:.6}")?
+                write!(f, "{label}: {measured:.6} ± {standard_error:.6} = {expected:.6}")?;
             }
             Relation::AtMost => write!(f, "{label}: {measured:.10} ≤ {:.10}", expected + bound)?,
             Relation::AtLeast => write!(f, "{label}: {measured:.10} ≥ {:.10}", expected - bound)?,

@@ -15,7 +15,7 @@
 //! paper's equation (2.1); its matrix `T`, equation (2.2), turns `x₀` the other way (see the claim `matrix-t`). Unless said
 //! otherwise the disk is uniform, `γ² = 1/2`, and `|ẋ| = 1`.
 //!
-//! Random starts come from ChaCha streams, one per sample, and nothing depends on the number of threads: every
+//! Random starts come from `ChaCha` streams, one per sample, and nothing depends on the number of threads: every
 //! measurement has the same bits every time.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 

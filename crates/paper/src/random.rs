@@ -1,4 +1,4 @@
-//! Random starts: one ChaCha stream per sample.
+//! Random starts: one `ChaCha` stream per sample.
 use core::f64::consts::TAU;
 use rand_chacha::{
     ChaCha8Rng,

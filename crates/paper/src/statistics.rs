@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Mean {
     n: f64,
-    mean: f64,
+    center: f64,
     /// Sum of squares about the mean (Welford).
     squares: f64,
 }
@@ -12,13 +12,13 @@ pub(crate) struct Mean {
 impl Mean {
     pub(crate) fn add(&mut self, x: f64) {
         self.n += 1.0;
-        let off = x - self.mean;
-        self.mean += off / self.n;
-        self.squares += off * (x - self.mean);
+        let off = x - self.center;
+        self.center += off / self.n;
+        self.squares += off * (x - self.center);
     }
 
     pub(crate) fn value(&self) -> f64 {
-        self.mean
+        self.center
     }
 
     pub(crate) fn standard_error(&self) -> f64 {

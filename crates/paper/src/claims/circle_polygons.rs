@@ -45,7 +45,7 @@ fn measure(effort: Effort) -> Measurement {
             sides.extend((0..n as usize).map(|i| (distance(place(i), place(i + 1)) - side).abs()));
         }
         // θ₁ at will, θ₂ = π m/k − θ₁: tan θ₂ = τ₂/n with τ₂ = s v₀ + c τ₁
-        for (m, k) in [(1, 3), (1, 4), (2, 5), (1, 7)] {
+        for (m, k) in [(1, 3_u32), (1, 4), (2, 5), (1, 7)] {
             let sum = PI * f64::from(m) / f64::from(k);
             let first = stream.between(sum - 1.3, 1.3);
             let [t1, t2] = [first, sum - first].map(libm::tan);

@@ -21,7 +21,7 @@ pub(super) const CLAIM: Claim = Claim {
 };
 
 fn measure(effort: Effort) -> Measurement {
-    let (orbits, collisions) = (effort.of(30, 300), effort.of(1000, 3000));
+    let (orbits, collisions) = (effort.of(30, 300), effort.of(1000_u32, 3000));
     let rounding = rounding(f64::from(collisions));
     let mut quantities = vec![];
     for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {

@@ -22,7 +22,7 @@ pub(super) const CLAIM: Claim = Claim {
 };
 
 fn measure(effort: Effort) -> Measurement {
-    let (orbits, turns) = (effort.of(10, 100), effort.of(5_000, 50_000));
+    let (orbits, turns) = (effort.of(10, 100), effort.of(5_000_u32, 50_000));
     let strip = no_slip(tables::strip(1.0), UNIFORM);
     let alpha = libm::acos(-7.0 / 9.0);
     // after n turns the velocity is off by 2 |sin(nα/2)| of its part along the wall

@@ -31,7 +31,7 @@ fn measure(effort: Effort) -> Measurement {
         Quantity::equal("β for γ² = 1/3, over π", beta(1.0 / 3.0) / PI, 1.0 / 3.0, 4.0 * f64::EPSILON),
         Quantity::equal("β for the hoop, over π", beta(1.0) / PI, 0.5, 4.0 * f64::EPSILON),
     ];
-    for (p, q) in [(1, 2), (1, 3), (1, 4), (2, 5), (1, 7), (3, 8)] {
+    for (p, q) in [(1, 2_u32), (1, 3), (1, 4), (2, 5), (1, 7), (3, 8)] {
         let gamma = libm::tan(0.5 * PI * f64::from(p) / f64::from(q));
         let strip = no_slip(tables::strip(1.0), gamma * gamma);
         let period = 2 * q as usize;

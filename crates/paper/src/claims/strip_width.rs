@@ -57,7 +57,7 @@ fn widths(strip: &Billiard, sample: usize, collisions: usize) -> [f64; 2] {
 }
 
 fn measure(effort: Effort) -> Measurement {
-    let (orbits, collisions) = (effort.of(10, 100), effort.of(10_000, 100_000));
+    let (orbits, collisions) = (effort.of(10, 100), effort.of(10_000_u32, 100_000));
     // The contact points of a wall lie where a cosine is sampled at the multiples of 2β. For the β at hand the largest gap between n
     // such phases is less than 10/n turns, so one is within 10π/n of the top of the cosine, which has fallen by (10π/n)²/2
     // there; and as much at the bottom.

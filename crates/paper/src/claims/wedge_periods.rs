@@ -92,11 +92,11 @@ fn measure(effort: Effort) -> Measurement {
     let mut try_angle = |name: String, theta: f64, period: usize, returns: bool| {
         quantities.extend(Survey::new(theta, UNIFORM, period, orbits).quantities(&name, returns));
     };
-    for n in 2..=9 {
+    for n in 2..=9_u32 {
         let theta = opening_of_turn(2.0 * PI / f64::from(n)).unwrap_or(f64::NAN);
         try_angle(format!("α = 2π/{n}, θ = {theta:.5}"), theta, 2 * n as usize, n % 2 == 1);
     }
-    for n in [3, 5] {
+    for n in [3_u32, 5] {
         let theta = opening_of_turn(PI / f64::from(n)).unwrap_or(f64::NAN);
         try_angle(format!("α = π/{n}, θ = {theta:.5}"), theta, 4 * n as usize, false);
     }
