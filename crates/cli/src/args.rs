@@ -141,7 +141,7 @@ pub struct Reproduce {
     /// Smaller samples: under a minute
     #[arg(long)]
     pub quick: bool,
-    /// Only one figure or one claim
+    /// Only the figure and the claim of that name
     #[arg(long, value_name = "NAME")]
     pub only: Option<String>,
     /// List the names of figures and claims, and do nothing else

@@ -41,7 +41,9 @@ fn named(table: &Value) -> String {
         "sinai_square" => ("sinai", "radius = 0.25"),
         "sinai_torus_r14" => ("sinai-torus", "radius = 0.25"),
         "sinai_torus_r38" => ("sinai-torus", "radius = \"3/8\""),
-        "wedge_pi3" | "wedge_1" | "wedge_p8" => ("wedge", &*format!("angle = \"{}\"", table["theta"]["expr"].as_str().unwrap())),
+        "wedge_pi3" | "wedge_1" | "wedge_p8" => {
+            ("wedge", &*format!("angle = \"{}\"", table["theta"]["expr"].as_str().unwrap()))
+        }
         "pocket" => ("pocket", "pocket_radius = \"5/16\"\npocket_depth = \"9/16\""),
         "isosceles" => ("isosceles", "height = 1.25"),
         other => (other, ""),
@@ -65,8 +67,7 @@ fn explicit(table: &Value) -> String {
             "arc" if piece["full"] != true => {
                 // from and to are given counter-clockwise; the domain lies on the left of the traversal
                 let focusing = piece["side"] == "focusing";
-                let (from, to, turn) =
-                    if focusing { ("from", "to", "ccw") } else { ("to", "from", "cw") };
+                let (from, to, turn) = if focusing { ("from", "to", "ccw") } else { ("to", "from", "cw") };
                 let shape = format!("arc_to = {}, center = {}, turn = \"{turn}\"", vector(&piece[to]), center());
                 Some((&piece[from], &piece[to], shape))
             }
@@ -232,7 +233,8 @@ fn every_trajectory_in_space_is_reproduced() {
             "k1" => format!("rough = [{}]", vector(&reference["rough"])),
             _ => "law = \"no-slip\"".to_owned(),
         };
-        let state = |from: &Value| -> [f64; 9] { std::array::from_fn(|i| number(&from[["x", "v", "W"][i / 3]][i % 3])) };
+        let state =
+            |from: &Value| -> [f64; 9] { std::array::from_fn(|i| number(&from[["x", "v", "W"][i / 3]][i % 3])) };
         // the orbit, and nine that start a little beside it: how much errors grow
         let start = state(&reference["initial"]);
         let beside = (0..9).map(|i| {

@@ -146,6 +146,7 @@ fn named(scene: &Scene, name: &str, arguments: &Arguments, span: Span, factor: f
 }
 
 /// What is wrong with the parameters of a built-in table, at the parameter's place.
+#[allow(clippy::unnecessary_box_returns, reason = "it goes into a Result, where a large error costs every success")]
 pub(super) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error, factor: f64) -> Box<Diagnostic> {
     let TableShape::Named { model, span, .. } = &scene.table.shape else {
         return Box::new(scene.source.diagnostic(scene.table.span, error.to_string()));
@@ -232,6 +233,7 @@ impl Collected<'_> {
         self.laws.push(law.map(|law| law.kind.clone()));
     }
 
+    #[allow(clippy::unnecessary_box_returns, reason = "it goes into a Result, where a large error costs every success")]
     fn wrong(&self, span: Span, error: &Error) -> Box<Diagnostic> {
         Box::new(self.scene.source.diagnostic(span, in_user_units(error, self.factor).to_string()))
     }

@@ -56,8 +56,10 @@ impl Simple {
         match kind {
             LawKind::Specular | LawKind::Random { rank: 0, .. } => Simple::Specular,
             LawKind::NoSlip | LawKind::Random { .. } => Simple::NoSlip,
-            LawKind::Rough(directions) if directions.iter().all(|d| is_normal_to(d, piece)) => Simple::Specular,
-            LawKind::Rough(_) => Simple::NoSlip,
+            LawKind::Rough(directions) => {
+                let smooth = directions.iter().all(|d| is_normal_to(d, piece));
+                if smooth { Simple::Specular } else { Simple::NoSlip }
+            }
             LawKind::Restitution { normal, tangential } => {
                 Simple::Restitution { normal: *normal, tangential: *tangential }
             }
