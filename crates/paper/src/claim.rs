@@ -57,9 +57,9 @@ impl Verdict {
 /// How much work a measurement may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// A second or less.
+    /// Two seconds or less each.
     Quick,
-    /// Up to half a minute.
+    /// Up to half a minute each.
     Full,
 }
 

@@ -9,6 +9,7 @@ use crate::{
     strip::{centre, ladder},
 };
 use billiards::geometry::tables;
+use core::f64::consts::PI;
 
 pub(super) const CLAIM: Claim = Claim {
     name: "optimal-width",
@@ -19,43 +20,52 @@ pub(super) const CLAIM: Claim = Claim {
         "It holds with the right bound: √3·ℓ in place of √(3/2)·ℓ, √3/2·ℓ from the middle to either side.",
     ),
     general_gamma: Some(
-        "ℓ/(2 sin(β/2)) from the middle; reached on both sides if and only if β/π = p/q in lowest terms with p + q odd.",
+        "ℓ/(2 sin(β/2)) from the middle; reached on both sides if and only if β/π = p/q in lowest terms with p odd.",
     ),
     measure,
 };
 
+/// The farthest contact points on either side of the middle, over ℓ, of an orbit that turns back on itself at its first collision, and how far
+/// the velocity after that is from minus the one before.
+fn turning(gamma_squared: f64, sample: usize, collisions: usize) -> ([f64; 2], f64) {
+    let strip = no_slip(tables::strip(1.0), gamma_squared);
+    let steep = Stream::new(207, sample).between(0.3, 0.9);
+    // towards the upper wall, which reverses (1, −γ) in the (x₀, x₁) plane: perpendicular to its contact line
+    let flat = libm::sqrt((1.0 - steep) * (1.0 + steep) / (1.0 + gamma_squared));
+    let start = State { x: [0.0, 0.0, 0.5], v: [flat, -libm::sqrt(gamma_squared) * flat, steep] };
+    let orbit = bounces(&strip, start, collisions);
+    let (o, ell) = (centre(gamma_squared, &orbit[0], &orbit[1])[1], ladder(&start));
+    let x1: Range = orbit.iter().map(|b| (b.state.x[1] - o) / ell).collect();
+    ([-x1.min, x1.max], distance(orbit[0].state.v, start.v.map(|v| -v)))
+}
+
 fn measure(effort: Effort) -> Measurement {
-    let (orbits, turns) = (effort.of(10, 100), effort.of(2_000, 5_000_u32));
-    let strip = no_slip(tables::strip(1.0), UNIFORM);
-    let gamma = libm::sqrt(UNIFORM);
+    let (orbits, collisions) = (effort.of(10, 100), effort.of(4_000, 10_000_u32));
     let reach = 0.5 / libm::sin(0.5 * beta(UNIFORM));
-    // contact points n hits after the turning point: reach·cos(nβ) with sign (−1)ⁿ
-    let other = (1..2 * turns)
-        .map(|n| libm::cos(f64::from(n) * beta(UNIFORM)) * if n % 2 == 0 { 1.0 } else { -1.0 })
-        .fold(1.0, f64::min);
-    let (mut near, mut far, mut back) = (Range::EMPTY, Range::EMPTY, vec![]);
+    // contact points n hits after the turning point are at reach·cos(nβ)
+    let other = (0..collisions).map(|n| libm::cos(f64::from(n) * beta(UNIFORM))).fold(1.0, f64::min);
+    let (mut near, mut far, mut back) = (Range::EMPTY, Range::EMPTY, Range::EMPTY);
     for sample in 0..orbits {
-        let mut stream = Stream::new(207, sample);
-        // towards the upper wall, which reverses (1, −γ) in the (x₀, x₁) plane: perpendicular to its contact line
-        let (steep, size) = (stream.between(0.3, 0.9), libm::sqrt(1.0 + UNIFORM));
-        let flat = libm::sqrt(1.0 - steep * steep) / size;
-        let start = State { x: [0.0, 0.0, 0.5], v: [flat, -gamma * flat, steep] };
-        let orbit = bounces(&strip, start, 2 * turns as usize);
-        back.push(distance(orbit[0].state.v, start.v.map(|v| -v)));
-        let (o, ell) = (centre(UNIFORM, &orbit[0], &orbit[1])[1], ladder(&start));
-        let x1: Range = orbit.iter().map(|b| (b.state.x[1] - o) / ell).collect();
-        near.add(-x1.min);
-        far.add(x1.max);
+        let ([first, second], turned) = turning(UNIFORM, sample, collisions as usize);
+        near.add(first);
+        far.add(second);
+        back.add(turned);
     }
-    let rounding = rounding(2.0 * f64::from(turns));
-    let turned = back.into_iter().fold(0.0, f64::max);
-    [
-        Quantity::residual("velocity after turning back, against its negative", turned, 8.0 * f64::EPSILON),
+    let rounding = rounding(f64::from(collisions));
+    let mut quantities = vec![
+        Quantity::residual("velocity after turning back, against its negative", back.max, 8.0 * f64::EPSILON),
         Quantity::equal("distance from the middle / ℓ on the side where it turns, least", near.min, reach, rounding),
         Quantity::equal("distance from the middle / ℓ on the side where it turns, greatest", near.max, reach, rounding),
         Quantity::equal("√3/2", reach, 0.5 * libm::sqrt(3.0), 4.0 * f64::EPSILON),
         Quantity::equal("distance on the other side / ℓ, greatest", far.max, -other * reach, rounding),
         Quantity::at_most("distance on the other side / ℓ, greatest, below √3/2", far.max, reach * (1.0 - 1e-9), 0.0),
-    ]
-    .into()
+    ];
+    // β = πp/q: the other side is reached for odd p
+    for (p, q, expected) in [(1, 2, 1.0), (1, 3, 1.0), (2, 5, libm::cos(0.2 * PI))] {
+        let gamma = libm::tan(0.5 * PI * f64::from(p) / f64::from(q));
+        let ([first, second], _) = turning(gamma * gamma, 0, 100);
+        let label = format!("β = {p}π/{q}: reach on the other side over that on the side where it turns");
+        quantities.push(Quantity::equal(label, second / first, expected, rounding));
+    }
+    quantities.into()
 }

@@ -1,7 +1,7 @@
 //! How far two hits in a wedge turn the velocity.
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM},
+    law::{OTHERS, UNIFORM, beta},
     motion::bounces,
     random::Stream,
     statistics::worst,
@@ -45,11 +45,19 @@ fn measure(effort: Effort) -> Measurement {
         // an angle between short vectors is as uncertain as they are short
         orbits.push((off(1).dot(&off(3)) - expected * off(1).norm_squared()).abs());
     }
+    // the strip is the wedge of angle 0
+    let strip = 32.0 / 9.0 - 16.0 / 3.0 + 1.0;
     // traces of products of two matrices, a few dozen roundings of numbers up to 4
     let rounding = 64.0 * f64::EPSILON;
     [
         Quantity::residual("cos α of the law's matrices against the paper's quartic", worst(quartic), rounding),
         Quantity::residual("cos α of orbits against the paper's quartic", worst(orbits), rounding),
+        Quantity::equal(
+            "quartic at θ = 0, against cos α of the strip",
+            strip,
+            libm::cos(2.0 * beta(UNIFORM)),
+            rounding,
+        ),
         Quantity::residual("cos α against the formula for all γ, five values of γ", worst(general), rounding),
         Quantity::residual("cos α against cos 4δ, five values of γ", worst(by_delta), rounding),
     ]
