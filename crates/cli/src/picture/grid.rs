@@ -91,29 +91,28 @@ impl Grid {
 
     /// The picture of the counts: empty cells white, full ones in the mean colour of their points.
     ///
-    /// Where most points are alone in their cells, they are drawn larger and darker, or nothing would be seen.
+    /// Where few cells are filled, points are drawn as dots of several cells, and darker, or nothing would be seen.
     pub fn shade(&self, shading: Shading) -> Raster {
-        let filled = self.counts.iter().filter(|count| **count > 0).count() as u64;
-        if self.total() < 2 * filled && filled < self.counts.len() as u64 / 4 {
-            return self.spread().shaded(shading, SPARSE);
+        let filled = self.counts.iter().filter(|count| **count > 0).count() as f64 / self.counts.len() as f64;
+        match filled {
+            0.25.. => self.shaded(shading, FAINTEST),
+            0.02.. => self.spread(1).shaded(shading, SPARSE),
+            _ => self.spread(2).shaded(shading, SPARSE),
         }
-        self.shaded(shading, FAINTEST)
     }
 
-    /// The same with every empty cell like the fullest of its neighbours above and on the left: dots of four cells.
-    fn spread(&self) -> Self {
+    /// The same with every count spread over the disk of cells about its own, where it is the greatest.
+    fn spread(&self, radius: usize) -> Self {
         let mut wide = self.clone();
-        for row in 0..self.height {
-            for column in 0..self.width {
-                let cell = row * self.width + column;
-                let back = |rows: usize, columns: usize| {
-                    (row >= rows && column >= columns).then(|| cell - rows * self.width - columns)
-                };
-                let near = [back(1, 0), back(0, 1), back(1, 1)].into_iter().flatten();
-                if let Some(fullest) = near.max_by_key(|near| self.counts[*near])
-                    && self.counts[cell] == 0
-                {
-                    (wide.counts[cell], wide.tints[cell]) = (self.counts[fullest], self.tints[fullest]);
+        for (cell, (&count, &tint)) in self.counts.iter().zip(&self.tints).enumerate().filter(|(_, of)| *of.0 > 0) {
+            let (row, column) = (cell / self.width, cell % self.width);
+            for y in row.saturating_sub(radius)..=(row + radius).min(self.height - 1) {
+                for x in column.saturating_sub(radius)..=(column + radius).min(self.width - 1) {
+                    let near = y * self.width + x;
+                    let (dy, dx) = (y.abs_diff(row), x.abs_diff(column));
+                    if dx * dx + dy * dy <= radius * radius && wide.counts[near] < count {
+                        (wide.counts[near], wide.tints[near]) = (count, tint);
+                    }
                 }
             }
         }
@@ -180,6 +179,15 @@ mod tests {
         assert_eq!(grid.counts, [1, 0, 0, 0, 0, 0, 0, 1]);
         let doubled = grid.clone().merge(&grid);
         assert_eq!((doubled.total(), doubled.counts[7]), (4, 2));
+    }
+
+    #[test]
+    fn single_points_are_spread_to_be_seen() {
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [100.0, 100.0] }, 100);
+        grid.add([50.5, 50.5], Colour::BLACK);
+        let wide = grid.spread(2);
+        assert_eq!(wide.counts.iter().filter(|count| **count > 0).count(), 13);
+        assert_eq!(grid.spread(1).counts.iter().filter(|count| **count > 0).count(), 5);
     }
 
     #[test]

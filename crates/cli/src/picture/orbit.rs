@@ -65,7 +65,7 @@ fn window(material: &Material) -> Window {
     // what goes on for ever is seen to go on, but not to the vanishing point
     let starts = material.paths.iter().filter_map(|path| path.chains.first()?.first().copied());
     let about = Window::around(starts).unwrap_or(tight);
-    tight.padded(0.12).no_longer_than(LONGEST, about)
+    tight.no_longer_than(LONGEST, about).padded(0.05)
 }
 
 fn orbits(svg: &mut Svg, view: &View, material: &Material) {

@@ -20,12 +20,15 @@ pub struct Entry {
 /// What a boundary entry can be. Points and vectors have as many coordinates as the scene has dimensions.
 #[derive(Clone, Debug)]
 pub enum Border {
-    /// `loop = { from = [x1, x2], edges = […] }`: a closed chain with the domain on its left.
+    /// `loop = { from = [x1, x2], edges = […] }`: a closed chain with the domain on its left; `chain = { … }`: one that
+    /// goes on in the next cell of a lattice.
     Loop {
-        /// First vertex, which must also be the last.
+        /// First vertex; of a loop also the last.
         from: Spanned<Vec<f64>>,
         /// Edges, each from the end of the one before it.
         edges: Vec<Edge>,
+        /// Whether it is a loop.
+        closed: bool,
     },
     /// `circle` (in space: `sphere`) `= { center, radius, domain }`.
     Circle {
@@ -172,7 +175,7 @@ pub enum Curve {
     },
 }
 
-const PLANAR: &[&str] = &["loop", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
+const PLANAR: &[&str] = &["loop", "chain", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
 const SPATIAL: &[&str] = &["sphere", "plane", "shape"];
 
 pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Entry> {
@@ -184,17 +187,19 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
         _ => border(key, Section::new(item, key, problems)?, dimension, problems),
     });
     section.finish(problems);
-    Some(Entry { span: item.span, border: border?, law })
+    let span = found.map_or(item.span, |(_, item)| item.span);
+    Some(Entry { span, border: border?, law })
 }
 
 fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<Border> {
     let origin = if n == 2 { "[0, 0]" } else { "[0, 0, 0]" };
     let border = match key {
-        "loop" => {
+        "loop" | "chain" => {
             let from = section.required("from", "from = [0, 0]").and_then(|item| point(item, n, problems));
-            let edges =
-                section.required("edges", "edges = [{ line_to = [1, 0] }, ...]").and_then(|item| edges(item, problems));
-            (|| Some(Border::Loop { from: from?, edges: edges? }))()
+            let edges = section
+                .required("edges", "edges = [{ line_to = [1, 0] }, ...]")
+                .and_then(|item| edges(item, key == "loop", problems));
+            (|| Some(Border::Loop { from: from?, edges: edges?, closed: key == "loop" }))()
         }
         "circle" | "sphere" => {
             let center =
@@ -298,11 +303,12 @@ fn corners(item: &Item, problems: &mut Problems) -> Option<Spanned<[[f64; 2]; 2]
     }
 }
 
-fn edges(item: &Item, problems: &mut Problems) -> Option<Vec<Edge>> {
+fn edges(item: &Item, closed: bool, problems: &mut Problems) -> Option<Vec<Edge>> {
     let items = list(item, "edges", problems)?;
     let edges: Vec<_> = items.iter().map(|item| edge(item, problems)).collect();
-    if edges.len() < 2 {
-        problems.add(item.span, format!("a loop has at least two edges, not {}", edges.len()));
+    if edges.len() < 1 + usize::from(closed) {
+        let least = if closed { "a loop has at least two edges" } else { "a chain has at least one edge" };
+        problems.add(item.span, format!("{least}, not {}", edges.len()));
         return None;
     }
     edges.into_iter().collect()

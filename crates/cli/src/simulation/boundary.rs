@@ -1,14 +1,18 @@
 //! From the boundary that a scene describes to a table.
 
+use std::path::Path;
+
 use billiards::geometry::parry;
 use billiards::geometry::shapes::curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula};
-use billiards::geometry::shapes::{Circle, Ellipse, FullLine, Ray};
+use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
 use billiards::geometry::tables::{self, Kind, Values};
-use billiards::geometry::{Error, Extent, Lattice, Outline, Piece, Table, Turn, Vector2};
+use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, import};
 
-use crate::document::{Diagnostic, Span};
+use crate::document::{Diagnostic, Span, Spanned};
 use crate::expression::{ImplicitCurve, PolarCurve};
-use crate::scene::{self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape};
+use crate::scene::{
+    self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape, Turn,
+};
 
 use super::scale;
 
@@ -82,8 +86,13 @@ fn in_user_units(error: &Error, factor: f64) -> Error {
     }
 }
 
-/// Every length that says how large a scene is.
+/// Every length that says how large a scene is; none, and so no scaling, if part of it is drawn in a file.
 pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
+    if let TableShape::Boundary(entries) = &scene.table.shape
+        && entries.iter().any(|entry| matches!(entry.border, Border::Outline { .. }))
+    {
+        return vec![];
+    }
     let mut all = vec![scene.particle.radius.value];
     all.extend(scene.table.lattice.iter().flat_map(|vector| vector.value.iter().copied()));
     match &scene.table.shape {
@@ -108,7 +117,7 @@ pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
 
 fn of_border(border: &Border, all: &mut Vec<f64>) {
     match border {
-        Border::Loop { from, edges } => {
+        Border::Loop { from, edges, .. } => {
             all.extend(&from.value);
             for edge in edges {
                 match &edge.path {
@@ -242,7 +251,7 @@ impl Collected<'_> {
         let law = entry.law.as_ref();
         let inside = |domain: &Domain| *domain == Domain::Inside;
         let piece: Result<Box<dyn Piece>, Error> = match &entry.border {
-            Border::Loop { from, edges } => return self.edges(&from.value, edges, law),
+            Border::Loop { from, edges, closed } => return self.edges(&from.value, edges, *closed, law),
             Border::Circle { center, radius, domain } => {
                 Circle::new(self.at(&center.value), radius.value * self.factor, inside(domain))
                     .map(|c| Box::new(c) as _)
@@ -276,7 +285,10 @@ impl Collected<'_> {
                 return Ok(());
             }
             Border::Outline { file } => {
-                return Err(Box::new(self.scene.source.diagnostic(file.span, "outlines cannot be read yet")));
+                for piece in self.outline(file)? {
+                    self.push(piece, file.span, law);
+                }
+                return Ok(());
             }
             // the scene's reader lets these stand in space only
             Border::Plane { .. } | Border::Shape { .. } => {
@@ -301,7 +313,13 @@ impl Collected<'_> {
         })
     }
 
-    fn edges(&mut self, from: &[f64], edges: &[Edge], law: Option<&scene::Law>) -> Result<(), Box<Diagnostic>> {
+    fn edges(
+        &mut self,
+        from: &[f64],
+        edges: &[Edge],
+        closed: bool,
+        law: Option<&scene::Law>,
+    ) -> Result<(), Box<Diagnostic>> {
         let start = self.at(from);
         let size = edges
             .iter()
@@ -310,12 +328,11 @@ impl Collected<'_> {
             })
             .chain([start.x, start.y])
             .fold(0.0, |m: f64, x| m.max(x.abs()));
-        let mut outline = Outline::from(start);
         let mut at = start;
         for (i, edge) in edges.iter().enumerate() {
             let (EdgePath::Line { to } | EdgePath::Arc { to, .. }) = &edge.path;
             let mut end = self.at(&to.value);
-            let last = i + 1 == edges.len();
+            let last = closed && i + 1 == edges.len();
             // a first vertex written as another formula, such as sin(pi/3) for sqrt(3)/2, is still the first vertex
             if last && (end - start).amax() <= 16.0 * f64::EPSILON * size {
                 end = start;
@@ -327,25 +344,33 @@ impl Collected<'_> {
                     self.scene.source.diagnostic(to.span, what).with_help("let the last edge end where \"from\" is"),
                 ));
             }
-            outline = match &edge.path {
-                EdgePath::Line { .. } => outline.line_to(end),
+            let piece: Result<Box<dyn Piece>, Error> = match &edge.path {
+                EdgePath::Line { .. } => Segment::new(at, end).map(|segment| Box::new(segment) as _),
                 EdgePath::Arc { center, turn, .. } => {
-                    let turn = match turn {
-                        scene::Turn::CounterClockwise => Turn::CounterClockwise,
-                        scene::Turn::Clockwise => Turn::Clockwise,
-                    };
-                    outline.arc_to(end, self.at(&center.value), turn)
+                    let inside = *turn == Turn::CounterClockwise;
+                    Arc::new(self.at(&center.value), at, end, inside).map(|arc| Box::new(arc) as _)
                 }
-            }
-            .map_err(|error| self.wrong(edge.span, &error))?;
+            };
+            let piece = piece.map_err(|error| self.wrong(edge.span, &error))?;
+            self.push(piece, edge.span, edge.law.as_ref().or(law));
             at = end;
         }
-        debug_assert_eq!(at, start);
-        let pieces = outline.close().map_err(|error| self.wrong(edges[edges.len() - 1].span, &error))?;
-        for (piece, edge) in pieces.into_iter().zip(edges) {
-            self.push(piece, edge.span, edge.law.as_ref().or(law));
-        }
         Ok(())
+    }
+
+    /// Loops from a drawing or a map, beside the scene file.
+    fn outline(&self, file: &Spanned<String>) -> Result<Vec<Box<dyn Piece>>, Box<Diagnostic>> {
+        let complain = |what: String| Box::new(self.scene.source.diagnostic(file.span, what));
+        let path = Path::new(self.scene.source.name()).with_file_name(&file.value);
+        let text =
+            std::fs::read_to_string(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
+        let extension = path.extension().map(|extension| extension.to_ascii_lowercase()).unwrap_or_default();
+        let pieces = match extension.to_str() {
+            Some("svg") => import::svg(&text, import::TOLERANCE),
+            Some("json" | "geojson") => import::geojson(&text),
+            _ => return Err(complain("an outline is read from a file .svg, .json or .geojson".into())),
+        };
+        pieces.map_err(|error| complain(format!("{}: {error}", path.display())))
     }
 }
 
