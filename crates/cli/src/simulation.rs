@@ -36,8 +36,8 @@ use planar::Planar;
 use schedule::{Launch, Work, run_all};
 use spatial::Spatial;
 
-pub(crate) use describe::short;
 pub use describe::{Description, First, PieceOf, Region, StartOf};
+pub(crate) use describe::{point, short};
 pub use summary::Summary;
 
 /// A scene whose table is built and whose starts are checked.
@@ -150,6 +150,8 @@ impl Simulation {
             PICTURES.iter().filter(|known| asked.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
         let kept = Kept { folder, needs: &needs };
+        // better now than after hours
+        std::fs::create_dir_all(folder)?;
         let (material, totals, busy) = match &self.body {
             Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
             Body::Space(spatial) => self.in_space(spatial, &kept, control)?,

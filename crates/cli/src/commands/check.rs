@@ -7,7 +7,7 @@ use super::Failure;
 use crate::args;
 use crate::document::{Source, spell};
 use crate::scene::{Request, Scene};
-use crate::simulation::{Description, Region, Simulation, short};
+use crate::simulation::{Description, Region, Simulation, point, short};
 
 /// Checks a scene and describes it.
 ///
@@ -29,10 +29,6 @@ pub fn run(arguments: &args::Check, out: &mut impl Write) -> Result<(), Failure>
 /// A number to six digits, or infinity.
 fn measure(x: Option<f64>) -> String {
     x.map_or("infinite".into(), short)
-}
-
-fn point(p: &[f64]) -> String {
-    format!("({})", p.iter().map(|x| measure(Some(*x))).collect::<Vec<_>>().join(", "))
 }
 
 fn plural(n: usize, one: &str) -> String {
@@ -59,7 +55,7 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
             out,
             "  fits        a disk of radius up to {}, there about {}",
             measure(Some(radius)),
-            point(&center)
+            point(&center, radius)
         )?;
     }
     if let Some(centres) = &scene.centres {
@@ -109,7 +105,7 @@ fn pieces(scene: &Description, out: &mut impl Write) -> io::Result<()> {
             let _ = write!(line, ", length {}", measure(piece.length));
         }
         if let Some(normal) = piece.normal {
-            let _ = write!(line, ", normal {}", point(&normal.map(|x| (x * 1e6).round() / 1e6 + 0.0)));
+            let _ = write!(line, ", normal {}", point(&normal, 0.0));
         }
         if piece.law != scene.law {
             let _ = write!(line, ", law {}", piece.law);
@@ -126,7 +122,12 @@ fn starts(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "  orbits      {}", scene.orbits)?;
     for (i, start) in scene.starts.iter().enumerate() {
         let distance = measure(Some(start.distance));
-        writeln!(out, "    {i:>3}  starts at {}, {distance} from a wall; {}", point(&start.position), start.first)?;
+        writeln!(
+            out,
+            "    {i:>3}  starts at {}, {distance} from a wall; {}",
+            point(&start.position, 0.0),
+            start.first
+        )?;
     }
     if scene.orbits > scene.starts.len() as u64 {
         writeln!(out, "    and {} more", scene.orbits - scene.starts.len() as u64)?;

@@ -1,7 +1,7 @@
 //! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`.
 
 use super::{choice, direction, list};
-use crate::document::{Item, Problems, Section, Span, Value, count, number};
+use crate::document::{Item, Problems, Section, Span, Value, count, number, spell};
 
 /// A collision law and where it was chosen.
 #[derive(Clone, Debug, PartialEq)]
@@ -83,7 +83,10 @@ impl std::fmt::Display for LawKind {
         match self {
             Self::Specular => f.write_str("specular"),
             Self::NoSlip => f.write_str("no-slip"),
-            Self::Rough(directions) => write!(f, "rough {directions:?}"),
+            Self::Rough(directions) => {
+                let one = |d: &Vec<f64>| format!("[{}]", d.iter().map(|x| spell(*x)).collect::<Vec<_>>().join(", "));
+                write!(f, "rough [{}]", directions.iter().map(one).collect::<Vec<_>>().join(", "))
+            }
             Self::Random { rank, seed } => write!(f, "random rank {rank} seed {seed}"),
             Self::Restitution { normal, tangential } => {
                 write!(f, "restitution normal {normal} tangential {tangential}")

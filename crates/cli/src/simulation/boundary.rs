@@ -364,7 +364,7 @@ impl Collected<'_> {
         let path = Path::new(self.scene.source.name()).with_file_name(&file.value);
         let text =
             std::fs::read_to_string(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
-        let extension = path.extension().map(|extension| extension.to_ascii_lowercase()).unwrap_or_default();
+        let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase).unwrap_or_default();
         let pieces = match extension.to_str() {
             Some("svg") => import::svg(&text, import::TOLERANCE),
             Some("json" | "geojson") => import::geojson(&text),

@@ -130,8 +130,11 @@ pub(crate) fn short(x: f64) -> String {
     spell(rounded)
 }
 
-fn point(p: &[f64]) -> String {
-    format!("({})", p.iter().map(|x| short(*x)).collect::<Vec<_>>().join(", "))
+/// A point or vector; a coordinate that is nothing beside the others and beside some length is 0.
+pub(crate) fn point(p: &[f64], beside: f64) -> String {
+    let size = p.iter().fold(beside, |m: f64, x| m.max(x.abs()));
+    let clean = |x: &f64| if x.abs() < 1e-12 * size { 0.0 } else { *x };
+    format!("({})", p.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
 }
 
 fn finite(x: f64) -> Option<f64> {
@@ -273,15 +276,15 @@ fn region(of: &geometry::Description, factor: f64) -> Region {
 }
 
 fn piece_of(piece: &dyn Piece, factor: f64, law: String) -> PieceOf {
-    let at = |p: Vector2<f64>| point(&[p.x / factor, p.y / factor]);
+    let at = |p: Vector2<f64>| point(&[p.x / factor, p.y / factor], 0.0);
     let radius = |r: f64| short(r / factor);
     let (kind, place) = match piece.figure() {
         Figure::Segment { ends: [a, b] } => ("segment", format!("{} to {}", at(a), at(b))),
         Figure::Ray { from, direction, .. } => {
-            ("ray", format!("from {} along {}", at(from), point(&[direction.x, direction.y])))
+            ("ray", format!("from {} along {}", at(from), point(&[direction.x, direction.y], 0.0)))
         }
         Figure::Line { through, direction } => {
-            ("line", format!("through {} along {}", at(through), point(&[direction.x, direction.y])))
+            ("line", format!("through {} along {}", at(through), point(&[direction.x, direction.y], 0.0)))
         }
         Figure::Arc { center, radius: r, ends: [a, b], inside } => (
             if inside { "focusing arc" } else { "dispersing arc" },

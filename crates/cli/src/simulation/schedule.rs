@@ -2,6 +2,7 @@
 
 use std::io;
 use std::ops::{ControlFlow, Range};
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Mutex, PoisonError};
@@ -113,7 +114,8 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
         };
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(one)).collect();
         let outcome = jobs.into_iter().flatten().try_for_each(consume);
-        let busy = workers.into_iter().filter_map(|worker| worker.join().ok()).max().unwrap_or_default();
+        let busy = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic))).max();
+        let busy = busy.unwrap_or_default();
         outcome.map(|()| busy)
     })
 }
