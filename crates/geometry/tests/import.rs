@@ -263,7 +263,7 @@ fn mistakes_in_maps_are_named_with_their_place() {
     ] {
         match import::geojson(text) {
             Err(Error::Outline { place, problem }) => {
-                assert!(place == at && problem.contains(words), "{place}: {problem}")
+                assert!(place == at && problem.contains(words), "{place}: {problem}");
             }
             other => panic!("{text}: {other:?}"),
         }
