@@ -47,7 +47,7 @@ pub struct Picture {
 /// What a run must collect for a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
-    /// [`Material::outline`], [`Material::centres`], [`Material::radius`], [`Material::window`] and [`Material::paths`].
+    /// [`Material::outline`], [`Material::guides`], [`Material::radius`], [`Material::window`] and [`Material::paths`].
     Paths,
     /// [`Material::velocities`].
     Velocities,
@@ -60,8 +60,8 @@ pub enum Needs {
 pub struct Material {
     /// The walls.
     pub outline: Vec<Stroke>,
-    /// Where the centre of a particle of positive radius can be.
-    pub centres: Vec<Stroke>,
+    /// Lines that are no walls: around the region of centres of a particle of positive radius, and of lattice cells.
+    pub guides: Vec<Stroke>,
     /// Radius of the particle.
     pub radius: f64,
     /// What of a table without end is shown; of all others, everything is.

@@ -194,7 +194,10 @@ impl Simulation {
         material.outline = strokes::of(&planar.drawn.table, factor);
         material.radius = self.scene.particle.radius.value;
         if material.radius > 0.0 {
-            material.centres = strokes::of(&planar.centres, factor);
+            material.guides = strokes::of(&planar.centres, factor);
+        }
+        if let Some(lattice) = planar.centres.lattice() {
+            material.guides.extend(strokes::of_cell(lattice, factor));
         }
         Ok((material, totals, busy))
     }

@@ -549,3 +549,67 @@ fn pictures_are_well_formed_and_dense_ones_come_as_pixels_too() {
         assert_eq!(png.exists(), name != "orbit", "{name}");
     }
 }
+
+#[test]
+fn every_shape_bounds_a_table_from_outside() {
+    let folder = Folder::new("shapes");
+    let planar = [
+        ("ball", "radius = 1"),
+        ("cuboid", "size = [2, 1], angle = 0.3"),
+        ("cuboid", "size = [2, 1], rounding = 0.25"),
+        ("capsule", "from = [-1, 0], to = [1, 0.5], radius = 0.5"),
+        ("segment", "from = [-1, 0], to = [1, 0.5]"),
+        ("triangle", "points = [[-1, 0], [1, 0], [0, 1]]"),
+        ("triangle", "points = [[-1, 0], [1, 0], [0, 1]], rounding = 0.25"),
+        ("convex-polygon", "points = [[-1, 0], [0, -1], [1, 0], [0, 1]]"),
+        ("convex-polygon", "points = [[-1, 0], [0, -1], [1, 0], [0, 1]], rounding = 0.25"),
+        ("polygon", "points = [[-1, 0], [1, 0], [0, 0.25], [0, 1]]"),
+        ("polygon", "points = [[-1, 0], [1, 0], [0, 0.25], [0, 1]], rounding = 0.125"),
+        ("polyline", "points = [[-1, 0], [0, 0.25], [1, 0]]"),
+        ("polyline", "points = [[-1, 0], [0, 0.25], [1, 0]], rounding = 0.125"),
+        ("half-space", "normal = [0, -1], center = [0, 2]"),
+        ("trimesh", "points = [[-1, 0], [1, 0], [0, 1], [0, -1]], triangles = [[0, 1, 2], [0, 3, 1]]"),
+        ("heightfield", "heights = [0, 0.5, 0.25, 0], size = [2, 1]"),
+        (
+            "compound",
+            "shapes = [{ name = \"ball\", radius = 1 }, { name = \"cuboid\", size = [3, 0.5], center = [0, 0.5] }]",
+        ),
+    ];
+    let solid = [
+        ("ball", "radius = 1"),
+        ("cuboid", "size = [2, 1, 1]"),
+        ("cuboid", "size = [2, 1, 1], rounding = 0.25"),
+        ("capsule", "from = [-1, 0, 0], to = [1, 0, 0], radius = 0.5"),
+        ("cylinder", "radius = 1, height = 1"),
+        ("cylinder", "radius = 1, height = 1, rounding = 0.125"),
+        ("cone", "radius = 1, height = 1"),
+        ("convex-hull", "points = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
+        ("half-space", "normal = [0, 0, -1], center = [0, 0, 2]"),
+        (
+            "trimesh",
+            "points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], \
+             triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]",
+        ),
+    ];
+    let scene = |n: usize, name: &str, parameters: &str| {
+        let (dimension, around, position, velocity) = if n == 2 {
+            ("", "circle = { center = [0, 0], radius = 4 }", "[-2.5, -1.5]", "[0.8, 0.61]")
+        } else {
+            ("dimension = 3", "sphere = { center = [0, 0, 0], radius = 4 }", "[-2, -1, -1]", "[0.8, 0.41, 0.43]")
+        };
+        format!(
+            "law = \"no-slip\"\n[table]\n{dimension}\n[[table.boundary]]\n{around}\n[[table.boundary]]\n\
+             shape = {{ name = \"{name}\", {parameters} }}\n[[orbit]]\nposition = {position}\nvelocity = {velocity}\n\
+             [run]\ncollisions = 200\n[output]\ncollisions = \"csv\"\npictures = [\"orbit\"]\n"
+        )
+    };
+    for (n, shapes) in [(2, &planar[..]), (3, &solid[..])] {
+        for (name, parameters) in shapes {
+            let summary = folder.done(&scene(n, name, parameters), &[]);
+            assert_eq!(summary["stops"]["finished"], 1, "{name} {parameters}: {}", summary["stops"]);
+            assert!(summary["energy_drift"].as_f64().unwrap() < 1e-14, "{name} {parameters}");
+            let pieces: Vec<f64> = folder.rows().iter().map(|row| row[3]).collect();
+            assert!(pieces.contains(&0.0) && pieces.iter().any(|piece| *piece > 0.0), "{name} {parameters}: never hit");
+        }
+    }
+}

@@ -18,6 +18,8 @@ pub(crate) struct Copy {
 #[derive(Clone, Debug)]
 pub(crate) struct Copies {
     all: Vec<Copy>,
+    /// For each piece, where it is among them, unmoved.
+    home: Vec<usize>,
     boxes: Vec<Extent>,
     tree: BoxTree,
 }
@@ -26,9 +28,10 @@ impl Copies {
     /// All copies of `pieces` that come as near as `reach` \[L\] to the box `around`. Infinite pieces lie along the lattice
     /// and are their own translates.
     pub(crate) fn new(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>, around: &Extent, reach: f64) -> Copies {
-        let (mut all, mut boxes) = (vec![], vec![]);
+        let (mut all, mut boxes, mut home) = (vec![], vec![], vec![]);
         for (number, piece) in pieces.iter().enumerate() {
             let extent = piece.extent();
+            home.push(all.len());
             all.push(Copy { number, cell: [0.0; 2], piece: piece.clone() });
             boxes.push(extent);
             let Some(lattice) = lattice.filter(|_| extent.is_finite() && around.is_finite()) else { continue };
@@ -42,11 +45,16 @@ impl Copies {
             }
         }
         let tree = BoxTree::new(boxes.clone());
-        Copies { all, boxes, tree }
+        Copies { all, home, boxes, tree }
     }
 
     pub(crate) fn get(&self, index: usize) -> (&Copy, &Extent) {
         (&self.all[index], &self.boxes[index])
+    }
+
+    /// The index of a piece itself.
+    pub(crate) fn home(&self, number: usize) -> usize {
+        self.home[number]
     }
 
     /// Indices of all copies, neighbours near each other.

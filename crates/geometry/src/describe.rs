@@ -1,12 +1,8 @@
 //! What a table is like: its parts, sizes and corners.
 use crate::{
-    Extent, LargestDisk, MeetingKind, Table,
-    copies::{Copies, finite_extent},
+    LargestDisk, Table,
     joints::joints,
-    meetings,
-    plane::slack,
-    shapes::Ray,
-    validate::is_hit,
+    sight::{Aim, Sight, Wall},
 };
 use nalgebra::Vector2;
 
@@ -78,42 +74,36 @@ impl Table {
     /// # Ok::<(), geometry::Error>(())
     /// ```
     pub fn components(&self) -> Vec<Component> {
-        let chains = self.chains();
+        let sight = Sight::new(self, 2.0);
+        let chains = &sight.chains;
         let mut groups = Groups::new(chains.len());
-        let around = finite_extent(self.pieces());
-        let size = if around.is_finite() { around.size() } else { 1.0 };
-        let far = self.lattice().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum());
-        let copies = Copies::new(self.pieces(), self.lattice(), &around, 2.0 * far);
-        let mut chain_of = vec![0; self.pieces().len()];
-        for (k, chain) in chains.iter().enumerate() {
-            for &i in chain {
-                chain_of[i] = k;
-            }
-        }
-        let infinite = |chain: &Vec<usize>| chain.iter().any(|&i| !self.pieces()[i].length().is_finite());
-        let distant: Vec<usize> = (0..chains.len()).filter(|&k| infinite(&chains[k])).collect();
+        let distant = sight.infinite();
         // in one direction, every chain sees the next one of its part of the table, and the last of them its outer wall
-        let up = Vector2::new(0.030_901_7, 0.951_056_5);
-        let mut escaped: Option<usize> = None;
-        for (k, chain) in chains.iter().enumerate() {
-            let sight = Sight { table: self, copies: &copies, size };
-            let views = [View::Along(up), View::Inward];
-            let others = distant.iter().filter(|&&other| other != k).map(|&other| View::At(&chains[other]));
-            for view in views.into_iter().chain(others) {
-                let Some(walls) = sight.along(chain, &view) else { continue };
+        let up = Vector2::new(0.032_475_5, 0.999_472_5);
+        let mut outside: Option<usize> = None;
+        for k in 0..chains.len() {
+            let others = distant.iter().filter(|&&other| other != k).map(|&other| Aim::At(other));
+            for aim in [Aim::Along(up), Aim::Inward].into_iter().chain(others) {
+                let until = |wall: &Wall| {
+                    let there = sight.chain_of[wall.number];
+                    if let Aim::At(other) = aim { there == other } else { there != k }
+                };
+                let Some((walls, escapes)) = sight.look(k, aim, until) else { continue };
                 for pair in walls.windows(2).filter(|pair| pair[0].into_table) {
-                    groups.unite(chain_of[pair[0].number], chain_of[pair[1].number]);
+                    groups.unite(sight.chain_of[pair[0].number], sight.chain_of[pair[1].number]);
                 }
                 // without infinite walls there is one outside
-                if distant.is_empty()
+                if escapes
+                    && distant.is_empty()
                     && self.lattice().is_none()
                     && let Some(last) = walls.last().filter(|wall| wall.into_table)
                 {
-                    let last = chain_of[last.number];
-                    groups.unite(*escaped.get_or_insert(last), last);
+                    let last = sight.chain_of[last.number];
+                    groups.unite(*outside.get_or_insert(last), last);
                 }
             }
         }
+        let infinite = |chain: &Vec<usize>| chain.iter().any(|&i| !self.pieces()[i].length().is_finite());
         let mut components: Vec<Component> = vec![];
         for group in groups.all() {
             let members: Vec<&Vec<usize>> = group.iter().map(|&k| &chains[k]).collect();
@@ -147,63 +137,6 @@ impl Table {
             }
             _ => area,
         }
-    }
-}
-
-/// A wall on a line of sight.
-struct Wall {
-    at: f64,
-    number: usize,
-    /// Whether the line goes on into the table.
-    into_table: bool,
-}
-
-/// Where to look from a chain.
-enum View<'a> {
-    Along(Vector2<f64>),
-    Inward,
-    At(&'a [usize]),
-}
-
-struct Sight<'a> {
-    table: &'a Table,
-    copies: &'a Copies,
-    size: f64,
-}
-
-impl Sight<'_> {
-    /// All walls on a line of sight from a chain, that chain's own first, if there is a line that grazes none.
-    fn along(&self, chain: &[usize], view: &View) -> Option<Vec<Wall>> {
-        (0..16).find_map(|k| {
-            let (number, from) = self.table.place(chain, k, 0.381_966_011_250_105, self.size);
-            let normal = self.table.pieces()[number].closest(&from).normal;
-            let direction = match view {
-                View::Along(direction) => *direction,
-                View::Inward => normal,
-                View::At(other) => self.table.place(other, k, 0.618_033_988_749_895, self.size).1 - from,
-            };
-            let ray = Ray::new(from, direction, true).ok()?;
-            let direction = direction / libm::hypot(direction.x, direction.y);
-            let rounding = slack([self.size]);
-            let facing = direction.dot(&normal);
-            let mut walls = vec![Wall { at: 0.0, number, into_table: facing > 0.0 }];
-            let mut clear = facing.abs() > 1e-6;
-            let wanted = |e: &Extent| is_hit(e, &from, &direction, rounding);
-            self.copies.search(wanted, |index| {
-                let (copy, _) = self.copies.get(index);
-                for m in meetings(&ray, &*copy.piece) {
-                    let own = copy.number == number && copy.cell == [0.0; 2];
-                    if own && m.at[0] <= 4.0 * rounding {
-                        continue;
-                    }
-                    let facing = copy.piece.closest(&m.point).normal.dot(&direction);
-                    clear &= m.kind == MeetingKind::Crossing && facing.abs() > 1e-6 && m.at[0] > 4.0 * rounding;
-                    walls.push(Wall { at: m.at[0], number: copy.number, into_table: facing > 0.0 });
-                }
-            });
-            walls.sort_by(|a, b| a.at.total_cmp(&b.at));
-            clear.then_some(walls)
-        })
     }
 }
 

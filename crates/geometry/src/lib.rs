@@ -33,6 +33,7 @@ mod piece;
 mod plane;
 mod sample;
 pub mod shapes;
+mod sight;
 mod table;
 pub mod tables;
 mod validate;

@@ -1,11 +1,11 @@
 //! Is this a table? What a set of pieces must satisfy before a particle may run in it.
 use crate::{
-    Error, Extent, Figure, Meeting, MeetingKind, Piece, Table,
-    copies::{Copies, finite_extent},
+    Error, Extent, Figure, Meeting, MeetingKind, Table,
+    copies::Copies,
     intersect::{direction_at, self_crossing},
     meetings,
     plane::slack,
-    shapes::Ray,
+    sight::{Aim, Sight},
 };
 use nalgebra::Vector2;
 use std::collections::HashSet;
@@ -25,7 +25,6 @@ impl Table {
     /// [`Error::TooShort`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`] or
     /// [`Error::Orientation`], with the numbers of the pieces and about where.
     pub fn validate(&self) -> Result<(), Error> {
-        let size = finite_size(self.pieces());
         for (piece, p) in self.pieces().iter().enumerate() {
             let length = p.length();
             if length <= slack([p.extent().size()]) {
@@ -40,12 +39,11 @@ impl Table {
                 return Err(Error::SelfCrossing { piece, at: at.into() });
             }
         }
-        let copies = Copies::new(self.pieces(), self.lattice(), &finite_extent(self.pieces()), slack([size]));
-        let junctions = self.crossings(&copies)?;
-        for point in junctions {
-            alternates(&copies, &point)?;
+        let sight = Sight::new(self, 0.0);
+        for point in self.crossings(&sight)? {
+            alternates(sight.copies(), &point)?;
         }
-        self.orientation(&copies, size)
+        self.orientation(&sight)
     }
 
     /// Whether an infinite piece may stand on the lattice: a line along the only lattice vector.
@@ -60,13 +58,14 @@ impl Table {
     }
 
     /// Fails where two pieces cross. The points where an end lies on a piece other than the one before or after it.
-    fn crossings(&self, copies: &Copies) -> Result<Vec<Vector2<f64>>, Error> {
+    fn crossings(&self, sight: &Sight) -> Result<Vec<Vector2<f64>>, Error> {
+        let copies = sight.copies();
         let mut follows = vec![usize::MAX; self.pieces().len()];
-        for chain in self.chains() {
+        for chain in &sight.chains {
             for w in chain.windows(2) {
                 follows[w[0]] = w[1];
             }
-            if self.is_closed(&chain) {
+            if self.is_closed(chain) {
                 follows[chain[chain.len() - 1]] = chain[0];
             }
         }
@@ -119,160 +118,40 @@ impl Table {
     }
 
     /// Fails where a piece has the table on its right.
-    fn orientation(&self, copies: &Copies, size: f64) -> Result<(), Error> {
-        let chains = self.chains();
-        let mut chain_of = vec![0; self.pieces().len()];
-        for (k, chain) in chains.iter().enumerate() {
-            for &i in chain {
-                chain_of[i] = k;
-            }
-        }
-        let extent =
-            |chain: &[usize]| chain.iter().map(|&i| self.pieces()[i].extent()).fold(Extent::EMPTY, Extent::union);
+    fn orientation(&self, sight: &Sight) -> Result<(), Error> {
+        let chains = &sight.chains;
         let area = |chain: &[usize]| chain.iter().map(|&i| self.pieces()[i].area()).sum::<f64>();
-        let width = |chain: &[usize]| {
-            let e = extent(chain);
+        let width = |k: usize| {
+            let e = &sight.extents[k];
             (e.max.x - e.min.x) + (e.max.y - e.min.y)
         };
         // in the plane, the widest loop lies in no other
-        let outermost = chains.iter().max_by(|a, b| width(a).total_cmp(&width(b)));
-        if let Some(chain) = outermost
+        let outermost = (0..chains.len()).max_by(|&a, &b| width(a).total_cmp(&width(b)));
+        if let Some(k) = outermost
             && self.lattice().is_none()
             && chains.iter().all(|c| self.is_closed(c))
-            && chain.len() > 1
-            && area(chain) < 0.0
+            && chains[k].len() > 1
+            && area(&chains[k]) < 0.0
         {
-            return Err(Error::Orientation { piece: chain[0] });
+            return Err(Error::Orientation { piece: chains[k][0] });
         }
-        let infinite = chains.iter().filter(|c| !extent(c).is_finite());
-        for (k, chain) in chains.iter().enumerate() {
-            let aims = [Aim::Inward, Aim::Outward].into_iter();
-            let next = (chains.len() > 1).then(|| &chains[(k + 1) % chains.len()]);
-            let others = next.into_iter().chain(infinite.clone()).filter(|other| *other != chain);
-            for aim in aims.chain(others.map(|other| Aim::At(other))) {
-                let Some((from, hit)) = self.look(copies, chain, &aim, size) else { continue };
-                // of two loops that disagree, the inner one is named
-                let inner = width(&chains[chain_of[hit]]) < width(chain);
-                return Err(Error::Orientation { piece: if inner { hit } else { from } });
+        let infinite = sight.infinite();
+        for k in 0..chains.len() {
+            let others = [(k + 1) % chains.len()].into_iter().chain(infinite.iter().copied());
+            let aims = [Aim::Inward, Aim::Outward].into_iter().chain(others.filter(|&other| other != k).map(Aim::At));
+            for aim in aims {
+                let Some((walls, false)) = sight.look(k, aim, |_| true) else { continue };
+                let [from, hit] = [walls[0], walls[1]];
+                // a wall seen from the table must not lead into it
+                if from.into_table == hit.into_table {
+                    // of two loops that disagree, the inner one is named
+                    let inner = width(sight.chain_of[hit.number]) < width(k);
+                    return Err(Error::Orientation { piece: if inner { hit.number } else { from.number } });
+                }
             }
         }
         Ok(())
     }
-
-    /// Looks from a chain, and returns where from and which piece is seen if that piece has its table on the other side.
-    fn look(&self, copies: &Copies, chain: &[usize], aim: &Aim, size: f64) -> Option<(usize, usize)> {
-        // some places may look at a corner; irrational parts of the length soon find one that does not
-        for k in 0..16_usize {
-            let (i, at) = self.place(chain, k, 0.381_966_011_250_105, size);
-            let normal = self.pieces()[i].closest(&at).normal;
-            let direction = match aim {
-                Aim::Inward => normal,
-                Aim::Outward => -normal,
-                Aim::At(other) => self.place(other, k, 0.618_033_988_749_895, size).1 - at,
-            };
-            let Ok(ray) = Ray::new(at, direction, true) else { continue };
-            // a look along the wall itself is on neither side
-            let into_table = direction.dot(&normal);
-            if into_table.abs() <= 1e-6 * libm::hypot(direction.x, direction.y) {
-                continue;
-            }
-            match first_seen(copies, i, &ray, &at, slack([size])) {
-                Seen::Nothing => return None,
-                Seen::Unclear => {}
-                Seen::Piece { number, from_table } => {
-                    return (from_table != (into_table > 0.0)).then_some((i, number));
-                }
-            }
-        }
-        None
-    }
-
-    /// The `k`-th of 16 places spread over a chain.
-    pub(crate) fn place(&self, chain: &[usize], k: usize, part: f64, size: f64) -> (usize, Vector2<f64>) {
-        let i = chain[k * chain.len() / 16];
-        let piece = &self.pieces()[i];
-        let part = part + 0.236_067_977_499_79 * (k as f64 / 16.0);
-        let length = piece.length();
-        let from_end = piece.ends().is_some_and(|[a, _]| a.iter().all(|x| x.is_finite()));
-        let s = match (length.is_finite(), from_end) {
-            (true, _) => length * part,
-            (false, true) => size * part,
-            (false, false) => -size * part,
-        };
-        (i, piece.point_at(s))
-    }
-}
-
-/// Where to look from a boundary.
-enum Aim<'a> {
-    Inward,
-    Outward,
-    At(&'a [usize]),
-}
-
-/// Greatest finite coordinate of some pieces; 1 where there is none (two lines through the origin).
-fn finite_size(pieces: &[std::sync::Arc<dyn Piece>]) -> f64 {
-    let of_figure = |p: &dyn Piece| match p.figure() {
-        Figure::Line { through, .. } => through.amax(),
-        _ => p.extent().size(),
-    };
-    let size = pieces.iter().map(|p| of_figure(&**p)).fold(0.0, f64::max);
-    if size > 0.0 { size } else { 1.0 }
-}
-
-/// What a look along a ray finds first.
-enum Seen {
-    Nothing,
-    /// A corner, or a wall it grazes.
-    Unclear,
-    Piece {
-        number: usize,
-        /// Whether from the side of the table.
-        from_table: bool,
-    },
-}
-
-/// The first piece along a ray that starts on the piece `own`.
-fn first_seen(copies: &Copies, own: usize, ray: &Ray, from: &Vector2<f64>, rounding: f64) -> Seen {
-    let mut best = (f64::INFINITY, Seen::Nothing);
-    let Figure::Ray { direction, .. } = ray.figure() else { return Seen::Unclear };
-    copies.search(
-        |e| is_hit(e, from, &direction, rounding),
-        |index| {
-            let (copy, _) = copies.get(index);
-            for m in meetings(ray, &*copy.piece) {
-                let s = m.at[0];
-                let at_start = s <= 4.0 * rounding;
-                if s > best.0 || (at_start && copy.number == own && copy.cell == [0.0; 2]) {
-                    continue;
-                }
-                let facing = copy.piece.closest(&m.point).normal.dot(&direction);
-                // grazing hits may be of either side
-                let clear = m.kind == MeetingKind::Crossing && !at_start && facing.abs() > 1e-6 && s < best.0;
-                let seen = Seen::Piece { number: copy.number, from_table: facing < 0.0 };
-                best = (s, if clear { seen } else { Seen::Unclear });
-            }
-        },
-    );
-    best.1
-}
-
-/// Whether a ray meets a box, or comes close to it.
-pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64) -> bool {
-    let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
-    for i in 0..2 {
-        let (low, high) = (extent.min[i] - reach - from[i], extent.max[i] + reach - from[i]);
-        if direction[i] == 0.0 {
-            if low > 0.0 || high < 0.0 {
-                return false;
-            }
-        } else {
-            let (a, b) = (low / direction[i], high / direction[i]);
-            enter = enter.max(a.min(b));
-            leave = leave.min(a.max(b));
-        }
-    }
-    enter <= leave
 }
 
 /// Fails unless boundaries that come into a point and go out of it alternate around it, as they do around every point

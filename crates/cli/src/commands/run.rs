@@ -75,9 +75,7 @@ fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnc
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template(
-        "{bar:40} {percent:>3} %  {elapsed} passed, {eta} to go  (Ctrl-C ends and keeps what is done)",
-    );
+    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {eta} to go; Ctrl-C keeps what is done");
     ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 

@@ -9,7 +9,7 @@ use super::{COLUMN, File, Material, Needs, Picture};
 const WALL: f64 = 0.8;
 /// White around the picture.
 const MARGIN: f64 = 3.0;
-/// Width of the boundary of the region of centres.
+/// Width of lines that are no walls.
 const THIN: f64 = 0.4;
 /// Most orbits whose starts are marked.
 const MOST_STARTS: usize = 50;
@@ -40,7 +40,7 @@ pub fn draw(material: &Material) -> Svg {
             svg.path(&stroke.outline(&view), Style::area(Colour::SOLID));
         }
         orbits(svg, &view, material);
-        for stroke in &material.centres {
+        for stroke in &material.guides {
             svg.path(&stroke.outline(&view), Style::line(Colour::MIDDLE, THIN));
         }
         for stroke in &material.outline {
@@ -53,7 +53,7 @@ pub fn draw(material: &Material) -> Svg {
 
 /// Everything; of a table without end, some room beyond the orbits.
 fn window(material: &Material) -> Window {
-    let walls = material.outline.iter().flat_map(super::Stroke::extent);
+    let walls = material.outline.iter().chain(&material.guides).flat_map(super::Stroke::extent);
     let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
     let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
     let tight = Window::around(walls.chain(points)).unwrap_or(whole);

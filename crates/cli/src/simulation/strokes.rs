@@ -13,6 +13,22 @@ pub(crate) fn of(table: &Table, factor: f64) -> Vec<Stroke> {
     shifts.iter().flat_map(|by| table.pieces().iter().map(|piece| stroke(&**piece, by, factor))).collect()
 }
 
+/// The edges of the unit cell of a lattice, all lengths divided by `factor`.
+pub(crate) fn of_cell(lattice: &Lattice, factor: f64) -> Vec<Stroke> {
+    let out = |v: Vector2<f64>| [v.x / factor, v.y / factor];
+    let corner = |a: f64, b: f64| out(lattice.translation([a, b]));
+    match lattice.vectors() {
+        [a] => {
+            let across = [-a.y, a.x];
+            vec![Stroke::Line(corner(0.0, 0.0), across), Stroke::Line(corner(1.0, 0.0), across)]
+        }
+        _ => [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]]
+            .windows(2)
+            .map(|ends| Stroke::Segment(corner(ends[0][0], ends[0][1]), corner(ends[1][0], ends[1][1])))
+            .collect(),
+    }
+}
+
 /// Translations that bring part of the walls into the unit cell.
 fn shifts(table: &Table, lattice: &Lattice) -> Vec<Vector2<f64>> {
     let steps = [-1.0, 0.0, 1.0];

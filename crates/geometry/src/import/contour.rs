@@ -5,7 +5,7 @@ use crate::{
     meetings,
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
-    validate::is_hit,
+    sight::is_hit,
 };
 use nalgebra::Vector2;
 
@@ -199,7 +199,7 @@ fn is_nested_oddly(
         let (mut count, mut clear) = (0_usize, true);
         let reach = slack(from.iter().copied());
         tree.search(
-            |e| is_hit(e, &from, &direction, reach),
+            |e| is_hit(e, &from, &direction, reach, f64::INFINITY),
             |i| {
                 if owners[i] != own {
                     for m in meetings(&ray, all[i]) {

@@ -1,0 +1,188 @@
+//! What can be seen from a boundary along straight lines: enough to tell its sides apart and its parts.
+use crate::{
+    Extent, Figure, MeetingKind, Table,
+    copies::{Copies, finite_extent},
+    meetings,
+    plane::slack,
+    shapes::Ray,
+};
+use core::cell::Cell;
+use nalgebra::Vector2;
+
+/// Lines that meet a wall at less than this angle (radians) may be on either side of it.
+const GRAZING: f64 = 1e-6;
+
+/// Tries to find a line of sight that grazes nothing and meets no vertex.
+const TRIES: usize = 16;
+
+/// A table's chains of pieces, ready to be looked at.
+pub(crate) struct Sight<'a> {
+    table: &'a Table,
+    copies: Copies,
+    /// Greatest finite coordinate; 1 where there is none (lines through the origin).
+    pub(crate) size: f64,
+    pub(crate) chains: Vec<Vec<usize>>,
+    /// For each piece, its chain.
+    pub(crate) chain_of: Vec<usize>,
+    /// The boxes around the chains.
+    pub(crate) extents: Vec<Extent>,
+}
+
+/// Where to look.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Aim {
+    Inward,
+    Outward,
+    Along(Vector2<f64>),
+    /// At a chain.
+    At(usize),
+}
+
+/// A wall on a line of sight.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Wall {
+    pub(crate) number: usize,
+    /// Whether the line goes on into the table.
+    pub(crate) into_table: bool,
+}
+
+/// The first thing on a line of sight.
+enum Seen {
+    Nothing,
+    /// A vertex, or a wall that the line grazes.
+    Unclear,
+    Wall(Wall, usize, Vector2<f64>),
+}
+
+impl<'a> Sight<'a> {
+    /// `cells`: how many more translates to take into account on each side, on a lattice.
+    pub(crate) fn new(table: &'a Table, cells: f64) -> Sight<'a> {
+        let pieces = table.pieces();
+        let coordinates = pieces.iter().map(|p| match p.figure() {
+            Figure::Line { through, .. } => through.amax(),
+            _ => p.extent().size(),
+        });
+        let size = coordinates.fold(0.0, f64::max);
+        let size = if size > 0.0 { size } else { 1.0 };
+        let reach = table.lattice().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum::<f64>() * cells);
+        let copies = Copies::new(pieces, table.lattice(), &finite_extent(pieces), slack([size]) + reach);
+        let chains = table.chains();
+        let mut chain_of = vec![0; pieces.len()];
+        for (k, chain) in chains.iter().enumerate() {
+            for &i in chain {
+                chain_of[i] = k;
+            }
+        }
+        let around = |chain: &Vec<usize>| chain.iter().map(|&i| pieces[i].extent()).fold(Extent::EMPTY, Extent::union);
+        let extents = chains.iter().map(around).collect();
+        Sight { table, copies, size, chains, chain_of, extents }
+    }
+
+    pub(crate) fn copies(&self) -> &Copies {
+        &self.copies
+    }
+
+    /// The chains that reach to infinity.
+    pub(crate) fn infinite(&self) -> Vec<usize> {
+        (0..self.chains.len()).filter(|&k| !self.extents[k].is_finite()).collect()
+    }
+
+    /// The walls on a line of sight from a chain, from that chain itself on to the first that satisfies `until`; with
+    /// whether the line escapes beyond the last of them. `None` where no line is clear.
+    pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
+        'tries: for k in 0..TRIES {
+            let (mut index, mut from) = self.place(chain, k, 0.381_966_011_250_105);
+            let (copy, _) = self.copies.get(index);
+            let normal = copy.piece.closest(&from).normal;
+            let direction = match aim {
+                Aim::Inward => normal,
+                Aim::Outward => -normal,
+                Aim::Along(direction) => direction,
+                Aim::At(other) => self.place(other, k, 0.618_033_988_749_895).1 - from,
+            };
+            let direction = direction / libm::hypot(direction.x, direction.y);
+            let facing = direction.dot(&normal);
+            if facing.is_nan() || facing.abs() <= GRAZING {
+                continue;
+            }
+            let mut walls = vec![Wall { number: copy.number, into_table: facing > 0.0 }];
+            loop {
+                match self.first(index, from, direction) {
+                    Seen::Nothing => return Some((walls, true)),
+                    Seen::Unclear => continue 'tries,
+                    Seen::Wall(wall, at, point) => {
+                        walls.push(wall);
+                        if until(&wall) {
+                            return Some((walls, false));
+                        }
+                        (index, from) = (at, point);
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    /// The first wall on the line from a point of the copy with the given index.
+    fn first(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Seen {
+        let Ok(ray) = Ray::new(from, direction, true) else { return Seen::Unclear };
+        let rounding = slack(from.iter().copied().chain([self.size]));
+        let nearest = Cell::new(f64::INFINITY);
+        let mut seen = Seen::Nothing;
+        self.copies.search(
+            |e| is_hit(e, &from, &direction, rounding, nearest.get()),
+            |index| {
+                let (copy, _) = self.copies.get(index);
+                for m in meetings(&ray, &*copy.piece) {
+                    let s = m.at[0];
+                    let at_start = s <= 4.0 * rounding;
+                    if s > nearest.get() || (at_start && index == own) {
+                        continue;
+                    }
+                    let facing = copy.piece.closest(&m.point).normal.dot(&direction);
+                    let clear =
+                        m.kind == MeetingKind::Crossing && !at_start && facing.abs() > GRAZING && s < nearest.get();
+                    let wall = Wall { number: copy.number, into_table: facing > 0.0 };
+                    seen = if clear { Seen::Wall(wall, index, m.point) } else { Seen::Unclear };
+                    nearest.set(s);
+                }
+            },
+        );
+        seen
+    }
+
+    /// The `k`-th of some places spread over a chain: index of the copy, and the point. Irrational parts of the length
+    /// soon find one from which no corner is seen.
+    fn place(&self, chain: usize, k: usize, part: f64) -> (usize, Vector2<f64>) {
+        let chain = &self.chains[chain];
+        let i = chain[k * chain.len() / TRIES];
+        let piece = &self.table.pieces()[i];
+        let part = part + 0.236_067_977_499_79 * (k as f64 / TRIES as f64);
+        let length = piece.length();
+        let from_end = piece.ends().is_some_and(|[a, _]| a.iter().all(|x| x.is_finite()));
+        let s = match (length.is_finite(), from_end) {
+            (true, _) => length * part,
+            (false, true) => self.size * part,
+            (false, false) => -self.size * part,
+        };
+        (self.copies.home(i), piece.point_at(s))
+    }
+}
+
+/// Whether a line meets a box, or comes within `reach` of it, before the distance `far`.
+pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64, far: f64) -> bool {
+    let (mut enter, mut leave) = (0.0_f64, far);
+    for i in 0..2 {
+        let (low, high) = (extent.min[i] - reach - from[i], extent.max[i] + reach - from[i]);
+        if direction[i] == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return false;
+            }
+        } else {
+            let (a, b) = (low / direction[i], high / direction[i]);
+            enter = enter.max(a.min(b));
+            leave = leave.min(a.max(b));
+        }
+    }
+    enter <= leave
+}
