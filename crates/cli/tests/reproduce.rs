@@ -83,3 +83,15 @@ fn the_list_names_all() {
     assert!(figures::all().iter().all(|f| text.contains(f.name)));
     assert!(paper::claims::all().iter().all(|c| text.contains(c.name)));
 }
+
+#[test]
+fn the_gallery_shows_every_figure_with_its_command() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let [readme, gallery] = ["README.md", "docs/GALLERY.md"].map(|name| fs::read_to_string(root.join(name)).unwrap());
+    for figure in figures::all() {
+        let (file, command) = (format!("gallery/{}.svg", figure.name), format!("--only {}", figure.name));
+        assert!(root.join("docs").join(&file).is_file(), "docs/{file} is missing");
+        assert!(readme.contains(&format!("docs/{file}")) && readme.contains(&command), "README: {}", figure.name);
+        assert!(gallery.contains(&file) && gallery.contains(&command), "GALLERY: {}", figure.name);
+    }
+}

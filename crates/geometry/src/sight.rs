@@ -101,7 +101,8 @@ impl<'a> Sight<'a> {
                 Aim::At(other) => self.place(other, k, 0.618_033_988_749_895).1 - from,
             };
             let direction = direction / libm::hypot(direction.x, direction.y);
-            let facing = direction.dot(&normal);
+            // as seen from where the line goes: a wall with two sides has the table on both
+            let facing = direction.dot(&copy.piece.closest(&(from + direction * self.aside())).normal);
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
             }
@@ -123,6 +124,11 @@ impl<'a> Sight<'a> {
         None
     }
 
+    /// A distance that tells the sides of a wall apart in spite of rounding.
+    fn aside(&self) -> f64 {
+        8.0 * slack([self.size])
+    }
+
     /// The first wall on the line from a point of the copy with the given index.
     fn first(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Seen {
         let Ok(ray) = Ray::new(from, direction, true) else { return Seen::Unclear };
@@ -139,7 +145,8 @@ impl<'a> Sight<'a> {
                     if s > nearest.get() || (at_start && index == own) {
                         continue;
                     }
-                    let facing = copy.piece.closest(&m.point).normal.dot(&direction);
+                    // as seen from where the line comes
+                    let facing = copy.piece.closest(&(m.point - direction * self.aside())).normal.dot(&direction);
                     let clear =
                         m.kind == MeetingKind::Crossing && !at_start && facing.abs() > GRAZING && s < nearest.get();
                     let wall = Wall { number: copy.number, into_table: facing > 0.0 };

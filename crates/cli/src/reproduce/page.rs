@@ -24,7 +24,8 @@ code{font:.85em ui-monospace,'DejaVu Sans Mono',monospace}
 figure{margin:2rem 0;padding:0;break-inside:avoid;display:grid;grid-template-columns:minmax(0,26rem) minmax(0,1fr);gap:1.5rem;align-items:start}
 figure.wide{grid-template-columns:1fr}
 figure img{width:100%;height:auto;background:#fff;border-radius:3px;display:block}
-figure.wide img{width:auto;max-width:100%;min-width:min(100%,46rem);max-height:46rem;margin:0 auto}
+figure.wide img{margin:0 auto}
+sup{line-height:0}
 figcaption p{margin:.25rem 0 .5rem}
 figcaption .soft{font-size:.88rem}
 @media(max-width:46rem){figure{grid-template-columns:1fr}}
@@ -152,10 +153,11 @@ fn drawn(page: &mut String, Drawn { figure, svg, size: [width, height] }: &Drawn
     let class = if *width > 1.1 * COLUMN || *width > 1.6 * height { " class=\"wide\"" } else { "" };
     writeln!(
         page,
-        "<figure id=\"{name}\"{class}>\n<a href=\"{name}.svg\"><img src=\"{}\" width=\"{width:.0}\" height=\"{height:.0}\" alt=\"{title}\"></a>\n\
+        "<figure id=\"{name}\"{class}>\n<a href=\"{name}.svg\"><img src=\"{}\" width=\"{width:.0}\" height=\"{height:.0}\" style=\"width:min(100%,{:.1}rem)\" alt=\"{title}\"></a>\n\
          <figcaption>\n<h3>{title} <span class=\"soft\">({place})</span></h3>\n<p>{}</p>\n<p class=\"soft\">{}</p>\n\
          <p class=\"soft\"><code>billiards reproduce --only {name}</code></p>\n</figcaption>\n</figure>",
         data_uri(svg),
+        46.0 * width / height,
         escape(caption),
         escape(parameters),
         title = escape(title),

@@ -368,7 +368,14 @@ impl<'a> Arrangement<'a> {
             let last = k + 1 == chain.sections.len();
             let closes = last && chain.closed == Some([0.0; 2]);
             let to = if closes { start } else { place(section.sites[1], *cell) };
-            made.push((self.piece(section, *cell, [from, to])?, self.raw[section.raw].origin));
+            let piece = self.piece(section, *cell, [from, to]).map_err(|error| match (error, to.or(from)) {
+                // what is left of a piece between vertices that are one but for rounding
+                (Error::ZeroLength | Error::OffCircle { .. }, Some(at)) => {
+                    Error::Undecided { radius: self.radius, at: at.into() }
+                }
+                (other, _) => other,
+            })?;
+            made.push((piece, self.raw[section.raw].origin));
             from = to;
         }
         Ok(made)

@@ -13,9 +13,9 @@ use billiards::{
 pub(super) const CLAIM: Claim = Claim {
     name: "collision-formula",
     place: "eq. (2.1)",
-    statement: "With ν the inward normal and t = R_{π/2} ν, a uniform disk leaves a fixed wall with v₀⁺ = −v₀/3 + (2√2/3) v·t and \
+    statement: "With ν the inward normal and t = Jν, a uniform disk leaves a fixed wall with v₀⁺ = −v₀/3 + (2√2/3) v·t and \
                 v⁺ = ((2√2/3) v₀ + (1/3) v·t) t − (v·ν) ν.",
-    verdict: Verdict::HoldsCorrected("The `v` of the first line must be v⁻, the velocity before the collision."),
+    verdict: Verdict::HoldsCorrected("The v of the first line must be v⁻, the velocity before the collision."),
     general_gamma: Some("cos β and sin β in place of 1/3 and 2√2/3."),
     measure,
 };
