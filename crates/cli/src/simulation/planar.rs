@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit};
+use billiards::geometry::{Homogeneous, Table, Vector2, Walls, WithWalls};
+use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Keeper, PlanarTrail, Watched};
@@ -146,5 +146,8 @@ impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, 
     type Output = R;
     fn run<W: Walls<2>>(self, walls: &W) -> R {
         (self.then)(&Billiard { walls, law: self.law })
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
+        (self.then)(&Rolling { walls, law: self.law })
     }
 }
