@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::bench::law::Law;
 use crate::scene::LawKind;
 
 /// Largest number of collisions per orbit.
@@ -39,6 +40,8 @@ pub enum Command {
     Collide(Collide),
     /// Recompute every figure and every claim of the paper, on one page
     Reproduce(Reproduce),
+    /// Measure what accuracy costs on this machine: run time against error, per table and method
+    Bench(Bench),
 }
 
 /// Arguments of `billiards run`.
@@ -147,6 +150,33 @@ pub struct Reproduce {
     /// List the names of figures and claims, and do nothing else
     #[arg(long, conflicts_with_all = ["only", "quick"])]
     pub list: bool,
+}
+
+/// Arguments of `billiards bench`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Writes, with --out, DIR/bench.json and DIR/work-precision.svg.
+
+Examples:
+  billiards bench
+  billiards bench --quick --only stadium
+  billiards bench --out bench --json")]
+pub struct Bench {
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Fewer orbits and pieces, shorter rounds: less than twenty seconds
+    #[arg(long)]
+    pub quick: bool,
+    /// Only the table of that name
+    #[arg(long, value_name = "TABLE")]
+    pub only: Option<String>,
+    /// Collision law
+    #[arg(long, value_name = "LAW", value_enum, default_value = "no-slip")]
+    pub law: Law,
+    /// Folder for the numbers and the chart
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
 }
 
 /// A number of collisions: a whole number, perhaps written as 1e6.

@@ -38,7 +38,10 @@ use spatial::Spatial;
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub(crate) use describe::{point, short};
+pub(crate) use engine::{Bare, Engine, PlanarTrail, Until};
+pub(crate) use law::{PlanarLaw, SpatialLaw};
 pub use summary::Summary;
+pub(crate) use summary::host;
 
 /// A scene whose table is built and whose starts are checked.
 #[derive(Debug)]

@@ -1,0 +1,122 @@
+//! What was measured, as a table and as JSON.
+
+use std::io::{self, Write};
+
+use serde_json::{Value, json};
+
+use super::Effort;
+use super::law::Law;
+use super::method::METHODS;
+use super::score::{STOPS, Score, Spread};
+
+/// Everything as JSON.
+pub fn json(scores: &[Score], law: Law, effort: Effort) -> Value {
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "host": crate::simulation::host(),
+        "law": law.name(),
+        "quick": effort == Effort::Quick,
+        "orbits": effort.orbits(),
+        "methods": METHODS.iter().map(|m| json!({ "name": m.name, "summary": m.summary })).collect::<Vec<_>>(),
+        "scores": scores.iter().map(of_score).collect::<Vec<_>>(),
+    })
+}
+
+/// A number that JSON can hold; an error without bound is null.
+fn of_score(score: &Score) -> Value {
+    let spread =
+        |(stop, spread): (&u64, &Spread)| json!({ "collisions": stop, "median": spread.median, "worst": spread.worst });
+    let invariant = score.drift.invariant.map(|(name, drift)| json!({ "name": name, "drift": drift }));
+    json!({
+        "table": score.table,
+        "method": score.method,
+        "pieces": score.pieces,
+        "build_seconds": score.build.as_secs_f64(),
+        "ns_per_collision": score.nanoseconds,
+        "errors": STOPS.iter().zip(&score.errors).map(spread).collect::<Vec<_>>(),
+        "drift": {
+            "collisions": score.drift.collisions,
+            "energy": score.drift.energy,
+            "invariant": invariant,
+        },
+        "lost": { "ordinary": score.lost.ordinary, "grazing": score.lost.grazing, "of": score.lost.of },
+        "failures": score.failures(),
+    })
+}
+
+/// What the columns mean, for people.
+///
+/// # Errors
+/// The output cannot be written.
+pub fn preamble(law: Law, effort: Effort, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}; {} collisions of a uniform disk or ball.", crate::simulation::host(), law.name())?;
+    writeln!(
+        out,
+        "Errors of position and velocity, as parts of the table's size and of the speed: medians of {} orbits after {},\n\
+         {} and {} collisions, against 106 bits. Drifts: the largest in a long run.",
+        effort.orbits(),
+        STOPS[0],
+        STOPS[1],
+        STOPS[2]
+    )
+}
+
+/// The scores of one table, for people.
+///
+/// # Errors
+/// The output cannot be written.
+pub fn table(scores: &[Score], out: &mut dyn Write) -> io::Result<()> {
+    let Some(first) = scores.first() else { return Ok(()) };
+    let [a, b, c] = STOPS;
+    writeln!(
+        out,
+        "\n{:<30} {:>7} {:>9} {:>8} {:>8} {:>8} {:>8}  fails",
+        first.table,
+        "pieces",
+        "ns",
+        format!("after {a}"),
+        b,
+        c,
+        "energy"
+    )?;
+    let mut last = "";
+    for score in scores {
+        let name = if score.method == last { "" } else { score.method };
+        last = score.method;
+        let pieces = score.pieces.map_or(String::new(), |p| format!("{:.0e}", p as f64));
+        let [a, b, c] = score.errors.map(|e| short(e.median));
+        writeln!(
+            out,
+            "  {name:<28} {pieces:>7} {:>9.1} {a:>8} {b:>8} {c:>8} {:>8}  {}",
+            score.nanoseconds,
+            short(score.drift.energy),
+            score.failures().join(", ")
+        )?;
+    }
+    if let Some((name, _)) = first.drift.invariant {
+        let drifts = scores.iter().filter_map(|score| Some((score, score.drift.invariant?.1)));
+        writeln!(out, "  {name} moves by")?;
+        for (score, drift) in drifts {
+            let pieces = score.pieces.map_or(String::new(), |p| format!("{:.0e}", p as f64));
+            writeln!(
+                out,
+                "  {:<28} {pieces:>7} {:>9} in {:.0e} collisions",
+                score.method,
+                short(drift),
+                score.drift.collisions as f64
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// An error in two digits; "lost" if it has no bound.
+fn short(error: f64) -> String {
+    if error == 0.0 {
+        "0".into()
+    } else if error.is_finite() {
+        format!("{error:.1e}")
+    } else {
+        "lost".into()
+    }
+}
