@@ -155,12 +155,13 @@ pub struct Reproduce {
 /// Arguments of `billiards bench`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-Writes, with --out, DIR/bench.json and DIR/work-precision.svg.
+Writes, with --out, DIR/bench.json and DIR/work-precision.svg, or DIR/stress.json.
 
 Examples:
   billiards bench
   billiards bench --quick --only stadium
-  billiards bench --out bench --json")]
+  billiards bench --out bench --json
+  billiards bench --stress")]
 pub struct Bench {
     /// Print JSON
     #[arg(long)]
@@ -168,15 +169,18 @@ pub struct Bench {
     /// Fewer orbits and pieces, shorter rounds: less than twenty seconds
     #[arg(long)]
     pub quick: bool,
-    /// Only the table of that name
-    #[arg(long, value_name = "TABLE")]
+    /// Only the table, or the case under stress, of that name
+    #[arg(long, value_name = "NAME")]
     pub only: Option<String>,
     /// Collision law
-    #[arg(long, value_name = "LAW", value_enum, default_value = "no-slip")]
+    #[arg(long, value_name = "LAW", value_enum, default_value = "no-slip", conflicts_with = "stress")]
     pub law: Law,
     /// Folder for the numbers and the chart
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Go where programs break instead: thin wedges, cusps, extreme units and masses, a million pieces
+    #[arg(long)]
+    pub stress: bool,
 }
 
 /// A number of collisions: a whole number, perhaps written as 1e6.

@@ -13,6 +13,7 @@ pub mod real;
 pub mod report;
 pub mod score;
 pub mod state;
+pub mod stress;
 pub mod textbook;
 
 use std::error::Error;

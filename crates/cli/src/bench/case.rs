@@ -171,8 +171,9 @@ fn slab() -> Result<Case, Error> {
     })
 }
 
-/// Grazing starts come at angles of 10⁻¹ … 10⁻⁸ to the wall.
-const ANGLES: i32 = 8;
+/// Grazing starts come at angles of 10⁻¹ … 10⁻⁷ to the wall: a chord of a circle at 10⁻⁸ is as close to it as the rounding
+/// of its ends.
+const ANGLES: i32 = 7;
 
 impl Case {
     /// What the motion keeps besides the energy.

@@ -1,7 +1,7 @@
 //! The ways of computing an orbit that are compared, one per file.
 
 mod distance;
-mod exact;
+pub(super) mod exact;
 mod formula;
 mod polyline;
 mod side_by_side;
@@ -9,7 +9,7 @@ mod textbook;
 
 use std::error::Error;
 
-use billiards::Stop;
+pub use billiards::Stop;
 
 use super::Effort;
 use super::case::Case;
@@ -46,8 +46,11 @@ pub struct Entry {
     /// The numbers of pieces it is tried with, `None` where there is no such choice; nothing where it does not apply.
     pub sizes: fn(&Case, Effort) -> Vec<Option<usize>>,
     /// Prepares it.
-    pub build: fn(&Case, Law, Option<usize>) -> Result<Box<dyn Method>, Box<dyn Error>>,
+    pub build: fn(&Case, Law, Option<usize>) -> Built,
 }
+
+/// A method that is ready, or why it is not.
+pub type Built = Result<Box<dyn Method>, Box<dyn Error>>;
 
 /// Every method, in the order of the report.
 pub const METHODS: &[Entry] = &[

@@ -8,6 +8,7 @@ use super::Effort;
 use super::law::Law;
 use super::method::METHODS;
 use super::score::{STOPS, Score, Spread};
+use super::stress::Report;
 
 /// Everything as JSON.
 pub fn json(scores: &[Score], law: Law, effort: Effort) -> Value {
@@ -108,6 +109,58 @@ pub fn table(scores: &[Score], out: &mut dyn Write) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// What happened under stress, as JSON.
+pub fn stress_json(reports: &[Report], effort: Effort) -> Value {
+    let case = |report: &Report| {
+        let mut value = json!({
+            "name": report.name,
+            "summary": report.summary,
+            "seconds": report.time.as_secs_f64(),
+        });
+        match &report.result {
+            Ok(tally) => {
+                value["orbits"] = json!(tally.orbits);
+                value["collisions"] = json!(tally.collisions);
+                value["stops"] = json!(tally.stops);
+                value["known"] = json!(tally.known);
+                value["worst_error"] = json!(tally.error);
+                value["lost"] = json!(tally.lost);
+            }
+            Err(problem) => value["failed"] = json!(problem),
+        }
+        value
+    };
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "host": crate::simulation::host(),
+        "quick": effort == Effort::Quick,
+        "cases": reports.iter().map(case).collect::<Vec<_>>(),
+    })
+}
+
+/// One case under stress, for people.
+///
+/// # Errors
+/// The output cannot be written.
+pub fn stress(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+    writeln!(out, "{}: {}", report.name, report.summary)?;
+    let seconds = report.time.as_secs_f64();
+    let tally = match &report.result {
+        Ok(tally) => tally,
+        Err(problem) => return writeln!(out, "  failed: {problem}; {seconds:.2} s"),
+    };
+    let stops: Vec<_> = tally.stops.iter().map(|(name, count)| format!("{count} {name}")).collect();
+    let lost = if tally.lost == 0 { "nothing lost".into() } else { format!("{} LOST", tally.lost) };
+    writeln!(
+        out,
+        "  {} collisions: {}; {lost}; worst error {} ({}); {seconds:.2} s",
+        tally.collisions,
+        stops.join(", "),
+        short(tally.error),
+        tally.known
+    )
 }
 
 /// An error in two digits; "lost" if it has no bound.

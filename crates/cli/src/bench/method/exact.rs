@@ -56,18 +56,21 @@ impl<R, A: FnOnce(&dyn Engine<3, 3, ()>) -> R> WithWalls<3> for On<'_, SpatialLa
     }
 }
 
+/// Runs something with the engine for a planar table.
+pub(in crate::bench) fn with_engine<R>(
+    table: &Table,
+    law: &PlanarLaw,
+    then: impl FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R,
+) -> R {
+    table.with_walls(On { law, then })
+}
+
 impl Method for Plane {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
-        self.table.with_walls(On {
-            law: &self.law,
-            then: |engine: &dyn Engine<2, 1, PlanarTrail>| trace(engine, start, stops, look),
-        })
+        with_engine(&self.table, &self.law, |engine| trace(engine, start, stops, look))
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
-        self.table.with_walls(On {
-            law: &self.law,
-            then: |engine: &dyn Engine<2, 1, PlanarTrail>| bulk(engine, starts, collisions),
-        })
+        with_engine(&self.table, &self.law, |engine| bulk(engine, starts, collisions))
     }
 }
 
@@ -82,7 +85,8 @@ impl Method for Room {
     }
 }
 
-fn orbit<const N: usize, const S: usize>(start: &State<f64>) -> Bare<N, S>
+/// An orbit at its start.
+pub(in crate::bench) fn orbit<const N: usize, const S: usize>(start: &State<f64>) -> Bare<N, S>
 where
     Conserved<f64, N>: billiards::EnergyKeeper<f64, N, S>,
 {
@@ -94,7 +98,7 @@ fn until(collisions: u64) -> Until {
 }
 
 /// Runs one orbit and shows its state on the way.
-pub(super) fn trace<const N: usize, const S: usize, T>(
+pub(in crate::bench) fn trace<const N: usize, const S: usize, T>(
     engine: &dyn Engine<N, S, T>,
     start: &State<f64>,
     stops: &[u64],

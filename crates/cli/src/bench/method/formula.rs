@@ -7,7 +7,7 @@ use super::super::Effort;
 use super::super::case::{Case, Formulas};
 use super::super::law::Law;
 use super::exact::Plane;
-use super::{Entry, Method};
+use super::{Built, Entry};
 use crate::expression::{Expression, ImplicitCurve, PolarCurve};
 
 pub(super) const IMPLICIT: Entry = Entry {
@@ -39,9 +39,11 @@ fn sizes(case: &Case, _: Effort) -> Vec<Option<usize>> {
     if case.formulas.is_some() { vec![None] } else { vec![] }
 }
 
-type Built<T> = Result<Box<T>, Box<dyn std::error::Error>>;
-
-fn build(case: &Case, law: Law, piece: impl Fn(&Formulas) -> Built<dyn Piece>) -> Built<dyn Method> {
+fn build(
+    case: &Case,
+    law: Law,
+    piece: impl Fn(&Formulas) -> Result<Box<dyn Piece>, Box<dyn std::error::Error>>,
+) -> Built {
     let formulas = case.formulas.as_ref().ok_or("its boundary is not one formula")?;
     Ok(Box::new(Plane { table: Table::new(vec![piece(formulas)?])?, law: law.planar() }))
 }

@@ -11,7 +11,7 @@ use super::super::case::{Case, Space};
 use super::super::law::Law;
 use super::super::state::State;
 use super::exact::{bulk, trace};
-use super::{End, Entry, Method};
+use super::{Built, End, Entry, Method};
 use crate::simulation::{Engine, PlanarLaw, PlanarTrail};
 
 pub(super) const FLAT: Entry = Entry {
@@ -46,12 +46,12 @@ fn sizes(case: &Case, effort: Effort) -> Vec<Option<usize>> {
 /// A table as straight pieces.
 #[derive(Debug)]
 struct Polyline {
-    walls: ByLane<Edges>,
+    walls: ByLane<Chain>,
     law: PlanarLaw,
 }
 
 #[derive(Debug)]
-struct Edges {
+struct Chain {
     index: Index,
     edges: Vec<Segment>,
     /// Normals of the boundary at both ends of each edge; none where the edges' own are used.
@@ -59,12 +59,7 @@ struct Edges {
 }
 
 impl Polyline {
-    fn build(
-        case: &Case,
-        law: Law,
-        pieces: Option<usize>,
-        interpolated: bool,
-    ) -> Result<Box<dyn Method>, Box<dyn std::error::Error>> {
+    fn build(case: &Case, law: Law, pieces: Option<usize>, interpolated: bool) -> Built {
         let (Space::Plane(table), Some(pieces)) = (&case.space, pieces) else {
             return Err("a polyline needs a planar table and a number of pieces".into());
         };
@@ -86,11 +81,11 @@ impl Polyline {
             }
         }
         let index = Index::new(edges.iter().map(Piece::extent));
-        Ok(Box::new(Polyline { walls: ByLane(Edges { index, edges, normals }), law: law.planar() }))
+        Ok(Box::new(Polyline { walls: ByLane(Chain { index, edges, normals }), law: law.planar() }))
     }
 }
 
-impl Boundary<2> for Edges {
+impl Boundary<2> for Chain {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
         let (piece, crossing) = self.index.first(path, |i| self.edges[i].crossing(path))?;
         let time = crossing.time();

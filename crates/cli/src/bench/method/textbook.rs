@@ -7,7 +7,7 @@ use super::super::law::Law;
 use super::super::real::Real;
 use super::super::state::State;
 use super::super::textbook::Textbook;
-use super::{End, Entry, Method, always};
+use super::{Built, End, Entry, Method, always};
 
 pub(super) const DOUBLE: Entry = Entry {
     name: "textbook f64",
@@ -23,7 +23,7 @@ pub(super) const SINGLE: Entry = Entry {
     build: |case, law, _| build::<f32>(case, law),
 };
 
-fn build<R: Real + 'static>(case: &Case, law: Law) -> Result<Box<dyn Method>, Box<dyn std::error::Error>> {
+fn build<R: Real + 'static>(case: &Case, law: Law) -> Built {
     let textbook = case.textbook::<R>(law).ok_or("it has walls that no textbook has")?;
     Ok(Box::new(textbook))
 }
