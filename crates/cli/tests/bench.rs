@@ -103,7 +103,9 @@ fn a_thin_wedge_lets_a_specular_particle_go_after_three_million_collisions() {
 
 #[test]
 fn a_thin_wedge_holds_a_no_slip_particle_at_its_momentum() {
-    under_stress("thin wedge, no-slip", 1e4 * f64::EPSILON);
+    // the law's matrix is orthogonal to an ulp, and what it misses of the energy in 10⁴ collisions the engine adds to the
+    // normal part of the velocity, of which the flattest start has a tenth
+    under_stress("thin wedge, no-slip", 1e4 * f64::EPSILON * 100.0);
 }
 
 #[test]
