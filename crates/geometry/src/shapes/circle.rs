@@ -4,7 +4,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, dot, from, slack},
+    plane::{along, cross, dot, from, slack},
 };
 use core::f64::consts::PI;
 use lanes::{Lane, Mask};
@@ -62,7 +62,9 @@ impl Circle {
         let y = from(x, self.center).map(|d| -d);
         let (a, b) = (dot(v, v), dot(y, v));
         let c = dot(y, y) - self.radius * self.radius;
-        let discriminant = b * b - a * c;
+        // b² − a c = |v|² r² − (y × v)², in which the distance of a far start does not cancel
+        let moment = cross(y, v);
+        let discriminant = a * (self.radius * self.radius) - moment * moment;
         let zero = a.same(0.0);
         Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
