@@ -101,9 +101,9 @@ impl Circle {
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let y = from(p, self.center).map(|d| -d);
-        // one Newton step towards |y| = r
-        let scale = (dot(y, y) * self.inverse_square) * -0.5 + 1.5;
-        let y = [y[0] * scale, y[1] * scale];
+        // one Newton step towards |y| = r, as a small change: a factor near 1 would round inwards more often than outwards
+        let change = (dot(y, y) * self.inverse_square) * -0.5 + 0.5;
+        let y = [y[0] + y[0] * change, y[1] + y[1] * change];
         ([y[0] + self.center[0], y[1] + self.center[1]], [y[0] * self.to_normal, y[1] * self.to_normal])
     }
 
