@@ -7,7 +7,7 @@
 //! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
 //! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
 use crate::billiard::{BallLaw, Billiard};
-use geometry::{WallHit, Walls};
+use geometry::{Table, Vector2, WallHit, Walls, tables::SpatialTable};
 
 /// Walls and a law for one orbit, behind a pointer.
 pub trait Bounce<const N: usize, const S: usize>: Sync {
@@ -26,20 +26,58 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Bounce<N, S>
     }
 }
 
+/// Walls that know how their normal turns.
+pub trait Bend<const N: usize> {
+    /// The derivative of the unit normal at a hit, after a `flight` of some length \[L\], along a unit vector in the wall
+    /// \[L⁻¹\].
+    fn bend(&self, hit: &WallHit<f64, N>, flight: f64, along: &[f64; N]) -> [f64; N];
+}
+
+/// `−κ t`: the table is on the concave side where `κ > 0`.
+impl Bend<2> for Table {
+    fn bend(&self, hit: &WallHit<f64, 2>, _: f64, along: &[f64; 2]) -> [f64; 2] {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+        let curvature = self.curvature(hit.piece as usize, &Vector2::from(hit.point));
+        along.map(|t| -curvature * t)
+    }
+}
+
+impl Bend<3> for SpatialTable {
+    fn bend(&self, _: &WallHit<f64, 3>, _: f64, along: &[f64; 3]) -> [f64; 3] {
+        along.map(|t| -self.curvature() * t)
+    }
+}
+
+/// Any walls, felt by two shots straight at the wall beside the hit.
+///
+/// Where one of them finds another piece or nothing, as beside a vertex, the other one is compared with the hit itself;
+/// where both do, the wall counts as flat. A difference quotient is right to 10⁻⁴ or better; that is enough for chaotic
+/// orbits, and for others up to about a thousand collisions.
+#[derive(Clone, Copy)]
+pub struct Felt<'a, const N: usize, const S: usize>(pub &'a dyn Bounce<N, S>);
+
+impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Felt").finish_non_exhaustive()
+    }
+}
+
 /// Up to where an orbit is the one that was asked for, and not one of the many that rounding makes of it.
 ///
 /// ```
-/// use billiards::{Billiard, Horizon, Moving, laws::Specular};
+/// use billiards::{Billiard, Felt, Horizon, Moving, laws::Specular};
 /// use billiards::geometry::{Vector2, walls::{Both, Cuboid, Scatterer, Sphere}};
 ///
 /// let start = Moving { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [] };
 /// // in a circle, most of the digits are left after a thousand collisions
 /// let circle = Sphere::new(Vector2::zeros(), 1.0, 0)?;
-/// let horizon = Horizon::of(&Billiard { walls: &circle, law: &Specular }, start, 1.0, [1000.0, f64::INFINITY]);
+/// let billiard = Billiard { walls: &circle, law: &Specular };
+/// let horizon = Horizon::of(&billiard, &Felt::<2, 0>(&billiard), start, 1.0, [1000.0, f64::INFINITY]);
 /// assert!(!horizon.lost && horizon.error < 1e-8);
 /// // between a square and a disk in its middle, none is left after thirty
 /// let sinai = Both(Cuboid::new([0.0; 2], [1.0; 2], [[3, 1], [0, 2]])?, Scatterer::new(Vector2::repeat(0.5), 0.25, 4)?);
-/// let horizon = Horizon::of(&Billiard { walls: &sinai, law: &Specular }, start, 1.0, [1000.0, f64::INFINITY]);
+/// let billiard = Billiard { walls: &sinai, law: &Specular };
+/// let horizon = Horizon::of(&billiard, &Felt::<2, 0>(&billiard), start, 1.0, [1000.0, f64::INFINITY]);
 /// assert!(horizon.lost && horizon.collisions < 100);
 /// # Ok::<(), billiards::geometry::Error>(())
 /// ```
@@ -70,8 +108,11 @@ pub struct Moving<const N: usize, const S: usize> {
 /// Rounding moves a coordinate by so much of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// The relative step of difference quotients of laws: the square root of the rounding of the quotient.
-const STEP: f64 = 1.0 / 67_108_864.0; // 2⁻²⁶
+/// The relative step of difference quotients of laws.
+///
+/// Strict laws are linear in the velocities and quadratic in the normal, so that symmetric quotients are exact but for
+/// rounding, 10⁻¹³ here: neutral orbits stay neutral. Any other law is right to 10⁻⁶.
+const STEP: f64 = 1.0 / 1024.0;
 
 /// How far from a hit the wall is felt for its curvature, in parts of the flight; never less than this part of the distance
 /// from the origin, of which normals are rounded by ε: both leave an error of 10⁻⁴ of the curvature at most.
@@ -81,9 +122,10 @@ impl Horizon {
     /// Follows an orbit on a table of some `size` \[L\] for at most so many collisions and so much time, `[collisions, time]`.
     ///
     /// For a table of no size (a strip) give infinity: then the orbit is lost with the direction of its velocity.
-    /// The derivative of the law is a difference quotient, and so is that of the normal: any law and any walls will do.
+    /// Any law will do; where nothing is known of the walls' curvature, `walls` is [`Felt`].
     pub fn of<const N: usize, const S: usize>(
         billiard: &dyn Bounce<N, S>,
+        walls: &dyn Bend<N>,
         start: Moving<N, S>,
         size: f64,
         limit: [f64; 2],
@@ -99,7 +141,7 @@ impl Horizon {
                 return horizon;
             }
             let n = (horizon.collisions + 1) as f64;
-            let next = Derivative::step(billiard, &at, &hit, &mut spread, n);
+            let next = Derivative::step(billiard, walls, &at, &hit, &mut spread, n);
             let error = spread.error(&next, size);
             // NaN is an error, too
             if !(error < 1.0) {
@@ -219,6 +261,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
     /// The state after the hit, and the errors carried there.
     fn step(
         billiard: &'a dyn Bounce<N, S>,
+        walls: &dyn Bend<N>,
         at: &Moving<N, S>,
         hit: &WallHit<f64, N>,
         spread: &mut Spread<N, S>,
@@ -227,8 +270,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let flight = hit.time * norm(&at.velocity);
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
-        let nearby = (NEARBY[0] * flight).max(NEARBY[1] * length);
-        let bends = along(&normal).into_iter().map(|t| [t, bend(billiard, hit, &normal, &t, nearby)]).collect();
+        let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
         let derivative = Derivative { billiard, before: *at, hit: *hit, normal, bends };
         spread.widen(n);
         spread.round(length, 0.0, 1.0 + n);
@@ -248,32 +290,38 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         for [along, bend] in &self.bends {
             turned = plus(&turned, dot(&position, along), bend);
         }
-        // a difference quotient along (dv, dw, dn), symmetric
         let speed = self.before.speed();
-        let change =
-            libm::sqrt((dot(&d.velocity, &d.velocity) + dot(&d.spin, &d.spin)) / (speed * speed)).max(norm(&turned));
-        if change == 0.0 {
-            return Moving { position, ..Moving::ZERO };
-        }
-        let step = STEP / change;
-        let side = |step: f64| {
-            let mut hit = *hit;
-            let normal = plus(n, step, &turned);
-            let length = norm(&normal);
-            hit.normal = normal.map(|n| n / length);
-            (hit.inverse, hit.inverse_square) = (1.0, 1.0);
-            let (mut velocity, mut spin) = (plus(v, step, &d.velocity), plus(w, step, &d.spin));
-            self.billiard.collide(&hit, &mut velocity, &mut spin);
-            (velocity, spin)
-        };
-        let (low, high) = (side(-step), side(step));
-        let rate = 0.5 / step;
+        // symmetric difference quotients along (dv, dw), and along dn; the normal keeps its length to first order
+        let change = libm::sqrt(dot(&d.velocity, &d.velocity) + dot(&d.spin, &d.spin)) / speed;
+        let by_motion = quotient(change, |step| self.collide(n, plus(v, step, &d.velocity), plus(w, step, &d.spin)));
+        let by_normal = quotient(norm(&turned), |step| self.collide(&plus(n, step, &turned), *v, *w));
         Moving {
             position,
-            velocity: plus(&high.0, -1.0, &low.0).map(|x| x * rate),
-            spin: plus(&high.1, -1.0, &low.1).map(|x| x * rate),
+            velocity: plus(&by_motion.0, 1.0, &by_normal.0),
+            spin: plus(&by_motion.1, 1.0, &by_normal.1),
         }
     }
+
+    /// What the hit does to a velocity and a spin if its normal is another one, of about unit length.
+    fn collide(&self, normal: &[f64; N], mut velocity: [f64; N], mut spin: [f64; S]) -> ([f64; N], [f64; S]) {
+        let hit = WallHit { normal: *normal, inverse: 1.0, inverse_square: 1.0, ..self.hit };
+        self.billiard.collide(&hit, &mut velocity, &mut spin);
+        (velocity, spin)
+    }
+}
+
+/// The derivative at 0 of something that changes by about 1 over a step of `1 / change`.
+fn quotient<const N: usize, const S: usize>(
+    change: f64,
+    f: impl Fn(f64) -> ([f64; N], [f64; S]),
+) -> ([f64; N], [f64; S]) {
+    if change == 0.0 {
+        return ([0.0; N], [0.0; S]);
+    }
+    let step = STEP / change;
+    let (low, high) = (f(-step), f(step));
+    let rate = 0.5 / step;
+    (plus(&high.0, -1.0, &low.0).map(|x| x * rate), plus(&high.1, -1.0, &low.1).map(|x| x * rate))
 }
 
 /// `N − 1` orthogonal unit vectors at right angles to a unit vector.
@@ -294,29 +342,23 @@ fn along<const N: usize>(normal: &[f64; N]) -> Vec<[f64; N]> {
     found.split_off(1)
 }
 
-/// How the normal turns per length along a unit vector `t` in the wall, felt by two shots straight at the wall.
-///
-/// Where one of them finds another piece or nothing, as beside a vertex, the other one is compared with the hit itself;
-/// where both do, the wall counts as flat.
-fn bend<const N: usize, const S: usize>(
-    billiard: &dyn Bounce<N, S>,
-    hit: &WallHit<f64, N>,
-    normal: &[f64; N],
-    t: &[f64; N],
-    nearby: f64,
-) -> [f64; N] {
-    let inwards = normal.map(|n| -n);
-    let felt = |side: f64| {
-        let from = plus(&plus(&hit.point, side * nearby, t), nearby, normal);
-        let other = billiard.first_hit(&from, &inwards);
-        let same = other.time < 4.0 * nearby && other.piece == hit.piece && !other.corner;
-        same.then(|| other.unit_normal())
-    };
-    let rate = |to: &[f64; N], from: &[f64; N], way: f64| plus(to, -1.0, from).map(|x| x / way);
-    match (felt(-1.0), felt(1.0)) {
-        (Some(low), Some(high)) => rate(&high, &low, 2.0 * nearby),
-        (None, Some(high)) => rate(&high, normal, nearby),
-        (Some(low), None) => rate(normal, &low, nearby),
-        (None, None) => [0.0; N],
+impl<const N: usize, const S: usize> Bend<N> for Felt<'_, N, S> {
+    fn bend(&self, hit: &WallHit<f64, N>, flight: f64, along: &[f64; N]) -> [f64; N] {
+        let normal = hit.unit_normal();
+        let inwards = normal.map(|n| -n);
+        let nearby = (NEARBY[0] * flight).max(NEARBY[1] * norm(&hit.point));
+        let felt = |side: f64| {
+            let from = plus(&plus(&hit.point, side * nearby, along), nearby, &normal);
+            let other = self.0.first_hit(&from, &inwards);
+            let same = other.time < 4.0 * nearby && other.piece == hit.piece && !other.corner;
+            same.then(|| other.unit_normal())
+        };
+        let rate = |to: &[f64; N], from: &[f64; N], way: f64| plus(to, -1.0, from).map(|x| x / way);
+        match (felt(-1.0), felt(1.0)) {
+            (Some(low), Some(high)) => rate(&high, &low, 2.0 * nearby),
+            (None, Some(high)) => rate(&high, &normal, nearby),
+            (Some(low), None) => rate(&normal, &low, nearby),
+            (None, None) => [0.0; N],
+        }
     }
 }

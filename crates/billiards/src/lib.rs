@@ -41,7 +41,7 @@ pub use energy::{Conserved, EnergyKeeper, Free};
 pub use ensemble::Ensemble;
 pub use error::Error;
 pub use geometry;
-pub use horizon::{Bounce, Horizon, Moving};
+pub use horizon::{Bend, Bounce, Felt, Horizon, Moving};
 pub use merge::Merge;
 pub use observe::Observer;
 pub use orbit::Orbit;

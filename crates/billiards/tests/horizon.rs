@@ -1,12 +1,12 @@
 //! The horizon is where an orbit's digits really end.
 use billiards::{
-    Billiard, Bounce, Clock, Collisions, Conserved, Horizon, Moving, Orbit, Planar, Spatial,
+    Billiard, Bounce, Clock, Collisions, Conserved, Felt, Horizon, Moving, Orbit, Planar, Spatial,
     laws::{Disk, RoughBall},
     reverse,
 };
 use collision_laws::laws::{NoSlip, Specular};
 use core::f64::consts::FRAC_1_SQRT_2;
-use geometry::{Table, Walls, WithWalls, tables};
+use geometry::{Table, Walls, WithWalls, tables, tables::SpatialTable};
 
 struct With<'a, R>(&'a Disk, &'a dyn Fn(&dyn Bounce<2, 1>) -> R);
 
@@ -18,7 +18,8 @@ impl<R> WithWalls<2> for With<'_, R> {
 }
 
 fn horizon(table: &Table, law: &Disk, start: Moving<2, 1>, size: f64, collisions: u32) -> Horizon {
-    let look = |billiard: &dyn Bounce<2, 1>| Horizon::of(billiard, start, size, [f64::from(collisions), f64::INFINITY]);
+    let limit = [f64::from(collisions), f64::INFINITY];
+    let look = |billiard: &dyn Bounce<2, 1>| Horizon::of(billiard, table, start, size, limit);
     table.with_walls(With(law, &look))
 }
 
@@ -168,18 +169,25 @@ fn orbits_that_turn_around_come_back_within_the_horizon() {
 
 #[test]
 fn in_space_the_curvature_of_walls_counts() {
-    struct Look<'a>(&'a RoughBall, Moving<3, 3>);
+    struct Look<'a>(&'a RoughBall, &'a SpatialTable, Moving<3, 3>);
     impl WithWalls<3> for Look<'_> {
         type Output = Horizon;
         fn run<W: Walls<3>>(self, walls: &W) -> Horizon {
-            Horizon::of(&Billiard { walls, law: self.0 }, self.1, 1.0, [200.0, f64::INFINITY])
+            let billiard = Billiard { walls, law: self.0 };
+            let limit = [200.0, f64::INFINITY];
+            let [exact, felt] = [
+                Horizon::of(&billiard, self.1, self.2, 1.0, limit),
+                Horizon::of(&billiard, &Felt(&billiard), self.2, 1.0, limit),
+            ];
+            assert!((exact.error / felt.error - 1.0).abs() < 1e-3, "{exact:?} {felt:?}");
+            exact
         }
     }
     let law = RoughBall::no_slip(0.4_f64.sqrt());
     let start = Moving { position: [0.1, 0.2, 0.3], velocity: [0.5, 0.4, 0.6], spin: [0.1, 0.2, 0.3] };
     for table in [tables::slab(1.0).unwrap(), tables::ball(1.0).unwrap()] {
         let billiard = Spatial { table, law };
-        let horizon = billiard.table.with_walls(Look(&law, start));
+        let horizon = billiard.table.with_walls(Look(&law, &billiard.table, start));
         assert!(!horizon.lost && horizon.error < 1e-11, "{}: {horizon:?}", billiard.table.name());
     }
     // the same ball outside: a scatterer in a box
@@ -189,6 +197,7 @@ fn in_space_the_curvature_of_walls_counts() {
     );
     let start = Moving { position: [0.9, 0.8, 0.3], ..start };
     let specular = billiards::laws::Specular;
-    let chaotic = Horizon::of(&Billiard { walls: &walls, law: &specular }, start, 1.0, [400.0, f64::INFINITY]);
+    let billiard = Billiard { walls: &walls, law: &specular };
+    let chaotic = Horizon::of(&billiard, &Felt::<3, 3>(&billiard), start, 1.0, [400.0, f64::INFINITY]);
     assert!(chaotic.lost && chaotic.collisions < 200, "{chaotic:?}");
 }
