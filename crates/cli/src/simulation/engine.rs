@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use billiards::geometry::{WallHit, Walls};
 use billiards::{
-    Angle, BallLaw, Billiard, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Observer, Orbit, Outcome, Timed,
-    Track, run,
+    Angle, BallLaw, Billiard, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Observer, Orbit, Outcome,
+    Timed, Track, run,
 };
 
 use super::event::Event;
@@ -165,7 +165,7 @@ impl Watch<'_> {
 }
 
 /// A table's walls and a law, ready to run orbits.
-pub(crate) trait Engine<const N: usize, const S: usize, T>: Sync {
+pub(crate) trait Engine<const N: usize, const S: usize, T>: Bounce<N, S> {
     /// Runs an orbit that nobody watches.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
