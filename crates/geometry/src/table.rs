@@ -184,6 +184,14 @@ impl Table {
         (i, landing)
     }
 
+    /// The curvature \[L⁻¹\] of a piece at a point of it, or on a lattice of a translate of it; 0 for a number beyond the last.
+    pub fn curvature(&self, piece: usize, point: &Vector2<f64>) -> f64 {
+        // on a lattice, of the translate that is there
+        let here = |p: &&Arc<dyn Piece>| (p.closest(point).point - point).norm_squared();
+        let copies = self.nearby.iter().filter(|(number, _)| *number == piece).map(|(_, p)| p);
+        copies.min_by(|a, b| here(a).total_cmp(&here(b))).map_or(0.0, |p| p.curvature(point))
+    }
+
     /// The distance from the boundary \[L\], negative outside the table.
     pub fn signed_distance(&self, point: &Vector2<f64>) -> f64 {
         let (_, landing) = self.closest(point);

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 
 use billiards::geometry::WallHit;
 use billiards::{
-    Angle, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Timed, Track, run,
+    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Timed,
+    Track, run,
 };
 
 use super::event::Event;
@@ -167,7 +168,7 @@ impl Watch<'_> {
 }
 
 /// A table's walls and a law, ready to run orbits.
-pub(crate) trait Engine<const N: usize, const S: usize, T>: Sync {
+pub(crate) trait Engine<const N: usize, const S: usize, T>: Bounce<N, S> {
     /// Runs an orbit that nobody watches.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
@@ -176,7 +177,7 @@ pub(crate) trait Engine<const N: usize, const S: usize, T>: Sync {
 
 impl<B, const N: usize, const S: usize, T> Engine<N, S, T> for B
 where
-    B: Motion<N, S> + Sync,
+    B: Motion<N, S> + Bounce<N, S>,
     T: Trail<N, S>,
 {
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome {

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use billiards::geometry::{Homogeneous, Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
+use billiards::{Angle, Billiard, Bounce, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Keeper, PlanarTrail, Watched};
+use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, is_strict};
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
@@ -114,6 +115,20 @@ impl Planar {
             keeper: Keeper::for_law(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), trail),
         }
+    }
+
+    /// Up to where the digits of the first orbits last, within a number of collisions and a time.
+    pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
+        let starts = self.starts()?;
+        let extent = self.centres.extent();
+        let size = self
+            .centres
+            .lattice()
+            .map_or_else(|| horizon::size(extent.min.as_slice(), extent.max.as_slice()), horizon::cell_size);
+        Ok(self.with_engine(|engine| {
+            let billiard: &dyn Bounce<2, 1> = engine;
+            Horizons::of(billiard, &self.centres, size, self.orbits(), &*starts, limit)
+        }))
     }
 
     /// Runs something with the engine for this table and law.

@@ -63,8 +63,10 @@ impl Walls<2> for Capsule {
         let q = [y[0] - cap, y[1]];
         if (!flat).any() {
             let (a, b, c) = (dot(v, v), dot(&q, v), dot(&q, &q) - self.square);
-            // the later root, without cancellation; a discriminant below 0 is rounding
-            let root = (b * b - a * c).abs().sqrt();
+            // b² − a c = |v|² r² − |q ∧ v|²; below 0 by rounding only
+            let moment = q[0] * v[1] - q[1] * v[0];
+            let root = (a * self.square - moment * moment).abs().sqrt();
+            // the later root, without cancellation
             let sum = b.abs() + root;
             let [n, d, _] = zero.lt(b).choose([(-c).max(zero), sum, zero], [sum, a, one]);
             [num, den, _] = flat.choose([num, den, zero], [n, d, one]);
