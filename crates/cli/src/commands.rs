@@ -1,5 +1,6 @@
 //! What the command does, one file per subcommand.
 
+pub mod bench;
 pub mod check;
 pub mod collide;
 pub mod laws;

@@ -149,7 +149,7 @@ fn offsets_of_composite_walls_are_composite() {
         (tables::equilateral(1.0).unwrap(), "ConvexPolygon"),
         (tables::strip(1.0).unwrap(), "Slab"),
         (tables::circle(1.0).unwrap(), "Sphere"),
-        (tables::sinai(1.0, 0.25).unwrap(), "Both"),
+        (tables::sinai(1.0, 0.25).unwrap(), "Around"),
     ];
     for (t, name) in drawn {
         for radius in [1e-6, 0.1, 0.111_111, 0.123_456_789] {

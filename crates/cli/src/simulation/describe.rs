@@ -320,7 +320,7 @@ impl<const N: usize> WithWalls<N> for NameOfWalls {
     }
 }
 
-/// The name of a type without the modules that things are in: `Both<Cuboid, Scatterer>`.
+/// The name of a type without the modules that things are in: `Around<Cuboid, Scatterer>`.
 fn plain(name: &str) -> String {
     let mut plain = String::new();
     for part in name.split_inclusive(['<', '>', ',', ' ']) {

@@ -3,11 +3,12 @@
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::walls::ByLane;
 use billiards::geometry::{Error, Vector3, Walls, WithWalls};
-use billiards::{Billiard, CanonicalSpatial, Clock, Orbit, Starts as _};
+use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
 use super::describe::short;
 use super::engine::{Engine, Keeper, Watched};
+use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, is_strict};
 use super::room::Room;
 use super::scale::{Scale, to_unity};
@@ -192,6 +193,22 @@ impl Spatial {
             keeper: Keeper::for_law(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), ()),
         }
+    }
+
+    /// Up to where the digits of the first orbits last, within a number of collisions and a time.
+    pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
+        let starts = self.starts()?;
+        let [low, high] = self.centres.extent();
+        let size = horizon::size(low.as_slice(), high.as_slice());
+        Ok(self.with_engine(|engine| {
+            let billiard: &dyn Bounce<3, 3> = engine;
+            let felt = Felt(billiard);
+            let walls: &dyn Bend<3> = match &self.centres {
+                Space::Named(table) => table,
+                Space::Room(_) => &felt,
+            };
+            Horizons::of(billiard, walls, size, self.orbits(), &*starts, limit)
+        }))
     }
 
     /// Runs something with the engine for this table and law.

@@ -63,6 +63,14 @@ impl SpatialTable {
         }
     }
 
+    /// The curvature of its walls \[L⁻¹\], the same everywhere and in every direction; positive where focusing.
+    pub fn curvature(&self) -> f64 {
+        match self.figure {
+            Figure::Slab { .. } | Figure::Cuboid { .. } => 0.0,
+            Figure::Ball { radius, .. } => 1.0 / radius,
+        }
+    }
+
     /// Opposite corners of a box around the table \[L\]; infinite where the table is.
     pub fn extent(&self) -> [Vector3<f64>; 2] {
         let inf = f64::INFINITY;
