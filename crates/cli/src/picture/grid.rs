@@ -11,6 +11,17 @@ pub struct Grid {
     window: Window,
     width: usize,
     height: usize,
+    /// For each colour the counts per cell: few numbers close together, since a point touches one of them.
+    planes: Vec<(Colour, Vec<u64>)>,
+    /// Which of them the last point went to.
+    last: usize,
+}
+
+/// The counts of all colours together.
+#[derive(Clone, Debug)]
+struct Tally {
+    width: usize,
+    height: usize,
     counts: Vec<u64>,
     /// Sums of the colours of the points, per cell.
     tints: Vec<[u64; 3]>,
@@ -39,7 +50,7 @@ impl Grid {
         let width = width.clamp(1, 16_384);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few thousand")]
         let height = ((width as f64 * h / w + 0.5).clamp(1.0, 16_384.0)) as usize;
-        Self { window, width, height, counts: vec![0; width * height], tints: vec![[0; 3]; width * height] }
+        Self { window, width, height, planes: vec![], last: 0 }
     }
 
     /// The window.
@@ -54,7 +65,7 @@ impl Grid {
 
     /// How many points were counted.
     pub fn total(&self) -> u64 {
-        self.counts.iter().sum()
+        self.planes.iter().flat_map(|(_, counts)| counts).sum()
     }
 
     /// Counts a point; one outside the window is left out.
@@ -66,22 +77,43 @@ impl Grid {
         if column >= 0.0 && column < self.width as f64 && row >= 0.0 && row < self.height as f64 {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "just checked")]
             let cell = row as usize * self.width + column as usize;
-            self.counts[cell] += 1;
-            for (sum, part) in self.tints[cell].iter_mut().zip([colour.0, colour.1, colour.2]) {
-                *sum += u64::from(part);
+            self.plane(colour)[cell] += 1;
+        }
+    }
+
+    /// The counts of a colour.
+    #[inline]
+    fn plane(&mut self, colour: Colour) -> &mut [u64] {
+        if self.planes.get(self.last).is_none_or(|(of, _)| *of != colour) {
+            self.last = self.planes.iter().position(|(of, _)| *of == colour).unwrap_or_else(|| {
+                self.planes.push((colour, vec![0; self.width * self.height]));
+                self.planes.len() - 1
+            });
+        }
+        &mut self.planes[self.last].1
+    }
+
+    fn tally(&self) -> Tally {
+        let cells = self.width * self.height;
+        let (mut counts, mut tints) = (vec![0; cells], vec![[0; 3]; cells]);
+        for (colour, plane) in &self.planes {
+            let parts = [colour.0, colour.1, colour.2].map(u64::from);
+            for ((total, tint), &count) in counts.iter_mut().zip(&mut tints).zip(plane).filter(|of| *of.1 > 0) {
+                *total += count;
+                for (sum, part) in tint.iter_mut().zip(parts) {
+                    *sum += count * part;
+                }
             }
         }
+        Tally { width: self.width, height: self.height, counts, tints }
     }
 
     /// Both counts together; of grids of different shape, the first one.
     #[must_use]
     pub fn merge(mut self, other: &Self) -> Self {
         if (self.window, self.width, self.height) == (other.window, other.width, other.height) {
-            for (a, b) in self.counts.iter_mut().zip(&other.counts) {
-                *a += b;
-            }
-            for (a, b) in self.tints.iter_mut().zip(&other.tints) {
-                for (a, b) in a.iter_mut().zip(b) {
+            for (colour, plane) in &other.planes {
+                for (a, b) in self.plane(*colour).iter_mut().zip(plane) {
                     *a += b;
                 }
             }
@@ -93,6 +125,12 @@ impl Grid {
     ///
     /// Where few cells are filled, points are drawn as dots of several cells, and darker, or nothing would be seen.
     pub fn shade(&self, shading: Shading) -> Raster {
+        self.tally().shade(shading)
+    }
+}
+
+impl Tally {
+    fn shade(&self, shading: Shading) -> Raster {
         let filled = self.counts.iter().filter(|count| **count > 0).count() as f64 / self.counts.len() as f64;
         match filled {
             0.25.. => self.shaded(shading, FAINTEST),
@@ -176,18 +214,18 @@ mod tests {
         for point in [[0.0, 1.0], [1.99, 0.01], [2.0, 0.5], [-0.1, 0.5], [f64::NAN, 0.5]] {
             grid.add(point, Colour::BLACK);
         }
-        assert_eq!(grid.counts, [1, 0, 0, 0, 0, 0, 0, 1]);
+        assert_eq!(grid.tally().counts, [1, 0, 0, 0, 0, 0, 0, 1]);
         let doubled = grid.clone().merge(&grid);
-        assert_eq!((doubled.total(), doubled.counts[7]), (4, 2));
+        assert_eq!((doubled.total(), doubled.tally().counts[7]), (4, 2));
     }
 
     #[test]
     fn single_points_are_spread_to_be_seen() {
         let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [100.0, 100.0] }, 100);
         grid.add([50.5, 50.5], Colour::BLACK);
-        let wide = grid.spread(2);
+        let wide = grid.tally().spread(2);
         assert_eq!(wide.counts.iter().filter(|count| **count > 0).count(), 13);
-        assert_eq!(grid.spread(1).counts.iter().filter(|count| **count > 0).count(), 5);
+        assert_eq!(grid.tally().spread(1).counts.iter().filter(|count| **count > 0).count(), 5);
     }
 
     #[test]
@@ -198,8 +236,9 @@ mod tests {
                 grid.add([cell, 0.5], Colour(0, 0, 200));
             }
         }
+        let tally = grid.tally();
         for shading in [Shading::Log, Shading::Equalised] {
-            let depth = grid.depths(shading, FAINTEST);
+            let depth = tally.depths(shading, FAINTEST);
             assert!(depth(1) < depth(10) && depth(10) < depth(100) && depth(100) <= 1.0);
         }
     }
