@@ -1,7 +1,7 @@
 //! Nanoseconds per collision of the engine's loops, table by table: one orbit at a time, and many in vector registers.
 
 use billiards::{
-    Canonical, Collisions, Conserve, Conserved, Orbit, Planar, Start, Starts,
+    Canonical, Collisions, Conserved, Orbit, Planar, Start, Starts,
     collision_laws::laws::{NoSlip, Specular},
     geometry::{Table, tables},
     laws::Disk,
@@ -26,6 +26,10 @@ fn all_tables() -> [(&'static str, Table); 8] {
     ]
 }
 
+fn orbit(start: &Start<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>> {
+    start.orbit(())
+}
+
 fn run(criterion: &mut Criterion) {
     let laws = [("specular", Disk::new(&Specular, 0.5_f64.sqrt())), ("no-slip", Disk::new(&NoSlip, 0.5_f64.sqrt()))];
     for (law_name, law) in laws {
@@ -38,7 +42,7 @@ fn run(criterion: &mut Criterion) {
             group.bench_function(format!("{name}, one by one"), |b| {
                 b.iter(|| {
                     let one = |s: &Start<2, 1>| {
-                        let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new(s.position, s.velocity, s.spin, ());
+                        let mut orbit = orbit(s);
                         billiard.run(&mut orbit, &Collisions(COLLISIONS), &mut ()).collisions
                     };
                     starts.iter().map(one).sum::<u64>()
@@ -47,8 +51,8 @@ fn run(criterion: &mut Criterion) {
             group.bench_function(format!("{name}, side by side"), |b| {
                 b.iter(|| {
                     let mut made = 0;
-                    let mut finished = |orbit: billiards::Finished<2, 1, ()>| made += orbit.outcome.collisions;
-                    billiard.run_side_by_side::<Conserve, ()>(&mut starts.iter().copied(), COLLISIONS, &mut finished);
+                    let mut orbits = starts.iter().map(orbit);
+                    billiard.run_side_by_side(&mut orbits, COLLISIONS, &mut |f| made += f.outcome.collisions);
                     made
                 });
             });

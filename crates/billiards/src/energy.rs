@@ -5,7 +5,7 @@
 //! with an error of about 2⁻⁷⁵ and hands what is missing to the **normal** component of the outgoing velocity, from
 //! where the law took it (to the velocity as a whole where it grazes the wall). The error of the energy is then that of
 //! at most [`BEAT`] collisions, and the work that of a fraction of one.
-use crate::orbit::square_speed;
+use crate::{orbit::square_speed, side_by_side::InLanes};
 use geometry::WallHit;
 use lanes::{Lane, Mask};
 
@@ -24,11 +24,6 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// The same for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
     /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]);
-    /// In how many collisions from now an orbit in another lane may begin: it must not change when this one's energy
-    /// is restored.
-    fn until_beat(&self) -> u64;
-    /// Takes over the lanes of another keeper where `mask` is true.
-    fn replace(&mut self, mask: F::Mask, by: &Self);
 }
 
 /// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
@@ -41,10 +36,6 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>) {}
     #[inline(always)]
     fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S]) {}
-    fn until_beat(&self) -> u64 {
-        0
-    }
-    fn replace(&mut self, _: F::Mask, (): &Self) {}
 }
 
 /// The energy of the start, kept.
@@ -111,14 +102,36 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             self.restore_in_frame(velocity, spin);
         }
     }
-    fn until_beat(&self) -> u64 {
-        u64::from((BEAT - self.beat) % BEAT)
+}
+
+impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
+    type One = Conserved<f64, N>;
+    fn one(&self, lane: usize) -> Conserved<f64, N> {
+        Conserved {
+            grid: self.grid.lane(lane),
+            high: self.high.lane(lane),
+            low: self.low.lane(lane),
+            grazing: self.grazing.lane(lane),
+            beat: self.beat,
+        }
+    }
+    fn all(one: &Conserved<f64, N>, zero: F) -> Self {
+        Conserved {
+            grid: zero.same(one.grid),
+            high: zero.same(one.high),
+            low: zero.same(one.low),
+            grazing: zero.same(one.grazing),
+            beat: one.beat,
+        }
     }
     fn replace(&mut self, mask: F::Mask, by: &Self) {
         self.grid = mask.select(by.grid, self.grid);
         self.high = mask.select(by.high, self.high);
         self.low = mask.select(by.low, self.low);
         self.grazing = mask.select(by.grazing, self.grazing);
+    }
+    fn wait(&self, one: &Conserved<f64, N>) -> u64 {
+        u64::from((one.beat + BEAT - self.beat) % BEAT)
     }
 }
 

@@ -51,10 +51,10 @@ pub use reduced::ReducedState;
 pub use reverse::reverse;
 pub use rolling::{Frame, Rolling};
 pub use run::{Collision, Collisions, Limit, Outcome, Stop, Time, run};
-pub use side_by_side::{Conserve, Finished, Forget, Keeping, Start, Tracking, run_side_by_side};
+pub use side_by_side::{Finished, InLanes, Keeping, Tracking, run_side_by_side};
 pub use spatial::Spatial;
-pub use start::{Canonical, CanonicalSpatial, Grid, Starts};
-pub use track::{Angle, Cell, Clock, LaneTrack, Timed, Track};
+pub use start::{Canonical, CanonicalSpatial, Grid, Start, Starts};
+pub use track::{Angle, Cell, Clock, Timed, Track};
 pub use tracked::{InCell, Turned};
 
 #[cfg(doctest)]

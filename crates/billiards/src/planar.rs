@@ -6,10 +6,9 @@ use crate::{
     orbit::Orbit,
     rolling::Rolling,
     run::{Limit, Outcome, run},
-    side_by_side::{Finished, Keeping, Start, Tracking, run_side_by_side},
+    side_by_side::{Finished, Keeping, Tracking, run_side_by_side},
     track::Track,
 };
-use core::marker::PhantomData;
 use geometry::{Homogeneous, Table, Walls, WithWalls};
 
 /// A table and a disk's law. The centre of the disk moves in the table as a point.
@@ -48,38 +47,35 @@ impl<L: BallLaw<2, 1>> Planar<L> {
 
 impl<L: BallLaw<2, 1>> Planar<L> {
     /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
-    pub fn run_side_by_side<P: Keeping<2, 1>, Q: Tracking<2, 1>>(
+    pub fn run_side_by_side<K: Keeping<2, 1>, T: Tracking<2, 1>>(
         &self,
-        starts: &mut dyn Iterator<Item = Start<2, 1>>,
+        orbits: &mut dyn Iterator<Item = Orbit<f64, 2, 1, K, T>>,
         collisions: u64,
-        finished: &mut dyn FnMut(Finished<2, 1, Q::One>),
+        finished: &mut dyn FnMut(Finished<2, 1, K, T>),
     ) {
-        self.table.with_walls(ManyOn::<P, Q, _> { law: &self.law, starts, collisions, finished, keeping: PhantomData });
+        self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, finished });
     }
 }
 
-struct ManyOn<'a, P, Q: Tracking<2, 1>, L> {
+struct ManyOn<'a, L, K, T> {
     law: &'a L,
-    starts: &'a mut dyn Iterator<Item = Start<2, 1>>,
+    orbits: &'a mut dyn Iterator<Item = Orbit<f64, 2, 1, K, T>>,
     collisions: u64,
-    finished: &'a mut dyn FnMut(Finished<2, 1, Q::One>),
-    keeping: PhantomData<P>,
+    finished: &'a mut dyn FnMut(Finished<2, 1, K, T>),
 }
 
-impl<P, Q, L> WithWalls<2> for ManyOn<'_, P, Q, L>
+impl<L, K, T> WithWalls<2> for ManyOn<'_, L, K, T>
 where
-    P: Keeping<2, 1>,
-    Q: Tracking<2, 1>,
     L: BallLaw<2, 1>,
+    K: Keeping<2, 1>,
+    T: Tracking<2, 1>,
 {
     type Output = ();
     fn run<W: Walls<2>>(self, walls: &W) {
-        let billiard = Billiard { walls, law: self.law };
-        run_side_by_side::<P, Q, _, 2, 1>(&billiard, self.starts, self.collisions, self.finished);
+        run_side_by_side(&Billiard { walls, law: self.law }, self.orbits, self.collisions, self.finished);
     }
     fn run_homogeneous<W: Homogeneous>(self, walls: &W) {
-        let billiard = Rolling { walls, law: self.law };
-        run_side_by_side::<P, Q, _, 2, 1>(&billiard, self.starts, self.collisions, self.finished);
+        run_side_by_side(&Rolling { walls, law: self.law }, self.orbits, self.collisions, self.finished);
     }
 }
 

@@ -1,108 +1,101 @@
 //! Many orbits side by side: the lanes of vector registers, refilled as orbits end.
 use crate::{
     billiard::Motion,
-    energy::EnergyKeeper,
+    energy::{Conserved, EnergyKeeper},
     orbit::{Orbit, square_speed},
     run::{GRAZING, MOST_IDLE, Outcome, Stop},
-    track::{LaneTrack, Track},
+    track::{Clock, Track},
 };
-use core::marker::PhantomData;
 use lanes::{Kernel, Lane, Mask};
 
-/// Where an orbit starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Start<const N: usize, const S: usize> {
-    /// Position of the centre \[L\].
-    pub position: [f64; N],
-    /// Velocity of the centre [L T⁻¹].
-    pub velocity: [f64; N],
-    /// Scaled spin [L T⁻¹].
-    pub spin: [f64; S],
-}
-
-/// An orbit that has ended.
-#[derive(Clone, Debug)]
-pub struct Finished<const N: usize, const S: usize, T> {
-    /// Its number, in the order of the starts.
-    pub index: u64,
-    /// Its last state.
-    pub orbit: Orbit<f64, N, S, (), T>,
-    /// How it ended.
-    pub outcome: Outcome,
-}
-
-/// How the energy is kept in lanes: a type per lane width.
-///
-/// Implemented by [`Conserve`] and [`Forget`], the two choices there are.
-pub trait Keeping<const N: usize, const S: usize> {
-    /// The keeper in lanes of `F`.
-    type Keeper<F: Lane>: EnergyKeeper<F, N, S>;
-}
-
-/// Keep the energy ([`Conserved`](crate::Conserved)).
-#[derive(Clone, Copy, Debug)]
-pub enum Conserve {}
-/// Leave it to the law and to rounding ([`Free`](crate::Free)).
-#[derive(Clone, Copy, Debug)]
-pub enum Forget {}
-impl<const N: usize, const S: usize> Keeping<N, S> for Conserve {
-    type Keeper<F: Lane> = crate::energy::Conserved<F, N>;
-}
-impl<const N: usize, const S: usize> Keeping<N, S> for Forget {
-    type Keeper<F: Lane> = ();
-}
-
-/// What is tracked in lanes: a type per lane width.
-pub trait Tracking<const N: usize, const S: usize> {
-    /// The track in lanes of `F`.
-    type In<F: Lane>: Track<F, N, S> + LaneTrack<F, One = Self::One>;
-    /// The track of one orbit.
+/// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
+pub trait InLanes<F: Lane>: Clone {
+    /// What belongs to a single orbit.
     type One: Clone;
-    /// At the start.
-    fn start() -> Self::One;
+    /// What belongs to the orbit in one lane.
+    fn one(&self, lane: usize) -> Self::One;
+    /// The same in every lane, as many as `zero` has.
+    fn all(one: &Self::One, zero: F) -> Self;
+    /// Takes over the lanes of another one where `mask` is true.
+    fn replace(&mut self, mask: F::Mask, by: &Self);
+    /// After how many collisions an orbit can join these, because all of them count to the same number.
+    fn wait(&self, _: &Self::One) -> u64 {
+        0
+    }
+}
+
+impl<F: Lane> InLanes<F> for () {
+    type One = ();
+    fn one(&self, _: usize) {}
+    fn all((): &(), _: F) {}
+    fn replace(&mut self, _: F::Mask, (): &()) {}
+}
+
+/// How the energy of an orbit is kept, with a type for every lane width: [`Conserved`] or [`Free`](crate::Free).
+pub trait Keeping<const N: usize, const S: usize>: EnergyKeeper<f64, N, S> {
+    /// The keeper in lanes of `F`.
+    type In<F: Lane>: EnergyKeeper<F, N, S> + InLanes<F, One = Self>;
+}
+
+impl<const N: usize, const S: usize> Keeping<N, S> for Conserved<f64, N> {
+    type In<F: Lane> = Conserved<F, N>;
+}
+impl<const N: usize, const S: usize> Keeping<N, S> for () {
+    type In<F: Lane> = ();
+}
+
+/// What is tracked along the path of an orbit, with a type for every lane width.
+pub trait Tracking<const N: usize, const S: usize>: Clone {
+    /// The track in lanes of `F`.
+    type In<F: Lane>: Track<F, N, S> + InLanes<F, One = Self>;
 }
 
 impl<const N: usize, const S: usize> Tracking<N, S> for () {
     type In<F: Lane> = ();
-    type One = ();
-    fn start() {}
+}
+impl<const N: usize, const S: usize> Tracking<N, S> for Clock {
+    type In<F: Lane> = Clock<F>;
 }
 
-impl<const N: usize, const S: usize> Tracking<N, S> for crate::track::Clock {
-    type In<F: Lane> = crate::track::Clock<F>;
-    type One = crate::track::Clock;
-    fn start() -> Self {
-        crate::track::Clock::new(0.0)
-    }
+/// An orbit that has ended.
+#[derive(Clone, Debug)]
+pub struct Finished<const N: usize, const S: usize, K, T> {
+    /// Its number, in the order of the starts.
+    pub index: u64,
+    /// Its last state, from which it can go on.
+    pub orbit: Orbit<f64, N, S, K, T>,
+    /// How it ended.
+    pub outcome: Outcome,
 }
 
-/// Runs every start for so many collisions, as many side by side as this CPU has lanes, and hands over each orbit as
-/// it ends (in no particular order).
+/// Runs every orbit for so many collisions, as many side by side as this CPU has lanes, and hands over each one as it
+/// ends (in no particular order).
 ///
-/// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next
-/// start at once, so that one early end or one long life holds nobody up.
-pub fn run_side_by_side<P, Q, B, const N: usize, const S: usize>(
+/// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next one at
+/// once, so that one early end or one long life holds nobody up.
+pub fn run_side_by_side<B, const N: usize, const S: usize, K, T>(
     billiard: &B,
-    starts: &mut dyn Iterator<Item = Start<N, S>>,
+    orbits: &mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
     collisions: u64,
-    finished: &mut dyn FnMut(Finished<N, S, Q::One>),
+    finished: &mut dyn FnMut(Finished<N, S, K, T>),
 ) where
-    P: Keeping<N, S>,
-    Q: Tracking<N, S>,
     B: Motion<N, S>,
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
 {
-    let upcoming = starts.next();
-    lanes::dispatch(Many::<P, Q, _, N, S> { billiard, starts, upcoming, collisions, finished, keeping: PhantomData });
+    // lanes that nobody has sat in yet hold the first orbit
+    let Some(first) = orbits.next() else { return };
+    lanes::dispatch(Many { billiard, orbits, upcoming: Some(first.clone()), first, collisions, finished });
 }
 
-struct Many<'a, P, Q: Tracking<N, S>, B, const N: usize, const S: usize> {
+struct Many<'a, B, const N: usize, const S: usize, K, T> {
     billiard: &'a B,
-    starts: &'a mut dyn Iterator<Item = Start<N, S>>,
-    /// The next of the starts.
-    upcoming: Option<Start<N, S>>,
+    orbits: &'a mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
+    /// The next of the orbits.
+    upcoming: Option<Orbit<f64, N, S, K, T>>,
+    first: Orbit<f64, N, S, K, T>,
     collisions: u64,
-    finished: &'a mut dyn FnMut(Finished<N, S, Q::One>),
-    keeping: PhantomData<P>,
+    finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
 }
 
 /// Vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
@@ -119,9 +112,9 @@ struct Group<F: Lane, const N: usize, const S: usize, K, T, C> {
     lanes: [Seat; MOST_LANES],
 }
 
-/// The group of a run of the motion `B` that keeps the energy as `P` says and tracks `Q`.
-type GroupOf<F, const N: usize, const S: usize, P, Q, B> =
-    Group<F, N, S, <P as Keeping<N, S>>::Keeper<F>, <Q as Tracking<N, S>>::In<F>, <B as Motion<N, S>>::Carried<F>>;
+/// The group of a run of the motion `B` of orbits that keep the energy with `K` and track `T`.
+type GroupOf<F, const N: usize, const S: usize, B, K, T> =
+    Group<F, N, S, <K as Keeping<N, S>>::In<F>, <T as Tracking<N, S>>::In<F>, <B as Motion<N, S>>::Carried<F>>;
 
 /// Who sits in a lane.
 #[derive(Clone, Copy)]
@@ -137,36 +130,36 @@ struct Seat {
     idle: u32,
 }
 
-impl<P, Q, B, const N: usize, const S: usize> Many<'_, P, Q, B, N, S>
+impl<B, const N: usize, const S: usize, K, T> Many<'_, B, N, S, K, T>
 where
-    P: Keeping<N, S>,
-    Q: Tracking<N, S>,
     B: Motion<N, S>,
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
 {
-    /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there: at a beat of the
-    /// energy keeper, so that each orbit has the beats that it has on its own.
+    /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there: when the
+    /// energy keeper has come as far as theirs, so that each orbit has the beats that it has on its own.
     #[cold]
     #[inline(never)]
     fn change<F: Lane>(
         &mut self,
-        group: &mut GroupOf<F, N, S, P, Q, B>,
+        group: &mut GroupOf<F, N, S, B, K, T>,
         next: &mut u64,
         step: u64,
         ended: impl Fn(usize) -> Option<Stop>,
     ) {
         let zero = group.slow.same(0.0);
-        let wait = EnergyKeeper::<F, N, S>::until_beat(&group.orbit.keeper);
-        let mut starts = [None; MOST_LANES];
+        let mask = |of: &[bool; MOST_LANES]| zero.lt(zero.each(|k| if of[k % MOST_LANES] { 1.0 } else { 0.0 }));
         let mut idle = [false; MOST_LANES];
-        for (lane, seat) in group.lanes.iter_mut().enumerate().take(F::LANES) {
+        for lane in 0..F::LANES {
             let Some(stop) = ended(lane) else { continue };
+            let seat = &mut group.lanes[lane];
             if let Some(index) = seat.index {
                 let o = &group.orbit;
                 let orbit = Orbit {
                     position: o.position.map(|x| x.lane(lane)),
                     velocity: o.velocity.map(|x| x.lane(lane)),
                     spin: o.spin.map(|x| x.lane(lane)),
-                    keeper: (),
+                    keeper: o.keeper.one(lane),
                     track: o.track.one(lane),
                 };
                 let outcome = Outcome { stop, collisions: step - seat.since };
@@ -175,43 +168,55 @@ where
                 continue;
             }
             *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
-            if self.upcoming.is_some() && wait > 0 {
-                seat.until = step + wait;
-            } else if let Some(start) = self.upcoming.take() {
-                self.upcoming = self.starts.next();
-                (seat.index, seat.until) = (Some(*next), step + self.collisions);
-                *next += 1;
-                starts[lane] = Some(start);
+            idle[lane] = true;
+            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper));
+            match (wait, self.upcoming.take()) {
+                (Some(0), Some(orbit)) => {
+                    (seat.index, seat.until) = (Some(*next), step + self.collisions);
+                    *next += 1;
+                    idle[lane] = false;
+                    self.upcoming = self.orbits.next();
+                    let mut here = [false; MOST_LANES];
+                    here[lane] = true;
+                    self.seat(group, mask(&here), &orbit);
+                }
+                (Some(wait), orbit) => {
+                    seat.until = step + wait;
+                    self.upcoming = orbit;
+                }
+                (None, _) => {}
             }
-            idle[lane] = seat.index.is_none();
         }
-        let seated = |k: usize| starts.get(k).is_some_and(Option::is_some);
-        let pick = |old: F, f: &dyn Fn(&Start<N, S>) -> f64| {
-            old.each(|k| starts.get(k).and_then(Option::as_ref).map_or_else(|| old.lane(k), f))
-        };
-        let o = &mut group.orbit;
-        o.position = core::array::from_fn(|i| pick(o.position[i], &|s| s.position[i]));
-        o.velocity = core::array::from_fn(|i| pick(o.velocity[i], &|s| s.velocity[i]));
-        o.spin = core::array::from_fn(|i| pick(o.spin[i], &|s| s.spin[i]));
         // an idle lane follows an orbit, which has a future
-        let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
-        let follow =
-            |old: F| old.each(|k| if idle.get(k) == Some(&true) { old.lane(model.unwrap_or(k)) } else { old.lane(k) });
-        o.position = o.position.map(follow);
-        o.velocity = o.velocity.map(follow);
-        o.spin = o.spin.map(follow);
-        let new = |k: usize| seated(k) || idle.get(k) == Some(&true);
-        let new = zero.lt(zero.each(|k| if new(k) { 1.0 } else { 0.0 }));
-        o.keeper.replace(new, &P::Keeper::<F>::new(&o.velocity, &o.spin));
-        o.track.replace(new, &Q::In::<F>::all(&Q::start(), zero));
-        let slow = square_speed(&o.velocity, &o.spin) * (GRAZING * GRAZING);
-        group.slow = new.select(slow, group.slow);
-        self.billiard.restart(&mut group.carried, new);
+        if let Some(model) = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some()) {
+            let o = &group.orbit;
+            let orbit = Orbit {
+                position: o.position.map(|x| x.lane(model)),
+                velocity: o.velocity.map(|x| x.lane(model)),
+                spin: o.spin.map(|x| x.lane(model)),
+                keeper: o.keeper.one(model),
+                track: o.track.one(model),
+            };
+            self.seat(group, mask(&idle), &orbit);
+        }
+    }
+
+    /// Puts an orbit into some lanes.
+    fn seat<F: Lane>(&self, group: &mut GroupOf<F, N, S, B, K, T>, lanes: F::Mask, orbit: &Orbit<f64, N, S, K, T>) {
+        let put = |to: F, from: f64| lanes.select(to.same(from), to);
+        let o = &mut group.orbit;
+        o.position = core::array::from_fn(|i| put(o.position[i], orbit.position[i]));
+        o.velocity = core::array::from_fn(|i| put(o.velocity[i], orbit.velocity[i]));
+        o.spin = core::array::from_fn(|i| put(o.spin[i], orbit.spin[i]));
+        o.keeper.replace(lanes, &K::In::<F>::all(&orbit.keeper, group.slow));
+        o.track.replace(lanes, &T::In::<F>::all(&orbit.track, group.slow));
+        group.slow = put(group.slow, square_speed(&orbit.velocity, &orbit.spin) * (GRAZING * GRAZING));
+        self.billiard.restart(&mut group.carried, lanes);
     }
 
     /// One collision of every lane.
     #[inline(always)]
-    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, P, Q, B>, next: &mut u64, step: u64) {
+    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T>, next: &mut u64, step: u64) {
         let zero = group.slow.same(0.0);
         let (hit, arrival) = loop {
             let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
@@ -232,7 +237,7 @@ where
     #[inline(never)]
     fn look<F: Lane>(
         &mut self,
-        group: &mut GroupOf<F, N, S, P, Q, B>,
+        group: &mut GroupOf<F, N, S, B, K, T>,
         time: F,
         corner: F::Mask,
         next: &mut u64,
@@ -265,19 +270,26 @@ where
     }
 }
 
-impl<P, Q, B, const N: usize, const S: usize> Kernel for Many<'_, P, Q, B, N, S>
+impl<B, const N: usize, const S: usize, K, T> Kernel for Many<'_, B, N, S, K, T>
 where
-    P: Keeping<N, S>,
-    Q: Tracking<N, S>,
     B: Motion<N, S>,
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
 {
     type Output = ();
     #[inline(always)]
     fn run<F: Lane>(mut self, zero: F) {
         let mut next = 0;
         let seat = Seat { index: None, until: 0, since: 0, idle_at: u64::MAX, idle: 0 };
-        let nobody = Orbit::new([zero; N], [zero.same(1.0); N], [zero; S], Q::In::<F>::all(&Q::start(), zero));
-        let mut groups: [GroupOf<F, N, S, P, Q, B>; VECTORS] = core::array::from_fn(|_| Group {
+        let first = &self.first;
+        let nobody = Orbit {
+            position: first.position.map(|x| zero.same(x)),
+            velocity: first.velocity.map(|x| zero.same(x)),
+            spin: first.spin.map(|x| zero.same(x)),
+            keeper: K::In::<F>::all(&first.keeper, zero),
+            track: T::In::<F>::all(&first.track, zero),
+        };
+        let mut groups: [GroupOf<F, N, S, B, K, T>; VECTORS] = core::array::from_fn(|_| Group {
             orbit: nobody.clone(),
             carried: self.billiard.start(zero),
             slow: zero,

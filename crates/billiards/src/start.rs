@@ -1,10 +1,28 @@
 //! Where the orbits of an ensemble start: each by its number alone.
-use crate::{Error, ReducedState, side_by_side::Start};
+use crate::{EnergyKeeper, Error, Orbit, ReducedState, Track};
 use geometry::{Perimeter, Table, Vector2, Vector3, tables::SpatialTable};
 use rand_chacha::{
     ChaCha8Rng,
     rand_core::{Rng, SeedableRng},
 };
+
+/// Where an orbit starts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start<const N: usize, const S: usize> {
+    /// Position of the centre \[L\].
+    pub position: [f64; N],
+    /// Velocity of the centre [L T⁻¹].
+    pub velocity: [f64; N],
+    /// Scaled spin [L T⁻¹].
+    pub spin: [f64; S],
+}
+
+impl<const N: usize, const S: usize> Start<N, S> {
+    /// The orbit that starts here.
+    pub fn orbit<K: EnergyKeeper<f64, N, S>, T: Track<f64, N, S>>(self, track: T) -> Orbit<f64, N, S, K, T> {
+        Orbit::new(self.position, self.velocity, self.spin, track)
+    }
+}
 
 /// The starts of an ensemble: that of an orbit depends on its number and on nothing else, not on who runs it or when.
 pub trait Starts<const N: usize, const S: usize>: Sync {

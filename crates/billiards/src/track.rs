@@ -1,4 +1,5 @@
 //! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
+use crate::side_by_side::InLanes;
 use geometry::{Lattice, Vector2, WallHit};
 use lanes::{Double, Lane, Mask};
 use std::sync::Arc;
@@ -9,26 +10,7 @@ pub trait Track<F: Lane, const N: usize, const S: usize> {
     fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
 }
 
-/// A track in lanes: each lane can be taken out and put in.
-pub trait LaneTrack<F: Lane>: Clone {
-    /// The track of a single orbit.
-    type One: Clone;
-    /// The track of one lane.
-    fn one(&self, lane: usize) -> Self::One;
-    /// The same track in every lane, as many as `zero` has.
-    fn all(one: &Self::One, zero: F) -> Self;
-    /// Takes over the lanes of another track where `mask` is true.
-    fn replace(&mut self, mask: F::Mask, by: &Self);
-}
-
-impl<F: Lane> LaneTrack<F> for () {
-    type One = ();
-    fn one(&self, _: usize) {}
-    fn all((): &(), _: F) {}
-    fn replace(&mut self, _: F::Mask, (): &()) {}
-}
-
-impl<F: Lane> LaneTrack<F> for Clock<F> {
+impl<F: Lane> InLanes<F> for Clock<F> {
     type One = Clock;
     fn one(&self, lane: usize) -> Clock {
         Clock(Double { high: self.0.high.lane(lane), low: self.0.low.lane(lane) })

@@ -1,5 +1,8 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
-use billiards::{Clock, Collisions, Conserve, Conserved, Finished, Orbit, Planar, Start, Stop, Timed, laws::Disk};
+use billiards::{Clock, Collisions, Conserved, Finished, Orbit, Planar, Start, Stop, Timed, laws::Disk};
+
+type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
+type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Specular};
 use geometry::{Table, tables};
 
@@ -23,16 +26,16 @@ fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
     made
 }
 
-fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<Finished<2, 1, Clock>> {
+fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<Ended> {
     let billiard = Planar { table: table.unwrap(), law };
     let starts = starts(&billiard.table, 70);
-    let mut ended: Vec<Finished<2, 1, Clock>> = vec![];
-    billiard.run_side_by_side::<Conserve, Clock>(&mut starts.iter().copied(), 300, &mut |f| ended.push(f));
+    let mut ended: Vec<Ended> = vec![];
+    let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
+    billiard.run_side_by_side(&mut starts.iter().map(orbit), 300, &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
     assert_eq!(ended.len(), starts.len(), "{name}");
     for (k, (start, lane)) in starts.iter().zip(&ended).enumerate() {
-        let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> =
-            Orbit::new(start.position, start.velocity, start.spin, Clock::new(0.0));
+        let mut orbit = orbit(start);
         let outcome = billiard.run(&mut orbit, &Collisions(300), &mut ());
         assert_eq!(lane.index, k as u64);
         assert_eq!(lane.outcome, outcome, "{name} {k}");
@@ -63,4 +66,33 @@ fn lanes_have_the_bits_of_single_orbits() {
 fn orbits_that_end_early_leave_their_lane() {
     let ended = agree("wedge", tables::wedge(1.0), Disk::new(&Specular, 1.0));
     assert!(ended.iter().all(|f| f.outcome.stop == Stop::Escaped)); // specular wedges are left after finitely many hits
+}
+
+#[test]
+fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
+    let billiard = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)) };
+    let starts = starts(&billiard.table, 70);
+    // some have gone ahead on their own, by numbers of collisions that are no beats of the energy keeper
+    let mut orbits: Vec<Disks> = starts.iter().map(|start| start.orbit(Clock::new(0.0))).collect();
+    for (k, orbit) in orbits.iter_mut().enumerate() {
+        billiard.run(orbit, &Collisions(k as u64 % 11), &mut ());
+    }
+    let mut ended: Vec<Ended> = vec![];
+    billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut |f| ended.push(f));
+    assert_eq!(ended.len(), orbits.len());
+    for f in ended {
+        let mut alone: Disks = starts[f.index as usize].orbit(Clock::new(0.0));
+        billiard.run(&mut alone, &Collisions(f.index % 11 + 100), &mut ());
+        assert_eq!(f.orbit.position.map(f64::to_bits), alone.position.map(f64::to_bits), "{}", f.index);
+        assert_eq!(f.orbit.velocity.map(f64::to_bits), alone.velocity.map(f64::to_bits), "{}", f.index);
+    }
+}
+
+#[test]
+fn a_first_orbit_without_a_future_holds_nobody_up() {
+    let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    let away: Disks = Start { position: [0.0, 2.0], velocity: [0.1, 1.0], spin: [0.0] }.orbit(Clock::new(0.0));
+    let mut ended: Vec<Ended> = vec![];
+    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut |f| ended.push(f));
+    assert_eq!(ended.iter().map(|f| f.outcome.stop).collect::<Vec<_>>(), [Stop::Escaped; 5]);
 }

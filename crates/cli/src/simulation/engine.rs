@@ -4,17 +4,18 @@ use std::ops::ControlFlow;
 
 use billiards::geometry::WallHit;
 use billiards::{
-    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Timed,
-    Track, run,
+    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, InLanes, Keeping, Limit, Motion, Observer, Orbit,
+    Outcome, Stop, Timed, Track, run, run_side_by_side,
 };
+use lanes::Lane;
 
 use super::event::Event;
 use super::scale::Scale;
 
-/// Keeps the energy where the law does.
+/// Keeps the energy where the law does, in lanes of `F`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Keeper<const N: usize> {
-    conserved: Conserved<f64, N>,
+pub(crate) struct Keeper<const N: usize, F = f64> {
+    conserved: Conserved<F, N>,
     strict: bool,
 }
 
@@ -25,31 +26,43 @@ impl<const N: usize> Keeper<N> {
     }
 }
 
-impl<const N: usize, const S: usize> EnergyKeeper<f64, N, S> for Keeper<N> {
+impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N, F> {
     #[inline(always)]
-    fn new(velocity: &[f64; N], spin: &[f64; S]) -> Self {
-        Keeper { conserved: EnergyKeeper::<f64, N, S>::new(velocity, spin), strict: true }
+    fn new(velocity: &[F; N], spin: &[F; S]) -> Self {
+        Keeper { conserved: EnergyKeeper::<F, N, S>::new(velocity, spin), strict: true }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [f64; N], spin: &[f64; S], hit: &WallHit<f64, N>) {
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>) {
         if self.strict {
             self.conserved.leave(velocity, spin, hit);
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [f64; N], spin: &mut [f64; S]) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
         if self.strict {
             self.conserved.leave_in_frame(velocity, spin);
         }
     }
-    fn until_beat(&self) -> u64 {
-        EnergyKeeper::<f64, N, S>::until_beat(&self.conserved)
+}
+
+impl<F: Lane, const N: usize> InLanes<F> for Keeper<N, F> {
+    type One = Keeper<N>;
+    fn one(&self, lane: usize) -> Keeper<N> {
+        Keeper { conserved: self.conserved.one(lane), strict: self.strict }
     }
-    fn replace(&mut self, mask: bool, by: &Self) {
-        if mask {
-            *self = *by;
-        }
+    fn all(one: &Keeper<N>, zero: F) -> Self {
+        Keeper { conserved: Conserved::all(&one.conserved, zero), strict: one.strict }
     }
+    fn replace(&mut self, mask: F::Mask, by: &Self) {
+        self.conserved.replace(mask, &by.conserved);
+    }
+    fn wait(&self, one: &Keeper<N>) -> u64 {
+        self.conserved.wait(&one.conserved)
+    }
+}
+
+impl<const N: usize, const S: usize> Keeping<N, S> for Keeper<N> {
+    type In<F: Lane> = Keeper<N, F>;
 }
 
 /// So many collisions or so much time, whichever comes first.
@@ -171,6 +184,8 @@ impl Watch<'_> {
 pub(crate) trait Engine<const N: usize, const S: usize, T>: Bounce<N, S> {
     /// Runs an orbit that nobody watches.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
+    /// Runs orbits that nobody watches, in the lanes of vector registers: the same collisions, bit by bit.
+    fn side_by_side(&self, orbits: &mut [Bare<N, S>], collisions: u64) -> Vec<Outcome>;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome;
 }
@@ -182,6 +197,16 @@ where
 {
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome {
         run(self, orbit, &until, &mut ())
+    }
+    fn side_by_side(&self, orbits: &mut [Bare<N, S>], collisions: u64) -> Vec<Outcome> {
+        let mut outcomes = vec![Outcome { stop: Stop::Finished, collisions: 0 }; orbits.len()];
+        let starts = orbits.to_vec();
+        run_side_by_side(self, &mut starts.into_iter(), collisions, &mut |finished| {
+            #[allow(clippy::cast_possible_truncation, reason = "an index of this slice")]
+            let index = finished.index as usize;
+            (orbits[index], outcomes[index]) = (finished.orbit, finished.outcome);
+        });
+        outcomes
     }
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome {
         run(self, orbit, &until, watch)

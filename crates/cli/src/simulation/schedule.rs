@@ -19,6 +19,9 @@ use super::scale::Scale;
 const BLOCK: u64 = 4096;
 /// Most orbits that one thread takes on at a time.
 const MOST_TOGETHER: u64 = 1024;
+/// Fewest and most orbits that one thread runs side by side.
+const LEAST_SIDE_BY_SIDE: u64 = 64;
+const MOST_SIDE_BY_SIDE: u64 = 512;
 /// Steps in which the progress of an orbit is counted.
 pub(crate) const STEPS: u64 = 1 << 20;
 
@@ -105,8 +108,12 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
             let mut busy = Duration::ZERO;
             while let Some((orbits, out)) = take(&jobs_left, work) {
                 let mut job = Job { engine, work, out, results: Results::default(), busy };
-                // a job ends early if nobody wants its results any more
-                let _ = orbits.into_iter().try_for_each(|orbit| job.run(orbit, launch(orbit)));
+                if work.is_bare(&orbits) {
+                    job.run_side_by_side(orbits.start, orbits.map(launch).collect());
+                } else {
+                    // a job ends early if nobody wants its results any more
+                    let _ = orbits.into_iter().try_for_each(|orbit| job.run(orbit, launch(orbit)));
+                }
                 let _ = job.send();
                 busy = job.busy;
             }
@@ -120,6 +127,31 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
     })
 }
 
+impl Work<'_> {
+    /// Whether nobody watches these orbits and all that ends them is a number of collisions: then they run side by side.
+    fn is_bare(&self, orbits: &Range<u64>) -> bool {
+        orbits.start >= self.watched_orbits() && self.time == f64::INFINITY
+    }
+
+    fn watched_orbits(&self) -> u64 {
+        if self.watch.collisions > 0 { self.watch.orbits } else { 0 }
+    }
+
+    /// The next few orbits from the given one, for one thread.
+    fn together(&self, first: u64) -> Range<u64> {
+        let (together, end) = if self.is_bare(&(first..first)) {
+            // enough to fill the lanes again and again, and something for everybody
+            let share = self.orbits / (4 * self.threads.max(1) as u64);
+            (share.clamp(LEAST_SIDE_BY_SIDE, MOST_SIDE_BY_SIDE), self.orbits)
+        } else {
+            // so many orbits make a block
+            let end = if self.time == f64::INFINITY { self.watched_orbits() } else { self.orbits };
+            ((BLOCK / self.collisions.max(1)).clamp(1, MOST_TOGETHER), end.min(self.orbits))
+        };
+        first..end.min(first.saturating_add(together))
+    }
+}
+
 /// Orbits that no thread has taken yet, and where those that take them say so.
 struct JobsLeft {
     next: u64,
@@ -130,9 +162,7 @@ struct JobsLeft {
 fn take(left: &Mutex<JobsLeft>, work: &Work<'_>) -> Option<(Range<u64>, SyncSender<Results>)> {
     let mut left = left.lock().unwrap_or_else(PoisonError::into_inner);
     let JobsLeft { next, queue } = &mut *left;
-    // so many orbits make a block
-    let together = (BLOCK / work.collisions.max(1)).clamp(1, MOST_TOGETHER);
-    let orbits = *next..work.orbits.min(next.saturating_add(together));
+    let orbits = work.together(*next);
     let (out, results) = sync_channel(2);
     let wanted = !orbits.is_empty() && !work.interrupted.load(Ordering::Relaxed);
     if wanted && queue.as_ref().is_some_and(|queue| queue.send(results).is_ok()) {
@@ -151,6 +181,21 @@ struct Job<'a, const N: usize, const S: usize, T> {
     results: Results,
     /// Time spent on the simulation itself.
     busy: Duration,
+}
+
+/// What is known of an orbit besides its state.
+#[derive(Clone, Copy, Debug)]
+struct Course {
+    orbit: u64,
+    stop: Option<Stop>,
+    collisions: u64,
+    drift: f64,
+}
+
+/// An orbit that nobody watches any more.
+fn bare<const N: usize, const S: usize, T>(orbit: Watched<N, S, T>) -> Bare<N, S> {
+    let Orbit { position, velocity, spin, keeper, track: (clock, _) } = orbit;
+    Orbit { position, velocity, spin, keeper, track: clock }
 }
 
 /// An orbit, watched or not.
@@ -202,16 +247,60 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             }
         };
         progress.fetch_add(STEPS - steps, Ordering::Relaxed);
-        let (position, velocity) = orbit.end(end, stop);
-        let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
-        let velocity = velocity.map(|v| scale.speed_out(v));
-        let time = if stop == Some(Stop::Finished) && n < most { self.work.time } else { scale.time_out(orbit.time()) };
-        let ended = Ended { orbit: index, stop, collisions: n, time, drift, position, velocity };
-        self.results.ends.push((self.results.events.len(), ended));
+        self.end(&orbit, scale, Course { orbit: index, stop, collisions: n, drift });
         if self.results.events.len() as u64 >= BLOCK {
             self.send()?;
         }
         ControlFlow::Continue(())
+    }
+
+    /// Runs orbits that nobody watches, from the given one, in blocks as they would be run one by one.
+    fn run_side_by_side(&mut self, first: u64, launches: Vec<Launch<N, S, T>>) {
+        let Work { collisions: most, progress, interrupted, .. } = *self.work;
+        let energies: Vec<Energy> = launches.iter().map(|launch| Energy::of(&launch.orbit)).collect();
+        let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
+        let mut orbits: Vec<Bare<N, S>> = launches.into_iter().map(|launch| bare(launch.orbit)).collect();
+        let course = |k: usize| Course { orbit: first + k as u64, stop: None, collisions: 0, drift: 0.0 };
+        let mut courses: Vec<Course> = (0..orbits.len()).map(course).collect();
+        let mut going: Vec<usize> = (0..orbits.len()).collect();
+        let mut n = 0;
+        while !going.is_empty() && !(n > 0 && interrupted.load(Ordering::Relaxed)) {
+            let begun = Instant::now();
+            let block = BLOCK.min(most - n);
+            let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
+            let outcomes = self.engine.side_by_side(&mut these, block);
+            for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
+                orbits[k] = orbit;
+                let course = &mut courses[k];
+                course.collisions += outcome.collisions;
+                course.drift = course.drift.max(Energy::of(&orbits[k]).drift_from(&energies[k]));
+                if outcome.stop != Stop::Finished || course.collisions == most {
+                    course.stop = Some(outcome.stop);
+                    progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
+                } else {
+                    progress.fetch_add(progress_of(n + block, most) - progress_of(n, most), Ordering::Relaxed);
+                }
+            }
+            going.retain(|&k| courses[k].stop.is_none());
+            n += block;
+            self.busy += begun.elapsed();
+        }
+        progress.fetch_add((STEPS - progress_of(n, most)) * going.len() as u64, Ordering::Relaxed);
+        for ((orbit, scale), course) in orbits.into_iter().zip(scales).zip(courses) {
+            self.end(&Running::Bare(orbit), scale, course);
+        }
+    }
+
+    /// Notes the end of an orbit.
+    fn end(&mut self, orbit: &Running<N, S, T>, scale: Scale, course: Course) {
+        let Course { orbit: index, stop, collisions, drift } = course;
+        let (position, velocity) = orbit.end(scale.time_in(self.work.time), stop);
+        let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
+        let velocity = velocity.map(|v| scale.speed_out(v));
+        let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
+        let time = if out_of_time { self.work.time } else { scale.time_out(orbit.time()) };
+        let ended = Ended { orbit: index, stop, collisions, time, drift, position, velocity };
+        self.results.ends.push((self.results.events.len(), ended));
     }
 
     /// Hands over the results so far.
@@ -242,9 +331,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
     /// The same orbit, no longer watched unless it is to be.
     fn watched_if(self, watched: bool) -> Self {
         match self {
-            Running::Watched(Orbit { position, velocity, spin, keeper, track: (clock, _) }) if !watched => {
-                Running::Bare(Orbit { position, velocity, spin, keeper, track: clock })
-            }
+            Running::Watched(orbit) if !watched => Running::Bare(bare(orbit)),
             other => other,
         }
     }

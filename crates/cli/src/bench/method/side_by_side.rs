@@ -7,7 +7,7 @@ use super::{End, Entry, Method, always, exact};
 use crate::simulation::{PlanarLaw, SpatialLaw};
 use billiards::geometry::tables::SpatialTable;
 use billiards::geometry::{Walls, WithWalls};
-use billiards::{Billiard, Conserve, Finished, Planar, Start, run_side_by_side};
+use billiards::{Billiard, Conserved, Finished, Orbit, Planar, run_side_by_side};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact, side by side",
@@ -36,13 +36,15 @@ struct Room {
     law: SpatialLaw,
 }
 
+/// An orbit with its energy.
+type Kept<const N: usize, const S: usize> = Orbit<f64, N, S, Conserved<f64, N>>;
+
 /// Enough orbits to keep all lanes of all vectors busy.
 const ORBITS: usize = 512;
 
 /// The starts, again and again until there are enough.
-fn many<const N: usize, const S: usize>(starts: &[State<f64>]) -> impl Iterator<Item = Start<N, S>> {
-    let start =
-        |s: &State<f64>| Start { position: first(&s.position), velocity: first(&s.velocity), spin: first(&s.spin) };
+fn many<const N: usize, const S: usize>(starts: &[State<f64>]) -> impl Iterator<Item = Kept<N, S>> {
+    let start = |s: &State<f64>| Orbit::new(first(&s.position), first(&s.velocity), first(&s.spin), ());
     starts.iter().map(start).cycle().take(ORBITS.max(starts.len()))
 }
 
@@ -57,9 +59,9 @@ impl Method for Plane {
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
         let mut made = 0;
-        let mut finished = |f: Finished<2, 1, ()>| made += f.outcome.collisions;
+        let mut finished = |f: Finished<2, 1, Conserved<f64, 2>, ()>| made += f.outcome.collisions;
         let each = share(starts, collisions);
-        self.billiard.run_side_by_side::<Conserve, ()>(&mut many(starts), each, &mut finished);
+        self.billiard.run_side_by_side(&mut many(starts), each, &mut finished);
         made
     }
 }
@@ -83,15 +85,15 @@ impl Method for Room {
 
 struct On<'a> {
     law: &'a SpatialLaw,
-    starts: &'a mut dyn Iterator<Item = Start<3, 3>>,
+    starts: &'a mut dyn Iterator<Item = Kept<3, 3>>,
     collisions: u64,
-    finished: &'a mut dyn FnMut(Finished<3, 3, ()>),
+    finished: &'a mut dyn FnMut(Finished<3, 3, Conserved<f64, 3>, ()>),
 }
 
 impl WithWalls<3> for On<'_> {
     type Output = ();
     fn run<W: Walls<3>>(self, walls: &W) {
         let billiard = Billiard { walls, law: self.law };
-        run_side_by_side::<Conserve, (), _, 3, 3>(&billiard, self.starts, self.collisions, self.finished);
+        run_side_by_side(&billiard, self.starts, self.collisions, self.finished);
     }
 }
