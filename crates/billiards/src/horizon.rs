@@ -6,8 +6,11 @@
 //! billiard map, and the n-th collision adds the rounding `Q` of its own. Rounded constants of a law or of a table do the
 //! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
 //! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
-use crate::billiard::{BallLaw, Billiard};
-use geometry::{Table, Vector2, WallHit, Walls, tables::SpatialTable};
+use crate::{
+    billiard::{BallLaw, Billiard},
+    rolling::Rolling,
+};
+use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
 
 /// Walls and a law for one orbit, behind a pointer.
 pub trait Bounce<const N: usize, const S: usize>: Sync {
@@ -22,6 +25,15 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Bounce<N, S>
         self.walls.first_hit(position, velocity)
     }
     fn collide(&self, hit: &WallHit<f64, N>, velocity: &mut [f64; N], spin: &mut [f64; S]) {
+        self.law.collide(hit, velocity, spin);
+    }
+}
+
+impl<W: Homogeneous, L: BallLaw<2, 1>> Bounce<2, 1> for Rolling<'_, W, L> {
+    fn first_hit(&self, position: &[f64; 2], velocity: &[f64; 2]) -> WallHit<f64, 2> {
+        self.walls.first_hit(position, velocity)
+    }
+    fn collide(&self, hit: &WallHit<f64, 2>, velocity: &mut [f64; 2], spin: &mut [f64; 1]) {
         self.law.collide(hit, velocity, spin);
     }
 }
@@ -66,7 +78,7 @@ impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
 ///
 /// ```
 /// use billiards::{Billiard, Felt, Horizon, Moving, laws::Specular};
-/// use billiards::geometry::{Vector2, walls::{Both, Cuboid, Scatterer, Sphere}};
+/// use billiards::geometry::{Vector2, walls::{Around, Cuboid, Scatterer, Sphere}};
 ///
 /// let start = Moving { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [] };
 /// // in a circle, most of the digits are left after a thousand collisions
@@ -75,7 +87,8 @@ impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
 /// let horizon = Horizon::of(&billiard, &Felt::<2, 0>(&billiard), start, 1.0, [1000.0, f64::INFINITY]);
 /// assert!(!horizon.lost && horizon.error < 1e-8);
 /// // between a square and a disk in its middle, none is left after thirty
-/// let sinai = Both(Cuboid::new([0.0; 2], [1.0; 2], [[3, 1], [0, 2]])?, Scatterer::new(Vector2::repeat(0.5), 0.25, 4)?);
+/// let container = Cuboid::new([0.0; 2], [1.0; 2], [[3, 1], [0, 2]])?;
+/// let sinai = Around { container, obstacles: Scatterer::new(Vector2::repeat(0.5), 0.25, 4)? };
 /// let billiard = Billiard { walls: &sinai, law: &Specular };
 /// let horizon = Horizon::of(&billiard, &Felt::<2, 0>(&billiard), start, 1.0, [1000.0, f64::INFINITY]);
 /// assert!(horizon.lost && horizon.collisions < 100);

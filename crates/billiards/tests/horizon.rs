@@ -191,10 +191,10 @@ fn in_space_the_curvature_of_walls_counts() {
         assert!(!horizon.lost && horizon.error < 1e-11, "{}: {horizon:?}", billiard.table.name());
     }
     // the same ball outside: a scatterer in a box
-    let walls = geometry::walls::Both(
-        geometry::walls::Cuboid::new([-1.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap(),
-        geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
-    );
+    let walls = geometry::walls::Around {
+        container: geometry::walls::Cuboid::new([-1.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap(),
+        obstacles: geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
+    };
     let start = Moving { position: [0.9, 0.8, 0.3], ..start };
     let specular = billiards::laws::Specular;
     let billiard = Billiard { walls: &walls, law: &specular };

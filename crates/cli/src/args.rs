@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::bench::law::Law;
 use crate::scene::LawKind;
 
 /// Largest number of collisions per orbit.
@@ -39,6 +40,8 @@ pub enum Command {
     Collide(Collide),
     /// Recompute every figure and every claim of the paper, on one page
     Reproduce(Reproduce),
+    /// Measure what accuracy costs on this machine: run time against error, per table and method
+    Bench(Bench),
 }
 
 /// Arguments of `billiards run`.
@@ -147,6 +150,37 @@ pub struct Reproduce {
     /// List the names of figures and claims, and do nothing else
     #[arg(long, conflicts_with_all = ["only", "quick"])]
     pub list: bool,
+}
+
+/// Arguments of `billiards bench`.
+#[derive(Clone, Debug, Args)]
+#[command(after_help = "\
+Writes, with --out, DIR/bench.json and DIR/work-precision.svg, or DIR/stress.json.
+
+Examples:
+  billiards bench
+  billiards bench --quick --only stadium
+  billiards bench --out bench --json
+  billiards bench --stress")]
+pub struct Bench {
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Fewer orbits and pieces, shorter rounds: less than twenty seconds
+    #[arg(long)]
+    pub quick: bool,
+    /// Only the table, or the case under stress, of that name
+    #[arg(long, value_name = "NAME")]
+    pub only: Option<String>,
+    /// Collision law
+    #[arg(long, value_name = "LAW", value_enum, default_value = "no-slip", conflicts_with = "stress")]
+    pub law: Law,
+    /// Folder for the numbers and the chart
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Go where programs break instead: thin wedges, cusps, extreme units and masses, a million pieces
+    #[arg(long)]
+    pub stress: bool,
 }
 
 /// A number of collisions: a whole number, perhaps written as 1e6.

@@ -1,5 +1,6 @@
 //! What the command does, one file per subcommand.
 
+pub mod bench;
 pub mod check;
 pub mod collide;
 pub mod laws;
@@ -70,4 +71,14 @@ impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe { Self::Closed } else { Self::Work(error.to_string()) }
     }
+}
+
+/// The first Ctrl-C calls `interrupt`, which ends the work and tells whether it was called before; the second ends the program.
+fn on_ctrl_c(interrupt: impl Fn() -> bool + Send + 'static) -> Result<(), Failure> {
+    let handler = move || {
+        if interrupt() {
+            std::process::exit(130);
+        }
+    };
+    ctrlc::set_handler(handler).map_err(|error| Failure::Work(format!("cannot listen to Ctrl-C: {error}")))
 }

@@ -3,6 +3,7 @@
 #![cfg_attr(test, allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values"))]
 
 pub mod args;
+pub mod bench;
 pub mod commands;
 pub mod contact_file;
 pub mod document;

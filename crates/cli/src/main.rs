@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use billiards_cli::args::{Cli, Command};
-use billiards_cli::commands::{Failure, check, collide, laws, reproduce, run, tables};
+use billiards_cli::commands::{Failure, bench, check, collide, laws, reproduce, run, tables};
 use billiards_cli::document::Source;
 use clap::Parser;
 
@@ -28,6 +28,7 @@ fn execute(command: Command, out: &mut impl Write) -> Result<(), Failure> {
         Command::Tables(arguments) => Ok(tables::run(arguments.json, out)?),
         Command::Laws(arguments) => Ok(laws::run(arguments.json, out)?),
         Command::Reproduce(arguments) => reproduce::run(&arguments, out),
+        Command::Bench(arguments) => bench::run(&arguments, out),
         Command::Collide(arguments) => collide::run(&Source::read(&arguments.contact)?, arguments.json, out),
     }
 }

@@ -31,6 +31,10 @@ use crate::record::{self, Columns};
 use crate::scene::{Limit, Scene};
 use crate::whole_file::WholeFile;
 
+pub(crate) use engine::{Bare, Engine, PlanarTrail, Until};
+pub(crate) use law::{PlanarLaw, SpatialLaw};
+pub(crate) use summary::host;
+
 use harvest::{Harvest, Seen, Totals};
 use look::{Flat, Solid};
 use planar::Planar;

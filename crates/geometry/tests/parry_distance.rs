@@ -254,6 +254,25 @@ fn keeps_its_invariant(piece: &dyn Piece, a: f64, b: f64) {
 }
 
 #[test]
+fn a_path_from_a_wall_gets_away_next_to_a_corner() {
+    let shape = Cuboid::new(Vector::new(1.5, 0.5));
+    let piece = one(&Opaque(shape), Side::Inside);
+    let reference = pieces(&shape, &Isometry2::identity(), Side::Inside).unwrap();
+    // normals are known down to 10⁻⁵ of the size from a corner
+    for k in 1..=9 {
+        let point = Vector2::new(-1.5, 0.5 - 0.9 * libm::pow(10.0, -0.5 * f64::from(k)));
+        for j in 1..16 {
+            let angle = PI * (f64::from(j) / 16.0 - 0.5);
+            let path = Line { point, velocity: Vector2::new(libm::cos(angle), libm::sin(angle)) };
+            let (found, expected) = (piece.crossing(&path).time(), exact(&reference, &path));
+            let sine = -path.velocity.dot(&piece.landing(&path, expected).normal);
+            // the error of the distance, a few ulp of 1.5, over the sine of the angle of incidence
+            assert!((found - expected).abs() < 4e-15 / sine, "{point:?} {angle}: {found:e} for {expected:e}");
+        }
+    }
+}
+
+#[test]
 fn grazing_chords_of_a_circle_come_back_within_conditioning() {
     let piece = one(&Opaque(Ball::new(1.0)), Side::Inside);
     for k in 0..8 {

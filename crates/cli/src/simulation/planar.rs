@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Bounce, Canonical, Cell, Clock, Grid, Orbit};
+use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
+use billiards::{Angle, Billiard, Bounce, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Keeper, PlanarTrail, Watched};
@@ -11,7 +11,7 @@ use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, is_strict};
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Ensemble, LawKind, Scene};
 
 /// A planar scene, ready to run.
@@ -146,7 +146,11 @@ fn centres(scene: &Scene, drawn: &Drawn) -> Result<(Table, Vec<u64>), Vec<Diagno
     match drawn.table.offset(radius.value * drawn.factor) {
         Ok(offset) => Ok((offset.table, offset.origins.iter().map(|origin| origin.piece() as u64).collect())),
         Err(error) => {
-            let what = format!("a disk of radius {}: {}", radius.value, drawn.in_user_units(&error));
+            let error = drawn.in_user_units(&error);
+            let what = match error {
+                Error::NothingLeft { .. } | Error::Undecided { .. } => error.to_string(),
+                other => format!("a disk of radius {}: {other}", spell(radius.value)),
+            };
             Err(vec![scene.source.diagnostic(radius.span, what)])
         }
     }
@@ -161,5 +165,8 @@ impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, 
     type Output = R;
     fn run<W: Walls<2>>(self, walls: &W) -> R {
         (self.then)(&Billiard { walls, law: self.law })
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
+        (self.then)(&Rolling { walls, law: self.law })
     }
 }

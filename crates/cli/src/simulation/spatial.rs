@@ -6,13 +6,14 @@ use billiards::geometry::{Error, Vector3, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
+use super::describe::short;
 use super::engine::{Engine, Keeper, Watched};
 use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, is_strict};
 use super::room::Room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
 
 /// A scene in space, ready to run.
@@ -239,7 +240,11 @@ fn named(
     let [low, high] = table.extent();
     let half = (high - low) * 0.5;
     if half.iter().any(|half| *half <= radius) {
-        let what = format!("a ball of radius {} does not fit into the table", scene.particle.radius.value);
+        let what = format!(
+            "a ball of radius {} has no room to move in the table; its radius must be less than {}",
+            spell(scene.particle.radius.value),
+            short(half.min() / factor)
+        );
         return Err(Box::new(scene.source.diagnostic(scene.particle.radius.span, what)));
     }
     let size = (high - low).map(|size| size - 2.0 * radius);

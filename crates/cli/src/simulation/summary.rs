@@ -126,7 +126,7 @@ impl Summary {
 }
 
 /// Operating system, processor and what it can do.
-fn host() -> String {
+pub(crate) fn host() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let (os, arch) = (std::env::consts::OS, std::env::consts::ARCH);
     format!("{os} {arch}, {cores} cores, {}", lanes::instruction_set().0)

@@ -17,7 +17,8 @@ use std::sync::OnceLock;
 /// Only `project_local_point` (with `solid = false`), `compute_local_aabb`, `scale_dyn` and `clone_dyn` of the shape are
 /// used, and of a convex one its support map: such shapes are only asked from outside, since parry's projection by
 /// support map is unreliable elsewhere. Crossings are certified to be the first ones, with the error of the projection divided by the sine of the
-/// angle of incidence, and normals are good to about 10⁻¹³. A crossing costs some fifty projections.
+/// angle of incidence, and normals are good to about 10⁻¹³. Closer to a corner than 10⁻⁵ of the shape's size no normal can be
+/// told, and a path that leaves the wall there may hit it again at once. A crossing costs some fifty projections.
 ///
 /// Arc length comes from the outline traced on a grid of 256 cells across the shape and refined to 10⁻¹² of its size,
 /// or 10⁻⁸ per corner; loops smaller than a cell are hit but not measured. A shape with several loops is one piece: `s` runs through one loop after

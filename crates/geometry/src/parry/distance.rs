@@ -50,6 +50,9 @@ pub(crate) struct Probe<const N: usize> {
 /// Balls a march may need: some 20 at ordinary incidence, `√(2/θ)` at grazing angles θ; the rest is for cusps.
 const MOST_BALLS: usize = 100_000;
 
+/// From a quarter of the size down to 10⁻¹³ of it: so close to a corner may a path leave a wall.
+const HALVINGS: usize = 41;
+
 impl<const N: usize> Distance<N> {
     /// `field` holds the shape multiplied by `scale`, a power of two, in its own frame.
     pub(crate) fn new(field: Box<dyn Field<N>>, frame: Frame<N>, scale: f64, side: Side) -> Self {
@@ -236,7 +239,7 @@ impl<const N: usize> Distance<N> {
             let mut step = height.max(0.0);
             if let Some(normal) = up {
                 let mut n = normal;
-                for _ in 0..16 {
+                for _ in 0..HALVINGS {
                     let center = y + n * h;
                     let ball = self.probe_local(&center);
                     let reach = chord(n.dot(&along) * h, h, ball.distance, rounding);
@@ -249,8 +252,9 @@ impl<const N: usize> Distance<N> {
                         break;
                     }
                     // too high: another wall, or the wall's own curvature, is closer than the one below
+                    let same_wall = (ball.foot - y).norm() <= height + 0.5 * h;
                     h *= 0.5;
-                    if ball.distance > 0.0 && h < 0.01 * self.size {
+                    if ball.distance > 0.0 && h < 0.01 * self.size && same_wall {
                         n = (center - ball.foot) / ball.distance;
                     }
                 }

@@ -40,7 +40,7 @@ impl SpatialTable {
     pub fn pieces(&self) -> &'static [&'static str] {
         match self.figure {
             Figure::Slab { .. } => &["floor", "ceiling"],
-            Figure::Cuboid { .. } => &["x1 = 0", "x1 = size 1", "x2 = 0", "x2 = size 2", "x3 = 0", "x3 = size 3"],
+            Figure::Cuboid { .. } => &["x1 = 0", "x1 = size_1", "x2 = 0", "x2 = size_2", "x3 = 0", "x3 = size_3"],
             Figure::Ball { .. } => &["sphere"],
         }
     }

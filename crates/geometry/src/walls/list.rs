@@ -3,6 +3,7 @@ use super::{ByLane, CORNER, WallHit, Walls};
 use crate::{Boundary, Crossing, Hit, Line, Piece};
 use lanes::Lane;
 use nalgebra::Vector2;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Pieces asked one after another.
@@ -21,10 +22,13 @@ struct Pieces {
 impl List {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
+        // −0 is 0
+        let bits = |p: &Vector2<f64>| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
+        let known: HashSet<[u64; 2]> = corners.iter().map(bits).collect();
         let size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
         let own = |p: &Arc<dyn Piece>| -> Vec<Vector2<f64>> {
             let ends = p.ends().map_or(vec![], Vec::from);
-            ends.into_iter().filter(|e| corners.contains(e)).collect()
+            ends.into_iter().filter(|e| known.contains(&bits(e))).collect()
         };
         let corners = pieces.iter().map(|(_, p)| own(p)).collect();
         List(ByLane(Pieces { numbered: pieces, corners, size }))

@@ -59,7 +59,7 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
         if !meets.any() {
             return WallHit::never(*x);
         }
-        let q = discriminant.max(zero).sqrt() - b;
+        let q = discriminant.sqrt() - b;
         let time = meets.select(c.max(zero) / q, zero.same(f64::INFINITY));
         let mut square = zero;
         for i in 0..N {

@@ -52,7 +52,7 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
     let mut here = here.map(|a| sign * a);
     // up to where h is certainly not positive
     let mut sure = t;
-    let (mut end, mut bend) = (over.high, second(t, over.high));
+    let (mut end, mut bend) = bounded(second, [t, over.high], least);
     for _ in 0..STEPS {
         let [value, slope] = here;
         if value.is_nan() || slope.is_nan() {
@@ -86,16 +86,32 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
         }
         if t >= end {
             end = (t + 4.0 * (step.min(over.high - t)).max(least)).min(over.high);
-            bend = second(t, end);
+            (end, bend) = bounded(second, [t, end], least);
         }
         here = jet(t);
     }
     Some(t)
 }
 
-/// How far `h ≤ 0` certainly stays below 0, given `h'` and `h'' ≤ c`.
+/// The end of a stretch on which `h''` is bounded, and the bound: the whole one, or else a half, a quarter and so on.
+///
+/// Interval arithmetic on a formula with a quotient or a root often knows no bound on a long stretch.
+fn bounded(second: impl Fn(f64, f64) -> Interval, [from, to]: [f64; 2], least: f64) -> (f64, Interval) {
+    let mut end = to;
+    loop {
+        let bend = second(from, end);
+        if (bend.low.is_finite() && bend.high.is_finite()) || end - from <= least {
+            return (end, bend);
+        }
+        end = from + 0.5 * (end - from);
+    }
+}
+
+/// How far `h ≤ 0` certainly stays below 0, given `h'` and `h'' ≤ c`; nowhere if there is no bound `c`.
 fn safe_step(value: f64, slope: f64, c: f64) -> f64 {
-    if c > 0.0 {
+    if !(c < f64::INFINITY) {
+        0.0
+    } else if c > 0.0 {
         let root = (slope * slope - 2.0 * c * value).sqrt();
         if slope > 0.0 { -2.0 * value / (root + slope) } else { (root - slope) / c }
     } else if slope > 0.0 {
@@ -221,6 +237,22 @@ mod tests {
     fn a_double_root_costs_a_bounded_number_of_steps() {
         let (_, count) = first(&[4.0, 4.0, 9.0], 0.0);
         assert!(count < 200, "{count}");
+    }
+
+    #[test]
+    fn a_root_is_found_where_the_second_derivative_has_no_bound_on_the_whole_way() {
+        /// `t − 2` with an enclosure that knows nothing of stretches longer than 1/4.
+        struct Vague;
+        impl Smooth for Vague {
+            fn jet(&self, t: f64) -> [f64; 2] {
+                [t - 2.0, 1.0]
+            }
+            fn second_derivative(&self, over: Interval) -> Interval {
+                let vague = over.high - over.low > 0.25;
+                if vague { Interval { low: f64::NEG_INFINITY, high: f64::INFINITY } } else { Interval::new(-1.0, 1.0) }
+            }
+        }
+        assert_eq!(first_rise(&Vague, Interval::new(0.0, 10.0), 1e-15), Some(2.0));
     }
 
     #[test]

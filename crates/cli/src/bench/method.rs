@@ -1,0 +1,71 @@
+//! The ways of computing an orbit that are compared, one per file.
+
+mod distance;
+pub(super) mod exact;
+mod formula;
+mod polyline;
+mod side_by_side;
+mod textbook;
+
+use std::error::Error;
+
+pub use billiards::Stop;
+
+use super::Effort;
+use super::case::Case;
+use super::law::Law;
+use super::state::State;
+
+/// A way of computing orbits, ready for one table and law.
+pub trait Method {
+    /// Runs one orbit and shows its state after so many collisions, in rising order.
+    fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End;
+
+    /// Runs each start for so many collisions, for the time it takes. Returns the number of collisions made.
+    fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64;
+}
+
+/// How an orbit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// After as many collisions as were asked for.
+    Whole,
+    /// In a corner, as an orbit may.
+    Corner,
+    /// Too early, and why: the method has lost the particle.
+    Lost(Stop),
+}
+
+/// An entry of the registry.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    /// The numbers of pieces it is tried with, `None` where there is no such choice; nothing where it does not apply.
+    pub sizes: fn(&Case, Effort) -> Vec<Option<usize>>,
+    /// Prepares it.
+    pub build: fn(&Case, Law, Option<usize>) -> Built,
+}
+
+/// A method that is ready, or why it is not.
+pub type Built = Result<Box<dyn Method>, Box<dyn Error>>;
+
+/// Every method, in the order of the report.
+pub const METHODS: &[Entry] = &[
+    exact::ENTRY,
+    side_by_side::ENTRY,
+    formula::IMPLICIT,
+    formula::POLAR,
+    distance::ENTRY,
+    polyline::FLAT,
+    polyline::INTERPOLATED,
+    textbook::DOUBLE,
+    textbook::SINGLE,
+];
+
+/// For methods without a number of pieces that apply everywhere.
+fn always(_: &Case, _: Effort) -> Vec<Option<usize>> {
+    vec![None]
+}

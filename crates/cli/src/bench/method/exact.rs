@@ -1,0 +1,132 @@
+//! The engine on the table's own pieces: what `billiards run` does.
+
+use billiards::geometry::tables::SpatialTable;
+use billiards::geometry::{Homogeneous, Table, Walls, WithWalls};
+use billiards::{Billiard, Clock, Conserved, Orbit, Outcome, Rolling, Stop};
+
+use super::super::case::{Case, Space};
+use super::super::law::Law;
+use super::super::state::{State, first};
+use super::{End, Entry, Method, always};
+use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Until};
+
+pub(super) const ENTRY: Entry = Entry {
+    name: "exact",
+    summary: "the engine on exact pieces, one orbit at a time",
+    sizes: always,
+    build: |case, law, _| Ok(build(case, law)),
+};
+
+pub(super) fn build(case: &Case, law: Law) -> Box<dyn Method> {
+    match &case.space {
+        Space::Plane(table) => Box::new(Plane { table: table.clone(), law: law.planar() }),
+        Space::Room(table) => Box::new(Room { table: table.clone(), law: law.spatial() }),
+    }
+}
+
+/// The engine on a planar table.
+pub(super) struct Plane {
+    pub(super) table: Table,
+    pub(super) law: PlanarLaw,
+}
+
+/// The engine on a table in space.
+struct Room {
+    table: SpatialTable,
+    law: SpatialLaw,
+}
+
+/// Something to be done with an engine, whatever its walls.
+struct On<'a, L, A> {
+    law: &'a L,
+    then: A,
+}
+
+impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, PlanarLaw, A> {
+    type Output = R;
+    fn run<W: Walls<2>>(self, walls: &W) -> R {
+        (self.then)(&Billiard { walls, law: self.law })
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
+        (self.then)(&Rolling { walls, law: self.law })
+    }
+}
+
+impl<R, A: FnOnce(&dyn Engine<3, 3, ()>) -> R> WithWalls<3> for On<'_, SpatialLaw, A> {
+    type Output = R;
+    fn run<W: Walls<3>>(self, walls: &W) -> R {
+        (self.then)(&Billiard { walls, law: self.law })
+    }
+}
+
+/// Runs something with the engine for a planar table.
+pub(in crate::bench) fn with_engine<R>(
+    table: &Table,
+    law: &PlanarLaw,
+    then: impl FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R,
+) -> R {
+    table.with_walls(On { law, then })
+}
+
+impl Method for Plane {
+    fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
+        with_engine(&self.table, &self.law, |engine| trace(engine, start, stops, look))
+    }
+    fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
+        with_engine(&self.table, &self.law, |engine| bulk(engine, starts, collisions))
+    }
+}
+
+impl Method for Room {
+    fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
+        self.table
+            .with_walls(On { law: &self.law, then: |engine: &dyn Engine<3, 3, ()>| trace(engine, start, stops, look) })
+    }
+    fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
+        self.table
+            .with_walls(On { law: &self.law, then: |engine: &dyn Engine<3, 3, ()>| bulk(engine, starts, collisions) })
+    }
+}
+
+/// An orbit at its start.
+pub(in crate::bench) fn orbit<const N: usize, const S: usize>(start: &State<f64>) -> Bare<N, S>
+where
+    Conserved<f64, N>: billiards::EnergyKeeper<f64, N, S>,
+{
+    Orbit::new(first(&start.position), first(&start.velocity), first(&start.spin), Clock::new(0.0))
+}
+
+fn until(collisions: u64) -> Until {
+    Until { collisions, time: f64::INFINITY }
+}
+
+/// Runs one orbit and shows its state on the way.
+pub(in crate::bench) fn trace<const N: usize, const S: usize, T>(
+    engine: &dyn Engine<N, S, T>,
+    start: &State<f64>,
+    stops: &[u64],
+    look: &mut dyn FnMut(usize, &State<f64>),
+) -> End {
+    let mut orbit = orbit::<N, S>(start);
+    let mut done = 0;
+    for (k, &stop) in stops.iter().enumerate() {
+        let Outcome { stop: why, .. } = engine.bare(&mut orbit, until(stop - done));
+        match why {
+            Stop::Finished => {}
+            Stop::Corner => return End::Corner,
+            _ => return End::Lost(why),
+        }
+        done = stop;
+        look(k, &State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin));
+    }
+    End::Whole
+}
+
+/// Runs each start for so many collisions.
+pub(super) fn bulk<const N: usize, const S: usize, T>(
+    engine: &dyn Engine<N, S, T>,
+    starts: &[State<f64>],
+    collisions: u64,
+) -> u64 {
+    starts.iter().map(|start| engine.bare(&mut orbit::<N, S>(start), until(collisions)).collisions).sum()
+}

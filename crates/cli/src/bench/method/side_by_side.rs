@@ -1,0 +1,97 @@
+//! The engine on the table's own pieces, many orbits in the lanes of vector registers.
+
+use super::super::case::{Case, Space};
+use super::super::law::Law;
+use super::super::state::{State, first};
+use super::{End, Entry, Method, always, exact};
+use crate::simulation::{PlanarLaw, SpatialLaw};
+use billiards::geometry::tables::SpatialTable;
+use billiards::geometry::{Walls, WithWalls};
+use billiards::{Billiard, Conserve, Finished, Planar, Start, run_side_by_side};
+
+pub(super) const ENTRY: Entry = Entry {
+    name: "exact, side by side",
+    summary: "the same bits, many orbits at a time in vector registers",
+    sizes: always,
+    build: |case, law, _| Ok(build(case, law)),
+};
+
+fn build(case: &Case, law: Law) -> Box<dyn Method> {
+    let alone = exact::build(case, law);
+    match &case.space {
+        Space::Plane(table) => Box::new(Plane { alone, billiard: Planar { table: table.clone(), law: law.planar() } }),
+        Space::Room(table) => Box::new(Room { alone, table: table.clone(), law: law.spatial() }),
+    }
+}
+
+/// Orbits of the same bits as those run alone.
+struct Plane {
+    alone: Box<dyn Method>,
+    billiard: Planar<PlanarLaw>,
+}
+
+struct Room {
+    alone: Box<dyn Method>,
+    table: SpatialTable,
+    law: SpatialLaw,
+}
+
+/// Enough orbits to keep all lanes of all vectors busy.
+const ORBITS: usize = 512;
+
+/// The starts, again and again until there are enough.
+fn many<const N: usize, const S: usize>(starts: &[State<f64>]) -> impl Iterator<Item = Start<N, S>> {
+    let start =
+        |s: &State<f64>| Start { position: first(&s.position), velocity: first(&s.velocity), spin: first(&s.spin) };
+    starts.iter().map(start).cycle().take(ORBITS.max(starts.len()))
+}
+
+/// So many each that the total is about that of the starts alone.
+fn share(starts: &[State<f64>], collisions: u64) -> u64 {
+    (collisions * starts.len() as u64 / ORBITS.max(starts.len()) as u64).max(1)
+}
+
+impl Method for Plane {
+    fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
+        self.alone.trace(start, stops, look)
+    }
+    fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
+        let mut made = 0;
+        let mut finished = |f: Finished<2, 1, ()>| made += f.outcome.collisions;
+        let each = share(starts, collisions);
+        self.billiard.run_side_by_side::<Conserve, ()>(&mut many(starts), each, &mut finished);
+        made
+    }
+}
+
+impl Method for Room {
+    fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
+        self.alone.trace(start, stops, look)
+    }
+    fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
+        let mut made = 0;
+        let on = On {
+            law: &self.law,
+            starts: &mut many(starts),
+            collisions: share(starts, collisions),
+            finished: &mut |f| made += f.outcome.collisions,
+        };
+        self.table.with_walls(on);
+        made
+    }
+}
+
+struct On<'a> {
+    law: &'a SpatialLaw,
+    starts: &'a mut dyn Iterator<Item = Start<3, 3>>,
+    collisions: u64,
+    finished: &'a mut dyn FnMut(Finished<3, 3, ()>),
+}
+
+impl WithWalls<3> for On<'_> {
+    type Output = ();
+    fn run<W: Walls<3>>(self, walls: &W) {
+        let billiard = Billiard { walls, law: self.law };
+        run_side_by_side::<Conserve, (), _, 3, 3>(&billiard, self.starts, self.collisions, self.finished);
+    }
+}
