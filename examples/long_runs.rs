@@ -28,8 +28,8 @@ fn main() -> Result<(), Error> {
         let drifts = long::drifts(&case, 8, &checkpoints);
         let (last, exponent) = (drifts[drifts.len() - 1], long::exponent(&checkpoints, &drifts));
         println!("  {:<54} {last:.1e}, like N^{exponent:.2}", case.name);
-        // ten digits of fifteen, whatever the length
-        assert!(last < 1e-10 * (1.0 + count as f64 * 1e-7), "{}", case.name);
+        // less than half an ulp per collision
+        assert!(last < 1e-12 + 1e-16 * count as f64, "{}", case.name);
     }
     println!("largest relative drift of the energy in {count} collisions");
     for (name, billiard) in long::energies()? {

@@ -84,7 +84,8 @@ fn on_chaotic_tables_twins_part_at_the_horizon() {
         }
         assert!(compared > 12, "{name}: {compared}");
         let mean = ratios / f64::from(compared);
-        assert!((0.85..1.15).contains(&mean), "{name}: {mean}");
+        // a bound that is a thousand times the one ulp of the twins comes ln(10³) of ln(2⁵²) too early: 0.8
+        assert!((0.75..1.1).contains(&mean), "{name}: {mean}");
     }
 }
 

@@ -6,7 +6,7 @@ use crate::{
 };
 use nalgebra::Vector2;
 
-/// Corners that turn by less than this (radians) are smooth joints.
+/// Corners that turn by less than this (radians) are smooth joints, whose normals differ by rounding of their vertices.
 const SMOOTH: f64 = 1e-9;
 
 /// The measures of a table.

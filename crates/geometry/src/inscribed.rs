@@ -62,7 +62,7 @@ impl Field {
     /// The distance from the boundary, negative outside the table.
     fn distance(&self, point: &Vector2<f64>) -> f64 {
         let Some((d, _)) = self.0.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
-        // at a shared vertex the piece that the point faces decides
+        // at a shared vertex, equally far but for rounding, the piece that the point faces decides
         let mut facing = 0.0_f64;
         for foot in self.feet(point, d * (1.0 + 1e-12)) {
             let off = point - foot.point;
@@ -126,6 +126,7 @@ fn best_step(walls: &[Vector3<f64>], limit: f64) -> Vector2<f64> {
                 let Some(inverse) = matrix.try_inverse() else { continue };
                 let found = inverse * Vector3::new(rows[i].1, rows[j].1, rows[k].1);
                 let step = Vector2::new(found.x, found.y);
+                // the solution of three equations is on the limit to rounding where one of them is that limit
                 if step.amax() <= limit * (1.0 + 1e-12) && value(&step) > best.0 {
                     best = (value(&step), step);
                 }

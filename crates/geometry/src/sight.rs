@@ -9,7 +9,8 @@ use crate::{
 use core::cell::Cell;
 use nalgebra::Vector2;
 
-/// Lines that meet a wall at less than this angle (radians) may be on either side of it.
+/// Lines that meet a wall at less than this angle (radians) may be on either side of it: a touch is known to the root of
+/// rounding, 10⁻⁸, only.
 const GRAZING: f64 = 1e-6;
 
 /// Tries to find a line of sight that grazes nothing and meets no vertex.

@@ -16,7 +16,8 @@ use crate::{
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A meeting at an end, of directions that differ by less than this, says nothing about sides.
+/// A meeting at an end, of directions that differ by less than this (radians), says nothing about sides: where curves touch
+/// is known to the root of rounding, 10⁻⁸, only.
 const TANGENT: f64 = 1e-6;
 
 /// A place where a moved piece is cut.

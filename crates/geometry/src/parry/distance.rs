@@ -171,6 +171,7 @@ impl<const N: usize> Distance<N> {
         /// A foot off by this fraction of the height turns the normal by as much times h·κ.
         const AT: f64 = 1e-13;
         let mut h = self.size / 8.0;
+        // lower down a normal by difference has fewer digits than the guess
         while h > 1e-6 * self.size {
             let mut normal = guess;
             let mut before = f64::INFINITY;
@@ -225,6 +226,7 @@ impl<const N: usize> Distance<N> {
             if height.is_nan() {
                 return None;
             }
+            // so high, the difference of point and foot still has ten digits
             if height > 1e-6 * self.size {
                 up = Some((y - probe.foot) / height);
             } else if up.is_none() || height <= rounding {
@@ -265,6 +267,7 @@ impl<const N: usize> Distance<N> {
             if s > leave {
                 return None;
             }
+            // smaller balls would know their height to half of their digits only
             h = h.max(1e-9 * self.size);
         }
         Some(s / speed)
@@ -287,6 +290,7 @@ impl<const N: usize> Distance<N> {
 
     /// The stretch of the path inside of the box around the shape.
     fn through_box(&self, start: &SVector<f64, N>, along: &SVector<f64, N>) -> Option<[f64; 2]> {
+        // more than any rounding of the box, less than would cost a step
         let margin = 1e-6 * self.size;
         let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
         for i in 0..N {

@@ -146,6 +146,7 @@ impl<const N: usize> Distance<N> {
         let (foot, inside) = self.field.project(y);
         let w = y - foot;
         let distance = w.norm();
+        // from here on the difference of point and foot has lost no more than three digits
         let sure = 1e-3 * self.size;
         let signed = if inside { -distance } else { distance };
         let raw = (Probe { distance: signed, foot }, w / signed);

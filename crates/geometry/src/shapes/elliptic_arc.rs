@@ -47,6 +47,7 @@ impl EllipticArc {
         let ends = [a, b].map(|vertex| ellipse.eccentric(&vertex));
         let [ra, rb] = ends.map(|y| libm::hypot(y[0], y[1]));
         for r in [ra, rb] {
+            // in units of the semi-axes; where the place is far off, as much as coordinates there are rounded
             let tolerance = 1e-9_f64.max(ellipse.unit().slack);
             if (r - 1.0).abs() > tolerance || r.is_nan() {
                 return Err(Error::OffCircle { start: r, end: 1.0 });

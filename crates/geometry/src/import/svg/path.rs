@@ -226,7 +226,7 @@ pub(super) fn center(
     let square = d.norm_squared();
     let scale = square.sqrt().max(1.0);
     let radii = radii.map(|r| r * scale);
-    // half a circle to within rounding: the centre is the middle
+    // half a circle to within the rounding of a drawing's decimals: the centre is the middle
     let height = if square > 1.0 - 1e-12 { 0.0 } else { ((1.0 - square) / square).sqrt() };
     let height = if large == sweep { -height } else { height };
     let c = Vector2::new(d.y * height * radii[0], -d.x * height * radii[1]);

@@ -87,6 +87,7 @@ impl<F: PolarFormula> Polar<F> {
             greatest = greatest.max(r.high);
         }
         let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
+        // the angle 2π is rounded, and formulas may turn it by some multiple; a jump that anybody sees is no rounding
         if (start - end).abs() > 1e-9 * greatest || end.is_nan() {
             return Err(Error::Parameter { name: "r(2π)", must: "equal to r(0)", value: end });
         }
