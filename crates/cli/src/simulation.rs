@@ -30,6 +30,10 @@ use crate::record::{self, Columns};
 use crate::scene::{Limit, Scene};
 use crate::whole_file::WholeFile;
 
+pub(crate) use engine::{Bare, Engine, PlanarTrail, Until};
+pub(crate) use law::{PlanarLaw, SpatialLaw};
+pub(crate) use summary::host;
+
 use harvest::{Harvest, Seen, Totals};
 use look::{Flat, Solid};
 use planar::Planar;
@@ -38,10 +42,7 @@ use spatial::Spatial;
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub(crate) use describe::{point, short};
-pub(crate) use engine::{Bare, Engine, PlanarTrail, Until};
-pub(crate) use law::{PlanarLaw, SpatialLaw};
 pub use summary::Summary;
-pub(crate) use summary::host;
 
 /// A scene whose table is built and whose starts are checked.
 #[derive(Debug)]
