@@ -10,9 +10,25 @@ use lanes::Lane;
 pub trait BallLaw<const N: usize, const S: usize>: Sync {
     /// Turns the velocity and the spin before a collision into those after it.
     fn collide<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], spin: &mut [F; S]);
+
+    /// The same in the plane, for the normal and the tangential component of the velocity in the frame of a hit with
+    /// unit normal `n` and tangent `J n`.
+    ///
+    /// A law that knows its map in this frame answers without a detour through the coordinates of the plane.
+    #[inline(always)]
+    fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; S])
+    where
+        Self: BallLaw<2, S>,
+    {
+        let [n1, n2] = hit.normal;
+        let [vn, vt] = *velocity;
+        let mut v = [vn * n1 - vt * n2, vn * n2 + vt * n1];
+        BallLaw::<2, S>::collide(self, hit, &mut v, spin);
+        *velocity = [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2];
+    }
 }
 
-/// Walls and a law: the billiard map.
+/// Walls and a law: the billiard map, in the coordinates of the plane or of space.
 #[derive(Clone, Copy, Debug)]
 pub struct Billiard<'a, W, L> {
     /// What can be hit.
@@ -21,31 +37,61 @@ pub struct Billiard<'a, W, L> {
     pub law: &'a L,
 }
 
-impl<W, L> Billiard<'_, W, L> {
-    /// The flight from where the orbit is to its next hit.
-    #[inline(always)]
-    pub fn flight<F: Lane, const N: usize, const S: usize, K, T>(&self, orbit: &Orbit<F, N, S, K, T>) -> WallHit<F, N>
-    where
-        W: Walls<N>,
-    {
-        self.walls.first_hit(&orbit.position, &orbit.velocity)
-    }
+/// How an orbit gets from one collision to the next.
+///
+/// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
+pub trait Motion<const N: usize, const S: usize> {
+    /// What is carried from collision to collision besides the orbit.
+    type Carried<F: Lane>: Copy;
+    /// What a flight finds out besides the hit.
+    type Arrival<F: Lane>: Copy;
 
-    /// Moves the orbit to the hit and through the collision there.
-    #[inline(always)]
-    pub fn collide<F: Lane, const N: usize, const S: usize, K, T>(
+    /// Orbits that start from anywhere, as many as `zero` has lanes.
+    fn start<F: Lane>(&self, zero: F) -> Self::Carried<F>;
+    /// Other orbits start in the lanes `new`.
+    fn restart<F: Lane>(&self, carried: &mut Self::Carried<F>, new: F::Mask);
+    /// The flight from where the orbit is to its next hit.
+    fn flight<F: Lane, K, T>(
+        &self,
+        orbit: &Orbit<F, N, S, K, T>,
+        carried: &Self::Carried<F>,
+    ) -> (WallHit<F, N>, Self::Arrival<F>);
+    /// Moves the orbit to the hit and through the collision there. Returns the square of the normal speed on arrival.
+    fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
         &self,
         orbit: &mut Orbit<F, N, S, K, T>,
+        carried: &mut Self::Carried<F>,
         hit: &WallHit<F, N>,
-    ) where
-        L: BallLaw<N, S>,
-        K: EnergyKeeper<F, N, S>,
-        T: Track<F, N, S>,
-    {
+        arrival: &Self::Arrival<F>,
+    ) -> F;
+}
+
+impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
+    type Carried<F: Lane> = ();
+    type Arrival<F: Lane> = ();
+
+    fn start<F: Lane>(&self, _: F) {}
+    fn restart<F: Lane>(&self, (): &mut (), _: F::Mask) {}
+    #[inline(always)]
+    fn flight<F: Lane, K, T>(&self, orbit: &Orbit<F, N, S, K, T>, (): &()) -> (WallHit<F, N>, ()) {
+        (self.walls.first_hit(&orbit.position, &orbit.velocity), ())
+    }
+    #[inline(always)]
+    fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
+        &self,
+        orbit: &mut Orbit<F, N, S, K, T>,
+        (): &mut (),
+        hit: &WallHit<F, N>,
+        (): &(),
+    ) -> F {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         orbit.position = hit.point;
-        orbit.keeper.arrive(&mut orbit.velocity);
+        let mut normal_speed = orbit.velocity[0] * hit.normal[0];
+        for i in 1..N {
+            normal_speed = normal_speed + orbit.velocity[i] * hit.normal[i];
+        }
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
-        orbit.keeper.leave(&orbit.velocity, &orbit.spin, hit);
+        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit);
+        normal_speed * normal_speed * hit.inverse_square
     }
 }

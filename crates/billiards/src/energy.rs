@@ -1,21 +1,32 @@
 //! Keeping the energy of long orbits to the last digit.
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
-//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. [`Conserved`] computes the energy of the outgoing velocity
-//! with an error of about 2⁻⁷⁵, and hands what is missing to the **normal** component of the next incoming velocity
-//! (to the velocity as a whole where it grazes the wall). The correction is one collision late so that it is computed beside the search for the next hit and not after it.
+//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, [`Conserved`] computes the energy
+//! with an error of about 2⁻⁷⁵ and hands what is missing to the **normal** component of the outgoing velocity, from
+//! where the law took it (to the velocity as a whole where it grazes the wall). The error of the energy is then that of
+//! at most [`BEAT`] collisions, and the work that of a fraction of one.
 use crate::orbit::square_speed;
 use geometry::WallHit;
 use lanes::{Lane, Mask};
+
+/// The energy is restored after so many collisions.
+///
+/// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √8 times that, whatever the number
+/// of collisions.
+pub const BEAT: u32 = 8;
 
 /// What happens to the energy of an orbit besides the law.
 pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// For an orbit that starts with this velocity and spin.
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self;
-    /// Corrects the velocity that arrives at a collision.
-    fn arrive(&self, velocity: &mut [F; N]);
-    /// Sees the velocity and the spin that leave it.
-    fn leave(&mut self, velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
+    /// Sees the velocity and the spin that leave a collision, and may correct the velocity.
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>);
+    /// The same for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
+    /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]);
+    /// In how many collisions from now an orbit in another lane may begin: it must not change when this one's energy
+    /// is restored.
+    fn until_beat(&self) -> u64;
     /// Takes over the lanes of another keeper where `mask` is true.
     fn replace(&mut self, mask: F::Mask, by: &Self);
 }
@@ -27,9 +38,12 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn new(_: &[F; N], _: &[F; S]) -> Self {}
     #[inline(always)]
-    fn arrive(&self, _: &mut [F; N]) {}
+    fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>) {}
     #[inline(always)]
-    fn leave(&mut self, _: &[F; N], _: &[F; S], _: &WallHit<F, N>) {}
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S]) {}
+    fn until_beat(&self) -> u64 {
+        0
+    }
     fn replace(&mut self, _: F::Mask, (): &Self) {}
 }
 
@@ -43,7 +57,8 @@ pub struct Conserved<F, const N: usize> {
     low: F,
     /// A normal speed whose square is below this grazes; a speed below it has next to no energy to correct.
     grazing: F,
-    correction: [F; N],
+    /// Collisions since the energy was restored, in all lanes alike.
+    beat: u32,
 }
 
 /// `|v|² + |w|²` as an exact sum of rounded squares and a small rest.
@@ -78,16 +93,39 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             libm::ldexp(3.0, exponent + 25)
         });
         let (high, low) = precise_square(grid, velocity, spin);
-        Conserved { grid, high, low, grazing: square * 1e-3, correction: [grid.same(0.0); N] }
+        Conserved { grid, high, low, grazing: square * 1e-3, beat: 0 }
     }
     #[inline(always)]
-    fn arrive(&self, velocity: &mut [F; N]) {
-        for i in 0..N {
-            velocity[i] = velocity[i] + self.correction[i];
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>) {
+        self.beat += 1;
+        if self.beat == BEAT {
+            self.beat = 0;
+            self.restore(velocity, spin, hit);
         }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
+        self.beat += 1;
+        if self.beat == BEAT {
+            self.beat = 0;
+            self.restore_in_frame(velocity, spin);
+        }
+    }
+    fn until_beat(&self) -> u64 {
+        u64::from((BEAT - self.beat) % BEAT)
+    }
+    fn replace(&mut self, mask: F::Mask, by: &Self) {
+        self.grid = mask.select(by.grid, self.grid);
+        self.high = mask.select(by.high, self.high);
+        self.low = mask.select(by.low, self.low);
+        self.grazing = mask.select(by.grazing, self.grazing);
+    }
+}
+
+impl<F: Lane, const N: usize> Conserved<F, N> {
+    /// Hands what the energy lacks to the velocity.
+    #[inline(always)]
+    fn restore<const S: usize>(&self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>) {
         let normal = &hit.normal;
         let (mut vn, mut square) = (velocity[0] * normal[0], velocity[0] * velocity[0]);
         for i in 1..N {
@@ -102,16 +140,29 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         let (high, low) = precise_square(self.grid, velocity, spin);
         let add = ((self.high - high) + (self.low - low)) * share;
         for i in 0..N {
-            self.correction[i] = add * steep.select(normal[i], velocity[i]);
+            velocity[i] = velocity[i] + add * steep.select(normal[i], velocity[i]);
         }
     }
-    fn replace(&mut self, mask: F::Mask, by: &Self) {
-        self.grid = mask.select(by.grid, self.grid);
-        self.high = mask.select(by.high, self.high);
-        self.low = mask.select(by.low, self.low);
-        self.grazing = mask.select(by.grazing, self.grazing);
-        for i in 0..N {
-            self.correction[i] = mask.select(by.correction[i], self.correction[i]);
+
+    /// Hands what the energy lacks to the tangential velocity and the spin.
+    #[inline(always)]
+    fn restore_in_frame<const S: usize>(&self, velocity: &mut [F; N], spin: &mut [F; S]) {
+        let mut square = velocity[1] * velocity[1];
+        for x in &velocity[2..] {
+            square = square + *x * *x;
+        }
+        for w in &*spin {
+            square = square + *w * *w;
+        }
+        let zero = square.same(0.0);
+        let (high, low) = precise_square(self.grid, velocity, spin);
+        let share = self.grazing.lt(square).select(zero.same(0.5), zero) / square.max(self.grazing);
+        let add = ((self.high - high) + (self.low - low)) * share;
+        for x in &mut velocity[1..] {
+            *x = *x + *x * add;
+        }
+        for w in spin {
+            *w = *w + *w * add;
         }
     }
 }

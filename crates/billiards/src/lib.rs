@@ -9,6 +9,7 @@
 //!   vector registers, with the same bits. [`Planar`] and [`Spatial`] choose the fastest walls for a table.
 //! * [`laws`]: laws of [`collision_laws`] as the loop applies them; [`laws::Custom`] runs any of them, yours included.
 //! * [`observe`]: measurements that watch a run, alone or several together, and may stop it.
+//! * [`Horizon`]: up to where rounding has left digits of an orbit.
 //! * [`ReducedState`]: arc length, spin and tangential velocity; the billiard map and its inverse.
 //! * [`Ensemble`] and [`Starts`]: many orbits on the canonical measure, the same whatever the number of threads.
 //!
@@ -19,6 +20,7 @@ mod billiard;
 mod energy;
 mod ensemble;
 mod error;
+mod horizon;
 pub mod laws;
 mod merge;
 pub mod observe;
@@ -26,6 +28,7 @@ mod orbit;
 mod planar;
 mod reduced;
 mod reverse;
+mod rolling;
 mod run;
 mod side_by_side;
 mod spatial;
@@ -33,18 +36,20 @@ mod start;
 mod track;
 mod tracked;
 
-pub use billiard::{BallLaw, Billiard};
+pub use billiard::{BallLaw, Billiard, Motion};
 pub use collision_laws;
-pub use energy::{Conserved, EnergyKeeper, Free};
+pub use energy::{BEAT, Conserved, EnergyKeeper, Free};
 pub use ensemble::Ensemble;
 pub use error::Error;
 pub use geometry;
+pub use horizon::{Bend, Bounce, Felt, Horizon, Moving};
 pub use merge::Merge;
 pub use observe::Observer;
 pub use orbit::Orbit;
 pub use planar::Planar;
 pub use reduced::ReducedState;
 pub use reverse::reverse;
+pub use rolling::{Frame, Rolling};
 pub use run::{Collision, Collisions, Limit, Outcome, Stop, Time, run};
 pub use side_by_side::{Conserve, Finished, Forget, Keeping, Start, Tracking, run_side_by_side};
 pub use spatial::Spatial;

@@ -4,12 +4,13 @@ use crate::{
     energy::EnergyKeeper,
     observe::Observer,
     orbit::Orbit,
+    rolling::Rolling,
     run::{Limit, Outcome, run},
     side_by_side::{Finished, Keeping, Start, Tracking, run_side_by_side},
     track::Track,
 };
 use core::marker::PhantomData;
-use geometry::{Table, Walls, WithWalls};
+use geometry::{Homogeneous, Table, Walls, WithWalls};
 
 /// A table and a disk's law. The centre of the disk moves in the table as a point.
 #[derive(Clone, Debug)]
@@ -74,7 +75,11 @@ where
     type Output = ();
     fn run<W: Walls<2>>(self, walls: &W) {
         let billiard = Billiard { walls, law: self.law };
-        run_side_by_side::<P, Q, _, _, 2, 1>(&billiard, self.starts, self.collisions, self.finished);
+        run_side_by_side::<P, Q, _, 2, 1>(&billiard, self.starts, self.collisions, self.finished);
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) {
+        let billiard = Rolling { walls, law: self.law };
+        run_side_by_side::<P, Q, _, 2, 1>(&billiard, self.starts, self.collisions, self.finished);
     }
 }
 
@@ -96,5 +101,8 @@ where
     type Output = Outcome;
     fn run<W: Walls<2>>(self, walls: &W) -> Outcome {
         run(&Billiard { walls, law: self.law }, self.orbit, self.limit, self.observer)
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> Outcome {
+        run(&Rolling { walls, law: self.law }, self.orbit, self.limit, self.observer)
     }
 }

@@ -1,13 +1,13 @@
 //! The engine's loop.
 use crate::{
-    billiard::{BallLaw, Billiard},
+    billiard::Motion,
     energy::EnergyKeeper,
     observe::Observer,
     orbit::{Orbit, square_speed},
     track::{Timed, Track},
 };
 use core::ops::ControlFlow;
-use geometry::{WallHit, Walls};
+use geometry::WallHit;
 use lanes::Task;
 
 /// How long an orbit runs.
@@ -104,15 +104,14 @@ pub(crate) const MOST_IDLE: u32 = 64;
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
 /// Runs an orbit from collision to collision until the limit, an observer or physics ends it.
-pub fn run<W, L, const N: usize, const S: usize, K, T, O>(
-    billiard: &Billiard<'_, W, L>,
+pub fn run<B, const N: usize, const S: usize, K, T, O>(
+    billiard: &B,
     orbit: &mut Orbit<f64, N, S, K, T>,
     limit: &impl Limit<T>,
     observer: &mut O,
 ) -> Outcome
 where
-    W: Walls<N>,
-    L: BallLaw<N, S>,
+    B: Motion<N, S>,
     K: EnergyKeeper<f64, N, S>,
     T: Track<f64, N, S> + Clone,
     O: Observer<N, S, K, T>,
@@ -121,17 +120,16 @@ where
 }
 
 /// The arguments of [`run`], to be run by code for the instruction set at hand.
-struct Run<'a, W, L, const N: usize, const S: usize, K, T, M, O> {
-    billiard: &'a Billiard<'a, W, L>,
+struct Run<'a, B, const N: usize, const S: usize, K, T, M, O> {
+    billiard: &'a B,
     orbit: &'a mut Orbit<f64, N, S, K, T>,
     limit: &'a M,
     observer: &'a mut O,
 }
 
-impl<W, L, const N: usize, const S: usize, K, T, M, O> Task for Run<'_, W, L, N, S, K, T, M, O>
+impl<B, const N: usize, const S: usize, K, T, M, O> Task for Run<'_, B, N, S, K, T, M, O>
 where
-    W: Walls<N>,
-    L: BallLaw<N, S>,
+    B: Motion<N, S>,
     K: EnergyKeeper<f64, N, S>,
     T: Track<f64, N, S> + Clone,
     M: Limit<T>,
@@ -146,9 +144,11 @@ where
         let orbit = &mut orbit;
         let slow = GRAZING * GRAZING * square_speed(&orbit.velocity, &orbit.spin);
         let mut n = 0;
-        let mut idle = 0;
+        // flights of no length in a row, and the number of the last one
+        let (mut idle, mut idle_at) = (0, 0);
+        let mut carried = billiard.start(0.0);
         let stop = loop {
-            let hit = billiard.flight(orbit);
+            let (hit, arrival) = billiard.flight(orbit, &carried);
             if limit.is_beyond(n + 1, &orbit.track, hit.time) {
                 break Stop::Finished;
             }
@@ -158,17 +158,19 @@ where
             if hit.corner {
                 break Stop::Corner;
             }
-            idle = if hit.time > 0.0 { 0 } else { idle + 1 };
-            if idle > MOST_IDLE {
-                break Stop::Stalled;
+            if !(hit.time > 0.0) {
+                idle = if idle_at == n { idle + 1 } else { 1 };
+                idle_at = n + 1;
+                if idle > MOST_IDLE {
+                    break Stop::Stalled;
+                }
             }
-            billiard.collide(orbit, &hit);
+            let square = billiard.collide(orbit, &mut carried, &hit, &arrival);
             n += 1;
             if let ControlFlow::Break(()) = observer.collision(&Collision { n, hit: &hit, orbit }) {
                 break Stop::Observer;
             }
-            let normal_speed: f64 = (0..N).map(|i| orbit.velocity[i] * hit.normal[i]).sum();
-            if normal_speed * normal_speed * hit.inverse_square <= slow {
+            if square <= slow {
                 break Stop::Grazing;
             }
         };

@@ -1,13 +1,12 @@
 //! Many orbits side by side: the lanes of vector registers, refilled as orbits end.
 use crate::{
-    billiard::{BallLaw, Billiard},
+    billiard::Motion,
     energy::EnergyKeeper,
     orbit::{Orbit, square_speed},
     run::{GRAZING, MOST_IDLE, Outcome, Stop},
     track::{LaneTrack, Track},
 };
 use core::marker::PhantomData;
-use geometry::{WallHit, Walls};
 use lanes::{Kernel, Lane, Mask};
 
 /// Where an orbit starts.
@@ -82,29 +81,27 @@ impl<const N: usize, const S: usize> Tracking<N, S> for crate::track::Clock {
 ///
 /// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next
 /// start at once, so that one early end or one long life holds nobody up.
-pub fn run_side_by_side<P, Q, W, L, const N: usize, const S: usize>(
-    billiard: &Billiard<'_, W, L>,
+pub fn run_side_by_side<P, Q, B, const N: usize, const S: usize>(
+    billiard: &B,
     starts: &mut dyn Iterator<Item = Start<N, S>>,
     collisions: u64,
     finished: &mut dyn FnMut(Finished<N, S, Q::One>),
 ) where
     P: Keeping<N, S>,
     Q: Tracking<N, S>,
-    W: Walls<N>,
-    L: BallLaw<N, S>,
+    B: Motion<N, S>,
 {
-    // lanes without an orbit of their own repeat the first one
-    let Some(spare) = starts.next() else { return };
-    let starts = &mut core::iter::once(spare).chain(starts);
-    lanes::dispatch(Many::<P, Q, _, _, N, S> { billiard, starts, collisions, finished, spare, keeping: PhantomData });
+    let upcoming = starts.next();
+    lanes::dispatch(Many::<P, Q, _, N, S> { billiard, starts, upcoming, collisions, finished, keeping: PhantomData });
 }
 
-struct Many<'a, P, Q: Tracking<N, S>, W, L, const N: usize, const S: usize> {
-    billiard: &'a Billiard<'a, W, L>,
+struct Many<'a, P, Q: Tracking<N, S>, B, const N: usize, const S: usize> {
+    billiard: &'a B,
     starts: &'a mut dyn Iterator<Item = Start<N, S>>,
+    /// The next of the starts.
+    upcoming: Option<Start<N, S>>,
     collisions: u64,
     finished: &'a mut dyn FnMut(Finished<N, S, Q::One>),
-    spare: Start<N, S>,
     keeping: PhantomData<P>,
 }
 
@@ -114,23 +111,24 @@ const VECTORS: usize = 4;
 const MOST_LANES: usize = 16;
 
 /// One vector of orbits.
-struct Group<F: Lane, const N: usize, const S: usize, K, T> {
+struct Group<F: Lane, const N: usize, const S: usize, K, T, C> {
     orbit: Orbit<F, N, S, K, T>,
+    carried: C,
     /// Square of the normal speed that counts as grazing.
     slow: F,
     lanes: [Seat; MOST_LANES],
 }
 
-/// The group of a run that keeps the energy as `P` says and tracks `Q`.
-type GroupOf<F, const N: usize, const S: usize, P, Q> =
-    Group<F, N, S, <P as Keeping<N, S>>::Keeper<F>, <Q as Tracking<N, S>>::In<F>>;
+/// The group of a run of the motion `B` that keeps the energy as `P` says and tracks `Q`.
+type GroupOf<F, const N: usize, const S: usize, P, Q, B> =
+    Group<F, N, S, <P as Keeping<N, S>>::Keeper<F>, <Q as Tracking<N, S>>::In<F>, <B as Motion<N, S>>::Carried<F>>;
 
 /// Who sits in a lane.
 #[derive(Clone, Copy)]
 struct Seat {
-    /// The orbit's number; none where the starts have run out and the lane idles along.
+    /// The orbit's number; none where the lane idles along, until the next beat or because the starts have run out.
     index: Option<u64>,
-    /// The step with which it ends.
+    /// The step with which it ends, or the beat at which an idle lane gets its next orbit.
     until: u64,
     /// The step it began with.
     since: u64,
@@ -139,25 +137,27 @@ struct Seat {
     idle: u32,
 }
 
-impl<P, Q, W, L, const N: usize, const S: usize> Many<'_, P, Q, W, L, N, S>
+impl<P, Q, B, const N: usize, const S: usize> Many<'_, P, Q, B, N, S>
 where
     P: Keeping<N, S>,
     Q: Tracking<N, S>,
-    W: Walls<N>,
-    L: BallLaw<N, S>,
+    B: Motion<N, S>,
 {
-    /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there.
+    /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there: at a beat of the
+    /// energy keeper, so that each orbit has the beats that it has on its own.
     #[cold]
     #[inline(never)]
     fn change<F: Lane>(
         &mut self,
-        group: &mut GroupOf<F, N, S, P, Q>,
+        group: &mut GroupOf<F, N, S, P, Q, B>,
         next: &mut u64,
         step: u64,
         ended: impl Fn(usize) -> Option<Stop>,
     ) {
         let zero = group.slow.same(0.0);
-        let mut seats = [None; MOST_LANES];
+        let wait = EnergyKeeper::<F, N, S>::until_beat(&group.orbit.keeper);
+        let mut starts = [None; MOST_LANES];
+        let mut idle = [false; MOST_LANES];
         for (lane, seat) in group.lanes.iter_mut().enumerate().take(F::LANES) {
             let Some(stop) = ended(lane) else { continue };
             if let Some(index) = seat.index {
@@ -171,52 +171,57 @@ where
                 };
                 let outcome = Outcome { stop, collisions: step - seat.since };
                 (self.finished)(Finished { index, orbit, outcome });
+            } else if step < seat.until {
+                continue;
             }
-            let start = self.starts.next();
-            seats[lane] = Some(start.unwrap_or(self.spare));
-            let until = if start.is_some() { step + self.collisions } else { u64::MAX };
-            *seat = Seat { index: start.map(|_| *next), until, since: step, idle_at: u64::MAX, idle: 0 };
-            *next += u64::from(start.is_some());
+            *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
+            if self.upcoming.is_some() && wait > 0 {
+                seat.until = step + wait;
+            } else if let Some(start) = self.upcoming.take() {
+                self.upcoming = self.starts.next();
+                (seat.index, seat.until) = (Some(*next), step + self.collisions);
+                *next += 1;
+                starts[lane] = Some(start);
+            }
+            idle[lane] = seat.index.is_none();
         }
-        let pick =
-            |f: &dyn Fn(&Start<N, S>) -> f64| zero.each(|k| seats.get(k).and_then(Option::as_ref).map_or(1.0, f));
-        let position: [F; N] = core::array::from_fn(|i| pick(&|s| s.position[i]));
-        let velocity: [F; N] = core::array::from_fn(|i| pick(&|s| s.velocity[i]));
-        let spin: [F; S] = core::array::from_fn(|i| pick(&|s| s.spin[i]));
-        let mask = zero.lt(zero.each(|k| if seats.get(k).is_some_and(Option::is_some) { 1.0 } else { 0.0 }));
-        let keeper = P::Keeper::<F>::new(&velocity, &spin);
-        let track = Q::In::<F>::all(&Q::start(), zero);
+        let seated = |k: usize| starts.get(k).is_some_and(Option::is_some);
+        let pick = |old: F, f: &dyn Fn(&Start<N, S>) -> f64| {
+            old.each(|k| starts.get(k).and_then(Option::as_ref).map_or_else(|| old.lane(k), f))
+        };
         let o = &mut group.orbit;
-        for i in 0..N {
-            o.position[i] = mask.select(position[i], o.position[i]);
-            o.velocity[i] = mask.select(velocity[i], o.velocity[i]);
-        }
-        for i in 0..S {
-            o.spin[i] = mask.select(spin[i], o.spin[i]);
-        }
-        o.keeper.replace(mask, &keeper);
-        o.track.replace(mask, &track);
-        let slow = square_speed(&velocity, &spin) * (GRAZING * GRAZING);
-        group.slow = mask.select(slow, group.slow);
+        o.position = core::array::from_fn(|i| pick(o.position[i], &|s| s.position[i]));
+        o.velocity = core::array::from_fn(|i| pick(o.velocity[i], &|s| s.velocity[i]));
+        o.spin = core::array::from_fn(|i| pick(o.spin[i], &|s| s.spin[i]));
+        // an idle lane follows an orbit, which has a future
+        let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
+        let follow =
+            |old: F| old.each(|k| if idle.get(k) == Some(&true) { old.lane(model.unwrap_or(k)) } else { old.lane(k) });
+        o.position = o.position.map(follow);
+        o.velocity = o.velocity.map(follow);
+        o.spin = o.spin.map(follow);
+        let new = |k: usize| seated(k) || idle.get(k) == Some(&true);
+        let new = zero.lt(zero.each(|k| if new(k) { 1.0 } else { 0.0 }));
+        o.keeper.replace(new, &P::Keeper::<F>::new(&o.velocity, &o.spin));
+        o.track.replace(new, &Q::In::<F>::all(&Q::start(), zero));
+        let slow = square_speed(&o.velocity, &o.spin) * (GRAZING * GRAZING);
+        group.slow = new.select(slow, group.slow);
+        self.billiard.restart(&mut group.carried, new);
     }
 
     /// One collision of every lane.
     #[inline(always)]
-    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, P, Q>, next: &mut u64, step: u64) {
+    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, P, Q, B>, next: &mut u64, step: u64) {
         let zero = group.slow.same(0.0);
-        let hit: WallHit<F, N> = loop {
-            let hit = self.billiard.flight(&group.orbit);
+        let (hit, arrival) = loop {
+            let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
             let odd = hit.corner | !zero.lt(hit.time) | !hit.time.lt(zero.same(f64::INFINITY));
-            if !odd.any() || !self.look(group, &hit, next, step) {
-                break hit;
+            if !odd.any() || !self.look(group, hit.time, hit.corner, next, step) {
+                break (hit, arrival);
             }
         };
-        self.billiard.collide(&mut group.orbit, &hit);
-        let mut normal_speed = group.orbit.velocity[0] * hit.normal[0];
-        for i in 1..N {
-            normal_speed = normal_speed + group.orbit.velocity[i] * hit.normal[i];
-        }
-        let grazes = !group.slow.lt(normal_speed * normal_speed * hit.inverse_square);
+        let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
+        let grazes = !group.slow.lt(square);
         if grazes.any() {
             self.change(group, next, step + 1, |lane| grazes.at(lane).then_some(Stop::Grazing));
         }
@@ -227,18 +232,22 @@ where
     #[inline(never)]
     fn look<F: Lane>(
         &mut self,
-        group: &mut GroupOf<F, N, S, P, Q>,
-        hit: &WallHit<F, N>,
+        group: &mut GroupOf<F, N, S, P, Q, B>,
+        time: F,
+        corner: F::Mask,
         next: &mut u64,
         step: u64,
     ) -> bool {
         let mut stops = [None; MOST_LANES];
         for (lane, stop) in stops.iter_mut().enumerate().take(F::LANES) {
-            let time = hit.time.lane(lane);
+            let time = time.lane(lane);
             let seat = &mut group.lanes[lane];
+            if seat.index.is_none() {
+                continue;
+            }
             if !(time < f64::INFINITY) {
                 *stop = Some(Stop::Escaped);
-            } else if hit.corner.at(lane) {
+            } else if corner.at(lane) {
                 *stop = Some(Stop::Corner);
             } else if !(time > 0.0) && seat.idle_at != step {
                 seat.idle = if seat.idle_at == step.wrapping_sub(1) { seat.idle + 1 } else { 1 };
@@ -256,12 +265,11 @@ where
     }
 }
 
-impl<P, Q, W, L, const N: usize, const S: usize> Kernel for Many<'_, P, Q, W, L, N, S>
+impl<P, Q, B, const N: usize, const S: usize> Kernel for Many<'_, P, Q, B, N, S>
 where
     P: Keeping<N, S>,
     Q: Tracking<N, S>,
-    W: Walls<N>,
-    L: BallLaw<N, S>,
+    B: Motion<N, S>,
 {
     type Output = ();
     #[inline(always)]
@@ -269,8 +277,12 @@ where
         let mut next = 0;
         let seat = Seat { index: None, until: 0, since: 0, idle_at: u64::MAX, idle: 0 };
         let nobody = Orbit::new([zero; N], [zero.same(1.0); N], [zero; S], Q::In::<F>::all(&Q::start(), zero));
-        let mut groups: [GroupOf<F, N, S, P, Q>; VECTORS] =
-            core::array::from_fn(|_| Group { orbit: nobody.clone(), slow: zero, lanes: [seat; MOST_LANES] });
+        let mut groups: [GroupOf<F, N, S, P, Q, B>; VECTORS] = core::array::from_fn(|_| Group {
+            orbit: nobody.clone(),
+            carried: self.billiard.start(zero),
+            slow: zero,
+            lanes: [seat; MOST_LANES],
+        });
         for group in &mut groups {
             self.change(group, &mut next, 0, |_| Some(Stop::Finished));
         }

@@ -72,3 +72,13 @@ impl From<io::Error> for Failure {
         if error.kind() == io::ErrorKind::BrokenPipe { Self::Closed } else { Self::Work(error.to_string()) }
     }
 }
+
+/// The first Ctrl-C calls `interrupt`, which ends the work and tells whether it was called before; the second ends the program.
+fn on_ctrl_c(interrupt: impl Fn() -> bool + Send + 'static) -> Result<(), Failure> {
+    let handler = move || {
+        if interrupt() {
+            std::process::exit(130);
+        }
+    };
+    ctrlc::set_handler(handler).map_err(|error| Failure::Work(format!("cannot listen to Ctrl-C: {error}")))
+}

@@ -113,7 +113,9 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
         }
         None => law::exactly_one(&mut root, n, problems),
     };
-    let particle = particle::read(root.optional("particle"), n, problems);
+    let laws = law.iter().map(|law| &law.kind).chain(table.iter().flat_map(Table::own_laws));
+    let spins = laws.into_iter().any(|law| *law != LawKind::Specular);
+    let particle = particle::read(root.optional("particle"), n, spins, problems);
     let starts = start::read(&mut root, n, problems);
     let limit = run::read(&mut root, request, problems);
     let output = output::read(root.optional("output"), problems);
@@ -193,7 +195,7 @@ fn direction(item: &document::Item, dimension: usize, problems: &mut Problems) -
     } else if !(document::SMALLEST..=document::LARGEST).contains(&length) {
         problems.add(
             item.span,
-            format!("its length {length:e} is not between {:e} and {:e}", document::SMALLEST, document::LARGEST),
+            format!("its length {length:?} is not between {:?} and {:?}", document::SMALLEST, document::LARGEST),
         );
     } else {
         return Some(vector);

@@ -5,6 +5,7 @@ mod describe;
 mod engine;
 mod event;
 mod harvest;
+mod horizon;
 mod law;
 mod look;
 mod paths;
@@ -42,6 +43,7 @@ use spatial::Spatial;
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub(crate) use describe::{point, short};
+pub use horizon::{Horizons, OfOrbit};
 pub use summary::Summary;
 
 /// A scene whose table is built and whose starts are checked.
@@ -160,6 +162,12 @@ impl Simulation {
             Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
             Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
         };
+        let limit = self.limit();
+        let horizons = match &self.body {
+            Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1]),
+            Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1]),
+        }
+        .map_err(io::Error::other)?;
         let record = self.scene.output.collisions.map(|format| record::path(folder, format));
         let mut files: Vec<PathBuf> = record.into_iter().collect();
         for file in pictures.iter().flat_map(|picture| (picture.draw)(&material)) {
@@ -167,7 +175,7 @@ impl Simulation {
             WholeFile::write(&path, &file.content)?;
             files.push(path);
         }
-        let summary = Summary::new(&self.scene, self.orbits(), &totals, busy, control.threads);
+        let summary = Summary::new(&self.scene, self.orbits(), &totals, horizons, busy, control.threads);
         let path = folder.join("summary.json");
         WholeFile::write(&path, summary.json().as_bytes())?;
         files.insert(0, path);
@@ -234,12 +242,17 @@ impl Simulation {
         Ok(Harvest::new(columns, record, kept.needs, lattice, self.orbits(), seen))
     }
 
-    fn work<'a>(&self, harvest: &Harvest<'_>, control: &'a Control) -> Work<'a> {
-        let (collisions, time) = match self.scene.limit {
+    /// Most collisions and the longest time of an orbit.
+    fn limit(&self) -> (u64, f64) {
+        match self.scene.limit {
             Some(Limit::Collisions(n)) => (n.value, f64::INFINITY),
             Some(Limit::Time(time)) => (u64::MAX, time.value),
             None => (0, f64::INFINITY),
-        };
+        }
+    }
+
+    fn work<'a>(&self, harvest: &Harvest<'_>, control: &'a Control) -> Work<'a> {
+        let (collisions, time) = self.limit();
         Work {
             orbits: self.orbits(),
             collisions,

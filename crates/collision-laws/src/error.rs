@@ -5,7 +5,7 @@
 #[non_exhaustive]
 pub enum Error {
     /// A mass, radius, inertia or `γ²` that is zero, negative, infinite or NaN.
-    #[error("{quantity} must be positive and finite, not {value:e}")]
+    #[error("{quantity} must be positive and finite, not {value:?}")]
     NotPositive {
         /// What was given, in words.
         quantity: &'static str,
@@ -22,13 +22,13 @@ pub enum Error {
     #[error("the normal of the contact plane has no direction: its length is zero")]
     NoNormal,
     /// An inertia tensor or second-moment matrix that differs from its transpose.
-    #[error("the inertia is not symmetric: an entry differs from its mirror image by {defect:e}")]
+    #[error("the inertia is not symmetric: an entry differs from its mirror image by {defect:?}")]
     InertiaNotSymmetric {
         /// Largest `|Aᵢⱼ − Aⱼᵢ|`.
         defect: f64,
     },
     /// An inertia that lets the body spin for free in some plane.
-    #[error("the inertia is not positive: {smallest:e} in one plane of rotation")]
+    #[error("the inertia is not positive: {smallest:?} in one plane of rotation")]
     InertiaNotPositive {
         /// The smallest principal moment of inertia about a 2-plane.
         smallest: f64,
@@ -44,7 +44,7 @@ pub enum Error {
         dimension: usize,
     },
     /// An angular velocity matrix that is not skew.
-    #[error("the spin is not skew: an entry and its mirror image add up to {defect:e}")]
+    #[error("the spin is not skew: an entry and its mirror image add up to {defect:?}")]
     SpinNotSkew {
         /// Largest `|Ωᵢⱼ + Ωⱼᵢ|`.
         defect: f64,
@@ -80,7 +80,7 @@ pub enum Error {
         index: usize,
     },
     /// A coefficient of restitution outside its range.
-    #[error("the {which} restitution must lie in [{least}, 1], not {value:e}")]
+    #[error("the {which} restitution must lie in [{least}, 1], not {value:?}")]
     RestitutionOutOfRange {
         /// `"normal"` or `"tangential"`.
         which: &'static str,
@@ -93,7 +93,7 @@ pub enum Error {
     #[error("both bodies are fixed: there is nothing to collide")]
     BothFixed,
     /// Two bodies that move apart, or slide, at the contact.
-    #[error("the bodies are not approaching: the normal contact velocity is {normal_velocity:e}")]
+    #[error("the bodies are not approaching: the normal contact velocity is {normal_velocity:?}")]
     NotApproaching {
         /// `u·ν`, negative for bodies that approach.
         normal_velocity: f64,

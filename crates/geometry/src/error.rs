@@ -36,7 +36,7 @@ pub enum Error {
     #[error("the sides do not bound a convex polygon of the kind asked for")]
     NotConvex,
     /// A boundary that ends in the middle of nowhere.
-    #[error("the boundary is open: piece {piece} ends {gap:e} away from the nearest start of another piece")]
+    #[error("the boundary is open: piece {piece} ends {gap:?} away from the nearest start of another piece")]
     Open {
         /// The piece that ends.
         piece: usize,
@@ -63,7 +63,7 @@ pub enum Error {
     },
     /// A piece that rounding has used up.
     #[error(
-        "piece {piece} has a length of only {length:e}: its ends coincide within the rounding of their coordinates"
+        "piece {piece} has a length of only {length:?}: its ends coincide within the rounding of their coordinates"
     )]
     TooShort {
         /// The piece.
@@ -86,7 +86,7 @@ pub enum Error {
         piece: usize,
     },
     /// A disk that fits nowhere.
-    #[error("no disk of radius {radius} fits in the table; the largest that does has radius {largest}")]
+    #[error("a disk of radius {radius} has no room to move in the table; its radius must be less than {largest}")]
     NothingLeft {
         /// The radius asked for.
         radius: f64,

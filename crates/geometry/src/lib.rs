@@ -53,4 +53,4 @@ pub use path::Line;
 pub use piece::{Extent, Figure, Landing, Piece};
 pub use sample::{BoundaryPoint, Interior, Perimeter};
 pub use table::Table;
-pub use walls::{WallHit, Walls, WithWalls};
+pub use walls::{Chord, Homogeneous, WallHit, Walls, WithWalls};

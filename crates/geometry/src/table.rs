@@ -4,7 +4,7 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Both, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
     },
 };
 use nalgebra::Vector2;
@@ -184,6 +184,14 @@ impl Table {
         (i, landing)
     }
 
+    /// The curvature \[L⁻¹\] of a piece at a point of it, or on a lattice of a translate of it; 0 for a number beyond the last.
+    pub fn curvature(&self, piece: usize, point: &Vector2<f64>) -> f64 {
+        // on a lattice, of the translate that is there
+        let here = |p: &&Arc<dyn Piece>| (p.closest(point).point - point).norm_squared();
+        let copies = self.nearby.iter().filter(|(number, _)| *number == piece).map(|(_, p)| p);
+        copies.min_by(|a, b| here(a).total_cmp(&here(b))).map_or(0.0, |p| p.curvature(point))
+    }
+
     /// The distance from the boundary \[L\], negative outside the table.
     pub fn signed_distance(&self, point: &Vector2<f64>) -> f64 {
         let (_, landing) = self.closest(point);
@@ -224,23 +232,25 @@ impl Table {
         let all = || self.list(0..self.pieces.len());
         let Some((container, rest)) = self.container() else { return visit.run(&all()) };
         match (container, rest.as_slice()) {
-            (Container::Level(walls), []) => visit.run(&walls),
-            (Container::Upright(walls), []) => visit.run(&walls),
+            (Container::Level(walls), []) => visit.run_homogeneous(&walls),
+            (Container::Upright(walls), []) => visit.run_homogeneous(&walls),
             (Container::Rectangle(walls), []) => visit.run(&walls),
             (Container::Hexagon(walls), []) => visit.run(&walls),
             (Container::Convex(walls), []) => visit.run(&walls),
             (Container::Capsule(walls), []) => visit.run(&walls),
             (Container::RotatedCapsule(walls), []) => visit.run(&walls),
-            (Container::Disk(walls), []) => visit.run(&walls),
+            (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
             (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
-                Some(disk) => visit.run(&Both(walls, disk)),
-                None => visit.run(&Both(walls, self.list([*one]))),
+                Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
+                None => visit.run(&Around { container: walls, obstacles: self.list([*one]) }),
             },
             (Container::Disk(walls), [one]) => match self.scatterer(*one) {
-                Some(disk) => visit.run(&Both(walls, disk)),
-                None => visit.run(&Both(walls, self.list([*one]))),
+                Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
+                None => visit.run(&Around { container: walls, obstacles: self.list([*one]) }),
             },
-            (Container::Rectangle(walls), many) => visit.run(&Both(walls, self.list(many.iter().copied()))),
+            (Container::Rectangle(walls), many) => {
+                visit.run(&Around { container: walls, obstacles: self.list(many.iter().copied()) })
+            }
             _ => visit.run(&all()),
         }
     }

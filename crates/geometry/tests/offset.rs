@@ -149,7 +149,7 @@ fn offsets_of_composite_walls_are_composite() {
         (tables::equilateral(1.0).unwrap(), "ConvexPolygon"),
         (tables::strip(1.0).unwrap(), "Slab"),
         (tables::circle(1.0).unwrap(), "Sphere"),
-        (tables::sinai(1.0, 0.25).unwrap(), "Both"),
+        (tables::sinai(1.0, 0.25).unwrap(), "Around"),
     ];
     for (t, name) in drawn {
         for radius in [1e-6, 0.1, 0.111_111, 0.123_456_789] {
@@ -343,6 +343,23 @@ fn curves_have_parallels() {
     let t = table(pieces);
     assert_eq!(check("ring", &t, 0.4).table.chains().len(), 2);
     check("broken ring", &t, 0.55);
+}
+
+#[test]
+fn rays_meet_parallels_near_their_ends() {
+    // where the offset of an ellipse has lost its tips, a parallel curve bends most near its ends
+    let centres = tables::ellipse([2.0, 1.0]).unwrap().offset(0.9).unwrap().table;
+    let direction = v(0.8, 0.6);
+    for piece in centres.pieces() {
+        for part in [1e-8, 1e-5, 1e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2] {
+            for s in [part * piece.length(), (1.0 - part) * piece.length()] {
+                let aim = piece.point_at(s);
+                let ray = Ray::new(aim - direction * 0.625, direction, true).unwrap();
+                let near = |m: &geometry::Meeting| (m.point - aim).norm() < 1e-13; // a few roundings of coordinates of size 1
+                assert!(geometry::meetings(&ray, &**piece).iter().any(near), "{piece:?} at {s}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -89,6 +89,18 @@ pub trait Lane:
 pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> {
     /// `yes` where true, `no` where false.
     fn select(self, yes: F, no: F) -> F;
+    /// `yes` where true, `no` where false, for several numbers that belong together.
+    ///
+    /// With one lane this is a branch, which the CPU predicts and so goes on without waiting for the numbers; select
+    /// one number at a time where a prediction would mostly fail.
+    #[must_use]
+    #[inline(always)]
+    fn choose<const K: usize>(self, yes: [F; K], no: [F; K]) -> [F; K]
+    where
+        F: Copy,
+    {
+        core::array::from_fn(|i| self.select(yes[i], no[i]))
+    }
     /// Whether any lane is true.
     fn any(self) -> bool;
     /// Whether one lane is true. `lane` must be below [`Lane::LANES`].

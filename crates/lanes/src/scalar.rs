@@ -48,6 +48,16 @@ impl Mask<f64> for bool {
         if self { yes } else { no }
     }
     #[inline(always)]
+    fn choose<const K: usize>(self, yes: [f64; K], no: [f64; K]) -> [f64; K] {
+        if self {
+            // keeps the compiler from turning the branch into a selection
+            core::hint::black_box(());
+            yes
+        } else {
+            no
+        }
+    }
+    #[inline(always)]
     fn any(self) -> bool {
         self
     }

@@ -4,7 +4,10 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
 
 /// As many numbers as a vector register of the instruction set `S` holds.
+///
+/// Aligned to a line of the cache: a register that is kept in two lines takes twice as long to read and to write.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
 pub struct Wide<S: Simd> {
     simd: S,
     value: S::f64s,
@@ -78,6 +81,10 @@ impl<S: Simd> Lane for Wide<S> {
         let s = self.simd;
         let bit = s.splat_f64s(-0.0);
         self.of(s.or_f64s(s.abs_f64s(self.value), s.and_f64s(bit, sign.value)))
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.of(self.simd.max_f64s(self.value, other.value))
     }
     #[inline(always)]
     fn lt(self, other: Self) -> WideMask<S> {

@@ -20,4 +20,9 @@ impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
             velocity[i] = velocity[i] - twice * n[i];
         }
     }
+
+    #[inline(always)]
+    fn collide_in_frame<F: Lane>(&self, _: &WallHit<F, 2>, velocity: &mut [F; 2], _: &mut [F; S]) {
+        velocity[0] = -velocity[0];
+    }
 }

@@ -3,8 +3,8 @@
 use std::io::{self, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -13,7 +13,7 @@ use paper::{Claim, Measurement, claims};
 use super::Failure;
 use crate::args;
 use crate::document::Diagnostic;
-use crate::reproduce::page::{self, Measured};
+use crate::reproduce::page::{self, Drawn, Measured};
 use crate::reproduce::{Effort, Figure, figures};
 use crate::spelling;
 use crate::whole_file::WholeFile;
@@ -55,15 +55,20 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
         return Err(unknown(only, all.map(Job::name)));
     }
     let effort = if arguments.quick { Effort::Quick } else { Effort::Full };
-    let results = in_parallel(&jobs, effort)?;
-    write(&jobs, results, effort, &arguments.out)
-        .map_err(|error| Failure::Work(format!("{}: {error}", arguments.out.display())))?;
-    let (drawn, measured) = jobs.iter().fold((0, 0), |(d, m), job| match job {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    super::on_ctrl_c(move || flag.swap(true, Ordering::Relaxed))?;
+    let done = in_parallel(&jobs, effort, &interrupted)?;
+    let (drawn, measured) = done.iter().fold((0, 0), |(d, m), (job, _)| match job {
         Job::Draw(_) => (d + 1, m),
         Job::Measure(_) => (d, m + 1),
     });
+    let rest = jobs.len() - done.len();
+    write(done, effort, &arguments.out)
+        .map_err(|error| Failure::Work(format!("{}: {error}", arguments.out.display())))?;
     let page = arguments.out.join("index.html");
-    Ok(writeln!(out, "{}: {drawn} figures, {measured} claims", page.display())?)
+    let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
+    Ok(writeln!(out, "{}: {drawn} figures, {measured} claims{missing}", page.display())?)
 }
 
 fn unknown(name: &str, names: impl Iterator<Item = &'static str>) -> Failure {
@@ -86,8 +91,8 @@ fn list(out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Does the jobs on all processors, each on its own, and hands back the results in their order.
-fn in_parallel(jobs: &[Job], effort: Effort) -> Result<Vec<Done>, Failure> {
+/// Does the jobs on all processors, each on its own, and hands back those done in their order: all, unless interrupted.
+fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Result<Vec<(Job, Done)>, Failure> {
     let bar = progress_bar(jobs.len());
     let next = AtomicUsize::new(0);
     let results: Vec<Mutex<Option<Result<Done, String>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
@@ -95,9 +100,9 @@ fn in_parallel(jobs: &[Job], effort: Effort) -> Result<Vec<Done>, Failure> {
     thread::scope(|scope| {
         for _ in 0..threads {
             scope.spawn(|| {
-                while let Some((i, job)) =
-                    Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|i| Some((i, jobs.get(i)?)))
-                {
+                while !interrupted.load(Ordering::Relaxed) {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(job) = jobs.get(i) else { break };
                     bar.set_message(job.name());
                     let result = one(*job, effort);
                     if let Ok(mut slot) = results[i].lock() {
@@ -109,9 +114,9 @@ fn in_parallel(jobs: &[Job], effort: Effort) -> Result<Vec<Done>, Failure> {
         }
     });
     bar.finish_and_clear();
-    let results = results.into_iter().zip(jobs).map(|(slot, job)| {
-        let result = slot.into_inner().ok().flatten().unwrap_or_else(|| Err("it was not finished".into()));
-        result.map_err(|error| Failure::Work(format!("{}: {error}", job.name())))
+    let results = jobs.iter().zip(results).filter_map(|(job, slot)| {
+        let result = slot.into_inner().ok()??;
+        Some(result.map(|done| (*job, done)).map_err(|error| Failure::Work(format!("{}: {error}", job.name()))))
     });
     results.collect()
 }
@@ -133,18 +138,19 @@ fn progress_bar(jobs: usize) -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} passed  {msg}");
+    let style =
+        ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} passed  {msg}; Ctrl-C keeps what is done");
     ProgressBar::new(jobs as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// The pictures, then the claims, then the page that shows them.
-fn write(jobs: &[Job], results: Vec<Done>, effort: Effort, folder: &Path) -> io::Result<()> {
+fn write(results: Vec<(Job, Done)>, effort: Effort, folder: &Path) -> io::Result<()> {
     let (mut drawn, mut measured) = (Vec::new(), Vec::new());
-    for (job, done) in jobs.iter().zip(results) {
+    for (job, done) in results {
         match (job, done) {
             (Job::Draw(figure), Done::Drawn(svg, size)) => {
                 WholeFile::write(&folder.join(format!("{}.svg", figure.name)), svg.as_bytes())?;
-                drawn.push((**figure, size));
+                drawn.push(Drawn { figure: *figure, svg, size });
             }
             (Job::Measure(claim), Done::Measured(measurement)) => measured.push(Measured { claim, measurement }),
             _ => {}

@@ -30,22 +30,12 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let control = Arc::new(Control::new(arguments.threads.map_or(cores, usize::from)));
-    on_ctrl_c(&control)?;
+    let flag = Arc::clone(&control);
+    super::on_ctrl_c(move || flag.interrupted.swap(true, Ordering::Relaxed))?;
     let folder = arguments.folder();
     let done = with_progress(&simulation, &control, || simulation.run(&folder, &control))
         .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;
     Ok(report(&simulation, &done, &folder, out)?)
-}
-
-/// The first Ctrl-C ends the run and keeps what is done, the second one ends the program.
-fn on_ctrl_c(control: &Arc<Control>) -> Result<(), Failure> {
-    let control = Arc::clone(control);
-    ctrlc::set_handler(move || {
-        if control.interrupted.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
-        }
-    })
-    .map_err(|error| Failure::Work(format!("cannot listen to Ctrl-C: {error}")))
 }
 
 /// Does the work, and shows on a terminal how far it is.
@@ -92,6 +82,7 @@ fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Wr
     let seconds = Duration::from_secs_f64(summary.seconds);
     writeln!(out, "  collisions  {} in {seconds:.3?}, {:.1} ns each", summary.collisions, summary.ns_per_collision)?;
     writeln!(out, "  energy      drifts by at most {:.1e} (relative)", summary.energy_drift)?;
+    writeln!(out, "  digits      {}", summary.horizon.in_words())?;
     let names = done.files.iter().filter_map(|file| file.file_name()).map(|name| name.to_string_lossy());
     writeln!(out, "  written     {}: {}", folder.display(), names.collect::<Vec<_>>().join(", "))
 }

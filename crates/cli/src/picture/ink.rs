@@ -1,7 +1,7 @@
 //! Colours.
 
 /// A colour: red, green, blue.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
 impl Colour {
@@ -15,6 +15,14 @@ impl Colour {
     pub const MIDDLE: Self = Self(0x8a, 0x8a, 0x8a);
     /// Guide lines.
     pub const GUIDE: Self = Self(0xd0, 0xd0, 0xd0);
+
+    /// How unlike another colour it is: the square of their distance.
+    pub(super) fn distance(self, other: Self) -> u32 {
+        [(self.0, other.0), (self.1, other.1), (self.2, other.2)]
+            .map(|(a, b)| u32::from(a.abs_diff(b)).pow(2))
+            .iter()
+            .sum()
+    }
 
     /// Part `t` of the way from this colour to another.
     #[must_use]

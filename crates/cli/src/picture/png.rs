@@ -1,10 +1,15 @@
 //! Pictures made of pixels.
 
+use std::collections::BTreeMap;
+
 use super::ink::Colour;
 use super::view::Window;
 
 /// 400 dots per inch, in dots per metre.
 const DENSITY: u32 = 15_748;
+
+/// Most colours of a palette.
+const PALETTE: usize = 256;
 
 /// A picture made of pixels, row by row from the top.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,14 +45,52 @@ impl Raster {
         }
     }
 
-    /// The picture as a PNG file.
+    /// How many pixels there are of each colour.
+    fn colours(&self) -> BTreeMap<Colour, usize> {
+        let mut counts = BTreeMap::new();
+        for pixel in &self.pixels {
+            *counts.entry(*pixel).or_default() += 1;
+        }
+        counts
+    }
+
+    /// The picture in at most 256 colours, its own most frequent ones, for a file of a third of the size: every pixel takes
+    /// the nearest of them.
+    #[must_use]
+    pub fn reduced(mut self) -> Self {
+        let mut colours: Vec<_> = self.colours().into_iter().collect();
+        if colours.len() > PALETTE {
+            // Among equally frequent ones the order of the colours decides, so that the picture is the same every time.
+            colours.sort_by_key(|(colour, count)| (std::cmp::Reverse(*count), *colour));
+            let palette: Vec<Colour> = colours.iter().take(PALETTE).map(|c| c.0).collect();
+            let nearest = |colour: Colour| palette.iter().copied().min_by_key(|known| known.distance(colour));
+            let taken: BTreeMap<_, _> = colours.iter().filter_map(|(c, _)| Some((*c, nearest(*c)?))).collect();
+            for pixel in &mut self.pixels {
+                *pixel = taken.get(pixel).copied().unwrap_or(*pixel);
+            }
+        }
+        self
+    }
+
+    /// The picture as a PNG file; one of few colours has a palette.
     pub fn png(&self) -> Vec<u8> {
         let [width, height] = self.size().map(|n| u32::try_from(n).unwrap_or(u32::MAX));
-        let bytes: Vec<u8> = self.pixels.iter().flat_map(|c| [c.0, c.1, c.2]).collect();
         let mut png = Vec::new();
         let mut encoder = png::Encoder::new(&mut png, width, height);
-        encoder.set_color(png::ColorType::Rgb);
+        let colours = self.colours();
+        let bytes: Vec<u8> = if colours.len() <= PALETTE {
+            let places: BTreeMap<Colour, u8> = colours.keys().copied().zip(0..=u8::MAX).collect();
+            encoder.set_color(png::ColorType::Indexed);
+            encoder.set_palette(places.keys().flat_map(|c| [c.0, c.1, c.2]).collect::<Vec<_>>());
+            // Places in a palette are names, whose differences say nothing.
+            encoder.set_filter(png::Filter::NoFilter);
+            self.pixels.iter().filter_map(|pixel| places.get(pixel).copied()).collect()
+        } else {
+            encoder.set_color(png::ColorType::Rgb);
+            self.pixels.iter().flat_map(|c| [c.0, c.1, c.2]).collect()
+        };
         encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_compression(png::Compression::High);
         encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: DENSITY, yppu: DENSITY, unit: png::Unit::Meter }));
         // Writing to memory fails only for a picture without pixels, which then is an empty file.
         let _ = encoder.write_header().and_then(|mut writer| {
@@ -66,11 +109,32 @@ mod tests {
     fn a_png_reads_back_to_its_pixels() {
         let colours =
             [Colour(1, 2, 3), Colour::WHITE, Colour::BLACK, Colour(9, 8, 7), Colour(0, 0, 0), Colour(5, 5, 5)];
-        let png = Raster::new(3, colours).png();
-        let mut reader = png::Decoder::new(std::io::Cursor::new(&png)).read_info().unwrap();
+        let (size, bytes) = read(&Raster::new(3, colours).png());
+        assert_eq!((size, bytes), ([3, 2], bytes_of(&colours)));
+        // and of more colours than a palette has
+        let many: Vec<_> = (0..4).flat_map(|a| (0..=u8::MAX).map(move |b| Colour(b, a, 77))).collect();
+        assert_eq!(read(&Raster::new(32, many.clone()).png()), ([32, 32], bytes_of(&many)));
+    }
+
+    #[test]
+    fn a_reduced_picture_has_256_colours_and_keeps_the_frequent_ones() {
+        let rare = (0..4).flat_map(|a| (0..250).map(move |b| Colour(b, a, 0)));
+        let frequent = std::iter::repeat_n(Colour(200, 100, 50), 24);
+        let picture = Raster::new(32, frequent.chain(rare)).reduced();
+        assert_eq!(picture.colours().len(), 256);
+        assert_eq!(picture.pixels[0], Colour(200, 100, 50));
+    }
+
+    fn read(png: &[u8]) -> ([u32; 2], Vec<u8>) {
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
         let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
         let info = reader.next_frame(&mut bytes).unwrap();
-        assert_eq!((info.width, info.height), (3, 2));
-        assert_eq!(bytes, colours.iter().flat_map(|c| [c.0, c.1, c.2]).collect::<Vec<_>>());
+        ([info.width, info.height], bytes)
+    }
+
+    fn bytes_of(colours: &[Colour]) -> Vec<u8> {
+        colours.iter().flat_map(|c| [c.0, c.1, c.2]).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! The page: figures, claims and what goes beyond the paper, in one HTML file that needs nothing but its pictures.
+//! The page: figures, claims and what goes beyond the paper, in one HTML file that holds its pictures and needs nothing else.
 
 use std::fmt::{self, Write as _};
 
@@ -6,7 +6,7 @@ use paper::{Claim, Measurement, Quantity, Relation, Verdict};
 use serde_json::{Value, json};
 
 use super::{BEYOND, Effort, Figure};
-use crate::picture::escape;
+use crate::picture::{COLUMN, escape};
 
 /// How the page looks: for screens in light and dark, and for print.
 const STYLE: &str = "\
@@ -24,14 +24,16 @@ code{font:.85em ui-monospace,'DejaVu Sans Mono',monospace}
 figure{margin:2rem 0;padding:0;break-inside:avoid;display:grid;grid-template-columns:minmax(0,26rem) minmax(0,1fr);gap:1.5rem;align-items:start}
 figure.wide{grid-template-columns:1fr}
 figure img{width:100%;height:auto;background:#fff;border-radius:3px;display:block}
+figure.wide img{width:auto;max-width:100%;min-width:min(100%,46rem);max-height:46rem;margin:0 auto}
 figcaption p{margin:.25rem 0 .5rem}
 figcaption .soft{font-size:.88rem}
 @media(max-width:46rem){figure{grid-template-columns:1fr}}
 table{border-collapse:collapse;width:100%;font-size:.92rem}
 th,td{text-align:left;vertical-align:top;padding:.5rem .6rem;border-bottom:1px solid var(--rule)}
 th{font-weight:normal;color:var(--soft)}
-td.numbers{font-size:.84rem}
-td.numbers div{margin-bottom:.3rem}
+td.numbers{font-size:.8rem;line-height:1.35}
+td.numbers div{display:flex;justify-content:space-between;gap:.8em;margin-bottom:.15rem}
+td.numbers .number{text-align:right}
 .number{font-variant-numeric:tabular-nums;white-space:nowrap}
 .holds{color:var(--good)}.mended{color:var(--mend)}.false{color:var(--bad)}
 tr{break-inside:avoid}
@@ -50,15 +52,26 @@ pub struct Measured {
     pub measurement: Measurement,
 }
 
-/// The page, from the figures whose pictures lie beside it and their widths on paper, and the claims.
-pub fn html(figures: &[(Figure, [f64; 2])], claims: &[Measured], effort: Effort) -> String {
+/// A figure with its picture.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The figure.
+    pub figure: Figure,
+    /// The picture, as a file of the figure's name holds it beside the page.
+    pub svg: String,
+    /// Its width and height on paper, in points.
+    pub size: [f64; 2],
+}
+
+/// The page, from the figures and the claims.
+pub fn html(figures: &[Drawn], claims: &[Measured], effort: Effort) -> String {
     let mut page = String::new();
     // Writing to a string cannot fail.
     let _ = write(&mut page, figures, claims, effort);
     page
 }
 
-fn write(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Measured], effort: Effort) -> fmt::Result {
+fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effort) -> fmt::Result {
     writeln!(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
     writeln!(page, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
     writeln!(
@@ -67,13 +80,13 @@ fn write(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Measured],
     )?;
     introduction(page, figures, claims, effort)?;
     let (beyond, paper): (Vec<_>, Vec<_>) =
-        figures.iter().partition::<Vec<&(Figure, [f64; 2])>, _>(|(figure, _)| figure.place == BEYOND);
+        figures.iter().partition::<Vec<&Drawn>, _>(|drawn| drawn.figure.place == BEYOND);
     let (more, stated): (Vec<_>, Vec<_>) =
         claims.iter().partition::<Vec<&Measured>, _>(|m| m.claim.place.contains(BEYOND));
     if !paper.is_empty() {
         writeln!(page, "<h2 id=\"figures\">Figures</h2>")?;
-        for (figure, size) in paper {
-            drawn(page, figure, *size)?;
+        for figure in paper {
+            drawn(page, figure)?;
         }
     }
     if !stated.is_empty() {
@@ -82,8 +95,8 @@ fn write(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Measured],
     }
     if !(beyond.is_empty() && more.is_empty()) {
         writeln!(page, "<h2 id=\"beyond\">Beyond the paper</h2>")?;
-        for (figure, size) in beyond {
-            drawn(page, figure, *size)?;
+        for figure in beyond {
+            drawn(page, figure)?;
         }
         if !more.is_empty() {
             table(page, &more)?;
@@ -92,7 +105,7 @@ fn write(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Measured],
     writeln!(page, "</body>\n</html>")
 }
 
-fn introduction(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Measured], effort: Effort) -> fmt::Result {
+fn introduction(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effort) -> fmt::Result {
     let count = |f: fn(&Verdict) -> bool| claims.iter().filter(|m| f(&m.claim.verdict)).count();
     let holds = count(|v| matches!(v, Verdict::Holds));
     let mended = count(|v| matches!(v, Verdict::HoldsCorrected(_)));
@@ -125,7 +138,7 @@ fn introduction(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Mea
         }
     }
     writeln!(page, "</p>\n<nav>")?;
-    for (figure, _) in figures {
+    for Drawn { figure, .. } in figures {
         writeln!(page, "<a href=\"#{}\">{}</a>", figure.name, escape(figure.title))?;
     }
     if !claims.is_empty() {
@@ -134,22 +147,44 @@ fn introduction(page: &mut String, figures: &[(Figure, [f64; 2])], claims: &[Mea
     writeln!(page, "</nav>")
 }
 
-fn drawn(page: &mut String, figure: &Figure, [width, height]: [f64; 2]) -> fmt::Result {
+fn drawn(page: &mut String, Drawn { figure, svg, size: [width, height] }: &Drawn) -> fmt::Result {
     let Figure { name, title, place, caption, parameters, .. } = figure;
-    let class = if width > 1.6 * height { " class=\"wide\"" } else { "" };
+    let class = if *width > 1.1 * COLUMN || *width > 1.6 * height { " class=\"wide\"" } else { "" };
     writeln!(
         page,
-        "<figure id=\"{name}\"{class}>\n<a href=\"{name}.svg\"><img src=\"{name}.svg\" width=\"{width:.0}\" height=\"{height:.0}\" alt=\"{title}\"></a>\n\
+        "<figure id=\"{name}\"{class}>\n<a href=\"{name}.svg\"><img src=\"{}\" width=\"{width:.0}\" height=\"{height:.0}\" alt=\"{title}\"></a>\n\
          <figcaption>\n<h3>{title} <span class=\"soft\">({place})</span></h3>\n<p>{}</p>\n<p class=\"soft\">{}</p>\n\
          <p class=\"soft\"><code>billiards reproduce --only {name}</code></p>\n</figcaption>\n</figure>",
+        data_uri(svg),
         escape(caption),
         escape(parameters),
         title = escape(title),
     )
 }
 
+/// A picture as an address that holds it.
+fn data_uri(svg: &str) -> String {
+    let mut uri = String::from("data:image/svg+xml,");
+    for c in svg.chars() {
+        match c {
+            '%' => uri.push_str("%25"),
+            '#' => uri.push_str("%23"),
+            '"' => uri.push_str("%22"),
+            '<' => uri.push_str("%3C"),
+            '>' => uri.push_str("%3E"),
+            '&' => uri.push_str("%26"),
+            '\n' => uri.push_str("%0A"),
+            c => uri.push(c),
+        }
+    }
+    uri
+}
+
 fn table(page: &mut String, claims: &[&Measured]) -> fmt::Result {
-    writeln!(page, "<table>\n<thead><tr><th>Statement</th><th>Measured</th><th>Verdict</th></tr></thead>\n<tbody>")?;
+    writeln!(
+        page,
+        "<table>\n<colgroup><col style=\"width:26%\"><col style=\"width:47%\"><col></colgroup>\n<thead><tr><th>Statement</th><th>Measured</th><th>Verdict</th></tr></thead>\n<tbody>"
+    )?;
     for Measured { claim, measurement } in claims {
         let class = match claim.verdict {
             Verdict::Holds => "holds",
@@ -167,7 +202,7 @@ fn table(page: &mut String, claims: &[&Measured]) -> fmt::Result {
             let mark = if quantity.agrees() { "" } else { " <b class=\"false\">disagrees</b>" };
             writeln!(
                 page,
-                "<div>{}<br><span class=\"number\">{}</span>{mark}</div>",
+                "<div><span>{}</span> <span class=\"number\">{}</span>{mark}</div>",
                 escape(&quantity.label),
                 numbers(quantity)
             )?;

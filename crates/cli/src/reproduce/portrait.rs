@@ -53,7 +53,7 @@ impl Portrait {
     /// Draws the portrait into a square of the page, with its axes named.
     pub(super) fn draw(&self, sheet: &mut Sheet, corner: [f64; 2], side: f64) {
         let view = disk(sheet, corner, side, |sheet, view| {
-            sheet.svg.image(&self.0.shade(Shading::Tinted).png(), view.corner(), view.size());
+            sheet.svg.image(&self.0.shade(Shading::Tinted).reduced().png(), view.corner(), view.size());
         });
         names(sheet, &view);
     }

@@ -99,6 +99,13 @@ pub enum Border {
     },
 }
 
+impl Border {
+    /// The edges of a loop or chain; of anything else, none.
+    pub(super) fn edges(&self) -> &[Edge] {
+        if let Border::Loop { edges, .. } = self { edges } else { &[] }
+    }
+}
+
 /// An edge of a loop.
 #[derive(Clone, Debug)]
 pub struct Edge {

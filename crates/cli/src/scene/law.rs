@@ -21,7 +21,8 @@ pub enum LawKind {
     NoSlip,
     /// The contact velocity reverses along the normal and these directions, projected into the contact plane.
     Rough(Vec<Vec<f64>>),
-    /// Rough directions drawn anew at each collision, uniformly among the subspaces of this dimension.
+    /// Rough directions spread uniformly over the subspaces of this dimension; the seed and the place of the contact,
+    /// to the last digit, decide which at each collision.
     Random {
         /// Number of rough directions.
         rank: usize,
@@ -68,7 +69,7 @@ pub const LAWS: &[LawModel] = &[
     LawModel {
         name: "random",
         example: "law = { name = \"random\", rank = 1, seed = 0 }",
-        summary: "k rough directions drawn anew at each collision, uniformly",
+        summary: "k = rank rough directions, uniformly random from place to place: the seed and the contact point decide",
     },
     LawModel {
         name: "restitution",

@@ -33,7 +33,8 @@ pub const INERTIAS: &[Inertia] = &[
     Inertia { name: "point", dimension: 3, gamma_squared: 0.0 },
 ];
 
-pub(super) fn read(item: Option<&Item>, dimension: usize, problems: &mut Problems) -> Option<Particle> {
+/// Reads the section; `spins` says whether some law reads γ², so that a section that is there has to give it.
+pub(super) fn read(item: Option<&Item>, dimension: usize, spins: bool, problems: &mut Problems) -> Option<Particle> {
     let known: Vec<_> =
         INERTIAS.iter().filter(|i| i.dimension == dimension).map(|i| (i.name, i.gamma_squared)).collect();
     let default = known.first().map_or(0.0, |k| k.1);
@@ -44,7 +45,8 @@ pub(super) fn read(item: Option<&Item>, dimension: usize, problems: &mut Problem
     let mut section = Section::new(item, "[particle]", problems)?;
     let radius =
         section.optional("radius").map_or(Some(Spanned::new(0.0, item.span)), |item| nonnegative(item, problems));
-    let found = section.at_most_one_of(&["inertia", "gamma_squared"], problems);
+    let pair = ["inertia", "gamma_squared"];
+    let found = if spins { section.one_of(&pair, problems) } else { section.at_most_one_of(&pair, problems) };
     let gamma_squared = match found {
         Some(("inertia", item)) => {
             choice(item, "inertia", &known, problems).map(|gamma_squared| Spanned::new(gamma_squared, item.span))

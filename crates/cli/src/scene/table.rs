@@ -19,6 +19,16 @@ pub struct Table {
     pub laws: Vec<PieceLaw>,
 }
 
+impl Table {
+    /// The laws of pieces that have one of their own.
+    pub(super) fn own_laws(&self) -> impl Iterator<Item = &LawKind> {
+        let entries: &[Entry] = if let TableShape::Boundary(entries) = &self.shape { entries } else { &[] };
+        let of_entries = entries.iter().filter_map(|entry| entry.law.as_ref());
+        let of_edges = entries.iter().flat_map(|entry| entry.border.edges()).filter_map(|edge| edge.law.as_ref());
+        self.laws.iter().map(|piece| &piece.law).chain(of_entries.chain(of_edges).map(|law| &law.kind))
+    }
+}
+
 /// The law of one piece of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceLaw {

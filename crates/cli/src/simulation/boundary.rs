@@ -14,6 +14,7 @@ use crate::scene::{
     self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape, Turn,
 };
 
+use super::describe::short;
 use super::scale;
 
 /// A planar table as drawn, all lengths multiplied by a factor.
@@ -61,11 +62,14 @@ impl Drawn {
     pub(crate) fn complaint(&self, scene: &Scene, error: &Error) -> Diagnostic {
         let at = |piece: usize| self.spans.get(piece).copied().unwrap_or(scene.table.span);
         let span = match error {
-            Error::Open { piece, .. } | Error::Orientation { piece } => at(*piece),
+            Error::Open { piece, .. }
+            | Error::Orientation { piece }
+            | Error::TooShort { piece, .. }
+            | Error::SelfCrossing { piece, .. } => at(*piece),
             Error::Crossing { second, .. } => at(*second),
             _ => scene.table.span,
         };
-        scene.source.diagnostic(span, self.in_user_units(error).to_string())
+        with_advice(scene.source.diagnostic(span, self.in_user_units(error).to_string()), error)
     }
 
     /// An error whose lengths are those of the user.
@@ -82,8 +86,30 @@ fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
         Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
+        Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
+        Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
+        Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
+        Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },
         other => other,
     }
+}
+
+/// Adds how to mend an error of the geometry, where its words do not say so.
+fn with_advice(diagnostic: Diagnostic, error: &Error) -> Diagnostic {
+    let advice = match error {
+        Error::ZeroLength => "leave it out, or move one of its ends",
+        Error::TooShort { .. } => "leave it out, or move its ends apart",
+        Error::OffCircle { .. } => "put the center on the perpendicular bisector of the two ends",
+        Error::Crossing { first, second, .. } if first == second => {
+            "it crosses its own translate in the next cell of the lattice: make it smaller, or the cell larger"
+        }
+        Error::Crossing { .. } => "pieces may touch but not cross: move one of them, or make one loop of both",
+        Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
+        Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
+        Error::Orientation { .. } => "list the vertices in the opposite order, or exchange inside and outside",
+        _ => return diagnostic,
+    };
+    diagnostic.with_help(advice)
 }
 
 /// Every length that says how large a scene is; none, and so no scaling, if part of it is drawn in a file.
@@ -216,7 +242,8 @@ fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<
             Error::Open { piece, .. } => spans.get(*piece).copied(),
             _ => None,
         };
-        vec![scene.source.diagnostic(span.unwrap_or(scene.table.span), in_user_units(&error, factor).to_string())]
+        let what = in_user_units(&error, factor).to_string();
+        vec![with_advice(scene.source.diagnostic(span.unwrap_or(scene.table.span), what), &error)]
     })?;
     Ok(Drawn { table, spans, laws, factor })
 }
@@ -244,7 +271,8 @@ impl Collected<'_> {
 
     #[allow(clippy::unnecessary_box_returns, reason = "it goes into a Result, where a large error costs every success")]
     fn wrong(&self, span: Span, error: &Error) -> Box<Diagnostic> {
-        Box::new(self.scene.source.diagnostic(span, in_user_units(error, self.factor).to_string()))
+        let diagnostic = self.scene.source.diagnostic(span, in_user_units(error, self.factor).to_string());
+        Box::new(with_advice(diagnostic, error))
     }
 
     fn entry(&mut self, entry: &Entry) -> Result<(), Box<Diagnostic>> {
@@ -339,7 +367,7 @@ impl Collected<'_> {
             }
             if last && end != start {
                 let gap = (end - start).norm() / self.factor;
-                let what = format!("the loop is open: its last edge ends {gap:e} away from its first vertex");
+                let what = format!("the loop is open: its last edge ends {} away from its first vertex", short(gap));
                 return Err(Box::new(
                     self.scene.source.diagnostic(to.span, what).with_help("let the last edge end where \"from\" is"),
                 ));

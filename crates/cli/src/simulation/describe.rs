@@ -181,8 +181,10 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
     let walls = table.describe();
     description.walls = region(&walls, factor);
     let disk = walls.largest_disk;
+    // along a ridge the distance is stationary: the centre is known to half the digits that the radius has
+    let clean = |x: f64| if x.abs() < 1e-8 * disk.radius { 0.0 } else { x / factor };
     description.largest_disk =
-        finite(disk.radius).map(|radius| (radius / factor, [disk.center.x / factor, disk.center.y / factor]));
+        finite(disk.radius).map(|radius| (radius / factor, [disk.center.x, disk.center.y].map(clean)));
     let centres = if scene.particle.radius.value > 0.0 {
         let centres = planar.centres.describe();
         description.centres = Some(region(&centres, factor));
@@ -318,7 +320,7 @@ impl<const N: usize> WithWalls<N> for NameOfWalls {
     }
 }
 
-/// The name of a type without the modules that things are in: `Both<Cuboid, Scatterer>`.
+/// The name of a type without the modules that things are in: `Around<Cuboid, Scatterer>`.
 fn plain(name: &str) -> String {
     let mut plain = String::new();
     for part in name.split_inclusive(['<', '>', ',', ' ']) {

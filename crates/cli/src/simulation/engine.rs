@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use billiards::geometry::{WallHit, Walls};
+use billiards::geometry::WallHit;
 use billiards::{
-    Angle, BallLaw, Billiard, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Observer, Orbit, Outcome, Timed,
+    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Timed,
     Track, run,
 };
 
@@ -31,16 +31,19 @@ impl<const N: usize, const S: usize> EnergyKeeper<f64, N, S> for Keeper<N> {
         Keeper { conserved: EnergyKeeper::<f64, N, S>::new(velocity, spin), strict: true }
     }
     #[inline(always)]
-    fn arrive(&self, velocity: &mut [f64; N]) {
-        if self.strict {
-            EnergyKeeper::<f64, N, S>::arrive(&self.conserved, velocity);
-        }
-    }
-    #[inline(always)]
-    fn leave(&mut self, velocity: &[f64; N], spin: &[f64; S], hit: &WallHit<f64, N>) {
+    fn leave(&mut self, velocity: &mut [f64; N], spin: &[f64; S], hit: &WallHit<f64, N>) {
         if self.strict {
             self.conserved.leave(velocity, spin, hit);
         }
+    }
+    #[inline(always)]
+    fn leave_in_frame(&mut self, velocity: &mut [f64; N], spin: &mut [f64; S]) {
+        if self.strict {
+            self.conserved.leave_in_frame(velocity, spin);
+        }
+    }
+    fn until_beat(&self) -> u64 {
+        EnergyKeeper::<f64, N, S>::until_beat(&self.conserved)
     }
     fn replace(&mut self, mask: bool, by: &Self) {
         if mask {
@@ -165,17 +168,16 @@ impl Watch<'_> {
 }
 
 /// A table's walls and a law, ready to run orbits.
-pub(crate) trait Engine<const N: usize, const S: usize, T>: Sync {
+pub(crate) trait Engine<const N: usize, const S: usize, T>: Bounce<N, S> {
     /// Runs an orbit that nobody watches.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome;
 }
 
-impl<W, L, const N: usize, const S: usize, T> Engine<N, S, T> for Billiard<'_, W, L>
+impl<B, const N: usize, const S: usize, T> Engine<N, S, T> for B
 where
-    W: Walls<N>,
-    L: BallLaw<N, S>,
+    B: Motion<N, S> + Bounce<N, S>,
     T: Trail<N, S>,
 {
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome {

@@ -27,6 +27,13 @@ impl BallLaw<2, 1> for PlanarLaw {
             PlanarLaw::PerPiece(law) => law.collide(hit, velocity, spin),
         }
     }
+    #[inline(always)]
+    fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+        match self {
+            PlanarLaw::Uniform(law) => law.collide_in_frame(hit, velocity, spin),
+            PlanarLaw::PerPiece(law) => law.collide_in_frame(hit, velocity, spin),
+        }
+    }
 }
 
 impl PlanarLaw {

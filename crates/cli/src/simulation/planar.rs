@@ -2,15 +2,16 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit};
+use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
+use billiards::{Angle, Billiard, Bounce, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Keeper, PlanarTrail, Watched};
+use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, is_strict};
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Ensemble, LawKind, Scene};
 
 /// A planar scene, ready to run.
@@ -116,6 +117,20 @@ impl Planar {
         }
     }
 
+    /// Up to where the digits of the first orbits last, within a number of collisions and a time.
+    pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
+        let starts = self.starts()?;
+        let extent = self.centres.extent();
+        let size = self
+            .centres
+            .lattice()
+            .map_or_else(|| horizon::size(extent.min.as_slice(), extent.max.as_slice()), horizon::cell_size);
+        Ok(self.with_engine(|engine| {
+            let billiard: &dyn Bounce<2, 1> = engine;
+            Horizons::of(billiard, &self.centres, size, self.orbits(), &*starts, limit)
+        }))
+    }
+
     /// Runs something with the engine for this table and law.
     pub(crate) fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R) -> R {
         self.centres.with_walls(On { law: &self.law, then })
@@ -131,7 +146,11 @@ fn centres(scene: &Scene, drawn: &Drawn) -> Result<(Table, Vec<u64>), Vec<Diagno
     match drawn.table.offset(radius.value * drawn.factor) {
         Ok(offset) => Ok((offset.table, offset.origins.iter().map(|origin| origin.piece() as u64).collect())),
         Err(error) => {
-            let what = format!("a disk of radius {}: {}", radius.value, drawn.in_user_units(&error));
+            let error = drawn.in_user_units(&error);
+            let what = match error {
+                Error::NothingLeft { .. } | Error::Undecided { .. } => error.to_string(),
+                other => format!("a disk of radius {}: {other}", spell(radius.value)),
+            };
             Err(vec![scene.source.diagnostic(radius.span, what)])
         }
     }
@@ -146,5 +165,8 @@ impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, 
     type Output = R;
     fn run<W: Walls<2>>(self, walls: &W) -> R {
         (self.then)(&Billiard { walls, law: self.law })
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
+        (self.then)(&Rolling { walls, law: self.law })
     }
 }

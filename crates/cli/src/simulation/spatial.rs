@@ -3,15 +3,17 @@
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::walls::ByLane;
 use billiards::geometry::{Error, Vector3, Walls, WithWalls};
-use billiards::{Billiard, CanonicalSpatial, Clock, Orbit, Starts as _};
+use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
+use super::describe::short;
 use super::engine::{Engine, Keeper, Watched};
+use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, is_strict};
 use super::room::Room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
 
 /// A scene in space, ready to run.
@@ -193,6 +195,22 @@ impl Spatial {
         }
     }
 
+    /// Up to where the digits of the first orbits last, within a number of collisions and a time.
+    pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
+        let starts = self.starts()?;
+        let [low, high] = self.centres.extent();
+        let size = horizon::size(low.as_slice(), high.as_slice());
+        Ok(self.with_engine(|engine| {
+            let billiard: &dyn Bounce<3, 3> = engine;
+            let felt = Felt(billiard);
+            let walls: &dyn Bend<3> = match &self.centres {
+                Space::Named(table) => table,
+                Space::Room(_) => &felt,
+            };
+            Horizons::of(billiard, walls, size, self.orbits(), &*starts, limit)
+        }))
+    }
+
     /// Runs something with the engine for this table and law.
     pub(crate) fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<3, 3, ()>) -> R) -> R {
         let on = On { law: &self.law, then };
@@ -222,7 +240,11 @@ fn named(
     let [low, high] = table.extent();
     let half = (high - low) * 0.5;
     if half.iter().any(|half| *half <= radius) {
-        let what = format!("a ball of radius {} does not fit into the table", scene.particle.radius.value);
+        let what = format!(
+            "a ball of radius {} has no room to move in the table; its radius must be less than {}",
+            spell(scene.particle.radius.value),
+            short(half.min() / factor)
+        );
         return Err(Box::new(scene.source.diagnostic(scene.particle.radius.span, what)));
     }
     let size = (high - low).map(|size| size - 2.0 * radius);

@@ -5,6 +5,7 @@ use billiards::geometry::{Table, Vector2, Vector3};
 use crate::document::Diagnostic;
 use crate::scene::{Orbit, Scene};
 
+use super::describe::short;
 use super::scale::{Scale, to_unity};
 use super::spatial::Space;
 
@@ -77,7 +78,7 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
         if off.dot(&landing.normal) > 0.0 {
             return Ok(start);
         }
-        let beyond = format!("{:.3e} beyond piece {piece}", distance / length);
+        let beyond = format!("{} beyond piece {piece}", short(distance / length));
         let radius = scene.particle.radius.value;
         let what = if radius > 0.0 {
             format!(
@@ -109,7 +110,7 @@ pub(crate) fn spatial(
     let touched = centres.touched(&point);
     let at = orbit.position.span;
     if let Some(distance) = touched.outside {
-        let what = format!("the start lies {:.3e} outside the region of centres", distance / length);
+        let what = format!("the start lies {} outside the region of centres", short(distance / length));
         return Err(Box::new(scene.source.diagnostic(at, what)));
     }
     let velocity = Vector3::from(start.velocity);

@@ -6,6 +6,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use serde::Serialize;
 
 use super::harvest::Totals;
+use super::horizon::Horizons;
 use crate::scene::{Limit, Scene, Starts, TableShape};
 
 /// A run in a page. Two runs of the same scene differ at most in the last six.
@@ -44,6 +45,8 @@ pub struct Summary {
     pub time: f64,
     /// Largest relative deviation of an orbit's energy from that of its start.
     pub energy_drift: f64,
+    /// Up to where the digits of the orbits last.
+    pub horizon: Horizons,
     /// How many orbits ended for which reason.
     pub stops: BTreeMap<&'static str, u64>,
     /// Time that the simulation itself took, in seconds.
@@ -62,7 +65,14 @@ pub struct Summary {
 
 impl Summary {
     /// Puts together what is known of a run.
-    pub(crate) fn new(scene: &Scene, orbits: u64, totals: &Totals, busy: Duration, threads: usize) -> Summary {
+    pub(crate) fn new(
+        scene: &Scene,
+        orbits: u64,
+        totals: &Totals,
+        horizon: Horizons,
+        busy: Duration,
+        threads: usize,
+    ) -> Summary {
         let seconds = busy.as_secs_f64();
         let ns_per_collision = if totals.collisions == 0 { 0.0 } else { seconds * 1e9 / totals.collisions as f64 };
         let (collisions_per_orbit, time_per_orbit) = match scene.limit {
@@ -97,6 +107,7 @@ impl Summary {
             collisions: totals.collisions,
             time: totals.time,
             energy_drift: totals.drift,
+            horizon,
             stops,
             seconds,
             ns_per_collision,

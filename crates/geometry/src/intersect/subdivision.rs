@@ -235,14 +235,33 @@ fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found:
     }
 }
 
+/// The arc lengths at which a piece has points; beyond them `point_at` may stay at the end.
+fn domain(piece: &dyn Piece) -> [f64; 2] {
+    let Some([start, end]) = piece.ends() else { return [f64::NEG_INFINITY, f64::INFINITY] };
+    match [start, end].map(|p| p.iter().all(|x| x.is_finite())) {
+        [true, true] => [0.0, piece.length()],
+        [true, false] => [0.0, f64::INFINITY],
+        [false, true] => [f64::NEG_INFINITY, 0.0],
+        [false, false] => [f64::NEG_INFINITY, f64::INFINITY],
+    }
+}
+
 /// The crossing of two nearly straight stretches.
 fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<Meeting> {
     let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
     let mut directions = [hulls[0].along, hulls[1].along];
     let mut last = f64::INFINITY;
     let mut point = hulls[0].middle;
+    let domains = pieces.map(domain);
+    // beyond its ends a piece goes on straight, so that a step too far is followed by one back
+    let place = |k: usize, s: f64| {
+        let inner = s.clamp(domains[k][0], domains[k][1]);
+        let point = pieces[k].point_at(inner);
+        let direction = direction_at(pieces[k], &point);
+        if s == inner { (point, direction) } else { (point + direction * (s - inner), direction) }
+    };
     for _ in 0..32 {
-        let points = [0, 1].map(|k| pieces[k].point_at(at[k]));
+        let points = [0, 1].map(|k| place(k, at[k]).0);
         point = (points[0] + points[1]) * 0.5;
         let gap = points[1] - points[0];
         let sine = directions[0].perp(&directions[1]);
@@ -260,8 +279,7 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
         if size <= f64::EPSILON * (at[0].abs() + at[1].abs()) {
             break;
         }
-        let found = [0, 1].map(|k| pieces[k].point_at(at[k]));
-        directions = [0, 1].map(|k| direction_at(pieces[k], &found[k]));
+        directions = [0, 1].map(|k| place(k, at[k]).1);
     }
     let inside = (0..2).all(|k| pair[k].from.s - tolerance <= at[k] && at[k] <= pair[k].to.s + tolerance);
     (inside && last <= 4.0 * tolerance / directions[0].perp(&directions[1]).abs()).then_some(Meeting {

@@ -149,14 +149,16 @@ impl Piece for Bump {
         let (low, high) = (-0.5 * FLAT, 1.0 + 0.5 * FLAT);
         let rise = v.dot(&self.outward);
         let distance = (path.point - self.a).dot(&self.outward);
+        // and not yet farther out or farther in than the wall ever is
+        let reach = self.length + distance.abs() + self.height.abs();
         let [enter, leave] = if rate == 0.0 {
             if fraction < low || fraction > high || rise <= 0.0 {
                 return Crossing::NEVER;
             }
-            [0.0, (self.height.abs() + distance.abs() + self.length) / rise]
+            [0.0, reach / rise]
         } else {
             let (s, t) = ((low - fraction) / rate, (high - fraction) / rate);
-            [s.min(t).max(0.0), s.max(t)]
+            [s.min(t).max(0.0), s.max(t).min(reach / rise.abs())]
         };
         if enter >= leave || leave.is_nan() {
             return Crossing::NEVER;

@@ -4,7 +4,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, dot, from, slack},
+    plane::{along, cross, dot, from, slack},
 };
 use core::f64::consts::PI;
 use lanes::{Lane, Mask};
@@ -62,7 +62,9 @@ impl Circle {
         let y = from(x, self.center).map(|d| -d);
         let (a, b) = (dot(v, v), dot(y, v));
         let c = dot(y, y) - self.radius * self.radius;
-        let discriminant = b * b - a * c;
+        // b² − a c = |v|² r² − (y × v)², in which the distance of a far start does not cancel
+        let moment = cross(y, v);
+        let discriminant = a * (self.radius * self.radius) - moment * moment;
         let zero = a.same(0.0);
         Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
@@ -99,9 +101,9 @@ impl Circle {
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let y = from(p, self.center).map(|d| -d);
-        // one Newton step towards |y| = r
-        let scale = (dot(y, y) * self.inverse_square) * -0.5 + 1.5;
-        let y = [y[0] * scale, y[1] * scale];
+        // one Newton step towards |y| = r, as a small change: a factor near 1 would round inwards more often than outwards
+        let change = (dot(y, y) * self.inverse_square) * -0.5 + 0.5;
+        let y = [y[0] + y[0] * change, y[1] + y[1] * change];
         ([y[0] + self.center[0], y[1] + self.center[1]], [y[0] * self.to_normal, y[1] * self.to_normal])
     }
 

@@ -40,7 +40,7 @@ impl SpatialTable {
     pub fn pieces(&self) -> &'static [&'static str] {
         match self.figure {
             Figure::Slab { .. } => &["floor", "ceiling"],
-            Figure::Cuboid { .. } => &["x1 = 0", "x1 = size 1", "x2 = 0", "x2 = size 2", "x3 = 0", "x3 = size 3"],
+            Figure::Cuboid { .. } => &["x1 = 0", "x1 = size_1", "x2 = 0", "x2 = size_2", "x3 = 0", "x3 = size_3"],
             Figure::Ball { .. } => &["sphere"],
         }
     }
@@ -60,6 +60,14 @@ impl SpatialTable {
             Figure::Slab { .. } => f64::INFINITY,
             Figure::Cuboid { size: [a, b, c], .. } => 2.0 * (a * b + b * c + c * a),
             Figure::Ball { radius, .. } => 4.0 * PI * radius * radius,
+        }
+    }
+
+    /// The curvature of its walls \[L⁻¹\], the same everywhere and in every direction; positive where focusing.
+    pub fn curvature(&self) -> f64 {
+        match self.figure {
+            Figure::Slab { .. } | Figure::Cuboid { .. } => 0.0,
+            Figure::Ball { radius, .. } => 1.0 / radius,
         }
     }
 

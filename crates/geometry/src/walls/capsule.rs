@@ -1,5 +1,5 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
-use super::{WallHit, Walls};
+use super::{WallHit, Walls, dot};
 use crate::Error;
 use lanes::{Lane, Mask};
 use nalgebra::Vector2;
@@ -7,12 +7,8 @@ use nalgebra::Vector2;
 /// The stadium of half-length `h` along the first axis and radius `r` about a centre.
 #[derive(Clone, Debug)]
 pub struct Capsule {
-    /// First coordinate of the centres of the left and the right cap, and their common second coordinate.
-    left: f64,
-    right: f64,
-    middle: f64,
-    /// First coordinate of the centre, and half the distance of the caps.
-    center: f64,
+    center: [f64; 2],
+    /// Half the distance of the centres of the caps.
     half_length: f64,
     radius: f64,
     square: f64,
@@ -36,10 +32,7 @@ impl Capsule {
         }
         let square = radius * radius;
         Ok(Capsule {
-            left: center.x - half_length,
-            right: center.x + half_length,
-            middle: center.y,
-            center: center.x,
+            center: center.into(),
             half_length,
             radius,
             square,
@@ -55,46 +48,53 @@ impl Walls<2> for Capsule {
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
-        let y = x[1] - self.middle;
+        let y = [x[0] - self.center[0], x[1] - self.center[1]];
+        let [lower, head, upper, tail] = self.pieces.map(|p| zero.same(p));
         // where the path meets the line of the side ahead, times |v₂|: no division yet
         let up = zero.lt(v[1]);
         let speed = v[1].abs();
-        let distance = (zero.same(self.radius) - up.select(y, -y)).max(zero);
-        let meet = (x[0] - self.center) * speed + distance * v[0];
+        let radius = zero.same(self.radius);
+        let distance = up.select(radius - y[1], radius + y[1]);
+        let meet = y[0] * speed + distance * v[0];
         let flat = meet.abs().lt(speed * self.half_length);
-        // otherwise the cap on that side; both are prepared, since knowing the side takes as long
-        let right = zero.lt(meet);
-        let a = v[0] * v[0] + v[1] * v[1];
-        let quadratic = |cap: f64| {
-            let q1 = x[0] - cap;
-            let b = q1 * v[0] + y * v[1];
-            let c = (q1 * q1 + y * y) - self.square;
-            (q1, b, c, b * b - a * c)
-        };
-        let (at_left, at_right) = (quadratic(self.left), quadratic(self.right));
-        let q1 = right.select(at_right.0, at_left.0);
-        let b = right.select(at_right.1, at_left.1);
-        let c = right.select(at_right.2, at_left.2);
-        let root = right.select(at_right.3, at_left.3).max(zero).sqrt();
-        let cap = right.select(zero.same(self.right), zero.same(self.left));
-        let q = b.abs() + root;
-        let leaving = zero.lt(b);
-        let num = flat.select(distance, leaving.select((-c).max(zero), q));
-        let den = flat.select(speed, leaving.select(q, a));
+        let (mut num, mut den) = (distance.max(zero), speed);
+        // otherwise the cap on that side
+        let cap = zero.same(self.half_length).copysign(meet);
+        let q = [y[0] - cap, y[1]];
+        if (!flat).any() {
+            let (a, b, c) = (dot(v, v), dot(&q, v), dot(&q, &q) - self.square);
+            // b² − a c = |v|² r² − |q ∧ v|²; below 0 by rounding only
+            let moment = q[0] * v[1] - q[1] * v[0];
+            let root = (a * self.square - moment * moment).abs().sqrt();
+            // the later root, without cancellation
+            let sum = b.abs() + root;
+            let [n, d, _] = zero.lt(b).choose([(-c).max(zero), sum, zero], [sum, a, one]);
+            [num, den, _] = flat.choose([num, den, zero], [n, d, one]);
+        }
         let time = num / den;
-        let (l1, l2) = (q1 + time * v[0], y + time * v[1]);
+        let l = [q[0] + time * v[0], q[1] + time * v[1]];
         // |l|² is r² up to rounding on a cap: one Newton step each
-        let ratio = (l1 * l1 + l2 * l2) * self.inverse_square;
+        let ratio = dot(&l, &l) * self.inverse_square;
         let scale = ratio * -0.5 + 1.5;
-        let side = zero.same(self.radius).copysign(v[1]);
-        let [lower, head, upper, tail] = self.pieces.map(|p| zero.same(p));
+        let [p1, p2, n1, n2, inverse, inverse_square, piece] = flat.choose(
+            [l[0] + cap, radius.copysign(v[1]), zero, (-one).copysign(-v[1]), one, one, up.select(upper, lower)],
+            [
+                l[0] * scale + cap,
+                l[1] * scale,
+                -l[0],
+                -l[1],
+                scale * self.inverse,
+                (one.same(2.0) - ratio) * self.inverse_square,
+                zero.lt(meet).select(head, tail),
+            ],
+        );
         WallHit {
             time,
-            point: [flat.select(l1, l1 * scale) + cap, flat.select(side, l2 * scale) + self.middle],
-            normal: [flat.select(zero, -l1), flat.select(-one.copysign(v[1]), -l2)],
-            inverse: flat.select(one, scale * self.inverse),
-            inverse_square: flat.select(one, (one.same(2.0) - ratio) * self.inverse_square),
-            piece: flat.select(up.select(upper, lower), right.select(head, tail)),
+            point: [p1 + self.center[0], p2 + self.center[1]],
+            normal: [n1, n2],
+            inverse,
+            inverse_square,
+            piece,
             corner: zero.lt(zero),
         }
     }

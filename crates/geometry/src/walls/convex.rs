@@ -101,24 +101,27 @@ impl Walls<2> for ConvexPolygon {
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
         let (mut num, mut den) = (zero.same(f64::INFINITY), zero.same(1.0));
-        let (mut n, mut start, mut end, mut wall, mut piece) = ([zero; 2], zero, zero, zero, zero);
+        let (mut n, mut start, mut end, mut piece) = ([zero; 2], zero, zero, zero);
         for side in &self.sides {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
-            let distance = (zero.same(side.distance) - (x[0] * side.normal[0] + x[1] * side.normal[1])).max(zero);
-            let sooner = (distance * den).lt(num * speed) & zero.lt(speed);
-            num = sooner.select(distance, num);
-            den = sooner.select(speed, den);
-            n = [sooner.select(zero.same(side.normal[0]), n[0]), sooner.select(zero.same(side.normal[1]), n[1])];
-            start = sooner.select(zero.same(side.start), start);
-            end = sooner.select(zero.same(side.end), end);
-            wall = sooner.select(zero.same(side.distance), wall);
-            piece = sooner.select(zero.same(side.piece), piece);
+            let distance = zero.same(side.distance) - (x[0] * side.normal[0] + x[1] * side.normal[1]);
+            // no side is reached backwards or along itself: nothing is less than 0, nor than ∞·0
+            let sooner = (distance.max(zero) * den).lt(num * speed);
+            [num, den, n[0], n[1], start, end, piece] = sooner.choose(
+                [
+                    distance,
+                    speed,
+                    zero.same(side.normal[0]),
+                    zero.same(side.normal[1]),
+                    zero.same(side.start),
+                    zero.same(side.end),
+                    zero.same(side.piece),
+                ],
+                [num, den, n[0], n[1], start, end, piece],
+            );
         }
         let time = num / den;
-        let p = [x[0] + time * v[0], x[1] + time * v[1]];
-        // project onto the side
-        let off = wall - (p[0] * n[0] + p[1] * n[1]);
-        let point = [p[0] + off * n[0], p[1] + off * n[1]];
+        let point = [x[0] + time * v[0], x[1] + time * v[1]];
         let along = point[1] * n[0] - point[0] * n[1];
         let margin = (x[0].abs() + x[1].abs()) * self.far;
         WallHit {

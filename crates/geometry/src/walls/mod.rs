@@ -3,11 +3,12 @@
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
 //! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, or a list of pieces.
-mod both;
+mod around;
 mod by_lane;
 mod capsule;
 mod convex;
 mod cuboid;
+mod homogeneous;
 mod list;
 mod periodic;
 mod rotated;
@@ -16,11 +17,12 @@ mod slab;
 mod sphere;
 mod zonogon;
 
-pub use both::Both;
+pub use around::Around;
 pub use by_lane::ByLane;
 pub use capsule::Capsule;
 pub use convex::ConvexPolygon;
 pub use cuboid::Cuboid;
+pub use homogeneous::{Chord, Homogeneous};
 pub use list::List;
 pub use periodic::Periodic;
 pub use rotated::Rotated;
@@ -117,6 +119,13 @@ pub trait WithWalls<const N: usize> {
     type Output;
     /// Runs it.
     fn run<W: Walls<N>>(self, walls: &W) -> Self::Output;
+    /// Runs it on walls in the plane that know a shorter way from hit to hit.
+    fn run_homogeneous<W: Homogeneous + Walls<N>>(self, walls: &W) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.run(walls)
+    }
 }
 
 /// Within how many units of rounding of the table's size a point counts as a corner.

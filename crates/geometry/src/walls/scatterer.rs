@@ -47,12 +47,19 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
         let zero = v[0].same(0.0);
         let (a, b, c) = (dot(v, v), dot(&y, v), dot(&y, &y) - self.square);
         // the earlier root of |y + t v|² = r², without cancellation, where the path approaches and meets the ball
-        let discriminant = b * b - a * c;
+        // b² − a c = |v|² r² − |y ∧ v|², in which the distance of a far start does not cancel
+        let mut discriminant = a * self.square;
+        for i in 1..N {
+            for j in 0..i {
+                let moment = y[j] * v[i] - y[i] * v[j];
+                discriminant = discriminant - moment * moment;
+            }
+        }
         let meets = zero.lt(discriminant) & b.lt(zero) & zero.same(-self.off).lt(c);
         if !meets.any() {
             return WallHit::never(*x);
         }
-        let q = discriminant.max(zero).sqrt() - b;
+        let q = discriminant.sqrt() - b;
         let time = meets.select(c.max(zero) / q, zero.same(f64::INFINITY));
         let mut square = zero;
         for i in 0..N {

@@ -1,5 +1,5 @@
 //! The space between two parallel planes: strip and slab.
-use super::{WallHit, Walls};
+use super::{Chord, Homogeneous, WallHit, Walls};
 use crate::Error;
 use lanes::{Lane, Mask};
 
@@ -29,22 +29,58 @@ impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);
+        let one = zero.same(1.0);
         let up = zero.lt(v[AXIS]);
         let wall = up.select(zero.same(self.high), zero.same(self.low));
-        let distance = wall - x[AXIS];
         // a start beyond the wall is rounding: it hits at time 0
-        let outside = up.select(distance, -distance).lt(zero);
-        let time = outside.select(zero, distance) / v[AXIS];
-        let moving = up | v[AXIS].lt(zero);
+        let distance = ((wall - x[AXIS]) * one.copysign(v[AXIS])).max(zero);
+        let speed = v[AXIS].abs();
+        let time = distance / speed;
         let mut point = *x;
         let mut normal = [zero; N];
         for i in 0..N {
             point[i] = x[i] + time * v[i];
         }
         point[AXIS] = wall;
-        normal[AXIS] = up.select(zero.same(-1.0), zero.same(1.0));
+        normal[AXIS] = (-one).copysign(-v[AXIS]);
         WallHit {
-            time: moving.select(time, zero.same(f64::INFINITY)),
+            // 0/0 on the wall itself, without a speed towards it
+            time: zero.lt(speed).select(time, zero.same(f64::INFINITY)),
+            point,
+            normal,
+            inverse: one,
+            inverse_square: one,
+            piece: up.select(zero.same(self.pieces[1]), zero.same(self.pieces[0])),
+            corner: zero.lt(zero),
+        }
+    }
+}
+
+/// A place is the side, −1 for the lower and 1 for the upper wall, and the coordinate along the walls.
+impl<const AXIS: usize> Homogeneous for Slab<2, AXIS> {
+    #[inline(always)]
+    fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
+        [-hit.normal[AXIS], hit.point[1 - AXIS]]
+    }
+    #[inline(always)]
+    fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
+        let [side, along] = *place;
+        let time = normal.same(self.high - self.low) / normal;
+        // t = J n with n = ∓ the axis
+        let speed = tangential * side;
+        let speed = if AXIS == 0 { -speed } else { speed };
+        Chord { time, place: [-side, along + time * speed], tangential: -tangential }
+    }
+    #[inline(always)]
+    fn landing<F: Lane>(&self, chord: &Chord<F>) -> WallHit<F, 2> {
+        let [side, along] = chord.place;
+        let zero = side.same(0.0);
+        let up = zero.lt(side);
+        let (mut point, mut normal) = ([along; 2], [zero; 2]);
+        point[AXIS] = up.select(zero.same(self.high), zero.same(self.low));
+        normal[AXIS] = -side;
+        WallHit {
+            time: chord.time,
             point,
             normal,
             inverse: zero.same(1.0),

@@ -1,5 +1,5 @@
 //! The inside of a sphere: disk table and ball table.
-use super::{WallHit, Walls, dot};
+use super::{Chord, Homogeneous, WallHit, Walls, dot};
 use crate::Error;
 use lanes::{Lane, Mask};
 use nalgebra::SVector;
@@ -8,6 +8,7 @@ use nalgebra::SVector;
 #[derive(Clone, Debug)]
 pub struct Sphere<const N: usize> {
     center: [f64; N],
+    radius: f64,
     square: f64,
     inverse: f64,
     inverse_square: f64,
@@ -26,6 +27,7 @@ impl<const N: usize> Sphere<N> {
         let square = radius * radius;
         Ok(Sphere {
             center: center.into(),
+            radius,
             square,
             inverse: 1.0 / radius,
             inverse_square: 1.0 / square,
@@ -69,6 +71,41 @@ impl<const N: usize> Walls<N> for Sphere<N> {
             inverse_square: (zero.same(2.0) - ratio) * self.inverse_square,
             piece: zero.same(self.piece),
             corner: zero.lt(zero),
+        }
+    }
+}
+
+/// A place is the unit vector from the centre.
+impl Homogeneous for Sphere<2> {
+    #[inline(always)]
+    fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
+        hit.normal.map(|n| -n * hit.inverse)
+    }
+    /// The chord of `u = −tangential + i normal` turns the place by `u²/|u|²` and takes the time `2 r normal/|u|²`.
+    #[inline(always)]
+    fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
+        let twice = normal + normal;
+        let inverse = normal.same(1.0) / (tangential * tangential + normal * normal);
+        let cos = (tangential - normal) * (tangential + normal) * inverse;
+        let sin = -(twice * tangential) * inverse;
+        let [e1, e2] = *place;
+        let (e1, e2) = (e1 * cos - e2 * sin, e1 * sin + e2 * cos);
+        // one Newton step keeps the length at 1
+        let scale = (e1 * e1 + e2 * e2) * -0.5 + 1.5;
+        Chord { time: twice * self.radius * inverse, place: [e1 * scale, e2 * scale], tangential }
+    }
+    #[inline(always)]
+    fn landing<F: Lane>(&self, chord: &Chord<F>) -> WallHit<F, 2> {
+        let [e1, e2] = chord.place;
+        let one = e1.same(1.0);
+        WallHit {
+            time: chord.time,
+            point: [e1 * self.radius + self.center[0], e2 * self.radius + self.center[1]],
+            normal: [-e1, -e2],
+            inverse: one,
+            inverse_square: one,
+            piece: one.same(self.piece),
+            corner: one.lt(one),
         }
     }
 }

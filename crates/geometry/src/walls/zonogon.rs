@@ -79,28 +79,32 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
         let one = zero.same(1.0);
         let y = [x[0] - self.center[0], x[1] - self.center[1]];
         let (mut num, mut den) = (zero.same(f64::INFINITY), one);
-        let (mut n, mut middle, mut half, mut wall, mut piece) = ([zero; 2], zero, zero, zero, zero);
+        let (mut n, mut middle, mut half, mut piece) = ([zero; 2], zero, zero, zero);
         for side in &self.pairs {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let sign = one.copysign(speed);
-            let distance =
-                (zero.same(side.distance) - sign * (y[0] * side.normal[0] + y[1] * side.normal[1])).max(zero);
-            let speed = speed.abs();
-            let sooner = (distance * den).lt(num * speed) & zero.lt(speed);
-            num = sooner.select(distance, num);
-            den = sooner.select(speed, den);
-            n = [sooner.select(sign * side.normal[0], n[0]), sooner.select(sign * side.normal[1], n[1])];
-            middle = sooner.select(zero.same(side.middle), middle);
-            half = sooner.select(zero.same(side.half), half);
-            wall = sooner.select(zero.same(side.distance), wall);
-            let number = zero.lt(sign).select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
-            piece = sooner.select(number, piece);
+            let up = zero.lt(speed);
+            let height = y[0] * side.normal[0] + y[1] * side.normal[1];
+            let wall = zero.same(side.distance);
+            let distance = up.select(wall - height, wall + height);
+            // a speed of 0 never arrives: nothing is less than 0, nor than ∞·0
+            let sooner = (distance.max(zero) * den).lt(num * speed.abs());
+            let number = up.select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
+            [num, den, n[0], n[1], middle, half, piece] = sooner.choose(
+                [
+                    distance,
+                    speed.abs(),
+                    sign * side.normal[0],
+                    sign * side.normal[1],
+                    zero.same(side.middle),
+                    zero.same(side.half),
+                    number,
+                ],
+                [num, den, n[0], n[1], middle, half, piece],
+            );
         }
         let time = num / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
-        // project onto the side
-        let off = wall - (p[0] * n[0] + p[1] * n[1]);
-        let p = [p[0] + off * n[0], p[1] + off * n[1]];
         let along = p[1] * n[0] - p[0] * n[1] - middle;
         WallHit {
             time,

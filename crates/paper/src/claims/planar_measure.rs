@@ -47,14 +47,15 @@ fn measure(effort: Effort) -> Measurement {
     let samples = effort.of(100, 2000);
     let mut quantities = vec![];
     let all = |gamma_squared: f64| {
-        [
+        let tables = [
             ("circle", no_slip(tables::circle(1.0), gamma_squared)),
             ("stadium", no_slip(tables::stadium(1.0, 1.0), gamma_squared)),
             ("Sinai", no_slip(tables::sinai(1.0, 0.25), gamma_squared)),
             ("ellipse", no_slip(tables::ellipse([2.0, 1.0]), gamma_squared)),
-        ]
+        ];
+        tables.map(|(name, billiard)| (format!("{name}, γ² = {gamma_squared}"), billiard))
     };
-    let smooth = ("stadium, specular", specular(tables::stadium(1.0, 1.0)));
+    let smooth = ("stadium, specular".to_string(), specular(tables::stadium(1.0, 1.0)));
     for (name, billiard) in all(UNIFORM).into_iter().chain(all(0.85)).chain([smooth]) {
         let mut defects = vec![];
         for sample in 0..samples {

@@ -1,8 +1,8 @@
 //! The engine on the table's own pieces: what `billiards run` does.
 
 use billiards::geometry::tables::SpatialTable;
-use billiards::geometry::{Table, Walls, WithWalls};
-use billiards::{Billiard, Clock, Conserved, Orbit, Outcome, Stop};
+use billiards::geometry::{Homogeneous, Table, Walls, WithWalls};
+use billiards::{Billiard, Clock, Conserved, Orbit, Outcome, Rolling, Stop};
 
 use super::super::case::{Case, Space};
 use super::super::law::Law;
@@ -46,6 +46,9 @@ impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, 
     type Output = R;
     fn run<W: Walls<2>>(self, walls: &W) -> R {
         (self.then)(&Billiard { walls, law: self.law })
+    }
+    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
+        (self.then)(&Rolling { walls, law: self.law })
     }
 }
 

@@ -92,6 +92,6 @@ impl WithWalls<3> for On<'_> {
     type Output = ();
     fn run<W: Walls<3>>(self, walls: &W) {
         let billiard = Billiard { walls, law: self.law };
-        run_side_by_side::<Conserve, (), _, _, 3, 3>(&billiard, self.starts, self.collisions, self.finished);
+        run_side_by_side::<Conserve, (), _, 3, 3>(&billiard, self.starts, self.collisions, self.finished);
     }
 }

@@ -40,11 +40,11 @@ fn draw(_: Effort) -> Drawing {
     sheet.chain(&view, seen.iter().copied(), Style::line(colour(0), 0.5));
     let dots: Vec<_> = seen.iter().map(|p| view.place(*p)).collect();
     sheet.svg.dots(dots, 2.2, colour(1), 1.0);
-    sheet.arrow(view.place([-0.6, -0.6]), view.place([-0.3, -0.6]), Colour::BLACK, 0.4);
-    sheet.arrow(view.place([-0.6, -0.6]), view.place([-0.6, -0.3]), Colour::BLACK, 0.4);
-    let [x, y] = view.place([-0.3, -0.6]);
+    sheet.arrow(view.place([-0.64, -0.3]), view.place([-0.38, -0.3]), Colour::BLACK, 0.4);
+    sheet.arrow(view.place([-0.64, -0.3]), view.place([-0.64, -0.04]), Colour::BLACK, 0.4);
+    let [x, y] = view.place([-0.38, -0.3]);
     sheet.label([x + 7.0, y], "x_0");
-    let [x, y] = view.place([-0.6, -0.3]);
+    let [x, y] = view.place([-0.64, -0.04]);
     sheet.label([x, y - 7.0], "x_1");
     Ok(sheet.svg)
 }

@@ -77,7 +77,7 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
         if let Some(reach) = certain_reach(value, slope, bend)
             && t + reach <= end
         {
-            return Some(newton(jet, t, [value, slope], [step, reach], bend, over.high - over.low));
+            return Some(newton(jet, t, [value, slope], [step, reach], bend));
         }
         sure = t + step;
         t = if sure < end { t + step.max(least) } else { end };
@@ -137,7 +137,6 @@ fn newton(
     [mut value, mut slope]: [f64; 2],
     [near, far]: [f64; 2],
     bend: Interval,
-    range: f64,
 ) -> f64 {
     let mut root = t;
     let mut last = f64::INFINITY;
@@ -149,7 +148,7 @@ fn newton(
             return root;
         }
         // the error that is left is at most h″ step² / 2h′
-        if step * step * bend.magnitude() <= f64::EPSILON * range * slope {
+        if step * step * bend.magnitude() <= f64::EPSILON * next.abs() * slope {
             return next;
         }
         (root, last) = (next, step);

@@ -203,7 +203,15 @@ impl<F: PolarFormula> Piece for Polar<F> {
         if way < -self.slack * speed {
             return Crossing::NEVER;
         }
-        Crossing { num: way.max(0.0), den: v.norm_squared() }
+        // the angles have rounded the place: one step of Newton's method for ρ = r(φ), where it is no more than that
+        let square = v.norm_squared();
+        let p = y + v * (way / square);
+        let [r, slope, _] = self.formula.jet(libm::atan2(p.y, p.x));
+        let distance = libm::hypot(p.x, p.y);
+        let rate = (p.dot(&v) - slope * p.perp(&v) / distance) / distance;
+        let step = (distance - r) / rate * square;
+        let way = if step.abs() <= self.slack * speed { way - step } else { way };
+        Crossing { num: way.max(0.0), den: square }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         self.towards(path.at(time) - self.center)

@@ -1,0 +1,377 @@
+//! How long the digits of an orbit last.
+//!
+//! Rounding moves an orbit by an ulp at each collision, and the billiard map carries that on: like a power of the number of
+//! collisions on integrable tables, exponentially on chaotic ones, where after some forty collisions no digit is left. The
+//! covariance `P` of the error of (position, velocity, spin) at the collisions is carried along by the derivative `M` of the
+//! billiard map, and the n-th collision adds the rounding `Q` of its own. Rounded constants of a law or of a table do the
+//! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
+//! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
+use crate::{
+    billiard::{BallLaw, Billiard},
+    rolling::Rolling,
+};
+use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
+
+/// Walls and a law for one orbit, behind a pointer.
+pub trait Bounce<const N: usize, const S: usize>: Sync {
+    /// The first hit of the path from `position` with `velocity`.
+    fn first_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> WallHit<f64, N>;
+    /// What the hit does to velocity and spin.
+    fn collide(&self, hit: &WallHit<f64, N>, velocity: &mut [f64; N], spin: &mut [f64; S]);
+}
+
+impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Bounce<N, S> for Billiard<'_, W, L> {
+    fn first_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> WallHit<f64, N> {
+        self.walls.first_hit(position, velocity)
+    }
+    fn collide(&self, hit: &WallHit<f64, N>, velocity: &mut [f64; N], spin: &mut [f64; S]) {
+        self.law.collide(hit, velocity, spin);
+    }
+}
+
+impl<W: Homogeneous, L: BallLaw<2, 1>> Bounce<2, 1> for Rolling<'_, W, L> {
+    fn first_hit(&self, position: &[f64; 2], velocity: &[f64; 2]) -> WallHit<f64, 2> {
+        self.walls.first_hit(position, velocity)
+    }
+    fn collide(&self, hit: &WallHit<f64, 2>, velocity: &mut [f64; 2], spin: &mut [f64; 1]) {
+        self.law.collide(hit, velocity, spin);
+    }
+}
+
+/// Walls that know how their normal turns.
+pub trait Bend<const N: usize> {
+    /// The derivative of the unit normal at a hit, after a `flight` of some length \[L\], along a unit vector in the wall
+    /// \[L⁻¹\].
+    fn bend(&self, hit: &WallHit<f64, N>, flight: f64, along: &[f64; N]) -> [f64; N];
+}
+
+/// `−κ t`: the table is on the concave side where `κ > 0`.
+impl Bend<2> for Table {
+    fn bend(&self, hit: &WallHit<f64, 2>, _: f64, along: &[f64; 2]) -> [f64; 2] {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+        let curvature = self.curvature(hit.piece as usize, &Vector2::from(hit.point));
+        along.map(|t| -curvature * t)
+    }
+}
+
+impl Bend<3> for SpatialTable {
+    fn bend(&self, _: &WallHit<f64, 3>, _: f64, along: &[f64; 3]) -> [f64; 3] {
+        along.map(|t| -self.curvature() * t)
+    }
+}
+
+/// Any walls, felt by two shots straight at the wall beside the hit.
+///
+/// Where one of them finds another piece or nothing, as beside a vertex, the other one is compared with the hit itself;
+/// where both do, the wall counts as flat. A difference quotient is right to 10⁻⁴ or better; that is enough for chaotic
+/// orbits, and for others up to about a thousand collisions.
+#[derive(Clone, Copy)]
+pub struct Felt<'a, const N: usize, const S: usize>(pub &'a dyn Bounce<N, S>);
+
+impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Felt").finish_non_exhaustive()
+    }
+}
+
+/// Up to where an orbit is the one that was asked for, and not one of the many that rounding makes of it.
+///
+/// ```
+/// use billiards::{Billiard, Felt, Horizon, Moving, laws::Specular};
+/// use billiards::geometry::{Vector2, walls::{Around, Cuboid, Scatterer, Sphere}};
+///
+/// let start = Moving { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [] };
+/// // in a circle, most of the digits are left after a thousand collisions
+/// let circle = Sphere::new(Vector2::zeros(), 1.0, 0)?;
+/// let billiard = Billiard { walls: &circle, law: &Specular };
+/// let horizon = Horizon::of(&billiard, &Felt::<2, 0>(&billiard), start, 1.0, [1000.0, f64::INFINITY]);
+/// assert!(!horizon.lost && horizon.error < 1e-8);
+/// // between a square and a disk in its middle, none is left after thirty
+/// let container = Cuboid::new([0.0; 2], [1.0; 2], [[3, 1], [0, 2]])?;
+/// let sinai = Around { container, obstacles: Scatterer::new(Vector2::repeat(0.5), 0.25, 4)? };
+/// let billiard = Billiard { walls: &sinai, law: &Specular };
+/// let horizon = Horizon::of(&billiard, &Felt::<2, 0>(&billiard), start, 1.0, [1000.0, f64::INFINITY]);
+/// assert!(horizon.lost && horizon.collisions < 100);
+/// # Ok::<(), billiards::geometry::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Horizon {
+    /// Collisions whose place is known: those before the error was as large as the table, or all that were looked at.
+    pub collisions: u64,
+    /// When the last of them was \[T\].
+    pub time: f64,
+    /// A bound for the error of the last of them, to first order: of the position in units of the size, or of the velocity in units of
+    /// the speed, whichever is larger.
+    pub error: f64,
+    /// Whether the next collision is lost.
+    pub lost: bool,
+}
+
+/// Where a ball is, and how it moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moving<const N: usize, const S: usize> {
+    /// Position of the centre \[L\].
+    pub position: [f64; N],
+    /// Velocity of the centre [L T⁻¹].
+    pub velocity: [f64; N],
+    /// Scaled spin [L T⁻¹].
+    pub spin: [f64; S],
+}
+
+/// Rounding moves a coordinate by so much of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
+
+/// The relative step of difference quotients of laws.
+///
+/// Strict laws are linear in the velocities and quadratic in the normal, so that symmetric quotients are exact but for
+/// rounding, 10⁻¹³ here: neutral orbits stay neutral. Any other law is right to 10⁻⁶.
+const STEP: f64 = 1.0 / 1024.0;
+
+/// How far from a hit the wall is felt for its curvature, in parts of the flight; never less than this part of the distance
+/// from the origin, of which normals are rounded by ε: both leave an error of 10⁻⁴ of the curvature at most.
+const NEARBY: [f64; 2] = [1.0 / 65_536.0, 1.0 / 1_099_511_627_776.0]; // 2⁻¹⁶, 2⁻⁴⁰
+
+impl Horizon {
+    /// Follows an orbit on a table of some `size` \[L\] for at most so many collisions and so much time, `[collisions, time]`.
+    ///
+    /// For a table of no size (a strip) give infinity: then the orbit is lost with the direction of its velocity.
+    /// Any law will do; where nothing is known of the walls' curvature, `walls` is [`Felt`].
+    pub fn of<const N: usize, const S: usize>(
+        billiard: &dyn Bounce<N, S>,
+        walls: &dyn Bend<N>,
+        start: Moving<N, S>,
+        size: f64,
+        limit: [f64; 2],
+    ) -> Horizon {
+        let mut at = start;
+        let mut spread = Spread::new(&at);
+        let mut horizon = Horizon { collisions: 0, time: 0.0, error: 0.0, lost: false };
+        loop {
+            let hit = billiard.first_hit(&at.position, &at.velocity);
+            let time = horizon.time + hit.time;
+            let beyond = horizon.collisions as f64 >= limit[0] || time > limit[1];
+            if beyond || !(hit.time < f64::INFINITY) || hit.corner {
+                return horizon;
+            }
+            let n = (horizon.collisions + 1) as f64;
+            let next = Derivative::step(billiard, walls, &at, &hit, &mut spread, n);
+            let error = spread.error(&next, size);
+            // NaN is an error, too
+            if !(error < 1.0) {
+                return Horizon { lost: true, ..horizon };
+            }
+            at = next;
+            horizon = Horizon { collisions: horizon.collisions + 1, time, error, lost: false };
+        }
+    }
+}
+
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    (0..N).map(|i| a[i] * b[i]).sum()
+}
+fn plus<const N: usize>(a: &[f64; N], factor: f64, b: &[f64; N]) -> [f64; N] {
+    core::array::from_fn(|i| a[i] + factor * b[i])
+}
+fn norm<const N: usize>(a: &[f64; N]) -> f64 {
+    libm::sqrt(dot(a, a))
+}
+
+impl<const N: usize, const S: usize> Moving<N, S> {
+    const ZERO: Self = Moving { position: [0.0; N], velocity: [0.0; N], spin: [0.0; S] };
+    /// The number of coordinates.
+    const COORDINATES: usize = N + N + S;
+
+    fn speed(&self) -> f64 {
+        libm::sqrt(dot(&self.velocity, &self.velocity) + dot(&self.spin, &self.spin))
+    }
+    fn get(&self, i: usize) -> f64 {
+        if i < N {
+            self.position[i]
+        } else if i < N + N {
+            self.velocity[i - N]
+        } else {
+            self.spin[i - N - N]
+        }
+    }
+    fn set(&mut self, i: usize, value: f64) {
+        if i < N {
+            self.position[i] = value;
+        } else if i < N + N {
+            self.velocity[i - N] = value;
+        } else {
+            self.spin[i - N - N] = value;
+        }
+    }
+}
+
+/// The covariance of the errors, by columns.
+#[derive(Clone, Debug)]
+struct Spread<const N: usize, const S: usize>(Vec<Moving<N, S>>);
+
+impl<const N: usize, const S: usize> Spread<N, S> {
+    /// Of a start whose numbers are rounded.
+    fn new(start: &Moving<N, S>) -> Self {
+        let mut spread = Spread(vec![Moving::ZERO; Moving::<N, S>::COORDINATES]);
+        spread.round(norm(&start.position), start.speed(), 1.0);
+        spread
+    }
+
+    /// Adds `weight` times the square of a rounding of coordinates and of velocities of these sizes.
+    fn round(&mut self, length: f64, speed: f64, weight: f64) {
+        for (i, column) in self.0.iter_mut().enumerate() {
+            let size = ROUNDING * if i < N { length } else { speed };
+            column.set(i, column.get(i) + weight * size * size);
+        }
+    }
+
+    /// `(1 + 1/n) P`
+    fn widen(&mut self, n: f64) {
+        for column in &mut self.0 {
+            for i in 0..Moving::<N, S>::COORDINATES {
+                column.set(i, column.get(i) * (1.0 + 1.0 / n));
+            }
+        }
+    }
+
+    /// `M P Mᵀ`
+    fn carry(&mut self, derivative: impl Fn(&Moving<N, S>) -> Moving<N, S>) {
+        for _ in 0..2 {
+            let moved: Vec<_> = self.0.iter().map(&derivative).collect();
+            for (i, column) in self.0.iter_mut().enumerate() {
+                for (k, row) in moved.iter().enumerate() {
+                    column.set(k, row.get(i));
+                }
+            }
+        }
+    }
+
+    /// The root of the mean square error, relative.
+    fn error(&self, at: &Moving<N, S>, size: f64) -> f64 {
+        let [mut place, mut motion] = [0.0, 0.0];
+        for (i, column) in self.0.iter().enumerate() {
+            if i < N {
+                place += column.get(i);
+            } else {
+                motion += column.get(i);
+            }
+        }
+        let [place, motion] = [libm::sqrt(place) / size, libm::sqrt(motion) / at.speed()];
+        if place.is_nan() || motion.is_nan() { f64::NAN } else { place.max(motion) }
+    }
+}
+
+/// The derivative of flight and collision at a hit.
+struct Derivative<'a, const N: usize, const S: usize> {
+    billiard: &'a dyn Bounce<N, S>,
+    before: Moving<N, S>,
+    hit: WallHit<f64, N>,
+    normal: [f64; N],
+    /// Unit vectors along the wall, and the derivatives of the normal along them \[L⁻¹\].
+    bends: Vec<[[f64; N]; 2]>,
+}
+
+impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
+    /// The state after the hit, and the errors carried there.
+    fn step(
+        billiard: &'a dyn Bounce<N, S>,
+        walls: &dyn Bend<N>,
+        at: &Moving<N, S>,
+        hit: &WallHit<f64, N>,
+        spread: &mut Spread<N, S>,
+        n: f64,
+    ) -> Moving<N, S> {
+        let flight = hit.time * norm(&at.velocity);
+        let length = norm(&at.position).max(norm(&hit.point)).max(flight);
+        let normal = hit.unit_normal();
+        let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
+        let derivative = Derivative { billiard, before: *at, hit: *hit, normal, bends };
+        spread.widen(n);
+        spread.round(length, 0.0, 1.0 + n);
+        spread.carry(|d| derivative.apply(d));
+        let mut next = Moving { position: hit.point, ..*at };
+        billiard.collide(hit, &mut next.velocity, &mut next.spin);
+        spread.round(0.0, next.speed(), 1.0 + n);
+        next
+    }
+
+    /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.
+    fn apply(&self, d: &Moving<N, S>) -> Moving<N, S> {
+        let Derivative { before: Moving { velocity: v, spin: w, .. }, hit, normal: n, .. } = self;
+        let moved = plus(&d.position, hit.time, &d.velocity);
+        let position = plus(&moved, -dot(&moved, n) / dot(v, n), v);
+        let mut turned = [0.0; N];
+        for [along, bend] in &self.bends {
+            turned = plus(&turned, dot(&position, along), bend);
+        }
+        let speed = self.before.speed();
+        // symmetric difference quotients along (dv, dw), and along dn; the normal keeps its length to first order
+        let change = libm::sqrt(dot(&d.velocity, &d.velocity) + dot(&d.spin, &d.spin)) / speed;
+        let by_motion = quotient(change, |step| self.collide(n, plus(v, step, &d.velocity), plus(w, step, &d.spin)));
+        let by_normal = quotient(norm(&turned), |step| self.collide(&plus(n, step, &turned), *v, *w));
+        Moving {
+            position,
+            velocity: plus(&by_motion.0, 1.0, &by_normal.0),
+            spin: plus(&by_motion.1, 1.0, &by_normal.1),
+        }
+    }
+
+    /// What the hit does to a velocity and a spin if its normal is another one, of about unit length.
+    fn collide(&self, normal: &[f64; N], mut velocity: [f64; N], mut spin: [f64; S]) -> ([f64; N], [f64; S]) {
+        let hit = WallHit { normal: *normal, inverse: 1.0, inverse_square: 1.0, ..self.hit };
+        self.billiard.collide(&hit, &mut velocity, &mut spin);
+        (velocity, spin)
+    }
+}
+
+/// The derivative at 0 of something that changes by about 1 over a step of `1 / change`.
+fn quotient<const N: usize, const S: usize>(
+    change: f64,
+    f: impl Fn(f64) -> ([f64; N], [f64; S]),
+) -> ([f64; N], [f64; S]) {
+    if change == 0.0 {
+        return ([0.0; N], [0.0; S]);
+    }
+    let step = STEP / change;
+    let (low, high) = (f(-step), f(step));
+    let rate = 0.5 / step;
+    (plus(&high.0, -1.0, &low.0).map(|x| x * rate), plus(&high.1, -1.0, &low.1).map(|x| x * rate))
+}
+
+/// `N − 1` orthogonal unit vectors at right angles to a unit vector.
+fn along<const N: usize>(normal: &[f64; N]) -> Vec<[f64; N]> {
+    let mut found: Vec<[f64; N]> = vec![*normal];
+    // the axes, those that are least parallel to the normal first
+    let mut axes: Vec<usize> = (0..N).collect();
+    axes.sort_by(|i, j| normal[*i].abs().total_cmp(&normal[*j].abs()));
+    for axis in axes.into_iter().take(N - 1) {
+        let mut e = [0.0; N];
+        e[axis] = 1.0;
+        for f in &found {
+            e = plus(&e, -dot(&e, f), f);
+        }
+        let length = norm(&e);
+        found.push(e.map(|x| x / length));
+    }
+    found.split_off(1)
+}
+
+impl<const N: usize, const S: usize> Bend<N> for Felt<'_, N, S> {
+    fn bend(&self, hit: &WallHit<f64, N>, flight: f64, along: &[f64; N]) -> [f64; N] {
+        let normal = hit.unit_normal();
+        let inwards = normal.map(|n| -n);
+        let nearby = (NEARBY[0] * flight).max(NEARBY[1] * norm(&hit.point));
+        let felt = |side: f64| {
+            let from = plus(&plus(&hit.point, side * nearby, along), nearby, &normal);
+            let other = self.0.first_hit(&from, &inwards);
+            let same = other.time < 4.0 * nearby && other.piece == hit.piece && !other.corner;
+            same.then(|| other.unit_normal())
+        };
+        let rate = |to: &[f64; N], from: &[f64; N], way: f64| plus(to, -1.0, from).map(|x| x / way);
+        match (felt(-1.0), felt(1.0)) {
+            (Some(low), Some(high)) => rate(&high, &low, 2.0 * nearby),
+            (None, Some(high)) => rate(&high, &normal, nearby),
+            (Some(low), None) => rate(&normal, &low, nearby),
+            (None, None) => [0.0; N],
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! The horizon is where an orbit's digits really end.
+use billiards::{
+    Billiard, Bounce, Clock, Collisions, Conserved, Felt, Horizon, Moving, Orbit, Planar, Spatial,
+    laws::{Disk, RoughBall},
+    reverse,
+};
+use collision_laws::laws::{NoSlip, Specular};
+use core::f64::consts::FRAC_1_SQRT_2;
+use geometry::{Table, Walls, WithWalls, tables, tables::SpatialTable};
+
+struct With<'a, R>(&'a Disk, &'a dyn Fn(&dyn Bounce<2, 1>) -> R);
+
+impl<R> WithWalls<2> for With<'_, R> {
+    type Output = R;
+    fn run<W: Walls<2>>(self, walls: &W) -> R {
+        (self.1)(&Billiard { walls, law: self.0 })
+    }
+}
+
+fn horizon(table: &Table, law: &Disk, start: Moving<2, 1>, size: f64, collisions: u32) -> Horizon {
+    let limit = [f64::from(collisions), f64::INFINITY];
+    let look = |billiard: &dyn Bounce<2, 1>| Horizon::of(billiard, table, start, size, limit);
+    table.with_walls(With(law, &look))
+}
+
+fn laws() -> [Disk; 2] {
+    [Disk::new(&NoSlip, FRAC_1_SQRT_2), Disk::new(&Specular, FRAC_1_SQRT_2)]
+}
+
+/// Starts in every table used here, off the scatterer.
+fn starts() -> impl Iterator<Item = Moving<2, 1>> {
+    (0..24).map(|k| {
+        let k = f64::from(k);
+        Moving {
+            position: [0.11 + 0.003 * k, 0.13],
+            velocity: [libm::cos(0.7 + 1.7 * k), libm::sin(0.7 + 1.7 * k)],
+            spin: [0.4 * libm::sin(k)],
+        }
+    })
+}
+
+fn orbit(m: &Moving<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> {
+    Orbit::new(m.position, m.velocity, m.spin, Clock::new(0.0))
+}
+
+/// The collision at which two orbits are a quarter of a table apart that start an ulp of the table from each other.
+fn parting(billiard: &Planar<Disk>, start: &Moving<2, 1>, size: f64) -> Option<u64> {
+    let mut other = *start;
+    other.position[0] += 2.0 * f64::EPSILON;
+    let (mut a, mut b) = (orbit(start), orbit(&other));
+    for n in 1..=400 {
+        let made = [&mut a, &mut b].map(|o| billiard.run(o, &Collisions(1), &mut ()).collisions);
+        if made != [1, 1] {
+            return None;
+        }
+        let [dx, dy] = [0, 1].map(|i| a.position[i] - b.position[i]);
+        if libm::hypot(dx, dy) > 0.25 * size {
+            return Some(n);
+        }
+    }
+    None
+}
+
+#[test]
+fn on_chaotic_tables_twins_part_at_the_horizon() {
+    for (name, table, size) in [
+        ("stadium", tables::stadium(1.0, 1.0).unwrap(), 2.0),
+        ("sinai", tables::sinai(1.0, 0.25).unwrap(), 1.0),
+        ("sinai torus", tables::sinai_torus(0.25, 1.0).unwrap(), 1.0),
+    ] {
+        // no-slip orbits are often regular: specular ones part
+        let billiard = Planar { table, law: laws()[1] };
+        let (mut ratios, mut compared) = (0.0, 0);
+        for start in starts() {
+            let Some(parted) = parting(&billiard, &start, size) else { continue };
+            let horizon = horizon(&billiard.table, &billiard.law, start, size, 400);
+            assert!(horizon.lost, "{name}: {horizon:?}");
+            let ratio = horizon.collisions as f64 / parted as f64;
+            // a bound for all errors is some hundred times the one ulp of the twins, which is six of forty collisions, and the
+            // growth near the end depends on where they happen to be
+            assert!((0.6..1.6).contains(&ratio), "{name}: parted at {parted}, {horizon:?}");
+            ratios += ratio;
+            compared += 1;
+        }
+        assert!(compared > 12, "{name}: {compared}");
+        let mean = ratios / f64::from(compared);
+        assert!((0.85..1.15).contains(&mean), "{name}: {mean}");
+    }
+}
+
+#[test]
+fn on_integrable_tables_the_error_grows_like_a_power() {
+    for (law, third) in laws().into_iter().zip(["strip", "square"]) {
+        for (name, table) in [
+            ("circle", tables::circle(1.0).unwrap()),
+            ("equilateral", tables::equilateral(1.0).unwrap()),
+            (third, if third == "strip" { tables::strip(1.0).unwrap() } else { tables::square(1.0).unwrap() }),
+        ] {
+            for start in starts().take(4) {
+                let [few, many] = [100, 10_000].map(|n| horizon(&table, &law, start, 1.0, n));
+                if few.collisions < 100 || many.collisions < 10_000 {
+                    continue; // a corner
+                }
+                assert!(!many.lost);
+                // errors of the velocity that add up grow like N, and so do those of the places that each of them leads to; the
+                // last wall may be met at another angle than the hundredth, which counts a factor of two
+                let exponent = 0.5 * libm::log10(many.error / few.error);
+                assert!(exponent < 2.2, "{name}: N^{exponent:.2}");
+            }
+        }
+    }
+}
+
+/// Goes forward and back again; the distance from the first collision, and the horizon's error of an orbit of that length.
+fn there_and_back(billiard: &Planar<Disk>, start: &Moving<2, 1>, collisions: u32) -> Option<[f64; 2]> {
+    let mut o = orbit(start);
+    let mut last = None;
+    let mut first = None;
+    for n in 0..collisions {
+        let mut watch = billiards::observe::Watch::new(|c: &billiards::Collision<'_, 2, 1, _, _>| {
+            last = Some(*c.hit);
+            core::ops::ControlFlow::Continue(())
+        });
+        if billiard.run(&mut o, &Collisions(1), &mut watch).collisions == 0 {
+            return None;
+        }
+        if n == 0 {
+            first = Some(o.position);
+        }
+    }
+    reverse(&billiard.law, &mut o, &last?);
+    if billiard.run(&mut o, &Collisions(u64::from(collisions) - 1), &mut ()).collisions + 1 < u64::from(collisions) {
+        return None;
+    }
+    let first = first?;
+    let error = libm::hypot(o.position[0] - first[0], o.position[1] - first[1]);
+    let horizon = horizon(&billiard.table, &billiard.law, *start, 1.0, 2 * collisions);
+    (!horizon.lost).then_some([error, horizon.error])
+}
+
+#[test]
+fn orbits_that_turn_around_come_back_within_the_horizon() {
+    let chaotic: &[u32] = &[4, 8, 12, 16];
+    let regular: &[u32] = &[10, 100, 1000];
+    for (name, table, lengths) in [
+        ("circle", tables::circle(1.0).unwrap(), regular),
+        ("strip", tables::strip(1.0).unwrap(), regular),
+        ("square", tables::square(1.0).unwrap(), regular),
+        ("ellipse", tables::ellipse([2.0, 1.0]).unwrap(), regular),
+        ("stadium", tables::stadium(1.0, 1.0).unwrap(), chaotic),
+        ("sinai", tables::sinai(1.0, 0.25).unwrap(), chaotic),
+    ] {
+        for (law, slip) in laws().into_iter().zip(["no-slip", "specular"]) {
+            let billiard = Planar { table: table.clone(), law };
+            let mut worst: f64 = 0.0;
+            for start in starts() {
+                for &n in lengths {
+                    let Some([error, estimate]) = there_and_back(&billiard, &start, n) else { continue };
+                    worst = worst.max(error / estimate);
+                }
+            }
+            // a bound, but for flat orbits, in which the energy's rounding goes into a normal velocity that is next to nothing
+            assert!(worst < 8.0, "{name}, {slip}: {worst} times the bound");
+            // and no idle one, though errors that cancel stay far below it
+            assert!(worst > 1e-3, "{name}, {slip}: only {worst} of the bound");
+        }
+    }
+}
+
+#[test]
+fn in_space_the_curvature_of_walls_counts() {
+    struct Look<'a>(&'a RoughBall, &'a SpatialTable, Moving<3, 3>);
+    impl WithWalls<3> for Look<'_> {
+        type Output = Horizon;
+        fn run<W: Walls<3>>(self, walls: &W) -> Horizon {
+            let billiard = Billiard { walls, law: self.0 };
+            let limit = [200.0, f64::INFINITY];
+            let [exact, felt] = [
+                Horizon::of(&billiard, self.1, self.2, 1.0, limit),
+                Horizon::of(&billiard, &Felt(&billiard), self.2, 1.0, limit),
+            ];
+            assert!((exact.error / felt.error - 1.0).abs() < 1e-3, "{exact:?} {felt:?}");
+            exact
+        }
+    }
+    let law = RoughBall::no_slip(0.4_f64.sqrt());
+    let start = Moving { position: [0.1, 0.2, 0.3], velocity: [0.5, 0.4, 0.6], spin: [0.1, 0.2, 0.3] };
+    for table in [tables::slab(1.0).unwrap(), tables::ball(1.0).unwrap()] {
+        let billiard = Spatial { table, law };
+        let horizon = billiard.table.with_walls(Look(&law, &billiard.table, start));
+        assert!(!horizon.lost && horizon.error < 1e-11, "{}: {horizon:?}", billiard.table.name());
+    }
+    // the same ball outside: a scatterer in a box
+    let walls = geometry::walls::Around {
+        container: geometry::walls::Cuboid::new([-1.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap(),
+        obstacles: geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
+    };
+    let start = Moving { position: [0.9, 0.8, 0.3], ..start };
+    let specular = billiards::laws::Specular;
+    let billiard = Billiard { walls: &walls, law: &specular };
+    let chaotic = Horizon::of(&billiard, &Felt::<3, 3>(&billiard), start, 1.0, [400.0, f64::INFINITY]);
+    assert!(chaotic.lost && chaotic.collisions < 200, "{chaotic:?}");
+}

@@ -1,0 +1,48 @@
+//! What is left of the digits after millions of collisions?
+//!
+//! Expected: the energy is kept to the last digit whatever the length; the other invariants of integrable tables lose little;
+//! the time is so exact that the position in a square at t = 10⁵ is right to 10⁻¹⁰; and how far the angle on a circle is off the
+//! closed form.
+//!
+//! `cargo run --release --example long_runs -- 10000000` for ten million collisions; the default is 10⁵.
+#[path = "../tests/long/mod.rs"]
+mod long;
+#[path = "../tests/phase/mod.rs"]
+mod phase;
+
+use billiards::geometry::Error;
+
+fn main() -> Result<(), Error> {
+    let argument = std::env::args().nth(1);
+    let count: u64 = argument.and_then(|count| count.parse().ok()).unwrap_or(100_000);
+    // five per decade; even, so that both walls or both phases have had their turn
+    let mut checkpoints: Vec<u64> = vec![];
+    let mut n = 1000.0;
+    while n <= count as f64 {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and below 2⁵³")]
+        checkpoints.push(2 * (0.5 * n) as u64);
+        n *= 10.0_f64.powf(0.2);
+    }
+    println!("rms drift of what is conserved, over 8 orbits, up to {count} collisions");
+    for case in long::cases()? {
+        let drifts = long::drifts(&case, 8, &checkpoints);
+        let (last, exponent) = (drifts[drifts.len() - 1], long::exponent(&checkpoints, &drifts));
+        println!("  {:<54} {last:.1e}, like N^{exponent:.2}", case.name);
+        // ten digits of fifteen, whatever the length
+        assert!(last < 1e-10 * (1.0 + count as f64 * 1e-7), "{}", case.name);
+    }
+    println!("largest relative drift of the energy in {count} collisions");
+    for (name, billiard) in long::energies()? {
+        let drift = long::energy_drift(&billiard, count, 100_000);
+        println!("  {name:<54} {drift:.1e}");
+        assert!(drift < 4e-15, "{name}");
+    }
+    let error = long::unfolding_error(100_000)?;
+    println!("unit square, position at t = 1e5                         {error:.1e}");
+    assert!(error <= 1e-10);
+    for (name, law, gamma) in phase::laws() {
+        let error = phase::error(law, gamma, count)?;
+        println!("circle, {name:<8}, angle after {count} collisions         {error:.1e}");
+    }
+    Ok(())
+}

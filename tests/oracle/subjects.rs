@@ -1,0 +1,235 @@
+//! Pieces and tables whose hits are measured.
+use super::curve::{Bulge, Cut, Offset, Oval, Peanut, Quartic, Truth, truth_of};
+use super::errors::Subject;
+use super::number::vector;
+use billiards::geometry::{
+    Error, Extent, Figure, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
+    shapes::{
+        Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Parallel, Ray, Segment,
+        curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
+    },
+    tables,
+};
+use std::sync::Arc as Shared;
+
+/// Where a subject is and how large.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frame {
+    pub(crate) name: &'static str,
+    pub(crate) scale: f64,
+    pub(crate) shift: [f64; 2],
+}
+
+/// As it is named; then not by powers of two larger, smaller, and far from the origin.
+pub(crate) const FRAMES: [Frame; 4] = [
+    Frame { name: "plain", scale: 1.0, shift: [0.0, 0.0] },
+    Frame { name: "huge", scale: 1e100, shift: [0.0, 0.0] },
+    Frame { name: "tiny", scale: 1e-100, shift: [0.0, 0.0] },
+    Frame { name: "far", scale: 1.0, shift: [12_345.678, -4_321.5] },
+];
+
+impl Frame {
+    fn point(&self, x: f64, y: f64) -> Vector2<f64> {
+        Vector2::new(x * self.scale + self.shift[0], y * self.scale + self.shift[1])
+    }
+    fn size(&self, extent: f64) -> f64 {
+        (extent * self.scale).max(self.shift[0].abs())
+    }
+}
+
+#[derive(Debug)]
+struct Fermat;
+
+impl ImplicitFormula for Fermat {
+    fn value(&self, [x, y]: [f64; 2]) -> f64 {
+        x * x * x * x + y * y * y * y - 1.0
+    }
+    fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [4.0 * x * x * x, 4.0 * y * y * y]
+    }
+    fn hessian(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        [12.0 * x * x, 0.0, 12.0 * y * y]
+    }
+    fn hessian_over(&self, [x, y]: [Interval; 2]) -> [Interval; 3] {
+        [x.square() * 12.0, Interval::from(0.0), y.square() * 12.0]
+    }
+    fn extent(&self) -> Extent {
+        Extent { min: Vector2::new(-1.0, -1.0), max: Vector2::new(1.0, 1.0) }
+    }
+}
+
+/// `1 + a cos 2φ`
+#[derive(Debug)]
+struct Waist(f64);
+
+impl PolarFormula for Waist {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = (libm::sin(2.0 * angle), libm::cos(2.0 * angle));
+        [1.0 + self.0 * cos, -2.0 * self.0 * sin, -4.0 * self.0 * cos]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let (sin, cos) = ((angle * 2.0).sin(), (angle * 2.0).cos());
+        [cos * self.0 + 1.0, sin * (-2.0 * self.0), cos * (-4.0 * self.0)]
+    }
+}
+
+/// A piece and the truth about it.
+type Known = (&'static str, f64, Box<dyn Piece>, Box<dyn Truth>);
+
+/// Every kind of piece; formulas in the plain frame only.
+fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
+    let at = |x, y| frame.point(x, y);
+    let by = |x: f64| x * frame.scale;
+    let mut all: Vec<Known> = vec![];
+    let figures: Vec<(&'static str, f64, Box<dyn Piece>)> = vec![
+        ("segment", 1.1, Box::new(Segment::new(at(0.3, -0.7), at(1.1, 0.9))?)),
+        ("ray, table left", 1.0, Box::new(Ray::new(at(0.25, -0.5), Vector2::new(0.8, 0.33), true)?)),
+        ("ray, table right", 1.0, Box::new(Ray::new(at(0.25, -0.5), Vector2::new(0.8, 0.33), false)?)),
+        ("line", 1.0, Box::new(FullLine::new(at(0.1, 0.2), Vector2::new(-0.3, 1.0))?)),
+        ("circle, inside", 1.0, Box::new(Circle::new(at(0.1, -0.2), by(0.9), true)?)),
+        ("circle, outside", 1.0, Box::new(Circle::new(at(0.1, -0.2), by(0.25), false)?)),
+        ("arc, inside", 1.0, Box::new(Arc::new(at(0.0, 0.0), at(1.0, 0.0), at(-0.6, 0.8), true)?)),
+        ("arc, outside", 1.0, Box::new(Arc::new(at(0.0, 0.0), at(0.6, 0.8), at(-0.28, -0.96), false)?)),
+    ];
+    for (name, extent, piece) in figures {
+        let truth = truth_of(&*piece);
+        all.push((name, extent, piece, truth));
+    }
+    let center = at(0.3, -0.2);
+    let axes = [by(2.0), by(0.75)];
+    let oval = |inside, arc| Oval::new(center.into(), axes, 0.7, inside, arc);
+    for (name, part, inside) in
+        [("ellipse, inside", "elliptic arc, inside", true), ("ellipse, outside", "elliptic arc, outside", false)]
+    {
+        let ellipse = Ellipse::new(center, axes, 0.7, inside)?;
+        let ends = [by(1.0), by(3.75)].map(|s| ellipse.point_at(s));
+        let arc = EllipticArc::new(ellipse, ends[0], ends[1])?;
+        all.push((name, 2.0, Box::new(ellipse), Box::new(Cut::new(oval(inside, None)))));
+        all.push((part, 2.0, Box::new(arc), Box::new(Cut::new(oval(inside, Some(ends.map(Into::into)))))));
+    }
+    let (a, b, height) = (at(-0.4, 0.1), at(0.8, 0.5), by(0.125));
+    let bump = Bump::new(a, b, height)?;
+    all.push((
+        "bump",
+        1.0,
+        Box::new(bump),
+        Box::new(Cut::new(Bulge { a: vector(a.into()), b: vector(b.into()), height })),
+    ));
+    let base = Ellipse::new(center, axes, 0.7, true)?;
+    let distance = by(0.125);
+    let parallel = Parallel::new(Shared::new(base), distance, [0.0, base.length()], None)?;
+    all.push((
+        "parallel of an ellipse",
+        2.0,
+        Box::new(parallel),
+        Box::new(Cut::new(Offset { base: oval(true, None), distance })),
+    ));
+    if frame.name == "plain" {
+        all.push(("formula x⁴ + y⁴ = 1", 1.0, Box::new(Implicit::new(Fermat, true)?), Box::new(Cut::new(Quartic))));
+        let polar = Polar::new(Vector2::zeros(), Waist(0.25), true)?;
+        all.push(("formula 1 + ¼ cos 2φ", 1.25, Box::new(polar), Box::new(Cut::new(Peanut(0.25)))));
+    }
+    Ok(all)
+}
+
+/// The piece of a figure in a frame.
+fn framed(figure: &Figure, frame: &Frame) -> Result<Box<dyn Piece>, Error> {
+    let at = |p: &Vector2<f64>| frame.point(p.x, p.y);
+    Ok(match figure {
+        Figure::Segment { ends: [a, b] } => Box::new(Segment::new(at(a), at(b))?),
+        Figure::Ray { from, direction, left } => Box::new(Ray::new(at(from), *direction, *left)?),
+        Figure::Line { through, direction } => Box::new(FullLine::new(at(through), *direction)?),
+        Figure::Arc { center, radius, ends: [a, b], inside } => {
+            Box::new(Arc::with_radius(at(center), radius * frame.scale, at(a), at(b), *inside)?)
+        }
+        Figure::Circle { center, radius, inside } => Box::new(Circle::new(at(center), radius * frame.scale, *inside)?),
+        Figure::Other => return Err(Error::Empty),
+    })
+}
+
+/// Tables whose walls are of every kind.
+fn all_tables() -> Result<Vec<(&'static str, f64, Table)>, Error> {
+    // a stadium lying askew
+    let turned = |p: &Vector2<f64>| Vector2::new(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y);
+    let askew: Vec<Box<dyn Piece>> = tables::stadium(1.0, 1.0)?
+        .pieces()
+        .iter()
+        .map(|piece| -> Result<Box<dyn Piece>, Error> {
+            Ok(match piece.figure() {
+                Figure::Arc { center, radius, ends: [a, b], inside } => {
+                    Box::new(Arc::with_radius(turned(&center), radius, turned(&a), turned(&b), inside)?)
+                }
+                Figure::Segment { ends: [a, b] } => Box::new(Segment::new(turned(&a), turned(&b))?),
+                _ => return Err(Error::Empty),
+            })
+        })
+        .collect::<Result<_, _>>()?;
+    Ok(vec![
+        ("strip (Slab)", 1.0, tables::strip(1.0)?),
+        ("rectangle (Cuboid)", 2.0, tables::rectangle([2.0, 1.0])?),
+        ("hexagon (Zonogon)", 1.0, tables::hexagon(1.0)?),
+        ("pentagon (ConvexPolygon)", 1.0, tables::polygon(5, 1.0)?),
+        ("wedge (ConvexPolygon)", 1.0, tables::wedge(1.0)?),
+        ("stadium (Capsule)", 2.0, tables::stadium(1.0, 1.0)?),
+        ("stadium askew (Rotated)", 2.0, Table::new(askew)?),
+        ("circle (Sphere)", 1.0, tables::circle(1.0)?),
+        ("sinai (Cuboid, Scatterer)", 1.0, tables::sinai(1.0, 0.25)?),
+        ("sinai, radius 1/100", 1.0, tables::sinai(1.0, 0.01)?),
+        ("moon (Sphere, List)", 1.0, tables::moon(1.0, 0.75, 1.0)?),
+        ("mushroom (List)", 1.0, tables::mushroom(1.0, 0.5, 0.75)?),
+        ("flower (List)", 1.5, tables::flower(4, 1.25, 2.0)?),
+    ])
+}
+
+/// What answers for walls.
+type Answer<'a> = &'a dyn Fn(&Line<2>) -> WallHit<f64, 2>;
+
+struct Ask<'a>(&'a mut dyn FnMut(Answer<'_>));
+
+impl WithWalls<2> for Ask<'_> {
+    type Output = ();
+    fn run<W: Walls<2>>(self, walls: &W) {
+        (self.0)(&|path| walls.first_hit::<f64>(&path.point.into(), &path.velocity.into()));
+    }
+}
+
+/// Shows every subject in a frame.
+///
+/// # Errors
+/// None, but that the library's constructors may have some.
+pub(crate) fn each(frame: &Frame, mut show: impl FnMut(&Subject<'_>)) -> Result<(), Error> {
+    for (name, extent, piece, truth) in pieces(frame)? {
+        let hit = |path: &Line<2>| {
+            let time = piece.crossing(path).time();
+            if !(time < f64::INFINITY) {
+                return WallHit::never(path.point.into());
+            }
+            let landing = piece.landing(path, time);
+            let mut hit = WallHit::never(landing.point.into());
+            hit.time = time;
+            hit.normal = landing.normal.into();
+            hit
+        };
+        let size = frame.size(extent);
+        let extent = extent * frame.scale;
+        // of an open piece any side of its vertices may be in a table
+        let inside = |x: &Vector2<f64>| {
+            let closest = piece.closest(x);
+            let beyond = piece.ends().is_some_and(|ends| ends.contains(&closest.point));
+            beyond || (x - closest.point).dot(&closest.normal) > 0.0
+        };
+        show(&Subject { name, size, extent, pieces: vec![&*piece], truth: vec![truth], inside: &inside, hit: &hit });
+    }
+    for (name, extent, table) in all_tables()? {
+        let pieces = table.pieces().iter().map(|piece| framed(&piece.figure(), frame)).collect::<Result<_, _>>()?;
+        let table = Table::new(pieces)?;
+        table.with_walls(Ask(&mut |hit| {
+            let pieces: Vec<&dyn Piece> = table.pieces().iter().map(|piece| &**piece).collect();
+            let truth = pieces.iter().map(|piece| truth_of(*piece)).collect();
+            let (size, extent, inside) =
+                (frame.size(extent), extent * frame.scale, &|x: &Vector2<f64>| table.contains(x));
+            show(&Subject { name, size, extent, pieces, truth, inside, hit });
+        }));
+    }
+    Ok(())
+}
