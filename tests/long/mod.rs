@@ -197,6 +197,11 @@ pub(crate) fn energy_drift(billiard: &Planar<Disk>, collisions: u64, looks: u64)
         let mut drift = EnergyDrift::of(&orbit);
         let step = (collisions / looks).max(1);
         while left > 0 {
+            if step == 1 {
+                // an orbit of its own, not one that starts anew at every collision
+                left -= billiard.run(&mut orbit, &Collisions(left), &mut drift).collisions;
+                break;
+            }
             let outcome = billiard.run(&mut orbit, &Collisions(step.min(left) - 1), &mut ());
             let last = billiard.run(&mut orbit, &Collisions(1), &mut drift);
             left -= (outcome.collisions + last.collisions).min(left);

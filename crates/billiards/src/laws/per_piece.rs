@@ -6,32 +6,30 @@ use lanes::Lane;
 
 /// The disk laws of the pieces, by their numbers; pieces beyond the list have the last law of it.
 #[derive(Clone, Debug)]
-pub struct PerPiece(Vec<Change>);
+pub struct PerPiece(Vec<Disk>);
 
 impl PerPiece {
     /// One law per piece; at least one.
     pub fn new(first: Disk, others: impl IntoIterator<Item = Disk>) -> PerPiece {
-        PerPiece(core::iter::once(first).chain(others).map(|disk| disk.0).collect())
+        PerPiece(core::iter::once(first).chain(others).collect())
     }
 }
 
 impl PerPiece {
-    /// The laws of the pieces hit.
-    #[inline(always)]
-    fn at<F: Lane>(&self, hit: &WallHit<F, 2>) -> Change<F> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        let change = |lane: usize| &self.0[(hit.piece.lane(lane) as usize).min(self.0.len() - 1)];
-        Change::by_lane(hit.time, change)
+    /// The law of the piece hit in one lane.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+    fn at<F: Lane>(&self, hit: &WallHit<F, 2>, lane: usize) -> &Disk {
+        &self.0[(hit.piece.lane(lane) as usize).min(self.0.len() - 1)]
     }
 }
 
 impl BallLaw<2, 1> for PerPiece {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        apply(&self.at(hit), hit, velocity, spin);
+        apply(&Change::by_lane(hit.time, |lane| &self.at(hit, lane).change), hit, velocity, spin);
     }
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        apply_in_frame(&self.at(hit), velocity, spin);
+        apply_in_frame(&Change::by_lane(hit.time, |lane| &self.at(hit, lane).in_frame), velocity, spin);
     }
 }

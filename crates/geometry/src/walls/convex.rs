@@ -1,5 +1,5 @@
 //! Convex polygons, bounded or not: an intersection of half-planes.
-use super::{CORNER, WallHit, Walls};
+use super::{CORNER, WallHit, Walls, most_unit};
 use crate::{Error, Figure, shapes::Segment};
 use lanes::{Lane, Mask};
 use nalgebra::Vector2;
@@ -8,6 +8,8 @@ use nalgebra::Vector2;
 struct Side {
     /// Outward unit normal.
     normal: [f64; 2],
+    /// The same for the law, with a length nearer to 1.
+    unit: [f64; 2],
     /// `n·p` on the side.
     distance: f64,
     /// Tangential coordinates along (−n₂, n₁) of its start and its end, the corner margin taken off; infinite where
@@ -88,6 +90,7 @@ impl Side {
         let distances: Vec<f64> = [a, b].iter().flatten().map(|p| p.x * n[0] + p.y * n[1]).collect();
         Side {
             normal: n,
+            unit: most_unit(n),
             distance: distances.iter().sum::<f64>() / distances.len() as f64,
             start: a.map_or(f64::NEG_INFINITY, |p| along(p) + margin),
             end: b.map_or(f64::INFINITY, |p| along(p) - margin),
@@ -111,8 +114,8 @@ impl Walls<2> for ConvexPolygon {
                 [
                     distance,
                     speed,
-                    zero.same(side.normal[0]),
-                    zero.same(side.normal[1]),
+                    zero.same(side.unit[0]),
+                    zero.same(side.unit[1]),
                     zero.same(side.start),
                     zero.same(side.end),
                     zero.same(side.piece),

@@ -82,17 +82,18 @@ impl Homogeneous for Sphere<2> {
         hit.normal.map(|n| -n * hit.inverse)
     }
     /// The chord of `u = −tangential + i normal` turns the place by `u²/|u|²` and takes the time `2 r normal/|u|²`.
+    ///
+    /// The place is multiplied by `u` twice, and not by the rounded `u²/|u|²`, which would be off by the same angle in
+    /// every chord alike; what is left of the rounding differs from place to place and averages out.
     #[inline(always)]
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
-        let twice = normal + normal;
         let inverse = normal.same(1.0) / (tangential * tangential + normal * normal);
-        let cos = (tangential - normal) * (tangential + normal) * inverse;
-        let sin = -(twice * tangential) * inverse;
-        let [e1, e2] = *place;
-        let (e1, e2) = (e1 * cos - e2 * sin, e1 * sin + e2 * cos);
+        let turned = |[e1, e2]: [F; 2]| [-(e1 * tangential) - e2 * normal, e1 * normal - e2 * tangential];
+        let [e1, e2] = turned(turned(*place)).map(|e| e * inverse);
         // one Newton step keeps the length at 1
         let scale = (e1 * e1 + e2 * e2) * -0.5 + 1.5;
-        Chord { time: twice * self.radius * inverse, place: [e1 * scale, e2 * scale], tangential }
+        let time = (normal + normal) * self.radius * inverse;
+        Chord { time, place: [e1 * scale, e2 * scale], tangential }
     }
     #[inline(always)]
     fn landing<F: Lane>(&self, chord: &Chord<F>) -> WallHit<F, 2> {

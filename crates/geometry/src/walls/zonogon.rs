@@ -1,5 +1,5 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, dot};
+use super::{CORNER, WallHit, Walls, dot, most_unit};
 use crate::{Error, shapes::Segment};
 use lanes::{Lane, Mask};
 
@@ -8,6 +8,8 @@ use lanes::{Lane, Mask};
 struct Pair {
     /// Outward unit normal of the first side; the second one's is its opposite.
     normal: [f64; 2],
+    /// The same for the law, with a length nearer to 1.
+    unit: [f64; 2],
     /// Distance of each side from the centre.
     distance: f64,
     /// Tangential coordinate of the first side's middle along (−n₂, n₁), and half its length less the corner margin.
@@ -62,6 +64,7 @@ impl<const K: usize> Zonogon<K> {
             let along = |p: [f64; 2]| p[1] * n[0] - p[0] * n[1];
             Pair {
                 normal: n,
+                unit: most_unit(n),
                 distance: 0.5 * (dot(&a, &n) + dot(&b, &n)),
                 middle: 0.5 * (along(a) + along(b)),
                 half: 0.5 * (along(b) - along(a)).abs() - CORNER * size,
@@ -94,8 +97,8 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
                 [
                     distance,
                     speed.abs(),
-                    sign * side.normal[0],
-                    sign * side.normal[1],
+                    sign * side.unit[0],
+                    sign * side.unit[1],
                     zero.same(side.middle),
                     zero.same(side.half),
                     number,
