@@ -80,8 +80,9 @@ fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
     let mut ended: Vec<Ended> = vec![];
     billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut |f| ended.push(f));
     assert_eq!(ended.len(), orbits.len());
-    for f in ended {
-        let mut alone: Disks = starts[f.index as usize].orbit(Clock::new(0.0));
+    ended.sort_by_key(|f| f.index);
+    for (f, start) in ended.iter().zip(&starts) {
+        let mut alone: Disks = start.orbit(Clock::new(0.0));
         billiard.run(&mut alone, &Collisions(f.index % 11 + 100), &mut ());
         assert_eq!(f.orbit.position.map(f64::to_bits), alone.position.map(f64::to_bits), "{}", f.index);
         assert_eq!(f.orbit.velocity.map(f64::to_bits), alone.velocity.map(f64::to_bits), "{}", f.index);

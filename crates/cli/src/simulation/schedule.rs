@@ -109,7 +109,7 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
             while let Some((orbits, out)) = take(&jobs_left, work) {
                 let mut job = Job { engine, work, out, results: Results::default(), busy };
                 if work.is_bare(&orbits) {
-                    job.run_side_by_side(orbits.start, orbits.map(launch).collect());
+                    job.run_side_by_side(orbits.start, &orbits.map(launch).collect::<Vec<_>>());
                 } else {
                     // a job ends early if nobody wants its results any more
                     let _ = orbits.into_iter().try_for_each(|orbit| job.run(orbit, launch(orbit)));
@@ -193,8 +193,8 @@ struct Course {
 }
 
 /// An orbit that nobody watches any more.
-fn bare<const N: usize, const S: usize, T>(orbit: Watched<N, S, T>) -> Bare<N, S> {
-    let Orbit { position, velocity, spin, keeper, track: (clock, _) } = orbit;
+fn bare<const N: usize, const S: usize, T>(orbit: &Watched<N, S, T>) -> Bare<N, S> {
+    let &Orbit { position, velocity, spin, keeper, track: (clock, _) } = orbit;
     Orbit { position, velocity, spin, keeper, track: clock }
 }
 
@@ -255,16 +255,16 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     }
 
     /// Runs orbits that nobody watches, from the given one, in blocks as they would be run one by one.
-    fn run_side_by_side(&mut self, first: u64, launches: Vec<Launch<N, S, T>>) {
+    fn run_side_by_side(&mut self, first: u64, launches: &[Launch<N, S, T>]) {
         let Work { collisions: most, progress, interrupted, .. } = *self.work;
         let energies: Vec<Energy> = launches.iter().map(|launch| Energy::of(&launch.orbit)).collect();
         let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
-        let mut orbits: Vec<Bare<N, S>> = launches.into_iter().map(|launch| bare(launch.orbit)).collect();
+        let mut orbits: Vec<Bare<N, S>> = launches.iter().map(|launch| bare(&launch.orbit)).collect();
         let course = |k: usize| Course { orbit: first + k as u64, stop: None, collisions: 0, drift: 0.0 };
         let mut courses: Vec<Course> = (0..orbits.len()).map(course).collect();
         let mut going: Vec<usize> = (0..orbits.len()).collect();
         let mut n = 0;
-        while !going.is_empty() && !(n > 0 && interrupted.load(Ordering::Relaxed)) {
+        while !going.is_empty() && (n == 0 || !interrupted.load(Ordering::Relaxed)) {
             let begun = Instant::now();
             let block = BLOCK.min(most - n);
             let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
@@ -331,7 +331,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
     /// The same orbit, no longer watched unless it is to be.
     fn watched_if(self, watched: bool) -> Self {
         match self {
-            Running::Watched(orbit) if !watched => Running::Bare(bare(orbit)),
+            Running::Watched(orbit) if !watched => Running::Bare(bare(&orbit)),
             other => other,
         }
     }
