@@ -403,6 +403,70 @@ fn random_unions_agree_with_their_members_everywhere() {
     }
 }
 
+/// All points within a radius of a polygon, or of all its edges but the last.
+fn rounded(corners: &[[f64; 2]], closed: bool, radius: f64) -> Placed {
+    let n = corners.len();
+    let edges = (0..if closed { n } else { n - 1 }).map(|i| [corners[i], corners[(i + 1) % n]]);
+    let mut members: Vec<Placed> = edges.map(|[a, b]| ShapeSpec::Capsule { a, b, radius }.into()).collect();
+    if closed {
+        members.push(ShapeSpec::Polyline { vertices: corners.to_vec(), closed }.into());
+    }
+    ShapeSpec::Compound(members).into()
+}
+
+#[test]
+fn tangents_of_a_rounded_polygon_end_where_its_arcs_do() {
+    // stars of 4 to 11 corners, every second one drawn in, each at its own angle and size
+    let mut random = Random(5);
+    for round in 0..200_i32 {
+        let n = 4 + round % 8;
+        let (size, phase) = (libm::pow(10.0, random.between(-3.0, 3.0)), random.between(0.0, PI));
+        let corners: Vec<[f64; 2]> = (0..n)
+            .map(|i| {
+                let length = size * if i % 2 == 1 { random.between(0.4, 0.6) } else { random.between(0.8, 1.0) };
+                let angle = phase + 2.0 * PI * f64::from(i) / f64::from(n);
+                [length * libm::cos(angle), length * libm::sin(angle)]
+            })
+            .collect();
+        let radius = 0.02 * size;
+        let (mut area, mut perimeter, mut arcs) = (0.0, 0.0, 0);
+        for i in 0..corners.len() {
+            let [a, b, c] = [0, 1, 2].map(|k| Vector2::from(corners[(i + k) % corners.len()]));
+            let ([p, q], length) = ([b - a, c - b], (b - a).norm());
+            let turn = libm::atan2(p.perp(&q), p.dot(&q));
+            let around = if turn > 0.0 { turn } else { 2.0 * libm::tan(0.5 * turn) };
+            arcs += usize::from(turn > 0.0);
+            area += 0.5 * a.perp(&b) + radius * length + 0.5 * radius * radius * around;
+            perimeter += length + radius * around;
+        }
+        let pieces = rounded(&corners, true, radius).pieces(Side::Inside).unwrap();
+        assert_eq!(pieces.len(), corners.len() + arcs, "round {round}");
+        let table = Table::new(pieces).unwrap_or_else(|e| panic!("round {round}: {e}"));
+        assert!((table.area() - area).abs() < 1e-13 * size * size, "round {round}: {}", table.area() - area);
+        assert!(
+            (table.perimeter() - perimeter).abs() < 1e-13 * size,
+            "round {round}: {}",
+            table.perimeter() - perimeter
+        );
+        let chain = rounded(&corners, false, radius).pieces(Side::Outside).unwrap();
+        Table::new(chain).unwrap_or_else(|e| panic!("round {round}, open: {e}"));
+    }
+}
+
+#[test]
+fn balls_that_touch_are_whole() {
+    let mut random = Random(7);
+    for _ in 0..100 {
+        let (r, angle) = (random.between(0.1, 0.9), random.between(0.0, 2.0 * PI));
+        for (distance, count) in [(1.0 + r, 2), (1.0 - r, 1)] {
+            let (x, y) = (distance * libm::cos(angle), distance * libm::sin(angle));
+            let balls = [(0.0, 0.0, SharedShape::ball(1.0)), (x, y, SharedShape::ball(r))];
+            let pieces = pieces(&compound(&balls), &here(), Side::Outside).unwrap();
+            assert_eq!(pieces.len(), count, "{r} {angle}");
+        }
+    }
+}
+
 struct Count;
 impl WithWalls<2> for Count {
     type Output = usize;

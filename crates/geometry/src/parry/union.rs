@@ -21,6 +21,12 @@ struct Part {
     solid: bool,
 }
 
+impl Part {
+    fn finite_ends(&self) -> impl Iterator<Item = Vector2<f64>> {
+        self.piece.ends().into_iter().flatten().filter(|p| p.iter().all(|x| x.is_finite()))
+    }
+}
+
 /// All vertices, so that parts which meet share theirs bit for bit.
 struct Vertices {
     points: Vec<Vector2<f64>>,
@@ -53,6 +59,8 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
     let size = coordinates.flat_map(|v| [v.x, v.y]).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
     let same = SAME * size;
     let mut vertices = Vertices { points: vec![], same };
+    // the ends are exact: a crossing computed near one gives way to it
+    parts.iter().flat_map(Part::finite_ends).for_each(|end| _ = vertices.snap(end));
     let (mut figures, mut screens) = (vec![], vec![]);
     for part in &parts {
         let mut cuts = vec![];
@@ -83,6 +91,14 @@ enum Carrier {
     Circle { center: Vector2<f64>, radius: f64 },
 }
 
+/// How two carriers meet.
+enum Meeting {
+    /// At these points, if at all; nowhere if they coincide.
+    Crossing(Vec<Vector2<f64>>),
+    /// Tangentially. The two crossings found there by rounding would lie √ε off, not ε.
+    Touching(Vector2<f64>),
+}
+
 impl Carrier {
     fn of(figure: &Figure) -> Option<Carrier> {
         let unit = |d: Vector2<f64>| d / libm::hypot(d.x, d.y);
@@ -97,37 +113,50 @@ impl Carrier {
         })
     }
 
-    /// Where two carriers meet; none if they coincide.
-    fn meet(&self, other: &Carrier) -> Vec<Vector2<f64>> {
+    /// Where two carriers meet, which touch if their distance there is at most `same`.
+    fn meet(&self, other: &Carrier, same: f64) -> Meeting {
         match (self, other) {
             (Carrier::Line { through: p, direction: d }, Carrier::Line { through: q, direction: e }) => {
                 let sine = cross((*d).into(), (*e).into());
-                if sine.abs() <= SAME { vec![] } else { vec![p + d * (cross((q - p).into(), (*e).into()) / sine)] }
+                let meets = sine.abs() > SAME;
+                Meeting::Crossing(
+                    meets.then(|| p + d * (cross((q - p).into(), (*e).into()) / sine)).into_iter().collect(),
+                )
             }
             (Carrier::Line { through, direction }, Carrier::Circle { center, radius })
             | (Carrier::Circle { center, radius }, Carrier::Line { through, direction }) => {
                 let to_center = center - through;
                 let foot = through + direction * to_center.dot(direction);
                 let away = cross((*direction).into(), to_center.into()).abs();
-                if away > radius * (1.0 + SAME) {
-                    return vec![];
+                if (away - radius).abs() <= same {
+                    return Meeting::Touching(foot);
                 }
-                let half = libm::sqrt(((radius - away) * (radius + away)).max(0.0));
-                vec![foot - direction * half, foot + direction * half]
+                if away > *radius {
+                    return Meeting::Crossing(vec![]);
+                }
+                let half = libm::sqrt((radius - away) * (radius + away));
+                Meeting::Crossing(vec![foot - direction * half, foot + direction * half])
             }
             (Carrier::Circle { center: c, radius: r }, Carrier::Circle { center: k, radius: q }) => {
                 let between = k - c;
                 let distance = libm::hypot(between.x, between.y);
-                let size = r + q;
-                if distance <= SAME * size || distance > size * (1.0 + SAME) || distance < (r - q).abs() - SAME * size {
-                    return vec![];
+                if distance <= same {
+                    return Meeting::Crossing(vec![]);
                 }
                 let along = between / distance;
+                // from outside, from inside, from around
+                let tangent = [(r + q, *r), (q - r, -r), (r - q, *r)];
+                if let Some((_, r)) = tangent.into_iter().find(|(at, _)| (distance - at).abs() <= same) {
+                    return Meeting::Touching(c + along * r);
+                }
+                if distance > r + q || distance < (r - q).abs() {
+                    return Meeting::Crossing(vec![]);
+                }
                 // from c towards k to the common chord
                 let to_chord = 0.5 * (distance + (r - q) * (r + q) / distance);
                 let half = libm::sqrt(((r - to_chord) * (r + to_chord)).max(0.0));
                 let (foot, across) = (c + along * to_chord, Vector2::new(-along.y, along.x) * half);
-                vec![foot - across, foot + across]
+                Meeting::Crossing(vec![foot - across, foot + across])
             }
         }
     }
@@ -136,11 +165,19 @@ impl Carrier {
 /// The points of `part` at which it must be cut because of `other`: where they cross, and where `other` ends on it.
 fn meetings(part: &Part, other: &Part, same: f64) -> Vec<Vector2<f64>> {
     let (Some(own), Some(its)) = (Carrier::of(&part.figure), Carrier::of(&other.figure)) else { return vec![] };
-    let on = |p: &Vector2<f64>, piece: &dyn Piece| (piece.closest(p).point - p).amax() <= same;
-    let mut points = own.meet(&its);
-    points.retain(|p| on(p, &*other.piece));
-    points.extend(other.piece.ends().into_iter().flatten().filter(|p| p.iter().all(|x| x.is_finite())));
-    points.retain(|p| on(p, &*part.piece));
+    let on = |p: &Vector2<f64>, part: &Part| (part.piece.closest(p).point - p).amax() <= same;
+    let on_both = |p: &Vector2<f64>| on(p, part) && on(p, other);
+    let mut points: Vec<_> = other.finite_ends().filter(|p| on(p, part)).collect();
+    // in the same order for both, so that both are cut at the same bits
+    match if part.member < other.member { own.meet(&its, same) } else { its.meet(&own, same) } {
+        Meeting::Crossing(at) => points.extend(at.into_iter().filter(on_both)),
+        // where one ends on the other they touch there
+        Meeting::Touching(at) => {
+            if points.is_empty() && !part.finite_ends().any(|p| on(&p, other)) && on_both(&at) {
+                points.push(at);
+            }
+        }
+    }
     points
 }
 
@@ -227,13 +264,12 @@ fn survives(part: &Part, middle: &Vector2<f64>, parts: &[Part], members: usize, 
         let landings: Vec<_> = solids.map(|l| ((l.point - middle).norm(), l)).collect();
         let least = landings.iter().map(|(d, _)| *d).fold(f64::INFINITY, f64::min);
         let closest = landings.iter().filter(|(d, _)| *d <= least + same);
-        let Some(&(distance, first)) = closest.clone().next() else { return true };
-        // at a vertex the sum of the normals decides
-        let same_point = closest.filter(|(_, l)| (l.point - first.point).amax() <= 2.0 * same);
-        let normal = same_point.fold(Vector2::zeros(), |sum, (_, l)| sum + l.normal);
-        if distance > same {
-            return (middle - first.point).dot(&normal) < 0.0;
+        if least > same {
+            // of the pieces that are equally near, as at a vertex, the one seen least obliquely tells the side
+            let heights = closest.map(|(_, l)| (middle - l.point).dot(&l.normal));
+            return heights.reduce(|a, b| if b.abs() > a.abs() { b } else { a }).is_none_or(|height| height < 0.0);
         }
+        let normal = closest.fold(Vector2::zeros(), |sum, (_, l)| sum + l.normal);
         // they lie on one another
         part.solid && own.dot(&normal) > 0.0 && part.member < m
     })
