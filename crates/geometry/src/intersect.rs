@@ -6,7 +6,7 @@
 mod exact;
 mod subdivision;
 
-use crate::Piece;
+use crate::{Piece, shapes::Segment};
 use exact::Curve;
 use nalgebra::Vector2;
 pub(crate) use subdivision::self_crossing;
@@ -51,6 +51,19 @@ pub struct Meeting {
 /// # Ok::<(), geometry::Error>(())
 /// ```
 pub fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
+    // a wall without thickness is met as one of its faces, and at its tips it touches, for nothing passes through there
+    let tips = [a, b].map(Piece::tips);
+    if tips.iter().any(Option::is_some) {
+        let faces = tips.map(|t| t.and_then(|[p, q]| Segment::new(p, q).ok()));
+        let [c, d] = [(a, &faces[0]), (b, &faces[1])].map(|(p, face)| face.as_ref().map_or(p, |f| f as &dyn Piece));
+        let mut found = meetings(c, d);
+        for m in found.iter_mut().filter(|m| m.kind == MeetingKind::End) {
+            if tips.iter().flatten().flatten().any(|tip| *tip == m.point) {
+                m.kind = MeetingKind::Tangency;
+            }
+        }
+        return found;
+    }
     let mut found = match (Curve::of(&a.figure()), Curve::of(&b.figure())) {
         (Some(c), Some(d)) => exact::meetings(&c, &d),
         _ => subdivision::meetings(a, b),

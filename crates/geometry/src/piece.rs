@@ -139,4 +139,9 @@ pub trait Piece: Debug + Send + Sync {
     fn figure(&self) -> Figure {
         Figure::Other
     }
+
+    /// The two tips of a straight wall without thickness, whose boundary runs from one to the other and back.
+    fn tips(&self) -> Option<[Vector2<f64>; 2]> {
+        None
+    }
 }

@@ -35,6 +35,7 @@ impl Table {
                 return Err(Error::InfiniteOnLattice { piece });
             }
             if p.figure() == Figure::Other
+                && p.tips().is_none() // its faces coincide
                 && let Some(at) = self_crossing(&**p)
             {
                 return Err(Error::SelfCrossing { piece, at: at.into() });

@@ -262,6 +262,16 @@ fn open_polylines_and_segments_are_walls_on_both_sides() {
     let wall = Segment::new(Vector::new(0.0, 0.0), Vector::new(1.0, 0.0));
     assert_eq!(pieces(&wall, &here(), Side::Outside).unwrap().len(), 1);
     assert!(Screen::new(Vector2::zeros(), Vector2::zeros()).is_err());
+
+    // they may meet at their tips, or a tip may touch another wall, but they may not cross
+    let valid = |points: &[[f64; 2]]| {
+        let mut walls = pieces(&Ball::new(4.0), &here(), Side::Inside).unwrap();
+        walls.extend(pieces(&Polyline::new(glam(points), None), &here(), Side::Outside).unwrap());
+        Table::new(walls).unwrap().validate()
+    };
+    assert_eq!(valid(&[[-1.0, 0.0], [0.0, 0.25], [1.0, 0.0]]), Ok(()));
+    assert_eq!(valid(&[[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.0]]), Ok(()));
+    assert!(valid(&[[-1.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, -1.0]]).is_err());
 }
 
 #[test]

@@ -86,6 +86,9 @@ impl Piece for Screen {
     fn figure(&self) -> Figure {
         Figure::Other
     }
+    fn tips(&self) -> Option<[Vector2<f64>; 2]> {
+        Some([self.a, self.b])
+    }
 }
 
 #[cfg(test)]

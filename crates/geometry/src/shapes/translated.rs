@@ -57,6 +57,9 @@ impl Piece for Translated {
         let [a, b] = self.piece.ends().unwrap_or([Vector2::zeros(); 2]);
         self.piece.area() + 0.5 * (self.by.x * (b.y - a.y) - self.by.y * (b.x - a.x))
     }
+    fn tips(&self) -> Option<[Vector2<f64>; 2]> {
+        self.piece.tips().map(|tips| tips.map(|p| p + self.by))
+    }
     fn figure(&self) -> Figure {
         let by = self.by;
         match self.piece.figure() {
