@@ -600,7 +600,6 @@ fn every_shape_bounds_a_table_from_outside() {
         ("polyline", "points = [[-1, 0], [0, 0.25], [1, 0]]"),
         ("polyline", "points = [[-1, 0], [0, 0.25], [1, 0]], rounding = 0.125"),
         ("trimesh", "points = [[-1, 0], [1, 0], [0, 1], [0, -1]], triangles = [[0, 1, 2], [0, 3, 1]]"),
-        ("heightfield", "heights = [0, 0.5, 0.25, 0], size = [2, 1]"),
         (
             "compound",
             "shapes = [{ name = \"ball\", radius = 1 }, { name = \"cuboid\", size = [3, 0.5], center = [0, 0.5] }]",
