@@ -43,11 +43,6 @@ pub fn inradius(theta: f64, gamma_squared: f64) -> f64 {
     libm::atan2(libm::sqrt(gamma_squared) * cos, libm::sqrt(1.0 + gamma_squared) * sin)
 }
 
-/// `cos ρ` of the [`inradius`]: `sin(θ/2) √((1+γ²)/(γ² + sin²(θ/2)))`.
-pub fn cos_inradius(theta: f64, gamma_squared: f64) -> f64 {
-    libm::cos(inradius(theta, gamma_squared))
-}
-
 /// The area of each of the two regions of velocities that never escape: the cap of radius ρ if `q` is `None`, else the regular
 /// spherical q-gon with that inradius, where `δ = π p/q` in lowest terms.
 pub fn non_escape_area(theta: f64, gamma_squared: f64, q: Option<u32>) -> f64 {

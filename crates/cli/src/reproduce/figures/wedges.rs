@@ -29,7 +29,7 @@ pub(super) fn bounded(theta: f64, part: f64, side: f64, collisions: u64) -> Resu
     let axis = wedge::axis(theta, HALF);
     let out = [0.0, 0.0, 1.0];
     let tilt = along(out.map(|x| x * libm::cos(side)), libm::sin(side), cross(axis, out));
-    let rho = part * libm::acos(wedge::cos_inradius(theta, HALF));
+    let rho = part * wedge::inradius(theta, HALF);
     let v = along(axis.map(|x| x * libm::cos(rho)), libm::sin(rho), tilt);
     Ok(follow(&no_slip(tables::wedge(theta)?), [0.0, 0.0, 1.0], v, collisions))
 }
