@@ -62,11 +62,12 @@ impl Change {
         }
         let near = |x: f64| [x, x.next_down(), x.next_up()];
         let mut best = (defect(1.0 + self.tangent_tangent, s), self.tangent_tangent, s);
-        for less in near(self.tangent_tangent) {
+        let one_more = near(self.tangent_tangent).map(|less| 1.0 + less);
+        for c in near(c).into_iter().chain(one_more) {
             for s in near(s) {
                 // both c and c − 1 must be numbers
-                let c = 1.0 + less;
-                if c - 1.0 == less && defect(c, s) < best.0 {
+                let less = c - 1.0;
+                if 1.0 + less == c && defect(c, s) < best.0 {
                     best = (defect(c, s), less, s);
                 }
             }
@@ -137,5 +138,36 @@ impl BallLaw<2, 1> for Disk {
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
         apply_in_frame(&self.in_frame.in_lanes(hit.time), velocity, spin);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use collision_laws::laws::{NoSlip, Restitution};
+
+    #[test]
+    fn the_no_slip_law_is_orthogonal_beyond_its_digits() {
+        for gamma_squared in [0.1_f64, 0.25, 0.4, 0.5, 2.0 / 3.0, 1.0] {
+            let change = Disk::new(&NoSlip, gamma_squared.sqrt()).change;
+            let (c, s) = (1.0 + change.tangent_tangent, change.tangent_spin);
+            let mut sum = Double::new(-1.0);
+            for x in [c, s] {
+                let (square, rest) = two_prod(x, x);
+                sum.add(square);
+                sum.add(rest);
+            }
+            // rounded to the nearest, most of these are off by 10⁻¹⁶
+            assert!(sum.value().abs() <= 2.5e-17, "{gamma_squared}: {:e}", sum.value());
+            assert_eq!((change.spin_spin, change.spin_tangent), (-c, s));
+        }
+    }
+
+    #[test]
+    fn a_law_that_is_no_reflection_is_left_as_it_is() {
+        let restitution = Restitution::new(0.5, 0.25).expect("between 0 and 1");
+        let disk = Disk::new(&restitution, 0.5_f64.sqrt());
+        assert_eq!(disk.change.tangent_spin, disk.in_frame.tangent_spin);
+        assert_eq!(disk.change.tangent_tangent, disk.in_frame.tangent_tangent);
     }
 }

@@ -136,7 +136,7 @@ pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
 /// The neighbour of a unit normal, or the normal itself, whose length is nearest to 1.
 ///
 /// A reflection in a normal whose length is off by a rounding changes the energy by the same part in every collision with
-/// that wall. A normal in another last digit is as good a normal; one in six has a length that is right to 10⁻¹⁷.
+/// that wall. A normal in another last digit is as good a normal, and on average two fifths of the error are gone.
 pub(crate) fn most_unit(normal: [f64; 2]) -> [f64; 2] {
     let defect = |n: [f64; 2]| {
         let mut sum = Double::new(-1.0);
@@ -167,4 +167,36 @@ pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
         sum = sum + a[i] * b[i];
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_most_unit_normal_is_a_neighbour_that_is_nearer_to_length_1() {
+        let defect = |n: [f64; 2]| {
+            let mut sum = Double::new(-1.0);
+            for x in n {
+                let (square, rest) = two_prod(x, x);
+                sum.add(square);
+                sum.add(rest);
+            }
+            sum.value().abs()
+        };
+        let (mut before, mut after) = (0.0, 0.0);
+        for k in 0..100 {
+            let angle = 0.0628 * f64::from(k) + 0.01;
+            let normal = [libm::cos(angle), libm::sin(angle)];
+            let unit = most_unit(normal);
+            assert!(defect(unit) <= defect(normal));
+            for i in 0..2 {
+                assert!(normal[i].next_down() <= unit[i] && unit[i] <= normal[i].next_up());
+            }
+            before += defect(normal);
+            after += defect(unit);
+        }
+        // nine choices in place of one leave three fifths
+        assert!(after < 0.65 * before, "{after:e} of {before:e}");
+    }
 }
