@@ -2,7 +2,7 @@
 mod long;
 mod phase;
 
-use long::{Case, cases, drifts, energies, energy_drift, exponent, unfolding_error};
+use long::{cases, drifts, energies, energy_drift, exponent, unfolding_error};
 
 /// 10³ … 10⁵ collisions, four per decade.
 const CHECKPOINTS: [u64; 9] = [1000, 1778, 3162, 5624, 10_000, 17_782, 31_622, 56_234, 100_000];
@@ -17,12 +17,12 @@ fn time_is_so_exact_that_a_place_in_the_square_at_time_100_000_is_right() {
 #[test]
 fn energy_is_kept_to_the_last_digit() {
     for (name, billiard) in energies().unwrap() {
-        // restored at every eighth collision, to four units of 2⁻⁵³, the rounding of the velocity's own components
+        // restored at every sixteenth collision, to four units of 2⁻⁵³, the rounding of the velocity's own components
         let restored = energy_drift(&billiard, 800_000, 100);
         assert!(restored <= 4e-16, "{name}: {restored:e}");
-        // in between, that and what eight collisions round: about 4·10⁻¹⁶ each, at worst all alike
+        // in between, that and what sixteen collisions round: about 1.5·10⁻¹⁶ each
         let anywhere = energy_drift(&billiard, 100_000, 100_000);
-        assert!(anywhere <= 4e-15, "{name}: {anywhere:e}");
+        assert!(anywhere <= 6e-15, "{name}: {anywhere:e}");
     }
 }
 
@@ -35,38 +35,15 @@ fn energy_does_not_drift() {
     }
 }
 
-/// √N at most, and at a rate that leaves an rms of 10⁻¹² at 10⁷.
-fn wander_at_most(cases: impl Iterator<Item = Case>) {
-    for case in cases {
+#[test]
+fn invariants_wander_like_a_random_walk_at_most() {
+    // √N at most, and at a rate that leaves an rms of 10⁻¹² at 10⁷
+    for case in cases().unwrap() {
         let drifts = drifts(&case, 16, &CHECKPOINTS);
         let exponent = exponent(&CHECKPOINTS, &drifts);
         // ½, and what sixteen orbits scatter about that
         assert!(exponent <= 0.6, "{}: N^{exponent:.2}, {:e}", case.name, drifts[8]);
         assert!(drifts[8] <= 1e-13, "{}: {:e}", case.name, drifts[8]);
-    }
-}
-
-/// Walls in whose frame the orbit is run.
-fn is_in_the_frame(case: &Case) -> bool {
-    case.name.starts_with("circle") || case.name.starts_with("strip")
-}
-
-#[test]
-fn on_circle_and_strip_invariants_wander_like_a_random_walk_at_most() {
-    wander_at_most(cases().unwrap().into_iter().filter(is_in_the_frame));
-}
-
-#[test]
-#[ignore = "on periodic orbits each period rounds alike, so that these still drift like N: 10⁻¹⁷ per collision"]
-fn on_wedge_and_ellipse_invariants_wander_like_a_random_walk_at_most() {
-    wander_at_most(cases().unwrap().into_iter().filter(|case| !is_in_the_frame(case)));
-}
-
-#[test]
-fn other_invariants_lose_less_than_half_an_ulp_per_collision() {
-    for case in cases().unwrap() {
-        let drifts = drifts(&case, 16, &CHECKPOINTS);
-        assert!(drifts[8] <= 0.5 * f64::EPSILON * 100_000.0, "{}: {:e}", case.name, drifts[8]);
     }
 }
 

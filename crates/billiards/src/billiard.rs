@@ -1,5 +1,9 @@
 //! A billiard: a table's walls and a ball's law.
-use crate::{energy::EnergyKeeper, orbit::Orbit, track::Track};
+use crate::{
+    energy::{BEAT, EnergyKeeper},
+    orbit::Orbit,
+    track::Track,
+};
 use geometry::{WallHit, Walls};
 use lanes::Lane;
 
@@ -41,6 +45,8 @@ pub struct Billiard<'a, W, L> {
 ///
 /// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
 pub trait Motion<const N: usize, const S: usize> {
+    /// The energy is restored at every so manieth collision.
+    const BEAT: u32 = BEAT;
     /// What is carried from collision to collision besides the orbit.
     type Carried<F: Lane>: Copy;
     /// What a flight finds out besides the hit.
@@ -67,6 +73,7 @@ pub trait Motion<const N: usize, const S: usize> {
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
+    const BEAT: u32 = if W::SLOW { 1 } else { BEAT };
     type Carried<F: Lane> = ();
     type Arrival<F: Lane> = ();
 
@@ -91,7 +98,8 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             normal_speed = normal_speed + orbit.velocity[i] * hit.normal[i];
         }
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
-        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit);
-        normal_speed * normal_speed * hit.inverse_square
+        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, Self::BEAT);
+        let normal_speed = normal_speed * hit.inverse;
+        normal_speed * normal_speed
     }
 }

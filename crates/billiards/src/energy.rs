@@ -1,29 +1,31 @@
 //! Keeping the energy of long orbits to the last digit.
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
-//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, [`Conserved`] computes the energy
-//! with an error of about 2⁻⁷⁵ and hands what is missing to the **normal** component of the outgoing velocity, from
-//! where the law took it (to the velocity as a whole where it grazes the wall). The error of the energy is then that of
-//! at most [`BEAT`] collisions, and the work that of a fraction of one.
+//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, and at each one where walls are
+//! [slow](Walls::SLOW), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
+//! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
+//! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.
 use crate::{orbit::square_speed, side_by_side::InLanes};
 use geometry::WallHit;
+#[cfg(doc)]
+use geometry::Walls;
 use lanes::{Lane, Mask};
 
-/// The energy is restored after so many collisions.
+/// The energy is restored after so many collisions, where finding the next hit is fast.
 ///
-/// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √8 times that, whatever the number
+/// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √16 times that, whatever the number
 /// of collisions.
-pub const BEAT: u32 = 8;
+pub const BEAT: u32 = 16;
 
 /// What happens to the energy of an orbit besides the law.
 pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// For an orbit that starts with this velocity and spin.
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self;
-    /// Sees the velocity and the spin that leave a collision, and may correct the velocity.
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>);
+    /// Sees the velocity and the spin that leave a collision, and may correct the velocity at every `beat`th.
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32);
     /// The same for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
     /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]);
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32);
 }
 
 /// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
@@ -33,9 +35,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn new(_: &[F; N], _: &[F; S]) -> Self {}
     #[inline(always)]
-    fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>) {}
+    fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>, _: u32) {}
     #[inline(always)]
-    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S]) {}
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: u32) {}
 }
 
 /// The energy of the start, kept.
@@ -58,19 +60,14 @@ pub struct Conserved<F, const N: usize> {
 /// and a tail: `x² = head² + tail (x + head)`.
 #[inline(always)]
 fn precise_square<F: Lane, const N: usize, const S: usize>(grid: F, v: &[F; N], w: &[F; S]) -> (F, F) {
-    let zero = grid.same(0.0);
-    let (mut high, mut low) = (zero, zero);
-    let mut add = |x: F| {
+    let parts = |x: F| {
         let head = (x + grid) - grid;
-        let tail = x - head;
-        high = high + head * head;
-        low = low + tail * (x + head);
+        (head * head, (x - head) * (x + head))
     };
-    for x in v {
-        add(*x);
-    }
-    for x in w {
-        add(*x);
+    let (mut high, mut low) = parts(v[0]);
+    for x in v[1..].iter().chain(w) {
+        let (h, l) = parts(*x);
+        (high, low) = (high + h, low + l);
     }
     (high, low)
 }
@@ -87,17 +84,17 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         Conserved { grid, high, low, grazing: square * 1e-3, beat: 0 }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>) {
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
         self.beat += 1;
-        if self.beat == BEAT {
+        if self.beat >= beat {
             self.beat = 0;
             self.restore(velocity, spin, hit);
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
         self.beat += 1;
-        if self.beat == BEAT {
+        if self.beat >= beat {
             self.beat = 0;
             self.restore_in_frame(velocity, spin);
         }
@@ -130,8 +127,10 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
         self.low = mask.select(by.low, self.low);
         self.grazing = mask.select(by.grazing, self.grazing);
     }
-    fn wait(&self, one: &Conserved<f64, N>) -> u64 {
-        u64::from((one.beat + BEAT - self.beat) % BEAT)
+    fn wait(&self, one: &Conserved<f64, N>, beat: u32) -> u64 {
+        // an orbit that comes from slower walls may have counted further
+        let counted = |beats: u32| beats.min(beat - 1);
+        u64::from((counted(one.beat) + beat - counted(self.beat)) % beat)
     }
 }
 
@@ -147,7 +146,7 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         }
         // along the normal; along the velocity where it grazes; not at all where nearly all energy is spin
         let zero = vn.same(0.0);
-        let steep = self.grazing.lt(vn * vn * hit.inverse_square);
+        let steep = self.grazing.lt((vn * hit.inverse) * (vn * hit.inverse));
         let moving = self.grazing.lt(square);
         let share = moving.select(zero.same(0.5), zero) / steep.select(vn, square);
         let (high, low) = precise_square(self.grid, velocity, spin);

@@ -317,7 +317,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
 
     /// What the hit does to a velocity and a spin if its normal is another one, of about unit length.
     fn collide(&self, normal: &[f64; N], mut velocity: [f64; N], mut spin: [f64; S]) -> ([f64; N], [f64; S]) {
-        let hit = WallHit { normal: *normal, inverse: 1.0, inverse_square: 1.0, ..self.hit };
+        let hit = WallHit { normal: *normal, inverse: 1.0, ..self.hit };
         self.billiard.collide(&hit, &mut velocity, &mut spin);
         (velocity, spin)
     }

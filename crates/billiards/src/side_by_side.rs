@@ -18,8 +18,8 @@ pub trait InLanes<F: Lane>: Clone {
     fn all(one: &Self::One, zero: F) -> Self;
     /// Takes over the lanes of another one where `mask` is true.
     fn replace(&mut self, mask: F::Mask, by: &Self);
-    /// After how many collisions an orbit can join these, because all of them count to the same number.
-    fn wait(&self, _: &Self::One) -> u64 {
+    /// After how many collisions an orbit can join these, because all of them count to `beat`.
+    fn wait(&self, _: &Self::One, _beat: u32) -> u64 {
         0
     }
 }
@@ -169,7 +169,7 @@ where
             }
             *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
             idle[lane] = true;
-            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper));
+            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, B::BEAT));
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(orbit)) => {
                     (seat.index, seat.until) = (Some(*next), step + self.collisions);

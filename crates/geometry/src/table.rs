@@ -4,7 +4,8 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, Wedge, WithWalls,
+        Zonogon,
     },
 };
 use nalgebra::Vector2;
@@ -237,6 +238,7 @@ impl Table {
             (Container::Rectangle(walls), []) => visit.run(&walls),
             (Container::Hexagon(walls), []) => visit.run(&walls),
             (Container::Convex(walls), []) => visit.run(&walls),
+            (Container::Wedge(walls), []) => visit.run(&walls),
             (Container::Capsule(walls), []) => visit.run(&walls),
             (Container::RotatedCapsule(walls), []) => visit.run(&walls),
             (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
@@ -379,6 +381,7 @@ enum Container {
     Rectangle(Cuboid<2>),
     Hexagon(Zonogon<3>),
     Convex(ConvexPolygon),
+    Wedge(Wedge),
     Capsule(Capsule),
     RotatedCapsule(Rotated<Capsule>),
     Disk(Sphere<2>),
@@ -393,9 +396,9 @@ impl Container {
             return Sphere::new(*center, *radius, chain[0]).ok().map(Container::Disk);
         }
         if let (&[i, j], &[arriving, leaving]) = (chain, figures)
-            && let Ok(wedge) = ConvexPolygon::wedge([arriving, leaving], [i, j])
+            && let Ok(wedge) = Wedge::new([arriving, leaving], [i, j])
         {
-            return Some(Container::Convex(wedge));
+            return Some(Container::Wedge(wedge));
         }
         if chain.windows(2).any(|w| w[1] != w[0] + 1) {
             return None; // composite walls number their pieces consecutively

@@ -1,8 +1,10 @@
 //! Collision laws as the engine's loop applies them to a ball, one per file.
+mod coefficients;
 mod custom;
 mod disk;
 mod per_piece;
 mod rough_ball;
+mod slip;
 mod specular;
 
 pub use custom::Custom;

@@ -1,5 +1,8 @@
 //! A law of its own for each piece.
-use super::disk::{Change, Disk, apply, apply_in_frame};
+use super::{
+    coefficients::Coefficients,
+    disk::{Disk, in_frame, in_plane},
+};
 use crate::billiard::BallLaw;
 use geometry::WallHit;
 use lanes::Lane;
@@ -26,10 +29,10 @@ impl PerPiece {
 impl BallLaw<2, 1> for PerPiece {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        apply(&Change::by_lane(hit.time, |lane| &self.at(hit, lane).change), hit, velocity, spin);
+        in_plane(Coefficients::by_lane(hit.time, |lane| &self.at(hit, lane).in_plane), hit, velocity, spin);
     }
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        apply_in_frame(&Change::by_lane(hit.time, |lane| &self.at(hit, lane).in_frame), velocity, spin);
+        in_frame(Coefficients::by_lane(hit.time, |lane| &self.at(hit, lane).in_frame), velocity, spin);
     }
 }

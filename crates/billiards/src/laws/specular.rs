@@ -15,7 +15,8 @@ impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
         for i in 1..N {
             vn = vn + velocity[i] * n[i];
         }
-        let twice = (vn + vn) * hit.inverse_square;
+        let vn = vn * hit.inverse;
+        let twice = (hit.inverse + hit.inverse) * vn;
         for i in 0..N {
             velocity[i] = velocity[i] - twice * n[i];
         }

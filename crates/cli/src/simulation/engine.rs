@@ -32,15 +32,15 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         Keeper { conserved: EnergyKeeper::<F, N, S>::new(velocity, spin), strict: true }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>) {
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
         if self.strict {
-            self.conserved.leave(velocity, spin, hit);
+            self.conserved.leave(velocity, spin, hit, beat);
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
         if self.strict {
-            self.conserved.leave_in_frame(velocity, spin);
+            self.conserved.leave_in_frame(velocity, spin, beat);
         }
     }
 }
@@ -56,8 +56,8 @@ impl<F: Lane, const N: usize> InLanes<F> for Keeper<N, F> {
     fn replace(&mut self, mask: F::Mask, by: &Self) {
         self.conserved.replace(mask, &by.conserved);
     }
-    fn wait(&self, one: &Keeper<N>) -> u64 {
-        self.conserved.wait(&one.conserved)
+    fn wait(&self, one: &Keeper<N>, beat: u32) -> u64 {
+        self.conserved.wait(&one.conserved, beat)
     }
 }
 

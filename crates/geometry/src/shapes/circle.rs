@@ -16,8 +16,9 @@ pub struct Circle {
     pub(crate) center: [f64; 2],
     pub(crate) radius: f64,
     pub(crate) inside: bool,
-    /// `1/r²`
-    inverse_square: f64,
+    /// `r²` and `1/(2 r²)`
+    square: f64,
+    half: f64,
     /// `±1/r`: from `p − c` to the inward normal.
     to_normal: f64,
     pub(crate) slack: f64,
@@ -50,7 +51,8 @@ impl Circle {
             center: center.into(),
             radius,
             inside,
-            inverse_square: 1.0 / (radius * radius),
+            square: radius * radius,
+            half: 0.5 / (radius * radius),
             to_normal: if inside { -1.0 / radius } else { 1.0 / radius },
             slack: slack([center.x, center.y, radius]),
         })
@@ -61,10 +63,10 @@ impl Circle {
     pub(crate) fn roots<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Roots<F> {
         let y = from(x, self.center).map(|d| -d);
         let (a, b) = (dot(v, v), dot(y, v));
-        let c = dot(y, y) - self.radius * self.radius;
+        let c = dot(y, y) - self.square;
         // b² − a c = |v|² r² − (y × v)², in which the distance of a far start does not cancel
         let moment = cross(y, v);
-        let discriminant = a * (self.radius * self.radius) - moment * moment;
+        let discriminant = a * self.square - moment * moment;
         let zero = a.same(0.0);
         Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
@@ -101,8 +103,9 @@ impl Circle {
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let y = from(p, self.center).map(|d| -d);
-        // one Newton step towards |y| = r, as a small change: a factor near 1 would round inwards more often than outwards
-        let change = (dot(y, y) * self.inverse_square) * -0.5 + 0.5;
+        // one Newton step towards |y| = r. What |y|² lacks is not taken from a sum near r², which rounds to even numbers and
+        // so on one side more often than on the other: along an ellipse that adds up
+        let change = ((y[0].same(self.square) - y[0] * y[0]) - y[1] * y[1]) * self.half;
         let y = [y[0] + y[0] * change, y[1] + y[1] * change];
         ([y[0] + self.center[0], y[1] + self.center[1]], [y[0] * self.to_normal, y[1] * self.to_normal])
     }

@@ -13,6 +13,8 @@ pub struct Around<A, B> {
 }
 
 impl<A: Walls<N>, B: Walls<N>, const N: usize> Walls<N> for Around<A, B> {
+    const SLOW: bool = A::SLOW || B::SLOW;
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let inner = self.obstacles.first_hit(x, v);

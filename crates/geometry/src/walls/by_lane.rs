@@ -10,6 +10,8 @@ use lanes::Lane;
 pub struct ByLane<B>(pub B);
 
 impl<B: Boundary<N> + Sync, const N: usize> Walls<N> for ByLane<B> {
+    const SLOW: bool = true;
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);
@@ -30,6 +32,6 @@ impl<B: Boundary<N> + Sync, const N: usize> Walls<N> for ByLane<B> {
             }
         }
         let one = zero.same(1.0);
-        WallHit { time, point, normal, inverse: one, inverse_square: one, piece, corner: zero.lt(corner) }
+        WallHit { time, point, normal, inverse: one, piece, corner: zero.lt(corner) }
     }
 }

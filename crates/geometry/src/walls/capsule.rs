@@ -13,7 +13,8 @@ pub struct Capsule {
     radius: f64,
     square: f64,
     inverse: f64,
-    inverse_square: f64,
+    /// `1/(2 r²)`
+    half: f64,
     /// Numbers of: lower side, right cap, upper side, left cap.
     pieces: [f64; 4],
 }
@@ -37,7 +38,7 @@ impl Capsule {
             radius,
             square,
             inverse: 1.0 / radius,
-            inverse_square: 1.0 / square,
+            half: 0.5 / square,
             pieces: pieces.map(|p| p as f64),
         })
     }
@@ -74,17 +75,15 @@ impl Walls<2> for Capsule {
         let time = num / den;
         let l = [q[0] + time * v[0], q[1] + time * v[1]];
         // |l|² is r² up to rounding on a cap: one Newton step each
-        let ratio = dot(&l, &l) * self.inverse_square;
-        let scale = ratio * -0.5 + 1.5;
-        let [p1, p2, n1, n2, inverse, inverse_square, piece] = flat.choose(
-            [l[0] + cap, radius.copysign(v[1]), zero, (-one).copysign(-v[1]), one, one, up.select(upper, lower)],
+        let change = ((zero.same(self.square) - l[0] * l[0]) - l[1] * l[1]) * self.half;
+        let [p1, p2, n1, n2, inverse, piece] = flat.choose(
+            [l[0] + cap, radius.copysign(v[1]), zero, (-one).copysign(-v[1]), one, up.select(upper, lower)],
             [
-                l[0] * scale + cap,
-                l[1] * scale,
+                l[0] + l[0] * change + cap,
+                l[1] + l[1] * change,
                 -l[0],
                 -l[1],
-                scale * self.inverse,
-                (one.same(2.0) - ratio) * self.inverse_square,
+                change * self.inverse + self.inverse,
                 zero.lt(meet).select(head, tail),
             ],
         );
@@ -93,7 +92,6 @@ impl Walls<2> for Capsule {
             point: [p1 + self.center[0], p2 + self.center[1]],
             normal: [n1, n2],
             inverse,
-            inverse_square,
             piece,
             corner: zero.lt(zero),
         }

@@ -1,8 +1,7 @@
-//! Convex polygons, bounded or not: an intersection of half-planes.
-use super::{CORNER, WallHit, Walls, most_unit};
-use crate::{Error, Figure, shapes::Segment};
+//! Convex polygons: an intersection of half-planes.
+use super::{CORNER, WallHit, Walls, normal::most_unit};
+use crate::{Error, shapes::Segment};
 use lanes::{Lane, Mask};
-use nalgebra::Vector2;
 
 #[derive(Clone, Copy, Debug)]
 struct Side {
@@ -12,21 +11,18 @@ struct Side {
     unit: [f64; 2],
     /// `n·p` on the side.
     distance: f64,
-    /// Tangential coordinates along (−n₂, n₁) of its start and its end, the corner margin taken off; infinite where
-    /// the side is.
+    /// Tangential coordinates along (−n₂, n₁) of its start and its end, the corner margin taken off.
     start: f64,
     end: f64,
     piece: f64,
 }
 
-/// A convex polygon, or a convex region bounded by a chain from infinity to infinity, such as a wedge.
+/// A convex polygon.
 ///
 /// Its sides are taken as whole lines, so no path can slip out at a vertex.
 #[derive(Clone, Debug)]
 pub struct ConvexPolygon {
     sides: Vec<Side>,
-    /// The corner margin per distance of the start from the origin: in an unbounded region that may be any distance.
-    far: f64,
 }
 
 /// Whether a closed chain of sides turns left at every vertex, once round in all.
@@ -50,50 +46,23 @@ impl ConvexPolygon {
             return Err(Error::NotConvex);
         }
         let margin = CORNER * sides.iter().flat_map(Segment::start).fold(0.0, |m: f64, c| m.max(c.abs()));
-        let side = |(i, s): (usize, &Segment)| {
-            Side::new(s.inward_normal(), [s.start(), s.end()].map(|p| Some(p.into())), margin, first + i)
-        };
-        Ok(ConvexPolygon { sides: sides.iter().enumerate().map(side).collect(), far: 0.0 })
-    }
-
-    /// The region on the table's side of two rays that share their end, the one that arrives there and the one that
-    /// leaves it in the sense of traversal, with their numbers.
-    ///
-    /// # Errors
-    /// [`Error::NotConvex`] where they are no such rays, or the angle between them is not less than π.
-    pub fn wedge(rays: [Figure; 2], pieces: [usize; 2]) -> Result<Self, Error> {
-        let [
-            Figure::Ray { from: apex, direction: arriving, left: false },
-            Figure::Ray { from, direction: leaving, left: true },
-        ] = rays
-        else {
-            return Err(Error::NotConvex);
-        };
-        if apex != from || leaving.perp(&arriving) <= 0.0 {
-            return Err(Error::NotConvex);
-        }
-        let normals = [[arriving.y, -arriving.x], [-leaving.y, leaving.x]];
-        let margin = CORNER * apex.amax();
-        let sides = vec![
-            Side::new(normals[0], [None, Some(apex)], margin, pieces[0]),
-            Side::new(normals[1], [Some(apex), None], margin, pieces[1]),
-        ];
-        Ok(ConvexPolygon { sides, far: CORNER })
+        let side = |(i, s): (usize, &Segment)| Side::new(s.inward_normal(), [s.start(), s.end()], margin, first + i);
+        Ok(ConvexPolygon { sides: sides.iter().enumerate().map(side).collect() })
     }
 }
 
 impl Side {
-    /// The side with an inward unit normal, between two vertices, of which one may lie at infinity.
-    fn new(inward: [f64; 2], [a, b]: [Option<Vector2<f64>>; 2], margin: f64, piece: usize) -> Side {
+    /// The side with an inward unit normal, between two vertices.
+    fn new(inward: [f64; 2], [a, b]: [[f64; 2]; 2], margin: f64, piece: usize) -> Side {
         let n = inward.map(|n| -n);
-        let along = |p: Vector2<f64>| p.y * n[0] - p.x * n[1];
-        let distances: Vec<f64> = [a, b].iter().flatten().map(|p| p.x * n[0] + p.y * n[1]).collect();
+        let along = |p: [f64; 2]| p[1] * n[0] - p[0] * n[1];
+        let distance = |p: [f64; 2]| p[0] * n[0] + p[1] * n[1];
         Side {
             normal: n,
             unit: most_unit(n),
-            distance: distances.iter().sum::<f64>() / distances.len() as f64,
-            start: a.map_or(f64::NEG_INFINITY, |p| along(p) + margin),
-            end: b.map_or(f64::INFINITY, |p| along(p) - margin),
+            distance: 0.5 * (distance(a) + distance(b)),
+            start: along(a) + margin,
+            end: along(b) - margin,
             piece: piece as f64,
         }
     }
@@ -126,15 +95,13 @@ impl Walls<2> for ConvexPolygon {
         let time = num / den;
         let point = [x[0] + time * v[0], x[1] + time * v[1]];
         let along = point[1] * n[0] - point[0] * n[1];
-        let margin = (x[0].abs() + x[1].abs()) * self.far;
         WallHit {
             time,
             point,
             normal: [-n[0], -n[1]],
             inverse: zero.same(1.0),
-            inverse_square: zero.same(1.0),
             piece,
-            corner: along.lt(start + margin) | end.lt(along + margin),
+            corner: along.lt(start) | end.lt(along),
         }
     }
 }

@@ -65,6 +65,6 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
             [point[i], normal[i], excess] =
                 first[i].choose([ahead[i], (-one).copysign(-v[i]), excess], [p, zero, beyond.max(excess)]);
         }
-        WallHit { time, point, normal, inverse: one, inverse_square: one, piece, corner: zero.lt(excess) }
+        WallHit { time, point, normal, inverse: one, piece, corner: zero.lt(excess) }
     }
 }

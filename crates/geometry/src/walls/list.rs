@@ -89,6 +89,8 @@ impl Boundary<2> for Pieces {
 }
 
 impl Walls<2> for List {
+    const SLOW: bool = true;
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         self.0.first_hit(x, v)

@@ -10,11 +10,13 @@ mod convex;
 mod cuboid;
 mod homogeneous;
 mod list;
+mod normal;
 mod periodic;
 mod rotated;
 mod scatterer;
 mod slab;
 mod sphere;
+mod wedge;
 mod zonogon;
 
 pub use around::Around;
@@ -29,10 +31,11 @@ pub use rotated::Rotated;
 pub use scatterer::Scatterer;
 pub use slab::Slab;
 pub use sphere::Sphere;
+pub use wedge::Wedge;
 pub use zonogon::Zonogon;
 
 use crate::{Hit, Line};
-use lanes::{Double, Lane, Mask, two_prod};
+use lanes::{Lane, Mask};
 
 /// The first hit, in lanes.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +44,10 @@ pub struct WallHit<F: Lane, const N: usize> {
     pub time: F,
     /// The point hit, on the wall.
     pub point: [F; N],
-    /// A normal into the table. Its length is whatever the wall has at hand: see the next two.
+    /// A normal into the table. Its length is whatever the wall has at hand.
     pub normal: [F; N],
-    /// `1/|normal|`, to about 2 ulp.
+    /// `1/|normal|`, to about 2 ulp: reflecting with it is right for a normal of any length.
     pub inverse: F,
-    /// `1/|normal|²`, to about 2 ulp: reflecting with it is exact for a normal of any length.
-    pub inverse_square: F,
     /// Number of the piece.
     pub piece: F,
     /// Whether the hit is a corner, within rounding.
@@ -69,7 +70,6 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
             point: x,
             normal: x,
             inverse: one,
-            inverse_square: one,
             piece: x[0].same(0.0),
             corner: one.lt(one),
         }
@@ -85,7 +85,6 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
             self.normal[i] = second.select(other.normal[i], self.normal[i]);
         }
         self.inverse = second.select(other.inverse, self.inverse);
-        self.inverse_square = second.select(other.inverse_square, self.inverse_square);
         self.piece = second.select(other.piece, self.piece);
         self.corner = (second & other.corner) | (!second & self.corner);
         self
@@ -96,6 +95,9 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
 ///
 /// The same code runs in every lane width, so an ensemble has the bits of its single orbits.
 pub trait Walls<const N: usize>: Sync {
+    /// Whether a hit takes so long, tens of nanoseconds, that a few more make no difference.
+    const SLOW: bool = false;
+
     /// The first hit of the paths `x + t v`, `t ≥ 0`.
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
 
@@ -133,32 +135,6 @@ pub trait WithWalls<const N: usize> {
 /// A landing point is right to about 2 ulp of the size along the wall; 8 covers it with a factor of four.
 pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
 
-/// The neighbour of a unit normal, or the normal itself, whose length is nearest to 1.
-///
-/// A reflection in a normal whose length is off by a rounding changes the energy by the same part in every collision with
-/// that wall. A normal in another last digit is as good a normal, and on average two fifths of the error are gone.
-pub(crate) fn most_unit(normal: [f64; 2]) -> [f64; 2] {
-    let defect = |n: [f64; 2]| {
-        let mut sum = Double::new(-1.0);
-        for x in n {
-            let (square, rest) = two_prod(x, x);
-            sum.add(square);
-            sum.add(rest);
-        }
-        sum.value().abs()
-    };
-    let near = |x: f64| if x == 0.0 { [x; 3] } else { [x, x.next_down(), x.next_up()] };
-    let mut best = normal;
-    for a in near(normal[0]) {
-        for b in near(normal[1]) {
-            if defect([a, b]) < defect(best) {
-                best = [a, b];
-            }
-        }
-    }
-    best
-}
-
 /// `a · b`
 #[inline(always)]
 pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
@@ -167,36 +143,4 @@ pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
         sum = sum + a[i] * b[i];
     }
     sum
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_most_unit_normal_is_a_neighbour_that_is_nearer_to_length_1() {
-        let defect = |n: [f64; 2]| {
-            let mut sum = Double::new(-1.0);
-            for x in n {
-                let (square, rest) = two_prod(x, x);
-                sum.add(square);
-                sum.add(rest);
-            }
-            sum.value().abs()
-        };
-        let (mut before, mut after) = (0.0, 0.0);
-        for k in 0..100 {
-            let angle = 0.0628 * f64::from(k) + 0.01;
-            let normal = [libm::cos(angle), libm::sin(angle)];
-            let unit = most_unit(normal);
-            assert!(defect(unit) <= defect(normal));
-            for i in 0..2 {
-                assert!(normal[i].next_down() <= unit[i] && unit[i] <= normal[i].next_up());
-            }
-            before += defect(normal);
-            after += defect(unit);
-        }
-        // nine choices in place of one leave three fifths
-        assert!(after < 0.65 * before, "{after:e} of {before:e}");
-    }
 }

@@ -33,6 +33,8 @@ impl<W> Periodic<W> {
 }
 
 impl<W: Walls<2>> Walls<2> for Periodic<W> {
+    const SLOW: bool = W::SLOW;
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);

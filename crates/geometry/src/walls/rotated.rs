@@ -28,6 +28,8 @@ impl<W> Rotated<W> {
 }
 
 impl<W: Walls<2>> Walls<2> for Rotated<W> {
+    const SLOW: bool = W::SLOW;
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let [c, s] = self.axis;

@@ -10,7 +10,8 @@ pub struct Scatterer<const N: usize> {
     center: [f64; N],
     square: f64,
     inverse: f64,
-    inverse_square: f64,
+    /// `1/(2 r²)`
+    half: f64,
     /// By how much `|x − c|² − r²` may be negative through rounding.
     off: f64,
     piece: f64,
@@ -30,7 +31,7 @@ impl<const N: usize> Scatterer<N> {
             center: center.into(),
             square,
             inverse: 1.0 / radius,
-            inverse_square: 1.0 / square,
+            half: 0.5 / square,
             off: 2.0 * radius * slack(center.iter().copied().chain([radius])),
             piece: piece as f64,
         })
@@ -61,24 +62,22 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
         }
         let q = discriminant.sqrt() - b;
         let time = meets.select(c.max(zero) / q, zero.same(f64::INFINITY));
-        let mut square = zero;
+        let mut lacks = zero.same(self.square);
         for i in 0..N {
             y[i] = y[i] + time * v[i];
-            square = square + y[i] * y[i];
+            lacks = lacks - y[i] * y[i];
         }
-        // |y|² is r² up to rounding: one Newton step each for y on the sphere, 1/|y| and 1/|y|²
-        let ratio = square * self.inverse_square;
-        let scale = ratio * -0.5 + 1.5;
+        // |y|² is r² up to rounding: one Newton step each for y on the sphere and 1/|y|
+        let change = lacks * self.half;
         let mut point = y;
         for i in 0..N {
-            point[i] = y[i] * scale + self.center[i];
+            point[i] = y[i] + y[i] * change + self.center[i];
         }
         WallHit {
             time,
             point,
             normal: y,
-            inverse: scale * self.inverse,
-            inverse_square: (zero.same(2.0) - ratio) * self.inverse_square,
+            inverse: change * self.inverse + self.inverse,
             piece: zero.same(self.piece),
             corner: zero.lt(zero),
         }

@@ -49,7 +49,6 @@ impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
             point,
             normal,
             inverse: one,
-            inverse_square: one,
             piece: up.select(zero.same(self.pieces[1]), zero.same(self.pieces[0])),
             corner: zero.lt(zero),
         }
@@ -84,7 +83,6 @@ impl<const AXIS: usize> Homogeneous for Slab<2, AXIS> {
             point,
             normal,
             inverse: zero.same(1.0),
-            inverse_square: zero.same(1.0),
             piece: up.select(zero.same(self.pieces[1]), zero.same(self.pieces[0])),
             corner: zero.lt(zero),
         }

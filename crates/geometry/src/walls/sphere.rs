@@ -11,7 +11,8 @@ pub struct Sphere<const N: usize> {
     radius: f64,
     square: f64,
     inverse: f64,
-    inverse_square: f64,
+    /// `1/(2 r²)`
+    half: f64,
     piece: f64,
 }
 
@@ -30,7 +31,7 @@ impl<const N: usize> Sphere<N> {
             radius,
             square,
             inverse: 1.0 / radius,
-            inverse_square: 1.0 / square,
+            half: 0.5 / square,
             piece: piece as f64,
         })
     }
@@ -51,24 +52,22 @@ impl<const N: usize> Walls<N> for Sphere<N> {
         let leaving = zero.lt(b);
         let num = leaving.select(-c, q);
         let time = num.max(zero) / leaving.select(q, a);
-        let mut square = zero;
+        let mut lacks = zero.same(self.square);
         for i in 0..N {
             y[i] = y[i] + time * v[i];
-            square = square + y[i] * y[i];
+            lacks = lacks - y[i] * y[i];
         }
-        // |y|² is r² up to rounding: one Newton step each for y on the sphere, 1/|y| and 1/|y|²
-        let ratio = square * self.inverse_square;
-        let scale = ratio * -0.5 + 1.5;
+        // |y|² is r² up to rounding: one Newton step each for y on the sphere and 1/|y|
+        let change = lacks * self.half;
         let mut point = y;
         for i in 0..N {
-            point[i] = y[i] * scale + self.center[i];
+            point[i] = y[i] + y[i] * change + self.center[i];
         }
         WallHit {
             time,
             point,
             normal: y.map(|y| -y),
-            inverse: scale * self.inverse,
-            inverse_square: (zero.same(2.0) - ratio) * self.inverse_square,
+            inverse: change * self.inverse + self.inverse,
             piece: zero.same(self.piece),
             corner: zero.lt(zero),
         }
@@ -104,7 +103,6 @@ impl Homogeneous for Sphere<2> {
             point: [e1 * self.radius + self.center[0], e2 * self.radius + self.center[1]],
             normal: [-e1, -e2],
             inverse: one,
-            inverse_square: one,
             piece: one.same(self.piece),
             corner: one.lt(one),
         }

@@ -1,5 +1,5 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, dot, most_unit};
+use super::{CORNER, WallHit, Walls, dot, normal::most_unit};
 use crate::{Error, shapes::Segment};
 use lanes::{Lane, Mask};
 
@@ -114,7 +114,6 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
             point: [p[0] + self.center[0], p[1] + self.center[1]],
             normal: [-n[0], -n[1]],
             inverse: one,
-            inverse_square: one,
             piece,
             corner: half.lt(along.abs()),
         }

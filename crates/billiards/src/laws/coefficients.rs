@@ -1,0 +1,20 @@
+//! The numbers of a law, the same in all lanes or one set for each.
+use lanes::Lane;
+
+/// `K` coefficients.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Coefficients<const K: usize, F = f64>(pub(super) [F; K]);
+
+impl<const K: usize> Coefficients<K> {
+    /// The coefficients in lanes like those of `like`.
+    #[inline(always)]
+    pub(super) fn in_lanes<F: Lane>(&self, like: F) -> Coefficients<K, F> {
+        Coefficients(self.0.map(|c| like.same(c)))
+    }
+
+    /// The coefficients that `of` has for each lane, as many as `like` has.
+    #[inline(always)]
+    pub(super) fn by_lane<'a, F: Lane>(like: F, of: impl Fn(usize) -> &'a Self) -> Coefficients<K, F> {
+        Coefficients(core::array::from_fn(|i| like.each(|lane| of(lane).0[i])))
+    }
+}
