@@ -65,8 +65,12 @@ fn precise_square<F: Lane, const N: usize, const S: usize>(grid: F, v: &[F; N], 
         (head * head, (x - head) * (x + head))
     };
     let (mut high, mut low) = parts(v[0]);
-    for x in v[1..].iter().chain(w) {
-        let (h, l) = parts(*x);
+    for i in 1..N {
+        let (h, l) = parts(v[i]);
+        (high, low) = (high + h, low + l);
+    }
+    for i in 0..S {
+        let (h, l) = parts(w[i]);
         (high, low) = (high + h, low + l);
     }
     (high, low)

@@ -51,15 +51,14 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         let mut normal = -vn;
         if (!on).any() {
             let first = self.walls.first_hit(&orbit.position, &orbit.velocity);
-            let n = first.unit_normal();
-            let [v1, v2] = orbit.velocity;
+            let [vn, vt] = self.walls.arrival(&orbit.position, &orbit.velocity, &first);
             let place = self.walls.place(&first);
             chord = Chord {
                 time: on.select(chord.time, first.time),
                 place: [on.select(chord.place[0], place[0]), on.select(chord.place[1], place[1])],
-                tangential: on.select(chord.tangential, v2 * n[0] - v1 * n[1]),
+                tangential: on.select(chord.tangential, vt),
             };
-            normal = on.select(normal, v1 * n[0] + v2 * n[1]);
+            normal = on.select(normal, vn);
             hit = self.walls.landing(&chord);
         }
         (hit, Frame { place: chord.place, velocity: [normal, chord.tangential], on_wall: on | !on })

@@ -218,10 +218,24 @@ where
     #[inline(always)]
     fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T>, next: &mut u64, step: u64) {
         let zero = group.slow.same(0.0);
+        let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
+        let (mut orbit, mut carried) = (group.orbit.clone(), group.carried);
+        let square = self.billiard.collide(&mut orbit, &mut carried, &hit, &arrival);
+        let moves = zero.lt(hit.time) & hit.time.lt(zero.same(f64::INFINITY)) & group.slow.lt(square);
+        if (!moves | hit.corner).any() {
+            self.step_where_orbits_may_end(group, next, step);
+        } else {
+            (group.orbit, group.carried) = (orbit, carried);
+        }
+    }
+
+    /// The same, where a hit is a corner, out of reach, without motion or grazing in some lane.
+    #[cold]
+    #[inline(never)]
+    fn step_where_orbits_may_end<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T>, next: &mut u64, step: u64) {
         let (hit, arrival) = loop {
             let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
-            let odd = hit.corner | !zero.lt(hit.time) | !hit.time.lt(zero.same(f64::INFINITY));
-            if !odd.any() || !self.look(group, hit.time, hit.corner, next, step) {
+            if !self.look(group, hit.time, hit.corner, next, step) {
                 break (hit, arrival);
             }
         };
@@ -233,8 +247,6 @@ where
     }
 
     /// Looks at a hit that is a corner, out of reach or without motion somewhere; whether an orbit ended.
-    #[cold]
-    #[inline(never)]
     fn look<F: Lane>(
         &mut self,
         group: &mut GroupOf<F, N, S, B, K, T>,

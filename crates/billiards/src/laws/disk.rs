@@ -10,7 +10,7 @@ use lanes::Lane;
 pub struct Disk {
     /// In the coordinates of the plane: push and pull of the slip, `e − 1`.
     pub(super) in_plane: Coefficients<5>,
-    /// In the frame of the contact: the map's spin–spin, spin–tangent, tangent–spin, tangent–tangent less 1, `e − 1`.
+    /// In the frame of the contact: the map as it is.
     pub(super) in_frame: Coefficients<5>,
 }
 
@@ -28,8 +28,8 @@ impl Disk {
                 map.spin_spin,
                 map.spin_tangent,
                 map.tangent_spin,
-                map.tangent_tangent - 1.0,
-                map.normal - 1.0,
+                map.tangent_tangent,
+                map.normal,
             ]),
         }
     }
@@ -59,14 +59,14 @@ pub(super) fn in_plane<F: Lane>(
     *velocity = [(v1 + along_n * n1) + against_t * n2, (v2 + along_n * n2) - against_t * n1];
 }
 
-/// Applies the law to the normal and tangential components: `vₙ + (e−1) vₙ`, `vₜ + ((c−1) vₜ + s v₀)`.
+/// Applies the law to the normal and tangential components.
 #[inline(always)]
 pub(super) fn in_frame<F: Lane>(law: Coefficients<5, F>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
     let Coefficients([spin_spin, spin_tangent, tangent_spin, tangent_tangent, normal]) = law;
     let [vn, vt] = *velocity;
     let v0 = spin[0];
     spin[0] = spin_spin * v0 + spin_tangent * vt;
-    *velocity = [vn + normal * vn, vt + (tangent_spin * v0 + tangent_tangent * vt)];
+    *velocity = [normal * vn, tangent_spin * v0 + tangent_tangent * vt];
 }
 
 impl BallLaw<2, 1> for Disk {

@@ -16,9 +16,9 @@ pub(super) struct Slip {
 }
 
 /// A strict law needs no more digits than these: what is left of `p·u − 2` and `p ∧ u` at most.
-const ENOUGH: f64 = f64::EPSILON / 1024.0;
-/// Lengths of `u` to choose from. One in some 10⁵ will do.
-const LENGTHS: u32 = 1 << 20;
+const ENOUGH: f64 = f64::EPSILON / 2048.0;
+/// Lengths of `u` to choose from. One in some 10⁶ will do.
+const LENGTHS: u32 = 1 << 22;
 
 impl Slip {
     /// That of a map for a disk with mass distribution parameter γ.

@@ -58,13 +58,15 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
             first[i] = sooner;
         }
         let time = num / den;
-        let (mut point, mut normal, mut excess) = (*x, [zero; N], zero);
+        let (mut point, mut normal) = (*x, [zero; N]);
+        // a hit is near one wall; near two, it is a corner
+        let (mut near, mut corner) = (zero.lt(zero), zero.lt(zero));
         for i in 0..N {
             let p = x[i] + time * v[i];
-            let beyond = (p - self.middle[i]).abs() - self.inner[i];
-            [point[i], normal[i], excess] =
-                first[i].choose([ahead[i], (-one).copysign(-v[i]), excess], [p, zero, beyond.max(excess)]);
+            let outer = zero.same(self.inner[i]).lt((p - self.middle[i]).abs());
+            (near, corner) = (near | outer, corner | (near & outer));
+            [point[i], normal[i]] = first[i].choose([ahead[i], (-one).copysign(-v[i])], [p, zero]);
         }
-        WallHit { time, point, normal, inverse: one, piece, corner: zero.lt(excess) }
+        WallHit { time, point, normal, inverse: one, piece, corner }
     }
 }

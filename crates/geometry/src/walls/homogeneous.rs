@@ -21,6 +21,13 @@ pub struct Chord<F> {
 pub trait Homogeneous: Walls<2> {
     /// The place of a hit, as two numbers of the walls' choice.
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2];
+    /// Normal and tangential velocity on arrival at the first hit of the path `x + t v`: these two numbers are carried on
+    /// for ever, so walls that can tell them better than by way of the rounded normal do.
+    #[inline(always)]
+    fn arrival<F: Lane>(&self, _x: &[F; 2], v: &[F; 2], hit: &WallHit<F, 2>) -> [F; 2] {
+        let [n1, n2] = hit.unit_normal();
+        [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2]
+    }
     /// The flight from a place with normal velocity `normal` ≥ 0 and tangential velocity `tangential`.
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F>;
     /// What is hit at the end of a flight. The normal has length 1.

@@ -1,7 +1,7 @@
 //! The inside of a sphere: disk table and ball table.
 use super::{Chord, Homogeneous, WallHit, Walls, dot};
 use crate::Error;
-use lanes::{Lane, Mask};
+use lanes::{Double, Lane, Mask, two_prod, two_sum};
 use nalgebra::SVector;
 
 /// The ball of radius `r` about `c` in ℝᴺ, with the particle inside.
@@ -79,6 +79,39 @@ impl Homogeneous for Sphere<2> {
     #[inline(always)]
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
         hit.normal.map(|n| -n * hit.inverse)
+    }
+    /// The angular momentum `y ∧ v` is that of the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`, in twice the
+    /// digits up to their last rounding.
+    #[inline(always)]
+    fn arrival<F: Lane>(&self, x: &[F; 2], v: &[F; 2], _: &WallHit<F, 2>) -> [F; 2] {
+        let zero = v[0].same(0.0);
+        let product = |a: F, b: F| {
+            let (product, rest) = two_prod(a, b);
+            [product, rest]
+        };
+        let sum = |parts: &[[F; 2]]| {
+            let mut sum = Double::new(zero);
+            for part in parts.as_flattened() {
+                sum.add(*part);
+            }
+            sum
+        };
+        let [y1, y2] = [0, 1].map(|i| two_sum(x[i], zero.same(-self.center[i])));
+        let moment = sum(&[product(y1.0, -v[1]), product(y2.0, v[0]), [y1.1 * -v[1], y2.1 * v[0]]]);
+        let tangential = moment.high / zero.same(self.radius);
+        let rest = sum(&[[moment.high, moment.low], product(-tangential, zero.same(self.radius))]).value();
+        let low = rest / zero.same(self.radius);
+        let square = sum(&[
+            product(v[0], v[0]),
+            product(v[1], v[1]),
+            product(-tangential, tangential),
+            [tangential * (low * -2.0), zero],
+        ]);
+        let normal = square.high.max(zero).sqrt();
+        let rest = sum(&[[square.high, square.low], product(-normal, normal)]).value();
+        let grazing = !zero.lt(normal);
+        let normal = normal + grazing.select(zero, rest / grazing.select(zero.same(1.0), normal + normal));
+        [-normal, tangential + low]
     }
     /// The chord of `u = −tangential + i normal` turns the place by `u²/|u|²` and takes the time `2 r normal/|u|²`.
     ///
