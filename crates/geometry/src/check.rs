@@ -1,7 +1,8 @@
 //! What every piece promises, as functions: for the shapes here and for anyone's own.
 use crate::{
     path::Line,
-    piece::{Extent, Piece},
+    extent::Extent,
+    piece::{Piece},
 };
 use core::f64::consts::PI;
 use nalgebra::Vector2;

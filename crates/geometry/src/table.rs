@@ -4,7 +4,7 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Polygon, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
     },
 };
 use nalgebra::Vector2;
@@ -229,8 +229,7 @@ impl Table {
                 _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
             };
         }
-        let all = || self.list(0..self.pieces.len());
-        let Some((container, rest)) = self.container() else { return visit.run(&all()) };
+        let Some((container, rest)) = self.container() else { return self.with_any_walls(visit) };
         match (container, rest.as_slice()) {
             (Container::Level(walls), []) => visit.run_homogeneous(&walls),
             (Container::Upright(walls), []) => visit.run_homogeneous(&walls),
@@ -251,8 +250,26 @@ impl Table {
             (Container::Rectangle(walls), many) => {
                 visit.run(&Around { container: walls, obstacles: self.list(many.iter().copied()) })
             }
-            _ => visit.run(&all()),
+            _ => self.with_any_walls(visit),
         }
+    }
+
+    /// Runs a computation with walls that do for tables of any form.
+    fn with_any_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
+        match self.polygon() {
+            Some(walls) => visit.run(&walls),
+            None => visit.run(&self.list(0..self.pieces.len())),
+        }
+    }
+
+    /// All pieces as the sides of a polygon, if they are straight.
+    fn polygon(&self) -> Option<Polygon> {
+        let side = |(i, piece): (usize, &Arc<dyn Piece>)| match piece.figure() {
+            Figure::Segment { ends } => Some((i, ends)),
+            _ => None,
+        };
+        let sides: Vec<_> = self.pieces.iter().enumerate().map(side).collect::<Option<_>>()?;
+        Polygon::new(&sides, &self.corners).ok()
     }
 
     /// A piece as a scatterer, if it is one.

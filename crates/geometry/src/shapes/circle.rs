@@ -3,7 +3,8 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    piece::{Extent, Figure, Landing, Piece},
+    extent::Extent,
+    piece::{Figure, Landing, Piece},
     plane::{along, cross, dot, from, slack},
 };
 use core::f64::consts::PI;

@@ -6,7 +6,8 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    piece::{Extent, Landing, Piece},
+    extent::Extent,
+    piece::{Landing, Piece},
     plane::{dot, from, slack},
     shapes::{Circle, curve::rising_root, elliptic_integral::second_kind},
 };

@@ -3,7 +3,8 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    piece::{Extent, Landing, Piece},
+    extent::Extent,
+    piece::{Landing, Piece},
     plane::{cross, from},
     shapes::{
         Ellipse,

@@ -8,7 +8,8 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    piece::{Extent, Landing, Piece},
+    extent::Extent,
+    piece::{Landing, Piece},
     plane::slack,
 };
 use nalgebra::Vector2;

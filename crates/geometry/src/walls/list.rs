@@ -1,9 +1,8 @@
 //! A list of pieces of any kind.
-use super::{ByLane, CORNER, WallHit, Walls};
-use crate::{Boundary, Crossing, Hit, Line, Piece, parry::Index};
+use super::{ByLane, CORNER, WallHit, Walls, corners::Corners};
+use crate::{Boundary, BoxTree, Crossing, Hit, Line, Piece};
 use lanes::Lane;
 use nalgebra::Vector2;
-use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Pieces of any kind: a few are asked one after another, many through a tree of boxes.
@@ -20,7 +19,7 @@ enum Search {
     /// By asking each.
     Each,
     /// By asking those whose boxes the path enters.
-    Tree(Index),
+    Tree(BoxTree),
 }
 
 #[derive(Clone, Debug)]
@@ -36,24 +35,21 @@ struct Pieces {
 impl List {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
-        // −0 is 0
-        let bits = |p: &Vector2<f64>| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
-        let known: HashSet<[u64; 2]> = corners.iter().map(bits).collect();
-        let size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
+        let known = Corners::new(corners);
         let own = |p: &Arc<dyn Piece>| -> Vec<Vector2<f64>> {
             let ends = p.ends().map_or(vec![], Vec::from);
-            ends.into_iter().filter(|e| known.contains(&bits(e))).collect()
+            ends.into_iter().filter(|end| known.contains(end)).collect()
         };
         let corners = pieces.iter().map(|(_, p)| own(p)).collect();
-        let tree = || Search::Tree(Index::new(pieces.iter().map(|(_, piece)| piece.extent())));
+        let tree = || Search::Tree(BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent())));
         let search = if pieces.len() < MANY { Search::Each } else { tree() };
-        List(ByLane(Pieces { numbered: pieces, search, corners, size }))
+        List(ByLane(Pieces { numbered: pieces, search, corners, size: known.size() }))
     }
 }
 
 impl Pieces {
     /// The piece that a path crosses first, and when; of equal times the first in the list.
-    fn first(&self, path: &Line<2>) -> Option<(usize, Crossing)> {
+    fn first(&self, path: &Line<2>) -> Option<(usize, f64)> {
         match &self.search {
             Search::Each => {
                 let mut first = None;
@@ -64,17 +60,16 @@ impl Pieces {
                         (first, soonest) = (Some(k), crossing);
                     }
                 }
-                first.map(|k| (k, soonest))
+                first.map(|k| (k, soonest.time()))
             }
-            Search::Tree(index) => index.first(path, |k| self.numbered[k].1.crossing(path)),
+            Search::Tree(tree) => tree.first(path, |k| self.numbered[k].1.crossing(path)),
         }
     }
 }
 
 impl Boundary<2> for Pieces {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
-        let (k, crossing) = self.first(path)?;
-        let time = crossing.time();
+        let (k, time) = self.first(path)?;
         let landing = self.numbered[k].1.landing(path, time);
         // a path may come from far beyond the vertices
         let near = CORNER * self.size.max(path.point.amax());

@@ -4,7 +4,8 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    piece::{Extent, Landing, Piece},
+    extent::Extent,
+    piece::{Landing, Piece},
     plane::slack,
 };
 use core::fmt::Debug;

@@ -1,0 +1,162 @@
+//! The first thing on a path, made so that rounding never loses one.
+use super::{BoxTree, Eight, OPEN, WIDTH};
+use crate::{Crossing, Line};
+
+/// A path prepared for box tests.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Slab<const N: usize> {
+    /// Where the path starts, moved back by the margin for the sides that it enters through and on for those through which it
+    /// leaves.
+    enter: [f64; N],
+    leave: [f64; N],
+    inverse: [f64; N],
+    /// Whether the path runs downwards.
+    down: [bool; N],
+}
+
+impl<const N: usize> Slab<N> {
+    /// The path, for boxes whose finite coordinates do not exceed `size`.
+    ///
+    /// A piece decides for itself with an error of a few ulp of its distance from the start of the path, which is at most
+    /// |x| + size; a box that is larger by ten times that holds every crossing that the piece can find. The few
+    /// roundings of the box test itself are of the same size.
+    pub(crate) fn new(path: &Line<N>, size: f64) -> Self {
+        let margin = 64.0 * f64::EPSILON * (path.point.amax() + size);
+        let down: [bool; N] = core::array::from_fn(|i| path.velocity[i] < 0.0);
+        let start = |margin: f64| core::array::from_fn(|i| path.point[i] + if down[i] { -margin } else { margin });
+        // −0 is 0
+        let inverse = core::array::from_fn(|i| 1.0 / (path.velocity[i] + 0.0));
+        Slab { enter: start(margin), leave: start(-margin), inverse, down }
+    }
+
+    /// Lower bounds of the times at which the path enters eight boxes, and which of them it enters before `limit` at all.
+    ///
+    /// What is not a number (0·∞, for a path along a side) excludes nothing.
+    #[inline(always)]
+    fn enters(&self, boxes: &Eight<N>, limit: f64) -> ([f64; WIDTH], u64) {
+        let (mut enter, mut leave) = ([0.0; WIDTH], [limit; WIDTH]);
+        for i in 0..N {
+            let (near, far) =
+                if self.down[i] { (&boxes.max[i], &boxes.min[i]) } else { (&boxes.min[i], &boxes.max[i]) };
+            for k in 0..WIDTH {
+                let from = (near[k] - self.enter[i]) * self.inverse[i];
+                let to = (far[k] - self.leave[i]) * self.inverse[i];
+                enter[k] = if from > enter[k] { from } else { enter[k] };
+                leave[k] = if to < leave[k] { to } else { leave[k] };
+            }
+        }
+        let mut hit = [0_u64; WIDTH];
+        for k in 0..WIDTH {
+            hit[k] = if enter[k] <= leave[k] { 1 << k } else { 0 };
+        }
+        (enter, hit.iter().fold(0, |all, one| all | one))
+    }
+}
+
+/// The first of what has been offered, in whatever order: of equal times the lowest number.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct First {
+    time: f64,
+    place: usize,
+}
+
+impl First {
+    /// Nothing so far.
+    pub(crate) const NONE: First = First { time: f64::INFINITY, place: 0 };
+
+    /// Takes the crossing of the thing at a place, whose number is asked for only if need be, if it is the first so far.
+    #[inline(always)]
+    pub(crate) fn offer(&mut self, place: usize, crossing: Crossing, number: impl Fn(usize) -> usize) {
+        let time = crossing.time();
+        if time < self.time || (time == self.time && time < f64::INFINITY && number(place) < number(self.place)) {
+            *self = First { time, place };
+        }
+    }
+
+    /// Its place and the time.
+    pub(crate) fn found(self) -> Option<(usize, f64)> {
+        (self.time < f64::INFINITY).then_some((self.place, self.time))
+    }
+}
+
+/// Something to look at: a lower bound of the time at which the path gets there, and what it is.
+///
+/// As one number, whose upper half is that of the time (rounded down, and times are not negative): what comes first is
+/// the least.
+#[derive(Clone, Copy)]
+struct Open(u64);
+
+/// The bits of an [`Open`] that hold the time.
+const TIME: u64 = !0 << 32;
+
+/// Bits of the place of a node on its level, which is told by the bits above them.
+const PLACE: u32 = 28;
+
+impl Open {
+    #[inline(always)]
+    fn new(time: f64, what: u64) -> Open {
+        Open((time.to_bits() & TIME) | what)
+    }
+    #[inline(always)]
+    fn what(self) -> usize {
+        (self.0 & !TIME) as usize
+    }
+    #[inline(always)]
+    fn is_before(self, time: f64) -> bool {
+        self.0 <= time.to_bits() | !TIME
+    }
+}
+
+impl<const N: usize> BoxTree<N> {
+    /// The first piece that the path crosses, given the crossing of each, and the time; of equal times the lowest
+    /// number.
+    pub fn first(&self, path: &Line<N>, crossing: impl Fn(usize) -> Crossing) -> Option<(usize, f64)> {
+        let mut first = First::NONE;
+        self.walk(path, &mut first, |number, first| first.offer(number, crossing(number), |number| number));
+        first.found()
+    }
+
+    /// Asks what lies in boxes that the path enters, nearer ones first, until nothing can come before the first that
+    /// was found.
+    #[inline(always)]
+    pub(crate) fn walk(&self, path: &Line<N>, first: &mut First, ask: impl Fn(usize, &mut First)) {
+        let Some(root) = self.levels.len().checked_sub(1) else { return };
+        let slab = Slab::new(path, self.size);
+        let mut open = [Open(0); OPEN];
+        let mut count = 1;
+        open[0] = Open::new(0.0, (root as u64) << PLACE);
+        while count > 0 {
+            count -= 1;
+            let node = open[count];
+            if !node.is_before(first.time) {
+                continue;
+            }
+            let (level, place) = (node.what() >> PLACE, node.what() & ((1 << PLACE) - 1));
+            let (enter, mut hit) =
+                slab.enters(&self.nodes[self.levels[level].start + place], first.time.min(f64::MAX));
+            let below = if level == 0 { 0 } else { (level as u64 - 1) << PLACE };
+            // the nearest on top
+            let bottom = count;
+            while hit != 0 {
+                let k = hit.trailing_zeros() as usize;
+                hit &= hit - 1;
+                let child = Open::new(enter[k], below | (WIDTH * place + k) as u64);
+                let mut at = count;
+                while at > bottom && open[at - 1].0 < child.0 {
+                    open[at] = open[at - 1];
+                    at -= 1;
+                }
+                open[at] = child;
+                count += 1;
+            }
+            if level == 0 {
+                while count > bottom {
+                    count -= 1;
+                    if open[count].is_before(first.time) {
+                        ask(self.number(open[count].what()), first);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! Straight sides and nothing else, however many.
+use super::{ByLane, CORNER, WallHit, Walls};
+use crate::{
+    Boundary, BoxTree, Error, Extent, Hit, Line,
+    boxes::{First, WIDTH, order},
+    plane::slack,
+    shapes::{self, Segment},
+};
+use lanes::{Lane, Task};
+use nalgebra::Vector2;
+
+/// The straight sides of a table of any form, with holes or without: eight are tested at once, and where there are many, only
+/// those near the path.
+#[derive(Clone, Debug)]
+pub struct Polygon(ByLane<Sides>);
+
+/// From so many blocks of eight sides on, a tree of boxes is faster than asking each.
+const MANY: usize = 24;
+
+/// Eight sides, coordinate by coordinate; what is not there is not a number, and hit by nothing.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Eight {
+    a: [[f64; WIDTH]; 2],
+    b: [[f64; WIDTH]; 2],
+}
+
+#[derive(Clone, Debug)]
+struct Sides {
+    blocks: Vec<Eight>,
+    /// Unit normals into the table.
+    normals: Vec<[f64; 2]>,
+    /// The number of each side's piece.
+    numbers: Vec<u32>,
+    /// Whether there are corners at the start and at the end of each side.
+    corners: Vec<[bool; 2]>,
+    /// Which blocks a path can meet; `None` where it is as well to ask each.
+    tree: Option<BoxTree>,
+    /// Size of the coordinates of corners, of which rounding is a fraction.
+    size: f64,
+}
+
+impl Polygon {
+    /// Sides with the numbers of their pieces, and the corners of the boundary.
+    ///
+    /// # Errors
+    /// [`Error::ZeroLength`] where the ends of a side coincide.
+    pub fn new(sides: &[(usize, [Vector2<f64>; 2])], corners: &[Vector2<f64>]) -> Result<Polygon, Error> {
+        let extents: Vec<Extent> = sides.iter().map(|(_, ends)| Extent::of(*ends)).collect();
+        let order = order(&extents);
+        let place = |k: usize| order.as_ref().map_or(k, |order| order[k] as usize);
+        let is_corner = super::corners::Corners::new(corners);
+        let mut all = Sides {
+            blocks: Vec::with_capacity(sides.len().div_ceil(WIDTH)),
+            normals: Vec::with_capacity(sides.len()),
+            numbers: Vec::with_capacity(sides.len()),
+            corners: Vec::with_capacity(sides.len()),
+            tree: None,
+            size: is_corner.size(),
+        };
+        for k in 0..sides.len() {
+            let (number, [a, b]) = sides[place(k)];
+            if k % WIDTH == 0 {
+                let none = [[f64::NAN; WIDTH]; 2];
+                all.blocks.push(Eight { a: none, b: none });
+            }
+            let block = &mut all.blocks[k / WIDTH];
+            for i in 0..2 {
+                (block.a[i][k % WIDTH], block.b[i][k % WIDTH]) = (a[i], b[i]);
+            }
+            all.normals.push(Segment::new(a, b)?.inward_normal());
+            #[allow(clippy::cast_possible_truncation, reason = "pieces are numbered by 32 bits in all trees")]
+            all.numbers.push(number as u32);
+            all.corners.push([a, b].map(|end| is_corner.contains(&end)));
+        }
+        if all.blocks.len() >= MANY {
+            let around = |block: usize| {
+                (WIDTH * block..sides.len().min(WIDTH * (block + 1))).map(|k| extents[place(k)]).fold(Extent::EMPTY, Extent::union)
+            };
+            all.tree = Some(BoxTree::in_order(&(0..all.blocks.len()).map(around).collect::<Vec<_>>()));
+        }
+        Ok(Polygon(ByLane(all)))
+    }
+}
+
+impl Sides {
+    /// Offers those of eight sides that the path crosses.
+    #[inline(always)]
+    fn ask(&self, block: usize, x: [f64; 2], v: [f64; 2], first: &mut First) {
+        let Eight { a, b } = &self.blocks[block];
+        let mut passed = [0_u64; WIDTH];
+        for k in 0..WIDTH {
+            let (to_a, to_b) = ([a[0][k] - x[0], a[1][k] - x[1]], [b[0][k] - x[0], b[1][k] - x[1]]);
+            passed[k] = u64::from(shapes::segment::passes(to_a, to_b, v)) << k;
+        }
+        let mut passed = passed.iter().fold(0, |all, one| all | one);
+        while passed != 0 {
+            let k = passed.trailing_zeros() as usize;
+            passed &= passed - 1;
+            let side = WIDTH * block + k;
+            let to_a = [a[0][k] - x[0], a[1][k] - x[1]];
+            let slack = slack([a[0][k], a[1][k], b[0][k], b[1][k]]);
+            let crossing = shapes::segment::crossing(true, to_a, v, self.normals[side], slack);
+            first.offer(side, crossing, |side| self.numbers[side] as usize);
+        }
+    }
+}
+
+/// The search for the first side, to be run by code for the instruction set at hand.
+struct Search<'a> {
+    sides: &'a Sides,
+    path: &'a Line<2>,
+}
+
+impl Task for Search<'_> {
+    type Output = First;
+    #[inline(always)]
+    fn run(self) -> First {
+        let Search { sides, path } = self;
+        let (x, v) = (path.point.into(), path.velocity.into());
+        let mut first = First::NONE;
+        match &sides.tree {
+            None => (0..sides.blocks.len()).for_each(|block| sides.ask(block, x, v, &mut first)),
+            Some(tree) => tree.walk(path, &mut first, |block, first| sides.ask(block, x, v, first)),
+        }
+        first
+    }
+}
+
+impl Boundary<2> for Sides {
+    fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
+        let (side, time) = lanes::vectorized(Search { sides: self, path }).found()?;
+        let (Eight { a, b }, k) = (&self.blocks[side / WIDTH], side % WIDTH);
+        let [a, b] = [a, b].map(|end| [end[0][k], end[1][k]]);
+        let normal = self.normals[side];
+        let point = shapes::segment::landing(path.point.into(), path.velocity.into(), time, a, normal);
+        // a path may come from far beyond the vertices
+        let near = CORNER * self.size.max(path.point.amax());
+        let at = |end: [f64; 2]| (point[0] - end[0]).abs() <= near && (point[1] - end[1]).abs() <= near;
+        let corner = (at(a) && self.corners[side][0]) || (at(b) && self.corners[side][1]);
+        Some(Hit { time, point: point.into(), normal: normal.into(), piece: self.numbers[side] as usize, corner })
+    }
+}
+
+impl Walls<2> for Polygon {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        self.0.first_hit(x, v)
+    }
+}
