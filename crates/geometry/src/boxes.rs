@@ -10,7 +10,7 @@ mod order;
 use crate::Extent;
 use nalgebra::SVector;
 
-pub(crate) use first::First;
+pub(crate) use first::{First, Inside};
 pub(crate) use order::order;
 
 /// Children of a node: as many numbers as fill a line of the cache, and the widest registers.

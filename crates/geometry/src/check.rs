@@ -1,8 +1,7 @@
 //! What every piece promises, as functions: for the shapes here and for anyone's own.
 use crate::{
     path::Line,
-    extent::Extent,
-    piece::{Piece},
+    piece::{Extent, Piece},
 };
 use core::f64::consts::PI;
 use nalgebra::Vector2;

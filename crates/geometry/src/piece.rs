@@ -1,7 +1,9 @@
 //! A piece of a planar boundary, as the sum of what anything may ask of it.
-use crate::{crossing::Crossing, extent::Extent, path::Line};
+use crate::{crossing::Crossing, path::Line};
 use core::fmt::Debug;
 use nalgebra::Vector2;
+
+pub use crate::extent::Extent;
 
 /// Where a path lands on a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! The first thing on a path, made so that rounding never loses one.
 use super::{BoxTree, Eight, OPEN, WIDTH};
 use crate::{Crossing, Line};
+use lanes::{Kernel, Lane, Mask};
 
 /// A path prepared for box tests.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +21,7 @@ impl<const N: usize> Slab<N> {
     /// A piece decides for itself with an error of a few ulp of its distance from the start of the path, which is at most
     /// |x| + size; a box that is larger by ten times that holds every crossing that the piece can find. The few
     /// roundings of the box test itself are of the same size.
+    #[inline(always)]
     pub(crate) fn new(path: &Line<N>, size: f64) -> Self {
         let margin = 64.0 * f64::EPSILON * (path.point.amax() + size);
         let down: [bool; N] = core::array::from_fn(|i| path.velocity[i] < 0.0);
@@ -29,27 +31,29 @@ impl<const N: usize> Slab<N> {
         Slab { enter: start(margin), leave: start(-margin), inverse, down }
     }
 
-    /// Lower bounds of the times at which the path enters eight boxes, and which of them it enters before `limit` at all.
+    /// Lower bounds of the times at which the path enters eight boxes, and as bits which of them it enters before `limit`
+    /// at all.
     ///
     /// What is not a number (0·∞, for a path along a side) excludes nothing.
     #[inline(always)]
-    fn enters(&self, boxes: &Eight<N>, limit: f64) -> ([f64; WIDTH], u64) {
-        let (mut enter, mut leave) = ([0.0; WIDTH], [limit; WIDTH]);
-        for i in 0..N {
-            let (near, far) =
-                if self.down[i] { (&boxes.max[i], &boxes.min[i]) } else { (&boxes.min[i], &boxes.max[i]) };
-            for k in 0..WIDTH {
-                let from = (near[k] - self.enter[i]) * self.inverse[i];
-                let to = (far[k] - self.leave[i]) * self.inverse[i];
-                enter[k] = if from > enter[k] { from } else { enter[k] };
-                leave[k] = if to < leave[k] { to } else { leave[k] };
+    fn enters<F: Lane>(&self, zero: F, boxes: &Eight<N>, limit: f64) -> ([f64; WIDTH], u64) {
+        let mut times = [0.0; WIDTH];
+        let mut hit = 0;
+        let mut k = 0;
+        while k < WIDTH {
+            let (mut enter, mut leave) = (zero, zero.same(limit));
+            for i in 0..N {
+                let (near, far) =
+                    if self.down[i] { (&boxes.max[i], &boxes.min[i]) } else { (&boxes.min[i], &boxes.max[i]) };
+                let from = (zero.load(&near[k..]) - zero.same(self.enter[i])) * self.inverse[i];
+                let to = (zero.load(&far[k..]) - zero.same(self.leave[i])) * self.inverse[i];
+                (enter, leave) = (from.max(enter), to.min(leave));
             }
+            enter.store(&mut times[k..]);
+            hit |= (!leave.lt(enter)).bits() << k;
+            k += F::LANES;
         }
-        let mut hit = [0_u64; WIDTH];
-        for k in 0..WIDTH {
-            hit[k] = if enter[k] <= leave[k] { 1 << k } else { 0 };
-        }
-        (enter, hit.iter().fold(0, |all, one| all | one))
+        (times, hit)
     }
 }
 
@@ -107,20 +111,49 @@ impl Open {
     }
 }
 
+/// What lies in the boxes of a tree.
+pub(crate) trait Inside {
+    /// Offers what is in the box at a place: the crossing of it with the path.
+    fn offer<F: Lane>(&self, zero: F, place: usize, first: &mut First);
+}
+
+/// Things that are asked one by one.
+struct OneByOne<'a, const N: usize, C> {
+    tree: &'a BoxTree<N>,
+    path: &'a Line<N>,
+    crossing: C,
+}
+
+impl<const N: usize, C: Fn(usize) -> Crossing> Inside for OneByOne<'_, N, C> {
+    #[inline(always)]
+    fn offer<F: Lane>(&self, _: F, place: usize, first: &mut First) {
+        let number = |place: usize| self.tree.number(place);
+        first.offer(place, (self.crossing)(number(place)), number);
+    }
+}
+
+impl<const N: usize, C: Fn(usize) -> Crossing> Kernel for OneByOne<'_, N, C> {
+    type Output = First;
+    #[inline(always)]
+    fn run<F: Lane>(self, zero: F) -> First {
+        self.tree.walk(zero, self.path, &self)
+    }
+}
+
 impl<const N: usize> BoxTree<N> {
     /// The first piece that the path crosses, given the crossing of each, and the time; of equal times the lowest
     /// number.
     pub fn first(&self, path: &Line<N>, crossing: impl Fn(usize) -> Crossing) -> Option<(usize, f64)> {
-        let mut first = First::NONE;
-        self.walk(path, &mut first, |number, first| first.offer(number, crossing(number), |number| number));
-        first.found()
+        let found = lanes::dispatch(OneByOne { tree: self, path, crossing }).found();
+        found.map(|(place, time)| (self.number(place), time))
     }
 
     /// Asks what lies in boxes that the path enters, nearer ones first, until nothing can come before the first that
     /// was found.
     #[inline(always)]
-    pub(crate) fn walk(&self, path: &Line<N>, first: &mut First, ask: impl Fn(usize, &mut First)) {
-        let Some(root) = self.levels.len().checked_sub(1) else { return };
+    pub(crate) fn walk<F: Lane>(&self, zero: F, path: &Line<N>, inside: &impl Inside) -> First {
+        let mut first = First::NONE;
+        let Some(root) = self.levels.len().checked_sub(1) else { return first };
         let slab = Slab::new(path, self.size);
         let mut open = [Open(0); OPEN];
         let mut count = 1;
@@ -132,8 +165,8 @@ impl<const N: usize> BoxTree<N> {
                 continue;
             }
             let (level, place) = (node.what() >> PLACE, node.what() & ((1 << PLACE) - 1));
-            let (enter, mut hit) =
-                slab.enters(&self.nodes[self.levels[level].start + place], first.time.min(f64::MAX));
+            let boxes = &self.nodes[self.levels[level].start + place];
+            let (enter, mut hit) = slab.enters(zero, boxes, first.time.min(f64::MAX));
             let below = if level == 0 { 0 } else { (level as u64 - 1) << PLACE };
             // the nearest on top
             let bottom = count;
@@ -153,10 +186,11 @@ impl<const N: usize> BoxTree<N> {
                 while count > bottom {
                     count -= 1;
                     if open[count].is_before(first.time) {
-                        ask(self.number(open[count].what()), first);
+                        inside.offer(zero, open[count].what(), &mut first);
                     }
                 }
             }
         }
+        first
     }
 }

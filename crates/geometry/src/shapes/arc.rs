@@ -3,8 +3,7 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    extent::Extent,
-    piece::{Figure, Landing, Piece},
+    piece::{Extent, Figure, Landing, Piece},
     plane::{cross, dot, from, slack},
     shapes::Circle,
 };

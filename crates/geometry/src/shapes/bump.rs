@@ -4,8 +4,7 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    extent::Extent,
-    piece::{Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{cross, slack},
 };
 use nalgebra::Vector2;

@@ -6,8 +6,7 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    extent::Extent,
-    piece::{Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{dot, from, slack},
     shapes::{Circle, curve::rising_root, elliptic_integral::second_kind},
 };

@@ -3,8 +3,7 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    extent::Extent,
-    piece::{Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{cross, from},
     shapes::{
         Ellipse,

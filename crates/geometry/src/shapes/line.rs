@@ -3,8 +3,7 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    extent::Extent,
-    piece::{Figure, Landing, Piece},
+    piece::{Extent, Figure, Landing, Piece},
     plane::{along, dot, from, slack},
 };
 use lanes::Lane;

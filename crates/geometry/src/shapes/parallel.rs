@@ -8,8 +8,7 @@ use crate::{
     Error,
     crossing::Crossing,
     path::Line,
-    extent::Extent,
-    piece::{Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::slack,
 };
 use nalgebra::Vector2;

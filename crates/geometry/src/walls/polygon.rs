@@ -2,11 +2,11 @@
 use super::{ByLane, CORNER, WallHit, Walls};
 use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
-    boxes::{First, WIDTH, order},
+    boxes::{First, Inside, WIDTH, order},
     plane::slack,
-    shapes::{self, Segment},
+    shapes::{Segment, segment},
 };
-use lanes::{Lane, Task};
+use lanes::{Kernel, Lane, Mask};
 use nalgebra::Vector2;
 
 /// The straight sides of a table of any form, with holes or without: eight are tested at once, and where there are many, only
@@ -83,57 +83,60 @@ impl Polygon {
     }
 }
 
-impl Sides {
+/// The search for the first side that a path crosses.
+struct Search<'a> {
+    sides: &'a Sides,
+    path: &'a Line<2>,
+}
+
+impl Inside for Search<'_> {
     /// Offers those of eight sides that the path crosses.
     #[inline(always)]
-    fn ask(&self, block: usize, x: [f64; 2], v: [f64; 2], first: &mut First) {
-        let Eight { a, b } = &self.blocks[block];
-        let mut passed = [0_u64; WIDTH];
-        for k in 0..WIDTH {
-            let (to_a, to_b) = ([a[0][k] - x[0], a[1][k] - x[1]], [b[0][k] - x[0], b[1][k] - x[1]]);
-            passed[k] = u64::from(shapes::segment::passes(to_a, to_b, v)) << k;
+    fn offer<F: Lane>(&self, zero: F, block: usize, first: &mut First) {
+        let (x, v): ([f64; 2], [f64; 2]) = (self.path.point.into(), self.path.velocity.into());
+        let Eight { a, b } = &self.sides.blocks[block];
+        let mut passed = 0;
+        let mut k = 0;
+        while k < WIDTH {
+            let to_a = [zero.load(&a[0][k..]) - zero.same(x[0]), zero.load(&a[1][k..]) - zero.same(x[1])];
+            let to_b = [zero.load(&b[0][k..]) - zero.same(x[0]), zero.load(&b[1][k..]) - zero.same(x[1])];
+            passed |= segment::passes(to_a, to_b, [zero.same(v[0]), zero.same(v[1])]).bits() << k;
+            k += F::LANES;
         }
-        let mut passed = passed.iter().fold(0, |all, one| all | one);
         while passed != 0 {
             let k = passed.trailing_zeros() as usize;
             passed &= passed - 1;
             let side = WIDTH * block + k;
             let to_a = [a[0][k] - x[0], a[1][k] - x[1]];
             let slack = slack([a[0][k], a[1][k], b[0][k], b[1][k]]);
-            let crossing = shapes::segment::crossing(true, to_a, v, self.normals[side], slack);
-            first.offer(side, crossing, |side| self.numbers[side] as usize);
+            let crossing = segment::crossing(true, to_a, v, self.sides.normals[side], slack);
+            first.offer(side, crossing, |side| self.sides.numbers[side] as usize);
         }
     }
 }
 
-/// The search for the first side, to be run by code for the instruction set at hand.
-struct Search<'a> {
-    sides: &'a Sides,
-    path: &'a Line<2>,
-}
-
-impl Task for Search<'_> {
+impl Kernel for Search<'_> {
     type Output = First;
     #[inline(always)]
-    fn run(self) -> First {
-        let Search { sides, path } = self;
-        let (x, v) = (path.point.into(), path.velocity.into());
-        let mut first = First::NONE;
-        match &sides.tree {
-            None => (0..sides.blocks.len()).for_each(|block| sides.ask(block, x, v, &mut first)),
-            Some(tree) => tree.walk(path, &mut first, |block, first| sides.ask(block, x, v, first)),
-        }
-        first
+    fn run<F: Lane>(self, zero: F) -> First {
+        let Some(tree) = &self.sides.tree else {
+            let mut first = First::NONE;
+            for block in 0..self.sides.blocks.len() {
+                self.offer(zero, block, &mut first);
+            }
+            return first;
+        };
+        tree.walk(zero, self.path, &self)
     }
 }
 
 impl Boundary<2> for Sides {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
-        let (side, time) = lanes::vectorized(Search { sides: self, path }).found()?;
+        let (side, time) = lanes::dispatch(Search { sides: self, path }).found()?;
         let (Eight { a, b }, k) = (&self.blocks[side / WIDTH], side % WIDTH);
         let [a, b] = [a, b].map(|end| [end[0][k], end[1][k]]);
         let normal = self.normals[side];
-        let point = shapes::segment::landing(path.point.into(), path.velocity.into(), time, a, normal);
+        let point = segment::landing(path.point.into(), path.velocity.into(), time, a, normal);
         // a path may come from far beyond the vertices
         let near = CORNER * self.size.max(path.point.amax());
         let at = |end: [f64; 2]| (point[0] - end[0]).abs() <= near && (point[1] - end[1]).abs() <= near;

@@ -1,6 +1,6 @@
 //! Arc length along a parametrised curve, and the closest point of it.
 use super::rising_root;
-use crate::extent::Extent;
+use crate::piece::Extent;
 use nalgebra::Vector2;
 
 /// A curve with a parameter.
