@@ -94,9 +94,11 @@ impl<const N: usize> BoxTree<N> {
     pub(crate) fn in_order(boxes: &[Extent<N>]) -> Self {
         let size = boxes.iter().map(Extent::size).fold(0.0, f64::max);
         let mut tree = BoxTree { nodes: vec![], levels: vec![], order: vec![], size };
-        let mut above = tree.add(boxes);
-        while above.len() > 1 {
-            above = tree.add(&above);
+        if !boxes.is_empty() {
+            let mut above = tree.add(boxes);
+            while above.len() > 1 {
+                above = tree.add(&above);
+            }
         }
         tree
     }

@@ -1,5 +1,5 @@
 //! Straight sides and nothing else, however many.
-use super::{ByLane, CORNER, WallHit, Walls};
+use super::{ByLane, CORNER, WallHit, Walls, corners::Corners};
 use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
     boxes::{First, Inside, WIDTH, order},
@@ -49,14 +49,21 @@ impl Polygon {
         let extents: Vec<Extent> = sides.iter().map(|(_, ends)| Extent::of(*ends)).collect();
         let order = order(&extents);
         let place = |k: usize| order.as_ref().map_or(k, |order| order[k] as usize);
-        let is_corner = super::corners::Corners::new(corners);
+        let known = Corners::new(corners);
+        // neighbours share a vertex
+        let mut last = ([Vector2::repeat(f64::NAN); 2], [false; 2]);
+        let mut are_corners = |ends: [Vector2<f64>; 2]| {
+            let start = if ends[0] == last.0[1] { last.1[1] } else { known.contains(&ends[0]) };
+            last = (ends, [start, known.contains(&ends[1])]);
+            last.1
+        };
         let mut all = Sides {
             blocks: Vec::with_capacity(sides.len().div_ceil(WIDTH)),
             normals: Vec::with_capacity(sides.len()),
             numbers: Vec::with_capacity(sides.len()),
             corners: Vec::with_capacity(sides.len()),
             tree: None,
-            size: is_corner.size(),
+            size: known.size(),
         };
         for k in 0..sides.len() {
             let (number, [a, b]) = sides[place(k)];
@@ -71,7 +78,7 @@ impl Polygon {
             all.normals.push(Segment::new(a, b)?.inward_normal());
             #[allow(clippy::cast_possible_truncation, reason = "pieces are numbered by 32 bits in all trees")]
             all.numbers.push(number as u32);
-            all.corners.push([a, b].map(|end| is_corner.contains(&end)));
+            all.corners.push(are_corners([a, b]));
         }
         if all.blocks.len() >= MANY {
             let around = |block: usize| {
