@@ -62,9 +62,7 @@ impl<const N: usize> core::fmt::Debug for BoxTree<N> {
 impl<const N: usize> Eight<N> {
     fn of(extents: &[Extent<N>]) -> Self {
         let side = |pick: fn(&Extent<N>) -> &SVector<f64, N>| {
-            core::array::from_fn(|i| {
-                core::array::from_fn(|k| pick(extents.get(k).unwrap_or(&Extent::EMPTY))[i])
-            })
+            core::array::from_fn(|i| core::array::from_fn(|k| pick(extents.get(k).unwrap_or(&Extent::EMPTY))[i]))
         };
         Eight { min: side(|e| &e.min), max: side(|e| &e.max) }
     }

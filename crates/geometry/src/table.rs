@@ -4,7 +4,8 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Polygon, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Polygon, Rotated, Scatterer, Slab, Sphere, WithWalls,
+        Zonogon,
     },
 };
 use nalgebra::Vector2;
@@ -255,7 +256,8 @@ impl Table {
                 _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
             };
         }
-        if self.general.get().is_some() {
+        // obstacles of straight sides in a rectangle, too, are asked faster together with it
+        if self.general.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
             return self.with_general_walls(visit);
         }
         let Some((container, rest)) = self.container() else { return self.with_general_walls(visit) };
@@ -295,14 +297,19 @@ impl Table {
         }
     }
 
+    /// Whether all pieces are segments.
+    fn is_straight(&self) -> bool {
+        self.pieces.iter().all(|piece| matches!(piece.figure(), Figure::Segment { .. }))
+    }
+
     /// All pieces as the sides of a polygon, if they are straight.
     fn polygon(&self) -> Option<Polygon> {
         let side = |(i, piece): (usize, &Arc<dyn Piece>)| match piece.figure() {
             Figure::Segment { ends } => Some((i, ends)),
             _ => None,
         };
-        let sides: Vec<_> = self.pieces.iter().enumerate().map(side).collect::<Option<_>>()?;
-        Polygon::new(&sides, &self.corners).ok()
+        let sides: Option<Vec<_>> = self.pieces.iter().enumerate().map(side).collect();
+        Polygon::new(&sides?, &self.corners).ok()
     }
 
     /// A piece as a scatterer, if it is one.

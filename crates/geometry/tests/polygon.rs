@@ -3,11 +3,7 @@
 mod nasty;
 mod random;
 
-use geometry::{
-    Hit, Line, Piece, Table, Vector2, Walls, WithWalls,
-    shapes::Segment,
-    walls::Polygon,
-};
+use geometry::{Hit, Line, Piece, Table, Vector2, Walls, WithWalls, shapes::Segment, walls::Polygon};
 use lanes::{Kernel, Lane, Mask};
 use nasty::{paths, rough};
 use random::Random;
@@ -35,7 +31,7 @@ fn brute(sides: &[Segment], every: usize, path: &Line<2>) -> Option<Hit<2>> {
     Some(Hit { time, point: landing.point, normal: landing.normal, piece, corner })
 }
 
-fn bits(hit: &Option<Hit<2>>) -> Option<([u64; 5], usize, bool)> {
+fn bits(hit: Option<Hit<2>>) -> Option<([u64; 5], usize, bool)> {
     hit.map(|h| {
         let [p, n] = [h.point, h.normal];
         ([h.time, p.x, p.y, n.x, n.y].map(f64::to_bits), h.piece, h.corner)
@@ -64,10 +60,10 @@ fn eight_at_a_time_equal_one_by_one_bit_for_bit() {
         for path in paths(&sides, 2000, &mut random) {
             let expected = brute(&sides, 1, &path);
             hits += usize::from(expected.is_some());
-            assert_eq!(bits(&in_order.hit(&path)), bits(&expected), "{n} sides, {path:?}");
-            assert_eq!(bits(&mixed.hit(&path)), bits(&expected), "{n} sides in another order, {path:?}");
+            assert_eq!(bits(in_order.hit(&path)), bits(expected), "{n} sides, {path:?}");
+            assert_eq!(bits(mixed.hit(&path)), bits(expected), "{n} sides in another order, {path:?}");
             let expected = brute(&sides, 2, &path);
-            assert_eq!(bits(&smooth.hit(&path)), bits(&expected), "{n} sides, every second vertex smooth, {path:?}");
+            assert_eq!(bits(smooth.hit(&path)), bits(expected), "{n} sides, every second vertex smooth, {path:?}");
         }
         assert!(hits > 1000, "{hits}");
     }

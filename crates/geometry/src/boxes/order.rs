@@ -44,9 +44,7 @@ fn halve<const N: usize>(places: &mut [Place<N>]) {
         node *= WIDTH;
     }
     let half = places.len().div_ceil(node).div_ceil(2) * node;
-    places.select_nth_unstable_by(half, |a, b| {
-        a.middle[axis].total_cmp(&b.middle[axis]).then(a.number.cmp(&b.number))
-    });
+    places.select_nth_unstable_by(half, |a, b| a.middle[axis].total_cmp(&b.middle[axis]).then(a.number.cmp(&b.number)));
     let (below, above) = places.split_at_mut(half);
     halve(below);
     halve(above);
@@ -56,8 +54,7 @@ fn halve<const N: usize>(places: &mut [Place<N>]) {
 fn measure<const N: usize>(mut boxes: Vec<Extent<N>>) -> f64 {
     let mut sum = 0.0;
     while boxes.len() > 1 {
-        boxes =
-            boxes.chunks(WIDTH).map(|eight| eight.iter().copied().fold(Extent::EMPTY, Extent::union)).collect();
+        boxes = boxes.chunks(WIDTH).map(|eight| eight.iter().copied().fold(Extent::EMPTY, Extent::union)).collect();
         for e in &boxes {
             let width = e.max - e.min;
             sum += (0..N).map(|i| (0..N).filter(|&j| j != i).map(|j| width[j]).product::<f64>()).sum::<f64>();

@@ -1,7 +1,6 @@
 //! Closed outlines, turned the right way.
 use crate::{
-    BoxTree, Error, MeetingKind, Piece,
-    meetings,
+    BoxTree, Error, MeetingKind, Piece, meetings,
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,

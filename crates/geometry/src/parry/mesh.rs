@@ -113,15 +113,7 @@ impl Mesh {
         }
         let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
         let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
-        Ok(Mesh {
-            vertices,
-            triangles,
-            normals,
-            edges,
-            tree,
-            slack: slack([size]),
-            near: CORNER * size,
-        })
+        Ok(Mesh { vertices, triangles, normals, edges, tree, slack: slack([size]), near: CORNER * size })
     }
 
     /// When the path crosses one triangle away from the table, as [`crate::Piece::crossing`] has it.

@@ -18,13 +18,7 @@ pub(crate) fn passes<F: Lane>(to_a: [F; 2], to_b: [F; 2], v: [F; 2]) -> F::Mask 
 
 /// The crossing of a path that passes between the ends of a segment.
 #[inline(always)]
-pub(crate) fn crossing<F: Lane>(
-    passes: F::Mask,
-    to_a: [F; 2],
-    v: [F; 2],
-    normal: [f64; 2],
-    slack: f64,
-) -> Crossing<F> {
+pub(crate) fn crossing<F: Lane>(passes: F::Mask, to_a: [F; 2], v: [F; 2], normal: [f64; 2], slack: f64) -> Crossing<F> {
     let zero = v[0].same(0.0);
     let distance = -(to_a[0] * normal[0] + to_a[1] * normal[1]);
     let speed = -(v[0] * normal[0] + v[1] * normal[1]);

@@ -9,9 +9,10 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct List(ByLane<Pieces>);
 
-/// From so many pieces on, a tree of boxes is faster than asking each: measured on polygons inscribed in a circle, where
-/// the two take as long at about seventy.
-const MANY: usize = 72;
+/// From so many pieces on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower take as long
+/// either way at 19 sides (8: 54 and 71 ns, 16: 92 and 102, 24: 126 and 104, 32: 159 and 106). The first hits alone:
+/// `cargo bench -p geometry -- "each or tree"`.
+const MANY: usize = 20;
 
 /// How the first piece is found.
 #[derive(Clone, Debug)]
