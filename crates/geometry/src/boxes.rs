@@ -16,7 +16,7 @@ pub(crate) use order::order;
 /// Children of a node: as many numbers as fill a line of the cache, and the widest registers.
 pub(crate) const WIDTH: usize = 8;
 
-/// Levels of the highest tree: 2³³ things, more than 32 bits can number.
+/// Levels of the highest tree, of 8¹¹ boxes: more than the 2³¹ whose places fit into 28 bits a node.
 const LEVELS: usize = 11;
 
 /// What a search has yet to look at, at most: seven siblings on every level, and the last one's eight.
@@ -25,7 +25,7 @@ const OPEN: usize = LEVELS * (WIDTH - 1) + 1;
 /// A tree over boxes numbered from 0, for paths in N dimensions.
 ///
 /// The tree leaves out what cannot matter and the things in the boxes decide, so the answers are those of asking each of
-/// them, in logarithmic time.
+/// them, bit for bit, in logarithmic time. At most 2³¹ boxes.
 #[derive(Clone)]
 pub struct BoxTree<const N: usize = 2> {
     /// All levels one after another: first the boxes themselves, eight to a node, last the root.

@@ -21,20 +21,21 @@ impl<const N: usize> Slab<N> {
     /// A piece decides for itself with an error of a few ulp of its distance from the start of the path, which is at most
     /// |x| + size; a box that is larger by ten times that holds every crossing that the piece can find. The few
     /// roundings of the box test itself are of the same size.
+    ///
+    /// Only of a path that grazes a piece the piece itself knows less: the place along the path to that error over the angle,
+    /// and it may count as crossed at once what lies behind a start that is on its line. There the box decides.
     #[inline(always)]
     pub(crate) fn new(path: &Line<N>, size: f64) -> Self {
         let margin = 64.0 * f64::EPSILON * (path.point.amax() + size);
         let down: [bool; N] = core::array::from_fn(|i| path.velocity[i] < 0.0);
         let start = |margin: f64| core::array::from_fn(|i| path.point[i] + if down[i] { -margin } else { margin });
-        // −0 is 0
-        let inverse = core::array::from_fn(|i| 1.0 / (path.velocity[i] + 0.0));
+        // −0 is 0, and 0·∞ would be no number
+        let inverse = core::array::from_fn(|i| (1.0 / (path.velocity[i] + 0.0)).clamp(-f64::MAX, f64::MAX));
         Slab { enter: start(margin), leave: start(-margin), inverse, down }
     }
 
     /// Lower bounds of the times at which the path enters eight boxes, and as bits which of them it enters before `limit`
     /// at all.
-    ///
-    /// What is not a number (0·∞, for a path along a side) excludes nothing.
     #[inline(always)]
     fn enters<F: Lane>(&self, zero: F, boxes: &Eight<N>, limit: f64) -> ([f64; WIDTH], u64) {
         let mut times = [0.0; WIDTH];

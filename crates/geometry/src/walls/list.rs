@@ -27,9 +27,9 @@ enum Search {
 struct Pieces {
     numbered: Vec<(usize, Arc<dyn Piece>)>,
     search: Search,
-    /// Vertices at which the boundary has a corner, per piece.
-    corners: Vec<Vec<Vector2<f64>>>,
-    /// Size of their coordinates, of which rounding is a fraction.
+    /// Whether there are corners at the start and at the end of each piece.
+    corners: Vec<[bool; 2]>,
+    /// Size of the coordinates of corners, of which rounding is a fraction.
     size: f64,
 }
 
@@ -37,11 +37,9 @@ impl List {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
         let known = Corners::new(corners);
-        let own = |p: &Arc<dyn Piece>| -> Vec<Vector2<f64>> {
-            let ends = p.ends().map_or(vec![], Vec::from);
-            ends.into_iter().filter(|end| known.contains(end)).collect()
-        };
-        let corners = pieces.iter().map(|(_, p)| own(p)).collect();
+        let are_corners =
+            |ends: Option<[Vector2<f64>; 2]>| ends.map_or([false; 2], |e| e.map(|end| known.contains(&end)));
+        let corners = pieces.iter().map(|(_, piece)| are_corners(piece.ends())).collect();
         let tree = || Search::Tree(BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent())));
         let search = if pieces.len() < MANY { Search::Each } else { tree() };
         List(ByLane(Pieces { numbered: pieces, search, corners, size: known.size() }))
@@ -71,16 +69,14 @@ impl Pieces {
 impl Boundary<2> for Pieces {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
         let (k, time) = self.first(path)?;
-        let landing = self.numbered[k].1.landing(path, time);
+        let (number, piece) = &self.numbered[k];
+        let landing = piece.landing(path, time);
         // a path may come from far beyond the vertices
         let near = CORNER * self.size.max(path.point.amax());
-        Some(Hit {
-            time,
-            point: landing.point,
-            normal: landing.normal,
-            piece: self.numbered[k].0,
-            corner: self.corners[k].iter().any(|c| (landing.point - c).amax() <= near),
-        })
+        let is_corner = |(end, corner): (Vector2<f64>, bool)| corner && (landing.point - end).amax() <= near;
+        let corner = self.corners[k] != [false; 2]
+            && piece.ends().is_some_and(|ends| ends.into_iter().zip(self.corners[k]).any(is_corner));
+        Some(Hit { time, point: landing.point, normal: landing.normal, piece: *number, corner })
     }
 }
 

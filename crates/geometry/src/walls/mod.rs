@@ -2,7 +2,8 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, or a list of pieces.
+//! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, straight sides eight at a time, or a list of
+//! pieces.
 mod around;
 mod by_lane;
 mod capsule;
