@@ -28,9 +28,6 @@ pub use wide::{Wide, WideMask, dispatch, instruction_set, vectorized};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// Lanes of the widest registers there are.
-pub const MOST: usize = 8;
-
 /// A real number per lane, rounded to `f64` after every operation.
 pub trait Lane:
     Copy

@@ -13,28 +13,23 @@ impl<B: Boundary<N> + Sync, const N: usize> Walls<N> for ByLane<B> {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);
-        let (mut time, mut piece, mut corner) = ([f64::INFINITY; lanes::MOST], [0.0; lanes::MOST], [0.0; lanes::MOST]);
-        let (mut point, mut normal) = ([[0.0; lanes::MOST]; N], [[0.0; lanes::MOST]; N]);
+        let (mut time, mut piece, mut corner) = (zero, zero, zero);
+        let (mut point, mut normal) = (*x, *x);
         for lane in 0..F::LANES {
             let path = Line { point: x.map(|x| x.lane(lane)).into(), velocity: v.map(|v| v.lane(lane)).into() };
-            if let Some(hit) = self.0.first_hit(&path) {
-                time[lane] = hit.time;
+            let hit = self.0.first_hit(&path);
+            let put = |to: F, value: f64| to.each(|k| if k == lane { value } else { to.lane(k) });
+            time = put(time, hit.map_or(f64::INFINITY, |h| h.time));
+            if let Some(h) = hit {
                 for i in 0..N {
-                    (point[i][lane], normal[i][lane]) = (hit.point[i], hit.normal[i]);
+                    point[i] = put(point[i], h.point[i]);
+                    normal[i] = put(normal[i], h.normal[i]);
                 }
-                piece[lane] = hit.piece as f64;
-                corner[lane] = if hit.corner { 1.0 } else { 0.0 };
+                piece = put(piece, h.piece as f64);
+                corner = put(corner, if h.corner { 1.0 } else { 0.0 });
             }
         }
         let one = zero.same(1.0);
-        WallHit {
-            time: zero.load(&time),
-            point: core::array::from_fn(|i| zero.load(&point[i])),
-            normal: core::array::from_fn(|i| zero.load(&normal[i])),
-            inverse: one,
-            inverse_square: one,
-            piece: zero.load(&piece),
-            corner: zero.lt(zero.load(&corner)),
-        }
+        WallHit { time, point, normal, inverse: one, inverse_square: one, piece, corner: zero.lt(corner) }
     }
 }
