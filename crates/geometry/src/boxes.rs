@@ -91,7 +91,9 @@ impl<const N: usize> BoxTree<N> {
     /// The tree over some boxes in their own order.
     pub(crate) fn in_order(boxes: &[Extent<N>]) -> Self {
         let size = boxes.iter().map(Extent::size).fold(0.0, f64::max);
-        let mut tree = BoxTree { nodes: vec![], levels: vec![], order: vec![], size };
+        // n/8 + n/64 + …, each rounded up
+        let nodes = Vec::with_capacity(boxes.len() / (WIDTH - 1) + LEVELS);
+        let mut tree = BoxTree { nodes, levels: vec![], order: vec![], size };
         if !boxes.is_empty() {
             let mut above = tree.add(boxes);
             while above.len() > 1 {
