@@ -3,7 +3,7 @@
 use billiards::{
     Canonical, Collisions, Conserved, Orbit, Planar, Start, Starts,
     collision_laws::laws::{NoSlip, Specular},
-    geometry::{Table, tables},
+    geometry::{Piece, Table, Vector2, shapes::Segment, tables},
     laws::Disk,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -60,5 +60,43 @@ fn run(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, run);
+/// The polygon with so many sides between points of a flower, r = 1 + cos(5φ)/5.
+fn flower(sides: u32) -> Table {
+    let corner = |k: u32| {
+        let (sin, cos) = libm::sincos(core::f64::consts::TAU * (f64::from(k % sides) + 0.25) / f64::from(sides));
+        // cos 5φ by Chebyshev's polynomial
+        Vector2::new(cos, sin) * (1.0 + 0.2 * cos * (5.0 - cos * cos * (20.0 - 16.0 * cos * cos)))
+    };
+    let side = |k: u32| Box::new(Segment::new(corner(k), corner(k + 1)).expect("two corners")) as Box<dyn Piece>;
+    Table::new((0..sides).map(side).collect()).expect("a closed outline")
+}
+
+fn many_sides(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("flower polygon");
+    group.throughput(Throughput::Elements(ORBITS * COLLISIONS)).sample_size(10);
+    for sides in [8, 16, 32, 100, 1000, 10_000, 100_000, 1_000_000] {
+        let table = flower(sides);
+        let starts: Vec<Start<2, 1>> = {
+            let canonical = Canonical::new(&table, 1.0, 1).expect("a finite table");
+            (0..ORBITS).map(|i| canonical.start(i)).collect()
+        };
+        let billiard = Planar { table, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+        group.bench_function(format!("{sides} sides, one by one"), |b| {
+            b.iter(|| {
+                let one = |s: &Start<2, 1>| billiard.run(&mut orbit(s), &Collisions(COLLISIONS), &mut ()).collisions;
+                starts.iter().map(one).sum::<u64>()
+            });
+        });
+        group.bench_function(format!("{sides} sides, side by side"), |b| {
+            b.iter(|| {
+                let mut made = 0;
+                let mut orbits = starts.iter().map(orbit);
+                billiard.run_side_by_side(&mut orbits, COLLISIONS, &mut |f| made += f.outcome.collisions);
+                made
+            });
+        });
+    }
+}
+
+criterion_group!(benches, run, many_sides);
 criterion_main!(benches);

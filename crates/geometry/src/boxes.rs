@@ -1,178 +1,128 @@
-//! A tree of boxes: which of many pieces are near a place, without asking all of them.
+//! A tree of boxes: which of many things are near a place or on a path, without asking all of them.
+//!
+//! Eight children per node, whose boxes lie side by side, coordinate by coordinate, so that all eight are tested at once. The
+//! tree has no pointers: things are taken eight at a time in some order, then the boxes around these eight at a time, and so
+//! on up to one node. A search keeps what it has yet to look at in an array of fixed size and allocates nothing.
+mod first;
+mod near;
+mod order;
+
 use crate::Extent;
-use nalgebra::Vector2;
+use nalgebra::SVector;
 
-/// Boxes in a leaf: fewer cost more memory, more cost more tests.
-const LEAF: usize = 4;
+pub(crate) use first::{First, Inside};
+pub(crate) use order::order;
 
-/// A binary tree over boxes, halved at the median of their middles.
-#[derive(Clone, Debug)]
-pub(crate) struct BoxTree {
-    /// Node `k` covers all boxes below its two children, which are its successor and `second`; a leaf has none.
-    nodes: Vec<Node>,
-    order: Vec<usize>,
-    boxes: Vec<Extent>,
+/// Children of a node: as many numbers as fill a line of the cache, and the widest registers.
+pub(crate) const WIDTH: usize = 8;
+
+/// Levels of the highest tree, of 8¹¹ boxes: more than the 2³¹ whose places fit into 28 bits a node.
+const LEVELS: usize = 11;
+
+/// What a search has yet to look at, at most: seven siblings on every level, and the last one's eight.
+const OPEN: usize = LEVELS * (WIDTH - 1) + 1;
+
+/// A tree over boxes numbered from 0, for paths in N dimensions.
+///
+/// The tree leaves out what cannot matter and the things in the boxes decide, so the answers are those of asking each of
+/// them, bit for bit, in logarithmic time. At most 2³¹ boxes.
+#[derive(Clone)]
+pub struct BoxTree<const N: usize = 2> {
+    /// All levels one after another: first the boxes themselves, eight to a node, last the root.
+    nodes: Vec<Eight<N>>,
+    levels: Vec<Level>,
+    /// For each place in the tree the number of the box there; empty where they are in the order of their numbers.
+    order: Vec<u32>,
+    /// Greatest finite coordinate.
+    size: f64,
+}
+
+/// Eight boxes; those that are not there are empty.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Eight<const N: usize> {
+    min: [[f64; WIDTH]; N],
+    max: [[f64; WIDTH]; N],
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Node {
-    extent: Extent,
-    /// Range in `order`.
-    from: usize,
-    to: usize,
-    second: Option<usize>,
+struct Level {
+    /// The first of its nodes.
+    start: usize,
+    /// How many boxes it has.
+    boxes: usize,
 }
 
-impl BoxTree {
-    pub(crate) fn new(boxes: Vec<Extent>) -> BoxTree {
-        let mut tree = BoxTree { nodes: vec![], order: (0..boxes.len()).collect(), boxes };
-        if !tree.boxes.is_empty() {
-            let to = tree.boxes.len();
-            tree.grow(0, to);
+impl<const N: usize> core::fmt::Debug for BoxTree<N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "a tree of {} boxes", self.len())
+    }
+}
+
+impl<const N: usize> Eight<N> {
+    fn of(extents: &[Extent<N>]) -> Self {
+        let side = |pick: fn(&Extent<N>) -> &SVector<f64, N>| {
+            core::array::from_fn(|i| core::array::from_fn(|k| pick(extents.get(k).unwrap_or(&Extent::EMPTY))[i]))
+        };
+        Eight { min: side(|e| &e.min), max: side(|e| &e.max) }
+    }
+
+    #[inline]
+    fn extent(&self, k: usize) -> Extent<N> {
+        let at = |side: &[[f64; WIDTH]; N]| SVector::from_fn(|i, _| side[i][k]);
+        Extent { min: at(&self.min), max: at(&self.max) }
+    }
+}
+
+impl<const N: usize> BoxTree<N> {
+    /// The tree over some boxes, whose sides may lie at infinity, in the better of two orders: their own, in which the
+    /// pieces of a boundary follow one another, and that of halving at the median.
+    pub fn new(boxes: impl IntoIterator<Item = Extent<N>>) -> Self {
+        let boxes: Vec<Extent<N>> = boxes.into_iter().collect();
+        match order(&boxes) {
+            None => BoxTree::in_order(&boxes),
+            Some(order) => {
+                let sorted: Vec<Extent<N>> = order.iter().map(|&i| boxes[i as usize]).collect();
+                BoxTree { order, ..BoxTree::in_order(&sorted) }
+            }
+        }
+    }
+
+    /// The tree over some boxes in their own order.
+    pub(crate) fn in_order(boxes: &[Extent<N>]) -> Self {
+        let size = boxes.iter().map(Extent::size).fold(0.0, f64::max);
+        // n/8 + n/64 + …, each rounded up
+        let nodes = Vec::with_capacity(boxes.len() / (WIDTH - 1) + LEVELS);
+        let mut tree = BoxTree { nodes, levels: vec![], order: vec![], size };
+        if !boxes.is_empty() {
+            let mut above = tree.add(boxes);
+            while above.len() > 1 {
+                above = tree.add(&above);
+            }
         }
         tree
     }
 
-    fn grow(&mut self, from: usize, to: usize) -> usize {
-        let boxes = &self.boxes;
-        let order = &mut self.order[from..to];
-        let extent = order.iter().map(|&i| boxes[i]).fold(Extent::EMPTY, Extent::union);
-        let at = self.nodes.len();
-        self.nodes.push(Node { extent, from, to, second: None });
-        if order.len() > LEAF {
-            let middles = Extent::of(order.iter().map(|&i| middle(&boxes[i])));
-            let spread = middles.max - middles.min;
-            let axis = usize::from(spread.y > spread.x);
-            let half = order.len() / 2;
-            order.select_nth_unstable_by(half, |&i, &j| {
-                middle(&boxes[i])[axis].total_cmp(&middle(&boxes[j])[axis]).then(i.cmp(&j))
-            });
-            self.grow(from, from + half);
-            self.nodes[at].second = Some(self.grow(from + half, to));
-        }
-        at
+    /// Adds a level, and returns the boxes around its nodes.
+    fn add(&mut self, boxes: &[Extent<N>]) -> Vec<Extent<N>> {
+        self.levels.push(Level { start: self.nodes.len(), boxes: boxes.len() });
+        self.nodes.extend(boxes.chunks(WIDTH).map(Eight::of));
+        boxes.chunks(WIDTH).map(|eight| eight.iter().copied().fold(Extent::EMPTY, Extent::union)).collect()
+    }
+
+    /// How many boxes there are.
+    fn len(&self) -> usize {
+        self.levels.first().map_or(0, |level| level.boxes)
+    }
+
+    /// The number of the box at a place.
+    #[inline]
+    fn number(&self, place: usize) -> usize {
+        self.order.get(place).map_or(place, |&i| i as usize)
     }
 
     /// The numbers of the boxes in an order in which neighbours are near each other.
-    pub(crate) fn order(&self) -> &[usize] {
-        &self.order
-    }
-
-    /// Visits every box that is `wanted`, and so lies in boxes that are.
-    pub(crate) fn search(&self, wanted: impl Fn(&Extent) -> bool, mut visit: impl FnMut(usize)) {
-        let mut at = 0;
-        let mut open: Vec<usize> = Vec::new();
-        loop {
-            if let Some(node) = self.nodes.get(at)
-                && wanted(&node.extent)
-            {
-                if let Some(second) = node.second {
-                    open.push(second);
-                    at += 1;
-                    continue;
-                }
-                for &i in self.order[node.from..node.to].iter().filter(|&&i| wanted(&self.boxes[i])) {
-                    visit(i);
-                }
-            }
-            match open.pop() {
-                Some(next) => at = next,
-                None => return,
-            }
-        }
-    }
-
-    /// The least value of a function that is at least the distance of `point` from the box, and whose it is; `None`
-    /// where nothing is below `bound`.
-    pub(crate) fn nearest(
-        &self,
-        point: &Vector2<f64>,
-        bound: f64,
-        mut distance: impl FnMut(usize) -> f64,
-    ) -> Option<(f64, usize)> {
-        let mut best = (bound, None);
-        let mut open = vec![];
-        if let Some(root) = self.nodes.first() {
-            open.push((root.extent.distance(point), 0));
-        }
-        while let Some((lower, at)) = open.pop() {
-            if lower > best.0 {
-                continue;
-            }
-            let node = &self.nodes[at];
-            if let Some(second) = node.second {
-                let [a, b] = [at + 1, second].map(|k| (self.nodes[k].extent.distance(point), k));
-                // the nearer child is asked first
-                open.extend(if a.0 < b.0 { [b, a] } else { [a, b] });
-            } else {
-                for &i in &self.order[node.from..node.to] {
-                    if self.boxes[i].distance(point) <= best.0 {
-                        let d = distance(i);
-                        if d < best.0 || (d == best.0 && best.1.is_some_and(|k| i < k)) {
-                            best = (d, Some(i));
-                        }
-                    }
-                }
-            }
-        }
-        best.1.map(|i| (best.0, i))
-    }
-}
-
-fn middle(extent: &Extent) -> Vector2<f64> {
-    let finite = |x: f64| x.clamp(-f64::MAX, f64::MAX) * 0.5;
-    extent.min.zip_map(&extent.max, |a, b| finite(a) + finite(b))
-}
-
-impl Extent {
-    /// Distance of a point from the box, 0 inside.
-    pub(crate) fn distance(&self, point: &Vector2<f64>) -> f64 {
-        let gap = |i: usize| (self.min[i] - point[i]).max(point[i] - self.max[i]).max(0.0);
-        libm::hypot(gap(0), gap(1))
-    }
-
-    /// Whether the boxes have a point in common, or are no farther apart than `reach` along each axis.
-    pub(crate) fn meets(&self, other: &Extent, reach: f64) -> bool {
-        (0..2).all(|i| self.min[i] <= other.max[i] + reach && other.min[i] <= self.max[i] + reach)
-    }
-
-    /// Greatest finite coordinate, without sign.
-    pub(crate) fn size(&self) -> f64 {
-        self.min.iter().chain(self.max.iter()).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn grid() -> Vec<Extent> {
-        let corner = |k: i32| Vector2::new(f64::from(k * k % 97), f64::from(k * 31 % 89));
-        (0..500).map(|k| Extent { min: corner(k), max: corner(k) + Vector2::new(1.0, 2.0) }).collect()
-    }
-
-    #[test]
-    fn a_search_finds_what_asking_every_box_finds() {
-        let boxes = grid();
-        let tree = BoxTree::new(boxes.clone());
-        for q in grid().iter().step_by(7) {
-            let mut found = vec![];
-            tree.search(|e| e.meets(q, 0.0), |i| found.push(i));
-            found.sort_unstable();
-            let all: Vec<usize> = (0..boxes.len()).filter(|&i| boxes[i].meets(q, 0.0)).collect();
-            assert_eq!(found, all);
-        }
-    }
-
-    #[test]
-    fn the_nearest_box_is_the_nearest_of_all() {
-        let boxes = grid();
-        let tree = BoxTree::new(boxes.clone());
-        for k in 0..100 {
-            let p = Vector2::new(f64::from(k * 13 % 120) - 10.5, f64::from(k * 29 % 110) - 10.25);
-            let all = boxes.iter().map(|b| b.distance(&p)).fold(f64::INFINITY, f64::min);
-            let found = tree.nearest(&p, f64::INFINITY, |i| boxes[i].distance(&p)).unwrap();
-            assert_eq!(found.0, all);
-        }
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = usize> {
+        (0..self.len()).map(|place| self.number(place))
     }
 }

@@ -1,5 +1,5 @@
 //! Pieces with all translates that matter, and a tree to find them by place.
-use crate::{Extent, Lattice, Piece, boxes::BoxTree, shapes::Translated};
+use crate::{BoxTree, Extent, Lattice, Piece, shapes::Translated};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -44,7 +44,7 @@ impl Copies {
                 }
             }
         }
-        let tree = BoxTree::new(boxes.clone());
+        let tree = BoxTree::new(boxes.iter().copied());
         Copies { all, home, boxes, tree }
     }
 
@@ -58,8 +58,8 @@ impl Copies {
     }
 
     /// Indices of all copies, neighbours near each other.
-    pub(crate) fn order(&self) -> &[usize] {
-        self.tree.order()
+    pub(crate) fn order(&self) -> impl Iterator<Item = usize> {
+        self.tree.numbers()
     }
 
     /// Visits the indices of the copies with boxes that are `wanted`.

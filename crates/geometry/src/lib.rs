@@ -20,6 +20,7 @@ mod copies;
 mod crossing;
 mod describe;
 mod error;
+mod extent;
 pub mod import;
 mod inscribed;
 mod intersect;
@@ -40,6 +41,7 @@ mod validate;
 pub mod walls;
 
 pub use boundary::{Boundary, Hit};
+pub use boxes::BoxTree;
 pub use crossing::Crossing;
 pub use describe::{Component, Description};
 pub use error::Error;

@@ -3,6 +3,8 @@ use crate::{crossing::Crossing, path::Line};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 
+pub use crate::extent::Extent;
+
 /// Where a path lands on a piece.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Landing {
@@ -10,39 +12,6 @@ pub struct Landing {
     pub point: Vector2<f64>,
     /// Unit normal there, into the table.
     pub normal: Vector2<f64>,
-}
-
-/// A box with sides parallel to the axes; sides may lie at infinity.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Extent {
-    /// Least coordinates.
-    pub min: Vector2<f64>,
-    /// Greatest coordinates.
-    pub max: Vector2<f64>,
-}
-
-impl Extent {
-    /// The empty box, neutral in [`Extent::union`].
-    pub const EMPTY: Extent = Extent {
-        min: Vector2::new(f64::INFINITY, f64::INFINITY),
-        max: Vector2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-    };
-
-    /// The smallest box around some points.
-    pub fn of(points: impl IntoIterator<Item = Vector2<f64>>) -> Extent {
-        points.into_iter().fold(Extent::EMPTY, |e, p| Extent { min: e.min.inf(&p), max: e.max.sup(&p) })
-    }
-
-    /// The smallest box around both.
-    #[must_use]
-    pub fn union(self, other: Extent) -> Extent {
-        Extent { min: self.min.inf(&other.min), max: self.max.sup(&other.max) }
-    }
-
-    /// Whether no side lies at infinity and the box is not empty.
-    pub fn is_finite(&self) -> bool {
-        self.min.iter().chain(self.max.iter()).all(|x| x.is_finite())
-    }
 }
 
 /// The exact figure of a piece, for those who can use it: composite walls, offsets, pictures.

@@ -4,12 +4,15 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, Wedge, WithWalls,
-        Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Polygon, Rotated, Scatterer, Slab, Sphere, Wedge,
+        WithWalls, Zonogon,
     },
 };
 use nalgebra::Vector2;
-use std::sync::Arc;
+use std::{
+    cell::LazyCell,
+    sync::{Arc, OnceLock},
+};
 
 /// A planar table: numbered boundary pieces, each traversed with the table on its left.
 ///
@@ -23,6 +26,16 @@ pub struct Table {
     lattice: Option<Lattice>,
     /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
     nearby: Vec<(usize, Arc<dyn Piece>)>,
+    /// Walls of a form that composite walls do not cover, made when they are first asked for: of very many pieces that takes
+    /// longer than many a run.
+    general: OnceLock<Arc<General>>,
+}
+
+/// Walls of any form.
+#[derive(Debug)]
+enum General {
+    Sides(Polygon),
+    Pieces(List),
 }
 
 /// Two normals that differ by less than this belong to a smooth joint.
@@ -51,20 +64,33 @@ impl Table {
         let pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(|p| p.ends()).collect();
         let finite = |v: &Vector2<f64>| v.iter().all(|x| x.is_finite());
-        let mut starts: Vec<(Vector2<f64>, usize)> =
-            ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i))).collect();
+        let starts = || ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i)));
         let order = |a: &Vector2<f64>, b: &Vector2<f64>| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
-        starts.sort_by(|(a, _), (b, _)| order(a, b));
-        let starting_at = |v: &Vector2<f64>| {
-            let v = v.map(|x| x + 0.0); // −0 is 0
-            starts.binary_search_by(|(a, _)| order(&a.map(|x| x + 0.0), &v)).ok().map(|k| starts[k].1)
+        let positive = |v: &Vector2<f64>| v.map(|x| x + 0.0); // −0 is 0
+        let sorted = LazyCell::new(|| {
+            let mut sorted: Vec<(Vector2<f64>, usize)> = starts().map(|(a, i)| (positive(&a), i)).collect();
+            sorted.sort_by(|(a, _), (b, _)| order(a, b));
+            sorted
+        });
+        let starts_at = |i: usize, v: &Vector2<f64>| ends.get(i).copied().flatten().is_some_and(|[a, _]| a == *v);
+        // mostly the piece after it, or the first piece of the loop that it closes
+        let mut head = 0;
+        let mut starting_at = |v: &Vector2<f64>, i: usize| {
+            let next = [i + 1, head].into_iter().find(|&j| starts_at(j, v));
+            if next != Some(i + 1) {
+                head = i + 1;
+            }
+            next.or_else(|| {
+                let v = positive(v);
+                sorted.binary_search_by(|(a, _)| order(a, &v)).ok().map(|k| sorted[k].1)
+            })
         };
         let starting_at_translate = |b: &Vector2<f64>, lattice: &Lattice| {
             let same = |a: &Vector2<f64>| {
                 let off = b - a - lattice.translation(lattice.nearest(&(b - a)));
                 finite(a) && off.amax() <= slack(a.iter().chain(b.iter()).copied())
             };
-            starts.iter().copied().find(|(a, _)| same(a))
+            starts().find(|(a, _)| same(a))
         };
         // whether the direction of the boundary jumps from the end of one piece to the start of another
         let kink = |(i, b): (usize, Vector2<f64>), (j, a): (usize, Vector2<f64>)| {
@@ -80,7 +106,7 @@ impl Table {
             if !finite(b) {
                 continue;
             }
-            next[i] = starting_at(b);
+            next[i] = starting_at(b, i);
             if let Some(j) = next[i] {
                 if kink((i, *b), (j, *b)) {
                     corners.push(*b);
@@ -90,7 +116,7 @@ impl Table {
                     corners.extend([*b, a]);
                 }
             } else {
-                let gap = starts.iter().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
+                let gap = starts().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
                 return Err(Error::Open { piece: i, gap });
             }
         }
@@ -98,7 +124,7 @@ impl Table {
             Some(lattice) => translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect(),
             None => pieces.iter().cloned().enumerate().collect(),
         };
-        Ok(Table { pieces, next, corners, lattice, nearby })
+        Ok(Table { pieces, next, corners, lattice, nearby, general: OnceLock::new() })
     }
 
     /// The pieces, in the order of their numbers.
@@ -230,8 +256,11 @@ impl Table {
                 _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
             };
         }
-        let all = || self.list(0..self.pieces.len());
-        let Some((container, rest)) = self.container() else { return visit.run(&all()) };
+        // obstacles of straight sides in a rectangle, too, are asked faster together with it
+        if self.general.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
+            return self.with_general_walls(visit);
+        }
+        let Some((container, rest)) = self.container() else { return self.with_general_walls(visit) };
         match (container, rest.as_slice()) {
             (Container::Level(walls), []) => visit.run_homogeneous(&walls),
             (Container::Upright(walls), []) => visit.run_homogeneous(&walls),
@@ -253,8 +282,35 @@ impl Table {
             (Container::Rectangle(walls), many) => {
                 visit.run(&Around { container: walls, obstacles: self.list(many.iter().copied()) })
             }
-            _ => visit.run(&all()),
+            _ => self.with_general_walls(visit),
         }
+    }
+
+    /// Runs a computation with walls of any form.
+    fn with_general_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
+        let general = || match self.polygon() {
+            Some(walls) => General::Sides(walls),
+            None => General::Pieces(self.list(0..self.pieces.len())),
+        };
+        match &**self.general.get_or_init(|| Arc::new(general())) {
+            General::Sides(walls) => visit.run(walls),
+            General::Pieces(walls) => visit.run(walls),
+        }
+    }
+
+    /// Whether all pieces are segments.
+    fn is_straight(&self) -> bool {
+        self.pieces.iter().all(|piece| matches!(piece.figure(), Figure::Segment { .. }))
+    }
+
+    /// All pieces as the sides of a polygon, if they are straight.
+    fn polygon(&self) -> Option<Polygon> {
+        let side = |(i, piece): (usize, &Arc<dyn Piece>)| match piece.figure() {
+            Figure::Segment { ends } => Some((i, ends)),
+            _ => None,
+        };
+        let sides: Option<Vec<_>> = self.pieces.iter().enumerate().map(side).collect();
+        Polygon::new(&sides?, &self.corners).ok()
     }
 
     /// A piece as a scatterer, if it is one.

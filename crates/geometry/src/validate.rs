@@ -77,7 +77,7 @@ impl Table {
         };
         let mut junctions = vec![];
         let mut error = None;
-        for &index in copies.order() {
+        for index in copies.order() {
             let (copy, extent) = copies.get(index);
             if copy.cell != [0.0; 2] {
                 continue;

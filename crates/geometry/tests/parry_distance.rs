@@ -1,6 +1,6 @@
 //! Planar shapes known by their distance only.
 #![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests panic where they fail, and claim exact values")]
-mod parry_random;
+mod random;
 
 use core::f64::consts::PI;
 use geometry::{
@@ -21,7 +21,7 @@ use geometry::{
     },
 };
 use nalgebra::Isometry2;
-use parry_random::Random;
+use random::Random;
 
 /// Another shape of which nothing but its projection is known.
 struct Opaque<P: Project>(P);

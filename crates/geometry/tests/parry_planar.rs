@@ -1,6 +1,6 @@
 //! Planar parry shapes as exact pieces.
 #![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests panic where they fail, and claim exact values")]
-mod parry_random;
+mod random;
 
 use core::f64::consts::PI;
 use geometry::{
@@ -18,7 +18,7 @@ use geometry::{
     },
 };
 use nalgebra::Isometry2;
-use parry_random::Random;
+use random::Random;
 
 fn glam(points: &[[f64; 2]]) -> Vec<Vector> {
     points.iter().map(|p| Vector::new(p[0], p[1])).collect()

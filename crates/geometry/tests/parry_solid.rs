@@ -1,6 +1,6 @@
 //! Tables inside and outside of shapes in space.
 #![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests panic where they fail, and claim exact values")]
-mod parry_random;
+mod random;
 
 use core::f64::consts::PI;
 use geometry::{
@@ -23,7 +23,7 @@ use geometry::{
     },
 };
 use nalgebra::Isometry3;
-use parry_random::Random;
+use random::Random;
 
 fn here() -> Isometry3<f64> {
     Isometry3::identity()

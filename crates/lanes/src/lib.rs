@@ -105,6 +105,8 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
     fn any(self) -> bool;
     /// Whether one lane is true. `lane` must be below [`Lane::LANES`].
     fn at(self, lane: usize) -> bool;
+    /// The lanes as bits, the first one lowest.
+    fn bits(self) -> u64;
 }
 
 /// A computation for lanes of any width; see [`dispatch`].

@@ -65,4 +65,8 @@ impl Mask<f64> for bool {
     fn at(self, _: usize) -> bool {
         self
     }
+    #[inline(always)]
+    fn bits(self) -> u64 {
+        u64::from(self)
+    }
 }

@@ -105,11 +105,11 @@ impl<S: Simd> Lane for Wide<S> {
     }
     #[inline(always)]
     fn load(self, from: &[f64]) -> Self {
-        self.of(self.simd.partial_load_f64s(&from[..Self::LANES]))
+        self.of(S::as_simd_f64s(&from[..Self::LANES]).0[0])
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
-        self.simd.partial_store_f64s(&mut to[..Self::LANES], self.value);
+        S::as_mut_simd_f64s(&mut to[..Self::LANES]).0[0] = self.value;
     }
 }
 
@@ -149,6 +149,17 @@ impl<S: Simd> Mask<Wide<S>> for WideMask<S> {
         let s = self.simd;
         let ones = Wide { simd: s, value: s.splat_f64s(1.0) };
         self.select(ones, ones.same(0.0)).lane(lane) != 0.0
+    }
+    #[inline(always)]
+    fn bits(self) -> u64 {
+        // a truth value is a bit, or a whole number of ones or of zeros
+        if const { size_of::<S::m64s>() == size_of::<S::u64s>() } {
+            let lanes = pulp::bytemuck::cast::<S::m64s, S::u64s>(self.value);
+            let lanes = pulp::bytemuck::cast_slice::<S::u64s, u64>(core::slice::from_ref(&lanes));
+            lanes.iter().enumerate().fold(0, |all, (k, lane)| all | (lane & (1 << k)))
+        } else {
+            u64::from(pulp::bytemuck::cast::<S::m64s, u8>(self.value))
+        }
     }
 }
 

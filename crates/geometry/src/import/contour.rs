@@ -1,8 +1,6 @@
 //! Closed outlines, turned the right way.
 use crate::{
-    Error, MeetingKind, Piece,
-    boxes::BoxTree,
-    meetings,
+    BoxTree, Error, MeetingKind, Piece, meetings,
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
@@ -159,7 +157,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
     }
     let owners: Vec<usize> = loops.iter().enumerate().flat_map(|(k, l)| l.iter().map(move |_| k)).collect();
     let all: Vec<&dyn Piece> = loops.iter().flatten().map(|p| &**p).collect();
-    let tree = BoxTree::new(all.iter().map(|p| p.extent()).collect());
+    let tree = BoxTree::new(all.iter().map(|p| p.extent()));
     let mut turned = vec![];
     for (k, contour) in contours.iter().enumerate() {
         let area: f64 = loops[k].iter().map(|p| p.area()).sum();

@@ -76,7 +76,7 @@ impl<'a> Arrangement<'a> {
     fn cut(&mut self) {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
         let copies = Copies::new(&pieces, self.table.lattice(), &finite_extent(&pieces), self.tolerance);
-        for &index in copies.order() {
+        for index in copies.order() {
             let (copy, extent) = copies.get(index);
             if copy.cell != [0.0; 2] {
                 continue;

@@ -1,5 +1,5 @@
 //! Points that are one point but for rounding, on a lattice also but for a translation.
-use crate::{Extent, Lattice, boxes::BoxTree};
+use crate::{BoxTree, Extent, Lattice};
 use nalgebra::Vector2;
 
 /// A vertex moved by a lattice vector.
@@ -80,7 +80,7 @@ impl Vertices {
     pub(super) fn unite_near(&mut self, tolerance: f64) {
         let home: Vec<(Vector2<f64>, [f64; 2])> =
             self.points.iter().map(|p| self.lattice.as_ref().map_or((*p, [0.0; 2]), |l| l.reduce(p))).collect();
-        let tree = BoxTree::new(home.iter().map(|(p, _)| Extent { min: *p, max: *p }).collect());
+        let tree = BoxTree::new(home.iter().map(|(p, _)| Extent { min: *p, max: *p }));
         let steps: &[f64] = &[0.0, 1.0, -1.0];
         let count = self.lattice.as_ref().map_or(0, |l| l.vectors().len());
         let range = |k: usize| if k < count { steps } else { &steps[..1] };

@@ -6,7 +6,7 @@
 //! the point at height `h` above a point of the path which is itself at height `y` frees a stretch of length
 //! `√(2hy)` at grazing incidence, and from a start on the wall, `y = 0`, the whole chord `2h sin θ`. Every stretch is
 //! certified free, so the crossing found is the first; near a smooth wall the convergence is quadratic.
-use super::{Side, convert::Frame, slab::to_unit};
+use super::{Side, convert::Frame};
 use crate::Line;
 use core::fmt::Debug;
 use nalgebra::SVector;
@@ -307,6 +307,13 @@ impl<const N: usize> Distance<N> {
         }
         (enter <= leave).then_some([enter, leave])
     }
+}
+
+/// The power of two that brings a length to about 1; 1 for zero and what is not finite.
+///
+/// Multiplying by it is exact, so a shape of any size behaves alike to the last bit.
+fn to_unit(size: f64) -> f64 {
+    if size > 0.0 && size.is_finite() { libm::ldexp(1.0, -libm::frexp(size).1) } else { 1.0 }
 }
 
 /// How far a ball of radius `radius`, whose centre lies `b` ahead along the path and `h` away, frees it; 0 if it does

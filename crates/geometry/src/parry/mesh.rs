@@ -1,12 +1,6 @@
-//! Triangle meshes in space: watertight, one-sided, through parry's tree of boxes.
-use super::slab::{First, Slab, to_unit};
-use crate::{Crossing, Error, Line, plane::slack, walls::CORNER};
+//! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
 use nalgebra::Vector3;
-use parry3d_f64::{
-    bounding_volume::Aabb,
-    math::Vector as Glam,
-    partitioning::{Bvh, BvhBuildStrategy, BvhNode},
-};
 use std::collections::HashMap;
 
 /// Triangles seen from the table.
@@ -19,9 +13,7 @@ pub(crate) struct Mesh {
     pub(crate) normals: Vec<Vector3<f64>>,
     /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
     edges: Vec<[bool; 3]>,
-    bvh: Bvh,
-    scale: f64,
-    size: f64,
+    tree: BoxTree<3>,
     slack: f64,
     /// Within this distance of an edge a point lies on it.
     near: f64,
@@ -120,26 +112,8 @@ impl Mesh {
             }
         }
         let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
-        let scale = to_unit(size);
-        let boxes: Vec<Aabb> = triangles
-            .iter()
-            .map(|t| {
-                let [a, b, c] = t.map(|v| vertices[v] * scale);
-                let glam = |v: Vector3<f64>| Glam::new(v.x, v.y, v.z);
-                Aabb::new(glam(a.inf(&b).inf(&c)), glam(a.sup(&b).sup(&c)))
-            })
-            .collect();
-        Ok(Mesh {
-            bvh: Bvh::from_leaves(BvhBuildStrategy::Binned, &boxes),
-            vertices,
-            triangles,
-            normals,
-            edges,
-            scale,
-            size: size * scale,
-            slack: slack([size]),
-            near: CORNER * size,
-        })
+        let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
+        Ok(Mesh { vertices, triangles, normals, edges, tree, slack: slack([size]), near: CORNER * size })
     }
 
     /// When the path crosses one triangle away from the table, as [`crate::Piece::crossing`] has it.
@@ -160,17 +134,7 @@ impl Mesh {
             return None;
         }
         let shear = Shear::new(path);
-        let first = First::new();
-        let slab = Slab::new(&Line { point: path.point * self.scale, velocity: path.velocity * self.scale }, self.size);
-        self.bvh.find_best(
-            first.limit(),
-            |node: &BvhNode, _| {
-                let (min, max) = (node.mins(), node.maxs());
-                slab.enters(&[min.x, min.y, min.z], &[max.x, max.y, max.z])
-            },
-            |leaf, _| first.offer(leaf as usize, self.crossing(path, &shear, leaf as usize)),
-        );
-        first.found().map(|(k, crossing)| (k, crossing.time()))
+        self.tree.first(path, |k| self.crossing(path, &shear, k))
     }
 
     /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding.

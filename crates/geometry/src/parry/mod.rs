@@ -7,12 +7,10 @@
 //! * In the plane, [`pieces`] turns a shape into exact [`Piece`](crate::Piece)s wherever it consists of segments and
 //!   arcs; any other shape becomes a [`DistancePiece`], which needs nothing but parry's point projection.
 //! * In space, [`Solid`] is a [`Boundary`](crate::Boundary) inside or outside of any shape.
-//! * [`Index`] finds the first of very many pieces.
 //! * [`ShapeSpec`] describes a shape as plain data, for scene files.
 //!
 //! Of parry's and glam's types none but parry's shapes appear in a signature. Positions, poses and normals are
 //! nalgebra's.
-mod bvh;
 mod contour;
 mod convert;
 mod curve;
@@ -21,14 +19,12 @@ mod mesh;
 mod outer;
 mod planar;
 mod screen;
-mod slab;
 mod solid;
 mod solid_spec;
 mod spec;
 mod traced;
 mod union;
 
-pub use bvh::Index;
 pub use curve::DistancePiece;
 pub use parry2d_f64;
 pub use parry3d_f64;

@@ -9,7 +9,7 @@ mod elliptic_integral;
 mod line;
 mod parallel;
 mod ray;
-mod segment;
+pub(crate) mod segment;
 mod translated;
 
 pub use arc::Arc;

@@ -9,6 +9,31 @@ use crate::{
 use lanes::Lane;
 use nalgebra::Vector2;
 
+/// Whether a path crosses the line from `a` to `b` between them, outwards if ahead: `a` is not on the left of it and `b` is.
+#[inline(always)]
+pub(crate) fn passes<F: Lane>(to_a: [F; 2], to_b: [F; 2], v: [F; 2]) -> F::Mask {
+    let zero = v[0].same(0.0);
+    !zero.lt(cross(v, to_a)) & zero.lt(cross(v, to_b))
+}
+
+/// The crossing of a path that passes between the ends of a segment.
+#[inline(always)]
+pub(crate) fn crossing<F: Lane>(passes: F::Mask, to_a: [F; 2], v: [F; 2], normal: [f64; 2], slack: f64) -> Crossing<F> {
+    let zero = v[0].same(0.0);
+    let distance = -(to_a[0] * normal[0] + to_a[1] * normal[1]);
+    let speed = -(v[0] * normal[0] + v[1] * normal[1]);
+    let ahead = zero.same(-slack).lt(distance) & zero.lt(speed);
+    Crossing::when(passes & ahead, distance, speed)
+}
+
+/// The point of a path at `time`, projected onto the line through `a` with a unit normal.
+#[inline(always)]
+pub(crate) fn landing<F: Lane>(x: [F; 2], v: [F; 2], time: F, a: [f64; 2], normal: [f64; 2]) -> [F; 2] {
+    let p = along(x, v, time);
+    let n = normal.map(|n| time.same(n));
+    along(p, n, dot(from(p, a), n))
+}
+
 /// The segment from `a` to `b`, table on its left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
@@ -38,23 +63,14 @@ impl Segment {
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
-        let zero = x[0].same(0.0);
         let (to_a, to_b) = (from(x, self.a), from(x, self.b));
-        // outwards exactly where `a` is not on the left of the path and `b` is
-        let between = !zero.lt(cross(v, to_a)) & zero.lt(cross(v, to_b));
-        let distance = -(to_a[0] * self.normal[0] + to_a[1] * self.normal[1]);
-        let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
-        let ahead = zero.same(-self.slack).lt(distance) & zero.lt(speed);
-        Crossing::when(between & ahead, distance, speed)
+        crossing(passes(to_a, to_b, v), to_a, v, self.normal, self.slack)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
-        let p = along(x, v, time);
-        let n = self.normal.map(|n| time.same(n));
-        let off = dot(from(p, self.a), n);
-        (along(p, n, off), n)
+        (landing(x, v, time, self.a, self.normal), self.normal.map(|n| time.same(n)))
     }
 
     /// The first vertex.

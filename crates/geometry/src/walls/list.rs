@@ -1,18 +1,18 @@
 //! A list of pieces of any kind.
-use super::{ByLane, CORNER, WallHit, Walls};
-use crate::{Boundary, Crossing, Hit, Line, Piece, parry::Index};
+use super::{ByLane, CORNER, WallHit, Walls, corners::Corners};
+use crate::{Boundary, BoxTree, Crossing, Hit, Line, Piece};
 use lanes::Lane;
 use nalgebra::Vector2;
-use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Pieces of any kind: a few are asked one after another, many through a tree of boxes.
 #[derive(Clone, Debug)]
 pub struct List(ByLane<Pieces>);
 
-/// From so many pieces on, a tree of boxes is faster than asking each: measured on polygons inscribed in a circle, where
-/// the two take as long at about seventy.
-const MANY: usize = 72;
+/// From so many pieces on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower take as long
+/// either way at 19 sides (8: 54 and 71 ns, 16: 92 and 102, 24: 126 and 104, 32: 159 and 106). The first hits alone:
+/// `cargo bench -p geometry -- "each or tree"`.
+const MANY: usize = 20;
 
 /// How the first piece is found.
 #[derive(Clone, Debug)]
@@ -20,40 +20,35 @@ enum Search {
     /// By asking each.
     Each,
     /// By asking those whose boxes the path enters.
-    Tree(Index),
+    Tree(BoxTree),
 }
 
 #[derive(Clone, Debug)]
 struct Pieces {
     numbered: Vec<(usize, Arc<dyn Piece>)>,
     search: Search,
-    /// Vertices at which the boundary has a corner, per piece.
-    corners: Vec<Vec<Vector2<f64>>>,
-    /// Size of their coordinates, of which rounding is a fraction.
+    /// Whether there are corners at the start and at the end of each piece.
+    corners: Vec<[bool; 2]>,
+    /// Size of the coordinates of corners, of which rounding is a fraction.
     size: f64,
 }
 
 impl List {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
-        // −0 is 0
-        let bits = |p: &Vector2<f64>| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
-        let known: HashSet<[u64; 2]> = corners.iter().map(bits).collect();
-        let size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
-        let own = |p: &Arc<dyn Piece>| -> Vec<Vector2<f64>> {
-            let ends = p.ends().map_or(vec![], Vec::from);
-            ends.into_iter().filter(|e| known.contains(&bits(e))).collect()
-        };
-        let corners = pieces.iter().map(|(_, p)| own(p)).collect();
-        let tree = || Search::Tree(Index::new(pieces.iter().map(|(_, piece)| piece.extent())));
+        let known = Corners::new(corners);
+        let are_corners =
+            |ends: Option<[Vector2<f64>; 2]>| ends.map_or([false; 2], |e| e.map(|end| known.contains(&end)));
+        let corners = pieces.iter().map(|(_, piece)| are_corners(piece.ends())).collect();
+        let tree = || Search::Tree(BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent())));
         let search = if pieces.len() < MANY { Search::Each } else { tree() };
-        List(ByLane(Pieces { numbered: pieces, search, corners, size }))
+        List(ByLane(Pieces { numbered: pieces, search, corners, size: known.size() }))
     }
 }
 
 impl Pieces {
     /// The piece that a path crosses first, and when; of equal times the first in the list.
-    fn first(&self, path: &Line<2>) -> Option<(usize, Crossing)> {
+    fn first(&self, path: &Line<2>) -> Option<(usize, f64)> {
         match &self.search {
             Search::Each => {
                 let mut first = None;
@@ -64,27 +59,24 @@ impl Pieces {
                         (first, soonest) = (Some(k), crossing);
                     }
                 }
-                first.map(|k| (k, soonest))
+                first.map(|k| (k, soonest.time()))
             }
-            Search::Tree(index) => index.first(path, |k| self.numbered[k].1.crossing(path)),
+            Search::Tree(tree) => tree.first(path, |k| self.numbered[k].1.crossing(path)),
         }
     }
 }
 
 impl Boundary<2> for Pieces {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
-        let (k, crossing) = self.first(path)?;
-        let time = crossing.time();
-        let landing = self.numbered[k].1.landing(path, time);
+        let (k, time) = self.first(path)?;
+        let (number, piece) = &self.numbered[k];
+        let landing = piece.landing(path, time);
         // a path may come from far beyond the vertices
         let near = CORNER * self.size.max(path.point.amax());
-        Some(Hit {
-            time,
-            point: landing.point,
-            normal: landing.normal,
-            piece: self.numbered[k].0,
-            corner: self.corners[k].iter().any(|c| (landing.point - c).amax() <= near),
-        })
+        let is_corner = |(end, corner): (Vector2<f64>, bool)| corner && (landing.point - end).amax() <= near;
+        let corner = self.corners[k] != [false; 2]
+            && piece.ends().is_some_and(|ends| ends.into_iter().zip(self.corners[k]).any(is_corner));
+        Some(Hit { time, point: landing.point, normal: landing.normal, piece: *number, corner })
     }
 }
 

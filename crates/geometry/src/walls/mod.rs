@@ -2,16 +2,19 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, or a list of pieces.
+//! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, straight sides eight at a time, or a list of
+//! pieces.
 mod around;
 mod by_lane;
 mod capsule;
 mod convex;
+mod corners;
 mod cuboid;
 mod homogeneous;
 mod list;
 mod normal;
 mod periodic;
+mod polygon;
 mod rotated;
 mod scatterer;
 mod slab;
@@ -27,6 +30,7 @@ pub use cuboid::Cuboid;
 pub use homogeneous::{Chord, Homogeneous};
 pub use list::List;
 pub use periodic::Periodic;
+pub use polygon::Polygon;
 pub use rotated::Rotated;
 pub use scatterer::Scatterer;
 pub use slab::Slab;

@@ -1,10 +1,9 @@
 //! The table as a polyline, found through the tree of boxes, with the normals of its edges or of the curve.
 
 use billiards::Billiard;
-use billiards::geometry::parry::Index;
 use billiards::geometry::shapes::Segment;
 use billiards::geometry::walls::ByLane;
-use billiards::geometry::{Boundary, Hit, Line, Piece, Table, Vector2};
+use billiards::geometry::{Boundary, BoxTree, Hit, Line, Piece, Table, Vector2};
 
 use super::super::Effort;
 use super::super::case::{Case, Space};
@@ -52,7 +51,7 @@ struct Polyline {
 
 #[derive(Debug)]
 struct Chain {
-    index: Index,
+    tree: BoxTree,
     edges: Vec<Segment>,
     /// Normals of the boundary at both ends of each edge; none where the edges' own are used.
     normals: Vec<[Vector2<f64>; 2]>,
@@ -80,15 +79,14 @@ impl Polyline {
                 k += 1.0;
             }
         }
-        let index = Index::new(edges.iter().map(Piece::extent));
-        Ok(Box::new(Polyline { walls: ByLane(Chain { index, edges, normals }), law: law.planar() }))
+        let tree = BoxTree::new(edges.iter().map(Piece::extent));
+        Ok(Box::new(Polyline { walls: ByLane(Chain { tree, edges, normals }), law: law.planar() }))
     }
 }
 
 impl Boundary<2> for Chain {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
-        let (piece, crossing) = self.index.first(path, |i| self.edges[i].crossing(path))?;
-        let time = crossing.time();
+        let (piece, time) = self.tree.first(path, |i| self.edges[i].crossing(path))?;
         let edge = &self.edges[piece];
         let landing = edge.landing(path, time);
         let normal = match self.normals.get(piece) {

@@ -1,0 +1,51 @@
+//! Boxes with sides parallel to the axes.
+use nalgebra::{ArrayStorage, SVector};
+
+/// A box with sides parallel to the axes; sides may lie at infinity.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent<const N: usize = 2> {
+    /// Least coordinates.
+    pub min: SVector<f64, N>,
+    /// Greatest coordinates.
+    pub max: SVector<f64, N>,
+}
+
+impl<const N: usize> Extent<N> {
+    /// The empty box, neutral in [`Extent::union`].
+    pub const EMPTY: Extent<N> = Extent {
+        min: SVector::from_array_storage(ArrayStorage([[f64::INFINITY; N]; 1])),
+        max: SVector::from_array_storage(ArrayStorage([[f64::NEG_INFINITY; N]; 1])),
+    };
+
+    /// The smallest box around some points.
+    pub fn of(points: impl IntoIterator<Item = SVector<f64, N>>) -> Extent<N> {
+        points.into_iter().fold(Extent::EMPTY, |e, p| Extent { min: e.min.inf(&p), max: e.max.sup(&p) })
+    }
+
+    /// The smallest box around both.
+    #[must_use]
+    pub fn union(self, other: Extent<N>) -> Extent<N> {
+        Extent { min: self.min.inf(&other.min), max: self.max.sup(&other.max) }
+    }
+
+    /// Whether no side lies at infinity and the box is not empty.
+    pub fn is_finite(&self) -> bool {
+        self.min.iter().chain(self.max.iter()).all(|x| x.is_finite())
+    }
+
+    /// Distance of a point from the box, 0 inside.
+    pub(crate) fn distance(&self, point: &SVector<f64, N>) -> f64 {
+        let gap = |i: usize| (self.min[i] - point[i]).max(point[i] - self.max[i]).max(0.0);
+        (0..N).fold(0.0, |sum, i| libm::hypot(sum, gap(i)))
+    }
+
+    /// Whether the boxes have a point in common, or are no farther apart than `reach` along each axis.
+    pub(crate) fn meets(&self, other: &Extent<N>, reach: f64) -> bool {
+        (0..N).all(|i| self.min[i] <= other.max[i] + reach && other.min[i] <= self.max[i] + reach)
+    }
+
+    /// Greatest finite coordinate, without sign.
+    pub(crate) fn size(&self) -> f64 {
+        self.min.iter().chain(self.max.iter()).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+}
