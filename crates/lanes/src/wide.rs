@@ -207,3 +207,40 @@ pub fn instruction_set() -> (&'static str, usize) {
     }
     Arch::new().dispatch(Name)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What every instruction set of this CPU must satisfy, and a single number too.
+    struct Holds;
+
+    impl Kernel for Holds {
+        type Output = ();
+        fn run<F: Lane>(self, zero: F) {
+            let numbers: Vec<f64> = (0..3 * F::LANES).map(|k| f64::from(u32::try_from(k * k % 7).unwrap())).collect();
+            for k in 0..2 * F::LANES {
+                let lanes = zero.load(&numbers[k..]);
+                let mut stored = vec![-1.0; F::LANES + 1];
+                lanes.store(&mut stored);
+                assert_eq!(stored[..F::LANES], numbers[k..k + F::LANES]);
+                assert_eq!(stored[F::LANES], -1.0);
+                let below = lanes.lt(zero.same(3.0));
+                let bits = (0..F::LANES).filter(|&i| numbers[k + i] < 3.0).fold(0, |bits, i| bits | (1 << i));
+                assert_eq!(below.bits(), bits);
+                assert_eq!((!below).bits(), bits ^ ((1 << F::LANES) - 1));
+            }
+        }
+    }
+
+    #[test]
+    fn lanes_go_to_memory_and_back_and_masks_have_a_bit_per_lane() {
+        dispatch(Holds);
+        Holds.run(0.0);
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = pulp::x86::V3::try_new() {
+            Holds.run(Wide { simd: avx2, value: avx2.splat_f64s(0.0) });
+        }
+        Holds.run(Wide { simd: pulp::Scalar, value: 0.0 });
+    }
+}
