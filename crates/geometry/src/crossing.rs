@@ -38,6 +38,23 @@ impl<F: Lane> Crossing<F> {
     }
 }
 
+/// What a piece finds in every lane: a crossing at time `num / den`, where there is one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate<F: Lane> {
+    pub(crate) really: F::Mask,
+    /// Negative where rounding put the start outside: that counts as 0.
+    pub(crate) num: F,
+    /// Positive where there is a crossing.
+    pub(crate) den: F,
+}
+
+impl<F: Lane> From<Candidate<F>> for Crossing<F> {
+    #[inline(always)]
+    fn from(candidate: Candidate<F>) -> Self {
+        Crossing::when(candidate.really, candidate.num, candidate.den)
+    }
+}
+
 impl Crossing {
     /// No crossing.
     pub const NEVER: Crossing = Crossing { num: f64::INFINITY, den: 1.0 };

@@ -4,7 +4,7 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Pieces, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
     },
 };
 use nalgebra::Vector2;
@@ -229,7 +229,7 @@ impl Table {
                 _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
             };
         }
-        let all = || self.list(0..self.pieces.len());
+        let all = || self.parts(0..self.pieces.len());
         let Some((container, rest)) = self.container() else { return visit.run(&all()) };
         match (container, rest.as_slice()) {
             (Container::Level(walls), []) => visit.run_homogeneous(&walls),
@@ -242,14 +242,14 @@ impl Table {
             (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
             (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
                 Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.list([*one]) }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts([*one]) }),
             },
             (Container::Disk(walls), [one]) => match self.scatterer(*one) {
                 Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.list([*one]) }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts([*one]) }),
             },
             (Container::Rectangle(walls), many) => {
-                visit.run(&Around { container: walls, obstacles: self.list(many.iter().copied()) })
+                visit.run(&Around { container: walls, obstacles: self.parts(many.iter().copied()) })
             }
             _ => visit.run(&all()),
         }
@@ -265,7 +265,16 @@ impl Table {
 
     /// Any table as a list of pieces, asked one by one: the reference for all other walls.
     pub fn list(&self, numbers: impl IntoIterator<Item = usize>) -> List {
-        List::new(numbers.into_iter().map(|i| (i, self.pieces[i].clone())).collect(), &self.corners)
+        List::new(self.numbered(numbers), &self.corners)
+    }
+
+    /// Some pieces as walls, each asked in the best way.
+    fn parts(&self, numbers: impl IntoIterator<Item = usize>) -> Pieces {
+        Pieces::new(self.numbered(numbers), &self.corners)
+    }
+
+    fn numbered(&self, numbers: impl IntoIterator<Item = usize>) -> Vec<(usize, Arc<dyn Piece>)> {
+        numbers.into_iter().map(|i| (i, self.pieces[i].clone())).collect()
     }
 
     fn figures(&self) -> Vec<Figure> {
@@ -300,7 +309,7 @@ impl Table {
     }
 
     /// Every piece that reaches into the unit cell, translated there.
-    fn translates(&self, lattice: &Lattice) -> List {
+    fn translates(&self, lattice: &Lattice) -> Pieces {
         let mut corners = vec![];
         let mut pieces = vec![];
         for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
@@ -308,7 +317,7 @@ impl Table {
             corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
             pieces.push((i, piece));
         }
-        List::new(pieces, &corners)
+        Pieces::new(pieces, &corners)
     }
 }
 

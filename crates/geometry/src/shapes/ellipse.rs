@@ -4,11 +4,11 @@
 //! ellipse is meeting a circle.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{dot, from, slack},
-    shapes::{Circle, curve::rising_root, elliptic_integral::second_kind},
+    plane::{dot, from, moved, slack},
+    shapes::{Circle, Shape, curve::rising_root, elliptic_integral::second_kind},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
 use lanes::Lane;
@@ -71,6 +71,14 @@ impl Ellipse {
         self.semi_axes
     }
 
+    pub(crate) fn translated(self, by: [f64; 2]) -> Ellipse {
+        let center = moved(self.center, by);
+        let [a, b] = self.semi_axes;
+        let mut unit = self.unit;
+        unit.slack = slack([center[0], center[1], a, b]) / a.min(b);
+        Ellipse { center, unit, ..self }
+    }
+
     /// The two foci \[L\].
     pub fn foci(&self) -> [Vector2<f64>; 2] {
         let [a, b] = self.semi_axes;
@@ -95,8 +103,14 @@ impl Ellipse {
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        self.meet(x, v).into()
+    }
+
+    /// The same, before anything is selected.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let (y, w) = self.affine(x, v);
-        self.unit.cross(y, w)
+        self.unit.meet(y, w)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -270,6 +284,9 @@ impl Piece for Ellipse {
     }
     fn extent(&self) -> Extent {
         Extent::of(self.extremes())
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Ellipse(*self))
     }
     fn area(&self) -> f64 {
         self.unit.turn() * PI * self.semi_axes[0] * self.semi_axes[1]

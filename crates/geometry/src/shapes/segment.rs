@@ -1,10 +1,11 @@
 //! A straight segment between two vertices.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, cross, dot, from, slack},
+    plane::{along, cross, dot, from, moved, slack},
+    shapes::Shape,
 };
 use lanes::Lane;
 use nalgebra::Vector2;
@@ -42,10 +43,17 @@ impl Segment {
         let (to_a, to_b) = (from(x, self.a), from(x, self.b));
         // outwards exactly where `a` is not on the left of the path and `b` is
         let between = !zero.lt(cross(v, to_a)) & zero.lt(cross(v, to_b));
+        self.meet(v, to_a, between).into()
+    }
+
+    /// The same for a path that passes between the vertices, with the vector from its start to `a`.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, v: [F; 2], to_a: [F; 2], between: F::Mask) -> Candidate<F> {
+        let zero = v[0].same(0.0);
         let distance = -(to_a[0] * self.normal[0] + to_a[1] * self.normal[1]);
         let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
         let ahead = zero.same(-self.slack).lt(distance) & zero.lt(speed);
-        Crossing::when(between & ahead, distance, speed)
+        Candidate { really: between & ahead, num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -68,6 +76,11 @@ impl Segment {
     /// Unit normal into the table.
     pub(crate) fn inward_normal(&self) -> [f64; 2] {
         self.normal
+    }
+
+    pub(crate) fn translated(self, by: [f64; 2]) -> Segment {
+        let (a, b) = (moved(self.a, by), moved(self.b, by));
+        Segment { a, b, slack: slack(a.into_iter().chain(b)), ..self }
     }
 
     fn direction(&self) -> Vector2<f64> {
@@ -116,6 +129,9 @@ impl Piece for Segment {
     }
     fn area(&self) -> f64 {
         0.5 * cross(self.a, self.b)
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Segment(*self))
     }
     fn figure(&self) -> Figure {
         Figure::Segment { ends: [self.a.into(), self.b.into()] }

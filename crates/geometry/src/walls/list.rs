@@ -10,10 +10,6 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct List(ByLane<Pieces>);
 
-/// From so many pieces on, a tree of boxes is faster than asking each: measured on polygons inscribed in a circle, where
-/// the two take as long at about seventy.
-const MANY: usize = 72;
-
 /// How the first piece is found.
 #[derive(Clone, Debug)]
 enum Search {
@@ -34,6 +30,10 @@ struct Pieces {
 }
 
 impl List {
+    /// From so many pieces on, a tree of boxes is faster than asking each: measured on polygons inscribed in a circle, where
+    /// the two take as long at about seventy.
+    pub(crate) const MANY: usize = 72;
+
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
         // −0 is 0
@@ -46,7 +46,7 @@ impl List {
         };
         let corners = pieces.iter().map(|(_, p)| own(p)).collect();
         let tree = || Search::Tree(Index::new(pieces.iter().map(|(_, piece)| piece.extent())));
-        let search = if pieces.len() < MANY { Search::Each } else { tree() };
+        let search = if pieces.len() < List::MANY { Search::Each } else { tree() };
         List(ByLane(Pieces { numbered: pieces, search, corners, size }))
     }
 }
