@@ -98,7 +98,9 @@ fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2
     group.bench_function(format!("{name}, side by side"), |b| {
         b.iter(|| {
             let mut made = 0;
-            run_side_by_side(&billiard, &mut starts.iter().map(orbit), COLLISIONS, &mut |f| made += f.outcome.collisions);
+            run_side_by_side(&billiard, &mut starts.iter().map(orbit), COLLISIONS, &mut |f| {
+                made += f.outcome.collisions
+            });
             made
         });
     });

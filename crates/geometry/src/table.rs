@@ -4,7 +4,8 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Pieces, Rotated, Scatterer, Slab, Sphere, WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Pieces, Rotated, Scatterer, Slab, Sphere, WithWalls,
+        Zonogon,
     },
 };
 use nalgebra::Vector2;

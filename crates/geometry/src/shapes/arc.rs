@@ -131,8 +131,8 @@ impl Arc {
         &self.circle
     }
     /// The vertices, in the order of traversal.
-    pub(crate) fn vertices(&self) -> [[f64; 2]; 2] {
-        [self.a, self.b]
+    pub(crate) fn vertices(&self) -> [&[f64; 2]; 2] {
+        [&self.a, &self.b]
     }
     pub(crate) fn translated(self, by: [f64; 2]) -> Arc {
         Arc { circle: self.circle.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }

@@ -81,8 +81,7 @@ impl Circle {
         if self.inside {
             // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
             let coming = !zero.lt(b);
-            let moving = zero.lt(a);
-            let really = allowed & moving & (coming | c.lt(off));
+            let really = allowed & (coming | c.lt(off));
             Candidate { really, num: coming.select(q, -c), den: coming.select(a, q) }
         } else {
             // entering the disk: the earlier root

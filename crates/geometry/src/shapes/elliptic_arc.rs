@@ -101,8 +101,8 @@ impl EllipticArc {
         &self.ellipse
     }
     /// The vertices, in the order of traversal.
-    pub(crate) fn vertices(&self) -> [[f64; 2]; 2] {
-        [self.a, self.b]
+    pub(crate) fn vertices(&self) -> [&[f64; 2]; 2] {
+        [&self.a, &self.b]
     }
     pub(crate) fn translated(self, by: [f64; 2]) -> EllipticArc {
         EllipticArc { ellipse: self.ellipse.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }

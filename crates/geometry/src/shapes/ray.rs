@@ -62,14 +62,13 @@ impl Ray {
     /// The same for a path that has the end on its left or not, with the vector from its start to there.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], to_end: [F; 2], end_left: F::Mask) -> Candidate<F> {
-        let zero = x[0].same(0.0);
         let n = self.inward_normal();
         let distance = -(to_end[0] * n[0] + to_end[1] * n[1]);
         let speed = -(v[0] * n[0] + v[1] * n[1]);
         // a ray with the table on its left goes from its end to infinity: its end must not be on the left of the path
         let passes = if self.side > 0.0 { !end_left } else { end_left };
         let far = (x[0].abs() + x[1].abs()) * (16.0 * f64::EPSILON) + self.slack;
-        Candidate { really: passes & (-far).lt(distance) & zero.lt(speed), num: distance, den: speed }
+        Candidate { really: passes & (-far).lt(distance), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

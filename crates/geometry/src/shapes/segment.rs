@@ -17,8 +17,11 @@ pub struct Segment {
     b: [f64; 2],
     /// Unit normal into the table.
     normal: [f64; 2],
+    /// The opposite.
+    outward: [f64; 2],
     length: f64,
-    slack: f64,
+    /// Minus the distance by which a start may lie outside: rounding.
+    behind: f64,
 }
 
 impl Segment {
@@ -33,7 +36,8 @@ impl Segment {
             return Err(Error::ZeroLength);
         }
         let normal = [-d.y / length, d.x / length];
-        Ok(Segment { a: a.into(), b: b.into(), normal, length, slack: slack([a.x, a.y, b.x, b.y]) })
+        let behind = -slack([a.x, a.y, b.x, b.y]);
+        Ok(Segment { a: a.into(), b: b.into(), normal, outward: normal.map(|n| -n), length, behind })
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
@@ -49,11 +53,16 @@ impl Segment {
     /// The same for a path that passes between the vertices, with the vector from its start to `a`.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, v: [F; 2], to_a: [F; 2], between: F::Mask) -> Candidate<F> {
-        let zero = v[0].same(0.0);
-        let distance = -(to_a[0] * self.normal[0] + to_a[1] * self.normal[1]);
-        let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
-        let ahead = zero.same(-self.slack).lt(distance) & zero.lt(speed);
-        Candidate { really: between & ahead, num: distance, den: speed }
+        // outwards, both; for one path, finding out that a wall lies along an axis takes longer than it saves
+        let [n0, n1] = self.outward;
+        let [distance, speed] = if F::LANES > 1 && n0 == 0.0 {
+            [to_a[1] * n1, v[1] * n1]
+        } else if F::LANES > 1 && n1 == 0.0 {
+            [to_a[0] * n0, v[0] * n0]
+        } else {
+            [to_a[0] * n0 + to_a[1] * n1, v[0] * n0 + v[1] * n1]
+        };
+        Candidate { really: between & speed.same(self.behind).lt(distance), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -73,6 +82,9 @@ impl Segment {
     pub(crate) fn end(&self) -> [f64; 2] {
         self.b
     }
+    pub(crate) fn vertices(&self) -> [&[f64; 2]; 2] {
+        [&self.a, &self.b]
+    }
     /// Unit normal into the table.
     pub(crate) fn inward_normal(&self) -> [f64; 2] {
         self.normal
@@ -80,7 +92,7 @@ impl Segment {
 
     pub(crate) fn translated(self, by: [f64; 2]) -> Segment {
         let (a, b) = (moved(self.a, by), moved(self.b, by));
-        Segment { a, b, slack: slack(a.into_iter().chain(b)), ..self }
+        Segment { a, b, behind: -slack(a.into_iter().chain(b)), ..self }
     }
 
     fn direction(&self) -> Vector2<f64> {

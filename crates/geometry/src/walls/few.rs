@@ -75,8 +75,8 @@ struct Eye<F: Lane> {
 
 impl<F: Lane> Eye<F> {
     #[inline(always)]
-    fn see(&mut self, p: [f64; 2], corner: bool) -> Seen<F> {
-        let to = from(self.x, p);
+    fn see(&mut self, p: &[f64; 2], corner: bool) -> Seen<F> {
+        let to = from(self.x, *p);
         let turn = cross(self.v, to);
         if corner {
             self.aside = self.aside.min(turn.abs());
@@ -86,7 +86,7 @@ impl<F: Lane> Eye<F> {
 
     /// Start and end of a piece.
     #[inline(always)]
-    fn both(&mut self, entry: &Entry, [a, b]: [[f64; 2]; 2]) -> [Seen<F>; 2] {
+    fn both(&mut self, entry: &Entry, [a, b]: [&[f64; 2]; 2]) -> [Seen<F>; 2] {
         let start = if entry.joined { self.last } else { self.see(a, entry.corners[0]) };
         self.last = self.see(b, entry.corners[1]);
         [start, self.last]
@@ -132,9 +132,10 @@ impl Few {
         few
     }
 
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+    /// How many there are.
+    #[inline(always)]
+    pub(super) fn len(&self) -> usize {
+        self.entries.len()
     }
 
     /// The lanes that end in a corner.
@@ -155,9 +156,9 @@ impl Few {
 /// Start and end of a shape, where there are such.
 fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
     match shape {
-        Shape::Segment(s) => [Some(s.start()), Some(s.end())],
-        Shape::Arc(s) => s.vertices().map(Some),
-        Shape::EllipticArc(s) => s.vertices().map(Some),
+        Shape::Segment(s) => s.vertices().map(|p| Some(*p)),
+        Shape::Arc(s) => s.vertices().map(|p| Some(*p)),
+        Shape::EllipticArc(s) => s.vertices().map(|p| Some(*p)),
         Shape::Ray(s) => [Some(s.start()), None],
         Shape::Line(_) | Shape::Circle(_) | Shape::Ellipse(_) => [None; 2],
     }
@@ -168,6 +169,10 @@ impl<F: Lane> First<F> {
     #[inline(always)]
     fn look(&mut self, candidate: Candidate<F>, entry: &Entry) {
         let Candidate { really, num, den } = candidate;
+        // most pieces are not met: one path goes on at once
+        if F::LANES == 1 && !really.any() {
+            return;
+        }
         let zero = num.same(0.0);
         let num = num.max(zero);
         let sooner = really & (num * self.den).lt(self.num * den);
@@ -203,7 +208,7 @@ impl Walls<2> for Few {
         for entry in &self.entries {
             match &entry.shape {
                 Shape::Segment(s) => {
-                    let [a, b] = eye.both(entry, [s.start(), s.end()]);
+                    let [a, b] = eye.both(entry, s.vertices());
                     first.look(s.meet(v, a.to, !a.left() & b.left()), entry);
                 }
                 Shape::Arc(s) => {
@@ -217,7 +222,7 @@ impl Walls<2> for Few {
                 }
                 Shape::Ellipse(s) => first.look(s.meet(x, v), entry),
                 Shape::Ray(s) => {
-                    let end = eye.see(s.start(), entry.corners[0]);
+                    let end = eye.see(&s.start(), entry.corners[0]);
                     first.look(s.meet(x, v, end.to, end.left()), entry);
                 }
                 Shape::Line(s) => first.look(s.meet(x, v), entry),

@@ -1,7 +1,7 @@
 //! Pieces of any kind: those that answer in lanes beside those that do not.
 use super::{Few, List, WallHit, Walls};
-use crate::Piece;
-use lanes::Lane;
+use crate::{Piece, shapes::Shape};
+use lanes::{Lane, MOST_LANES};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -10,35 +10,40 @@ use std::sync::Arc;
 pub struct Pieces {
     /// Those known in lanes.
     few: Few,
-    /// The others, if any.
-    others: Option<List>,
+    /// The others, if any; or all, where they are many.
+    list: Option<List>,
+    /// Whether the list is of all.
+    all: bool,
 }
+
+/// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
+const PER_LANE: usize = 40;
 
 impl Pieces {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
-        let many = pieces.len() >= List::MANY;
-        let (mut shapes, mut others) = (vec![], vec![]);
-        for (number, piece) in pieces {
-            match piece.shape() {
-                Some(shape) if !many => shapes.push((number, shape)),
-                _ => others.push((number, piece)),
-            }
+        let mut shapes: Vec<(usize, Shape)> =
+            pieces.iter().filter_map(|(number, piece)| Some((*number, piece.shape()?))).collect();
+        let all = pieces.len() >= List::MANY;
+        if all && (shapes.len() < pieces.len() || shapes.len() >= PER_LANE * MOST_LANES) {
+            shapes.clear();
         }
-        let others = (!others.is_empty()).then(|| List::new(others, corners));
-        Pieces { few: Few::new(&shapes, corners), others }
+        let others: Vec<_> = pieces.into_iter().filter(|(_, piece)| all || piece.shape().is_none()).collect();
+        let list = (!others.is_empty()).then(|| List::new(others, corners));
+        Pieces { few: Few::new(&shapes, corners), list, all }
     }
 }
 
 impl Walls<2> for Pieces {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        let Some(others) = &self.others else { return self.few.first_hit(x, v) };
-        let other = others.first_hit(x, v);
-        if self.few.is_empty() {
-            return other;
+        let Some(list) = &self.list else { return self.few.first_hit(x, v) };
+        let few = self.few.len();
+        if few == 0 || self.all {
+            let in_lanes = 0 < few && few < PER_LANE * F::LANES;
+            return if F::LANES > 1 && in_lanes { self.few.first_hit(x, v) } else { list.first_hit(x, v) };
         }
-        let hit = self.few.first_hit(x, v);
+        let (hit, other) = (self.few.first_hit(x, v), list.first_hit(x, v));
         hit.or(other.time.lt(hit.time), &other)
     }
 }
