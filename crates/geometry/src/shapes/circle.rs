@@ -17,11 +17,15 @@ pub struct Circle {
     pub(crate) center: [f64; 2],
     pub(crate) radius: f64,
     pub(crate) inside: bool,
+    /// `r²`
+    square: f64,
     /// `1/r²`
     inverse_square: f64,
     /// `±1/r`: from `p − c` to the inward normal.
     to_normal: f64,
     pub(crate) slack: f64,
+    /// How much `|x − c|² − r²` may be off.
+    off: f64,
 }
 
 /// The roots of `|x + v t − c|² = r²`, and what tells them apart.
@@ -47,14 +51,18 @@ impl Circle {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
-        Ok(Circle {
+        let square = radius * radius;
+        let circle = Circle {
             center: center.into(),
             radius,
             inside,
-            inverse_square: 1.0 / (radius * radius),
+            square,
+            inverse_square: 1.0 / square,
             to_normal: if inside { -1.0 / radius } else { 1.0 / radius },
-            slack: slack([center.x, center.y, radius]),
-        })
+            slack: 0.0,
+            off: 0.0,
+        };
+        Ok(circle.with_slack(slack([center.x, center.y, radius])))
     }
 
     /// The quadratic of the meeting times.
@@ -62,10 +70,10 @@ impl Circle {
     pub(crate) fn roots<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Roots<F> {
         let y = from(x, self.center).map(|d| -d);
         let (a, b) = (dot(v, v), dot(y, v));
-        let c = dot(y, y) - self.radius * self.radius;
+        let c = dot(y, y) - self.square;
         // b² − a c = |v|² r² − (y × v)², in which the distance of a far start does not cancel
         let moment = cross(y, v);
-        let discriminant = a * (self.radius * self.radius) - moment * moment;
+        let discriminant = a * self.square - moment * moment;
         let zero = a.same(0.0);
         Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
@@ -76,8 +84,7 @@ impl Circle {
         let Roots { a, b, c, root, .. } = *roots;
         let zero = a.same(0.0);
         let q = b.abs() + root;
-        // 2 r × slack: how much |x − c|² − r² may be off
-        let off = zero.same(2.0 * self.radius * self.slack);
+        let off = zero.same(self.off);
         if self.inside {
             // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
             let coming = !zero.lt(b);
@@ -116,7 +123,11 @@ impl Circle {
 
     pub(crate) fn translated(self, by: [f64; 2]) -> Circle {
         let center = moved(self.center, by);
-        Circle { center, slack: slack([center[0], center[1], self.radius]), ..self }
+        Circle { center, ..self }.with_slack(slack([center[0], center[1], self.radius]))
+    }
+    /// The same with another rounding of coordinates.
+    pub(crate) fn with_slack(self, slack: f64) -> Circle {
+        Circle { slack, off: 2.0 * self.radius * slack, ..self }
     }
     pub(crate) fn ground(&self) -> Ground {
         Ground::Round { center: self.center, to_normal: self.to_normal, inverse_square: self.inverse_square }

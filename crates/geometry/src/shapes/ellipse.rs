@@ -52,8 +52,7 @@ impl Ellipse {
         let [a, b] = semi_axes;
         let axis = [libm::cos(angle), libm::sin(angle)];
         let (e1, e2) = (axis, [-axis[1], axis[0]]);
-        let mut unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
-        unit.slack = slack([center.x, center.y, a, b]) / a.min(b);
+        let unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
         let inward = if inside { -1.0 } else { 1.0 };
         Ok(Ellipse {
             center: center.into(),
@@ -62,7 +61,7 @@ impl Ellipse {
             to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
             to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
-            unit,
+            unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
         })
     }
 
@@ -74,8 +73,7 @@ impl Ellipse {
     pub(crate) fn translated(self, by: [f64; 2]) -> Ellipse {
         let center = moved(self.center, by);
         let [a, b] = self.semi_axes;
-        let mut unit = self.unit;
-        unit.slack = slack([center[0], center[1], a, b]) / a.min(b);
+        let unit = self.unit.with_slack(slack([center[0], center[1], a, b]) / a.min(b));
         Ellipse { center, unit, ..self }
     }
 

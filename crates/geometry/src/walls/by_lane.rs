@@ -6,7 +6,8 @@ use nalgebra::SVector;
 
 /// A boundary that answers for one path at a time, made to answer for lanes.
 ///
-/// This is how a boundary of your own runs in ensembles: at the speed of its scalar code.
+/// This is how a boundary of your own runs in ensembles: at the speed of its scalar code. One that is a formula in
+/// [`Lane`]s implements [`Walls`] itself, and is as fast as those here.
 #[derive(Clone, Debug)]
 pub struct ByLane<B>(pub B);
 

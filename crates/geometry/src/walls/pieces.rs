@@ -22,10 +22,11 @@ const PER_LANE: usize = 40;
 impl Pieces {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
-        let mut shapes: Vec<(usize, Shape)> =
-            pieces.iter().filter_map(|(number, piece)| Some((*number, piece.shape()?))).collect();
         let all = pieces.len() >= List::MANY;
-        if all && (shapes.len() < pieces.len() || shapes.len() >= PER_LANE * MOST_LANES) {
+        let in_lanes = pieces.len() < PER_LANE * MOST_LANES;
+        let known = pieces.iter().filter_map(|(number, piece)| Some((*number, piece.shape()?)));
+        let mut shapes: Vec<(usize, Shape)> = if in_lanes { known.collect() } else { vec![] };
+        if all && shapes.len() < pieces.len() {
             shapes.clear();
         }
         let others: Vec<_> = pieces.into_iter().filter(|(_, piece)| all || piece.shape().is_none()).collect();
