@@ -99,7 +99,7 @@ fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2
         b.iter(|| {
             let mut made = 0;
             run_side_by_side(&billiard, &mut starts.iter().map(orbit), COLLISIONS, &mut |f| {
-                made += f.outcome.collisions
+                made += f.outcome.collisions;
             });
             made
         });
