@@ -68,8 +68,6 @@ fn lanes_have_the_bits_of_single_orbits() {
     agree("moon", tables::moon(1.0, 0.75, 1.0), no_slip());
     agree("flower", tables::flower(4, 1.25, 2.0), no_slip());
     agree("pocket", tables::pocket([2.0, 1.0], 0.3125, 0.5625), no_slip());
-    agree("lorentz", tables::lorentz(0.375, 1.0), no_slip());
-    agree("channel", tables::channel(1.0, 1.0, 0.25), no_slip());
     // asked in lanes side by side, and through a tree of boxes alone
     agree("many sides", tables::polygon(100, 1.0), no_slip());
 }
