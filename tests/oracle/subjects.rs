@@ -175,9 +175,9 @@ fn all_tables() -> Result<Vec<(&'static str, f64, Table)>, Error> {
         ("circle (Sphere)", 1.0, tables::circle(1.0)?),
         ("sinai (Cuboid, Scatterer)", 1.0, tables::sinai(1.0, 0.25)?),
         ("sinai, radius 1/100", 1.0, tables::sinai(1.0, 0.01)?),
-        ("moon (Sphere, List)", 1.0, tables::moon(1.0, 0.75, 1.0)?),
-        ("mushroom (List)", 1.0, tables::mushroom(1.0, 0.5, 0.75)?),
-        ("flower (List)", 1.5, tables::flower(4, 1.25, 2.0)?),
+        ("moon (Pieces)", 1.0, tables::moon(1.0, 0.75, 1.0)?),
+        ("mushroom (Pieces)", 1.0, tables::mushroom(1.0, 0.5, 0.75)?),
+        ("flower (Pieces)", 1.5, tables::flower(4, 1.25, 2.0)?),
     ])
 }
 

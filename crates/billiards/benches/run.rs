@@ -1,10 +1,16 @@
 //! Nanoseconds per collision of the engine's loops, table by table: one orbit at a time, and many in vector registers.
 
 use billiards::{
-    Canonical, Collisions, Conserved, Orbit, Planar, Start, Starts,
+    Billiard, Canonical, Collisions, Conserved, Orbit, Planar, Start, Starts,
     collision_laws::laws::{NoSlip, Specular},
-    geometry::{Piece, Table, Vector2, shapes::Segment, tables},
+    geometry::{
+        Piece, Table, Vector2, Walls,
+        shapes::Segment,
+        tables,
+        walls::{Few, List},
+    },
     laws::Disk,
+    run, run_side_by_side,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -30,7 +36,7 @@ fn orbit(start: &Start<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>> {
     start.orbit(())
 }
 
-fn run(criterion: &mut Criterion) {
+fn tables_and_laws(criterion: &mut Criterion) {
     let laws = [("specular", Disk::new(&Specular, 0.5_f64.sqrt())), ("no-slip", Disk::new(&NoSlip, 0.5_f64.sqrt()))];
     for (law_name, law) in laws {
         let mut group = criterion.benchmark_group(law_name);
@@ -98,5 +104,47 @@ fn many_sides(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, run, many_sides);
+/// Tables as walls that know nothing but their pieces: in lanes, and one lane after another.
+fn as_pieces(criterion: &mut Criterion) {
+    let table = |made: Result<Table, billiards::geometry::Error>| made.expect("sizes of a table");
+    let all = [
+        ("stadium", table(tables::stadium(1.0, 1.0))),
+        ("mushroom", table(tables::mushroom(1.0, 1.0, 1.0))),
+        ("moon", table(tables::moon(1.0, 0.75, 1.0))),
+        ("flower", table(tables::flower(4, 1.25, 2.0))),
+        ("pocket", table(tables::pocket([2.0, 1.0], 0.3125, 0.5625))),
+        ("ellipse", table(tables::ellipse([2.0, 1.0]))),
+    ];
+    for (name, table) in all {
+        let pieces: Vec<_> = table.pieces().iter().cloned().enumerate().collect();
+        let shapes: Vec<_> = pieces.iter().filter_map(|(i, piece)| Some((*i, piece.shape()?))).collect();
+        on(criterion, &format!("{name} (few)"), &table, &Few::new(&shapes, table.corners()));
+        on(criterion, &format!("{name} (list)"), &table, &List::new(pieces, table.corners()));
+    }
+}
+
+fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2>) {
+    let mut group = criterion.benchmark_group("pieces");
+    group.throughput(Throughput::Elements(ORBITS * COLLISIONS)).sample_size(20);
+    let canonical = Canonical::new(table, 1.0, 1).expect("a finite table");
+    let starts: Vec<Start<2, 1>> = (0..ORBITS).map(|i| canonical.start(i)).collect();
+    let billiard = Billiard { walls, law: &Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+    group.bench_function(format!("{name}, one by one"), |b| {
+        b.iter(|| {
+            let one = |s: &Start<2, 1>| run(&billiard, &mut orbit(s), &Collisions(COLLISIONS), &mut ()).collisions;
+            starts.iter().map(one).sum::<u64>()
+        });
+    });
+    group.bench_function(format!("{name}, side by side"), |b| {
+        b.iter(|| {
+            let mut made = 0;
+            run_side_by_side(&billiard, &mut starts.iter().map(orbit), COLLISIONS, &mut |f| {
+                made += f.outcome.collisions;
+            });
+            made
+        });
+    });
+}
+
+criterion_group!(benches, tables_and_laws, many_sides, as_pieces);
 criterion_main!(benches);

@@ -6,7 +6,7 @@ use crate::{
     run::{GRAZING, MOST_IDLE, Outcome, Stop},
     track::{Clock, Track},
 };
-use lanes::{Kernel, Lane, Mask};
+use lanes::{Kernel, Lane, MOST_LANES, Mask};
 
 /// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
 pub trait InLanes<F: Lane>: Clone {
@@ -100,8 +100,6 @@ struct Many<'a, B, const N: usize, const S: usize, K, T> {
 
 /// Vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
 const VECTORS: usize = 4;
-/// No instruction set has more lanes.
-const MOST_LANES: usize = 16;
 
 /// One vector of orbits.
 struct Group<F: Lane, const N: usize, const S: usize, K, T, C> {

@@ -1,10 +1,15 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
-use billiards::{Clock, Collisions, Conserved, Finished, Orbit, Planar, Start, Stop, Timed, laws::Disk};
+use billiards::{
+    BallLaw, Billiard, Clock, Collisions, Conserved, Finished, Orbit, Planar, Start, Stop, Timed, laws::Disk, run,
+    run_side_by_side,
+};
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Specular};
-use geometry::{Table, tables};
+use geometry::{Table, WallHit, Walls, tables};
+use lanes::{Lane, Mask};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
     // a multiplicative sequence of points and directions; points outside the table are skipped
@@ -60,6 +65,79 @@ fn lanes_have_the_bits_of_single_orbits() {
     agree("sinai torus", tables::sinai_torus(0.25, 1.0), no_slip());
     agree("mushroom", tables::mushroom(1.0, 0.5, 0.75), no_slip());
     agree("ellipse", tables::ellipse([2.0, 1.0]), no_slip());
+    agree("moon", tables::moon(1.0, 0.75, 1.0), no_slip());
+    agree("flower", tables::flower(4, 1.25, 2.0), no_slip());
+    agree("pocket", tables::pocket([2.0, 1.0], 0.3125, 0.5625), no_slip());
+    // asked in lanes side by side, and through a tree of boxes alone
+    agree("many sides", tables::polygon(100, 1.0), no_slip());
+}
+
+/// A disk table, as a user would write it for lanes.
+struct Round {
+    radius: f64,
+}
+
+impl Walls<2> for Round {
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        let dot = |a: &[F; 2], b: &[F; 2]| a[0] * b[0] + a[1] * b[1];
+        let (a, b, c) = (dot(v, v), dot(x, v), dot(x, x) - self.radius * self.radius);
+        let zero = a.same(0.0);
+        let root = (b * b - a * c).max(zero).sqrt();
+        let leaving = zero.lt(b);
+        let time = leaving.select(-c, b.abs() + root).max(zero) / leaving.select(b + root, a);
+        let p = [x[0] + time * v[0], x[1] + time * v[1]];
+        let inverse = zero.same(1.0) / dot(&p, &p).sqrt();
+        let point = p.map(|p| p * inverse * self.radius);
+        let normal = p.map(|p| -p);
+        let corner = zero.lt(zero);
+        WallHit { time, point, normal, inverse, piece: zero, corner }
+    }
+}
+
+/// The specular law, as a user would write it for lanes; the spin changes sides.
+struct Mirror;
+
+impl BallLaw<2, 1> for Mirror {
+    fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+        let [n1, n2] = hit.unit_normal();
+        let twice = (velocity[0] * n1 + velocity[1] * n2) * 2.0;
+        *velocity = [velocity[0] - twice * n1, velocity[1] - twice * n2];
+        spin[0] = -spin[0];
+    }
+}
+
+/// What counts the lanes that it is asked in.
+struct Lanes<'a>(&'a Round, &'a AtomicUsize);
+
+impl Walls<2> for Lanes<'_> {
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        self.1.fetch_max(F::LANES, Ordering::Relaxed);
+        self.0.first_hit(x, v)
+    }
+}
+
+#[test]
+fn walls_and_laws_of_your_own_run_in_as_many_lanes_as_there_are() {
+    let lanes = AtomicUsize::new(0);
+    let billiard = Billiard { walls: &Lanes(&Round { radius: 2.0 }, &lanes), law: &Mirror };
+    let orbit = |k: u32| -> Disks {
+        let (sin, cos) = libm::sincos(f64::from(k));
+        Start { position: [0.5 * sin, 0.25], velocity: [cos, sin], spin: [0.5] }.orbit(Clock::new(0.0))
+    };
+    let mut ended: Vec<Ended> = vec![];
+    run_side_by_side(&billiard, &mut (0..50).map(orbit), 101, &mut |f| ended.push(f));
+    assert_eq!(lanes.load(Ordering::Relaxed), lanes::instruction_set().1);
+    ended.sort_by_key(|f| f.index);
+    for (k, f) in (0..50).zip(&ended) {
+        let mut alone = orbit(k);
+        let outcome = run(&billiard, &mut alone, &Collisions(101), &mut ());
+        assert_eq!((f.outcome, f.orbit.spin), (outcome, [-0.5]));
+        assert_eq!(f.orbit.position.map(f64::to_bits), alone.position.map(f64::to_bits), "{k}");
+        assert_eq!(f.orbit.velocity.map(f64::to_bits), alone.velocity.map(f64::to_bits), "{k}");
+        // the angular momentum of a specular orbit in a disk
+        let moment = |o: &Disks| o.position[0] * o.velocity[1] - o.position[1] * o.velocity[0];
+        assert!((moment(&alone) - moment(&orbit(k))).abs() < 1e-13);
+    }
 }
 
 #[test]

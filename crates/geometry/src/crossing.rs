@@ -38,6 +38,26 @@ impl<F: Lane> Crossing<F> {
     }
 }
 
+/// What a piece finds in every lane: a crossing at time `num / den` where `really` and `den > 0`.
+///
+/// Who compares it with another crossing by cross-multiplication need not look at the sign of `den`: nothing is less than
+/// a time that is not negative times one that is not positive.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate<F: Lane> {
+    pub(crate) really: F::Mask,
+    /// Negative where rounding put the start outside: that counts as 0.
+    pub(crate) num: F,
+    pub(crate) den: F,
+}
+
+impl<F: Lane> From<Candidate<F>> for Crossing<F> {
+    #[inline(always)]
+    fn from(candidate: Candidate<F>) -> Self {
+        let Candidate { really, num, den } = candidate;
+        Crossing::when(really & num.same(0.0).lt(den), num, den)
+    }
+}
+
 impl Crossing {
     /// No crossing.
     pub const NEVER: Crossing = Crossing { num: f64::INFINITY, den: 1.0 };

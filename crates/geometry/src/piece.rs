@@ -1,5 +1,5 @@
 //! A piece of a planar boundary, as the sum of what anything may ask of it.
-use crate::{crossing::Crossing, path::Line};
+use crate::{crossing::Crossing, path::Line, shapes::Shape};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 
@@ -103,6 +103,12 @@ pub trait Piece: Debug + Send + Sync {
     /// `½ ∮ (x dy − y dx)` along the piece \[L²\]: the areas of the pieces of a closed boundary add up to the area of
     /// the table. Infinite pieces return NaN.
     fn area(&self) -> f64;
+
+    /// The piece as a shape that answers in lanes, if it is one: lists of those run side by side at full speed, other
+    /// pieces one lane after another.
+    fn shape(&self) -> Option<Shape> {
+        None
+    }
 
     /// The exact figure, where it is one of the common ones.
     fn figure(&self) -> Figure {

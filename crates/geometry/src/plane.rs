@@ -25,6 +25,11 @@ pub(crate) fn along<F: Lane>(x: [F; 2], v: [F; 2], t: F) -> [F; 2] {
     [x[0] + t * v[0], x[1] + t * v[1]]
 }
 
+/// `p + b`
+pub(crate) fn moved(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
+    [p[0] + by[0], p[1] + by[1]]
+}
+
 /// How far outside a start may lie and still count as on the boundary: rounding of coordinates of this size.
 ///
 /// A projected point is off by at most 2 ulp per coordinate, and evaluating its distance adds as much again; 16 leaves

@@ -4,8 +4,8 @@ use crate::{
     plane::slack,
     shapes::{self, Segment},
     walls::{
-        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Polygon, Rotated, Scatterer, Slab, Sphere, Wedge,
-        WithWalls, Zonogon,
+        Around, Capsule, ConvexPolygon, Cuboid, List, Periodic, Pieces, Polygon, Rotated, Scatterer, Slab, Sphere,
+        Wedge, WithWalls, Zonogon,
     },
 };
 use nalgebra::Vector2;
@@ -35,7 +35,7 @@ pub struct Table {
 #[derive(Debug)]
 enum General {
     Sides(Polygon),
-    Pieces(List),
+    Pieces(Pieces),
 }
 
 /// Two normals that differ by less than this belong to a smooth joint.
@@ -273,14 +273,14 @@ impl Table {
             (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
             (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
                 Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.list([*one]) }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts([*one]) }),
             },
             (Container::Disk(walls), [one]) => match self.scatterer(*one) {
                 Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.list([*one]) }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts([*one]) }),
             },
             (Container::Rectangle(walls), many) => {
-                visit.run(&Around { container: walls, obstacles: self.list(many.iter().copied()) })
+                visit.run(&Around { container: walls, obstacles: self.parts(many.iter().copied()) })
             }
             _ => self.with_general_walls(visit),
         }
@@ -290,7 +290,7 @@ impl Table {
     fn with_general_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
         let general = || match self.polygon() {
             Some(walls) => General::Sides(walls),
-            None => General::Pieces(self.list(0..self.pieces.len())),
+            None => General::Pieces(self.parts(0..self.pieces.len())),
         };
         match &**self.general.get_or_init(|| Arc::new(general())) {
             General::Sides(walls) => visit.run(walls),
@@ -323,7 +323,16 @@ impl Table {
 
     /// Any table as a list of pieces, asked one by one: the reference for all other walls.
     pub fn list(&self, numbers: impl IntoIterator<Item = usize>) -> List {
-        List::new(numbers.into_iter().map(|i| (i, self.pieces[i].clone())).collect(), &self.corners)
+        List::new(self.numbered(numbers), &self.corners)
+    }
+
+    /// Some pieces as walls, each asked in the best way.
+    fn parts(&self, numbers: impl IntoIterator<Item = usize>) -> Pieces {
+        Pieces::new(self.numbered(numbers), &self.corners)
+    }
+
+    fn numbered(&self, numbers: impl IntoIterator<Item = usize>) -> Vec<(usize, Arc<dyn Piece>)> {
+        numbers.into_iter().map(|i| (i, self.pieces[i].clone())).collect()
     }
 
     fn figures(&self) -> Vec<Figure> {
@@ -358,7 +367,7 @@ impl Table {
     }
 
     /// Every piece that reaches into the unit cell, translated there.
-    fn translates(&self, lattice: &Lattice) -> List {
+    fn translates(&self, lattice: &Lattice) -> Pieces {
         let mut corners = vec![];
         let mut pieces = vec![];
         for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
@@ -366,7 +375,7 @@ impl Table {
             corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
             pieces.push((i, piece));
         }
-        List::new(pieces, &corners)
+        Pieces::new(pieces, &corners)
     }
 }
 

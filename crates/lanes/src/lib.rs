@@ -28,6 +28,20 @@ pub use wide::{Wide, WideMask, dispatch, instruction_set, vectorized};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+/// No instruction set has more lanes.
+pub const MOST_LANES: usize = 16;
+
+/// The lanes of several numbers: what is computed one lane after another reads here, and its results are loaded from there.
+#[must_use]
+#[inline(always)]
+pub fn stored<F: Lane, const K: usize>(numbers: &[F; K]) -> [[f64; MOST_LANES]; K] {
+    let mut lanes = [[0.0; MOST_LANES]; K];
+    for (to, number) in lanes.iter_mut().zip(numbers) {
+        number.store(to);
+    }
+    lanes
+}
+
 /// A real number per lane, rounded to `f64` after every operation.
 pub trait Lane:
     Copy

@@ -87,6 +87,10 @@ impl<S: Simd> Lane for Wide<S> {
         self.of(self.simd.max_f64s(self.value, other.value))
     }
     #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.of(self.simd.min_f64s(self.value, other.value))
+    }
+    #[inline(always)]
     fn lt(self, other: Self) -> WideMask<S> {
         WideMask { simd: self.simd, value: self.simd.less_than_f64s(self.value, other.value) }
     }

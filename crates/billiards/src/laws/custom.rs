@@ -2,7 +2,7 @@
 use crate::{Error, billiard::BallLaw};
 use collision_laws::{CollisionLaw, Contact, Delassus};
 use geometry::WallHit;
-use lanes::Lane;
+use lanes::{Lane, MOST_LANES, stored};
 use nalgebra::{SVector, Unit, Vector2, Vector3};
 
 /// Below this, γ counts as 0: the rim of a spinning ball would be so much faster than anything else that half of the digits
@@ -103,9 +103,10 @@ impl<L, const N: usize> Custom<L, N> {
 
     /// The changes of velocity and of slip by a collision in one lane, `p/m` split along the normal and the wall, at a
     /// velocity `v` of the centre and a velocity `rim` of the rim along the wall, as a scaled spin has it.
-    fn kick<F: Lane>(
+    #[inline(always)]
+    fn kick(
         &self,
-        hit: &WallHit<F, N>,
+        at: &Places<N>,
         lane: usize,
         v: &SVector<f64, N>,
         rim: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
@@ -113,10 +114,10 @@ impl<L, const N: usize> Custom<L, N> {
     where
         L: CollisionLaw<N>,
     {
-        let normal = SVector::from(hit.unit_normal().map(|n| n.lane(lane)));
-        let point = SVector::from(hit.point.map(|x| x.lane(lane))) - normal * self.radius;
+        let normal = in_lane(&at.normal, lane);
+        let point = in_lane(&at.point, lane) - normal * self.radius;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        let surface = hit.piece.lane(lane) as usize;
+        let surface = at.piece[0][lane] as usize;
         let contact = Contact { point, normal: Unit::new_unchecked(normal), surface };
 
         let along = normal * normal.dot(v);
@@ -130,6 +131,34 @@ impl<L, const N: usize> Custom<L, N> {
     }
 }
 
+/// Where the collisions are, lane by lane.
+struct Places<const N: usize> {
+    point: [[f64; MOST_LANES]; N],
+    normal: [[f64; MOST_LANES]; N],
+    piece: [[f64; MOST_LANES]; 1],
+}
+
+impl<const N: usize> Places<N> {
+    #[inline(always)]
+    fn of<F: Lane>(hit: &WallHit<F, N>) -> Self {
+        Places { point: stored(&hit.point), normal: stored(&hit.unit_normal()), piece: stored(&[hit.piece]) }
+    }
+}
+
+/// The vector in one lane.
+#[inline(always)]
+fn in_lane<const N: usize>(of: &[[f64; MOST_LANES]; N], lane: usize) -> SVector<f64, N> {
+    SVector::from(of.each_ref().map(|x| x[lane]))
+}
+
+/// Adds what has been found lane by lane.
+#[inline(always)]
+fn add<F: Lane, const K: usize>(to: &mut [F; K], changes: &[[f64; MOST_LANES]; K]) {
+    for (x, change) in to.iter_mut().zip(changes) {
+        *x = *x + x.load(change);
+    }
+}
+
 /// What a collision does to a ball.
 struct Kick<const N: usize> {
     normal: SVector<f64, N>,
@@ -139,39 +168,37 @@ struct Kick<const N: usize> {
     rim: SVector<f64, N>,
 }
 
-/// Adds a number to one lane.
-#[inline(always)]
-fn add<F: Lane>(to: &mut F, lane: usize, change: f64) {
-    let old = *to;
-    *to = old.each(|k| if k == lane { old.lane(k) + change } else { old.lane(k) });
-}
-
 impl<L: CollisionLaw<2> + Sync> BallLaw<2, 1> for Custom<L, 2> {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+        let (at, before, spins) = (Places::of(hit), stored(velocity), stored(spin));
+        let (mut kicks, mut turns) = (before, spins);
         for lane in 0..F::LANES {
-            let v = Vector2::from(velocity.map(|v| v.lane(lane)));
-            let w = spin[0].lane(lane);
+            let w = spins[0][lane];
             // the contact is at −R ν: a counter-clockwise spin moves it along −J ν
-            let kick = self.kick(hit, lane, &v, |n| Vector2::new(n.y, -n.x) * w);
-            add(&mut velocity[0], lane, kick.velocity.x);
-            add(&mut velocity[1], lane, kick.velocity.y);
-            add(&mut spin[0], lane, -kick.normal.perp(&kick.rim));
+            let kick = self.kick(&at, lane, &in_lane(&before, lane), |n| Vector2::new(n.y, -n.x) * w);
+            (kicks[0][lane], kicks[1][lane]) = (kick.velocity.x, kick.velocity.y);
+            turns[0][lane] = -kick.normal.perp(&kick.rim);
         }
+        add(velocity, &kicks);
+        add(spin, &turns);
     }
 }
 
 impl<L: CollisionLaw<3> + Sync> BallLaw<3, 3> for Custom<L, 3> {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 3>, velocity: &mut [F; 3], spin: &mut [F; 3]) {
+        let (at, before, spins) = (Places::of(hit), stored(velocity), stored(spin));
+        let (mut kicks, mut turns) = (before, spins);
         for lane in 0..F::LANES {
-            let [v, w] = [&*velocity, &*spin].map(|x| Vector3::from(x.map(|x| x.lane(lane))));
-            let kick = self.kick(hit, lane, &v, |n| n.cross(&w));
+            let w: Vector3<f64> = in_lane(&spins, lane);
+            let kick = self.kick(&at, lane, &in_lane(&before, lane), |n| n.cross(&w));
             let turn = kick.rim.cross(&kick.normal);
             for i in 0..3 {
-                add(&mut velocity[i], lane, kick.velocity[i]);
-                add(&mut spin[i], lane, turn[i]);
+                (kicks[i][lane], turns[i][lane]) = (kick.velocity[i], turn[i]);
             }
         }
+        add(velocity, &kicks);
+        add(spin, &turns);
     }
 }

@@ -1,11 +1,11 @@
 //! An arc of a circle between two vertices.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{cross, dot, from, slack},
-    shapes::Circle,
+    plane::{cross, dot, from, moved, slack},
+    shapes::{Circle, Shape},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
 use lanes::Lane;
@@ -109,7 +109,12 @@ impl Arc {
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
         let zero = x[0].same(0.0);
         let (to_a, to_b) = (from(x, self.a), from(x, self.b));
-        let (a_left, b_left) = (zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b)));
+        self.meet(x, v, [zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b))]).into()
+    }
+
+    /// The same for a path that has the vertices on its left or not.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], [a_left, b_left]: [F::Mask; 2]) -> Candidate<F> {
         let between = !a_left & b_left;
         let around = self.around.meets(v, a_left, b_left);
         let roots = self.circle.roots(x, v);
@@ -120,6 +125,17 @@ impl Arc {
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         self.circle.land(x, v, time)
+    }
+
+    pub(crate) fn circle(&self) -> &Circle {
+        &self.circle
+    }
+    /// The vertices, in the order of traversal.
+    pub(crate) fn vertices(&self) -> [&[f64; 2]; 2] {
+        [&self.a, &self.b]
+    }
+    pub(crate) fn translated(self, by: [f64; 2]) -> Arc {
+        Arc { circle: self.circle.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }
     }
 
     /// The angle from the start to `point`, in the sense of traversal, in [0, 2π).
@@ -176,6 +192,9 @@ impl Piece for Arc {
         // chord, plus the circular segment between chord and arc
         let segment = 0.5 * self.circle.radius * self.circle.radius * (self.sweep - libm::sin(self.sweep));
         0.5 * cross(self.a, self.b) + self.circle.turn() * segment
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Arc(*self))
     }
     fn figure(&self) -> Figure {
         Figure::Arc {

@@ -1,10 +1,11 @@
 //! A whole circle, with the table inside or outside.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, cross, dot, from, slack},
+    plane::{along, cross, dot, from, moved, slack},
+    shapes::{Ground, Shape},
 };
 use core::f64::consts::PI;
 use lanes::{Lane, Mask};
@@ -22,6 +23,8 @@ pub struct Circle {
     /// `±1/r`: from `p − c` to the inward normal.
     to_normal: f64,
     pub(crate) slack: f64,
+    /// How much `|x − c|² − r²` may be off.
+    off: f64,
 }
 
 /// The roots of `|x + v t − c|² = r²`, and what tells them apart.
@@ -47,15 +50,18 @@ impl Circle {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
-        Ok(Circle {
+        let square = radius * radius;
+        let circle = Circle {
             center: center.into(),
             radius,
             inside,
-            square: radius * radius,
-            half: 0.5 / (radius * radius),
+            square,
+            half: 0.5 / square,
             to_normal: if inside { -1.0 / radius } else { 1.0 / radius },
-            slack: slack([center.x, center.y, radius]),
-        })
+            slack: 0.0,
+            off: 0.0,
+        };
+        Ok(circle.with_slack(slack([center.x, center.y, radius])))
     }
 
     /// The quadratic of the meeting times.
@@ -73,26 +79,31 @@ impl Circle {
 
     /// The crossing outwards among the roots, wherever on the circle it lies, where `allowed`.
     #[inline(always)]
-    pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, allowed: F::Mask) -> Crossing<F> {
+    pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, allowed: F::Mask) -> Candidate<F> {
         let Roots { a, b, c, root, .. } = *roots;
         let zero = a.same(0.0);
         let q = b.abs() + root;
-        // 2 r × slack: how much |x − c|² − r² may be off
-        let off = zero.same(2.0 * self.radius * self.slack);
+        let off = zero.same(self.off);
         if self.inside {
             // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
             let coming = !zero.lt(b);
-            let moving = zero.lt(a);
-            Crossing::when(allowed & moving & (coming | c.lt(off)), coming.select(q, -c), coming.select(a, q))
+            let really = allowed & (coming | c.lt(off));
+            Candidate { really, num: coming.select(q, -c), den: coming.select(a, q) }
         } else {
             // entering the disk: the earlier root
-            Crossing::when(allowed & b.lt(zero) & (-off).lt(c), c, q)
+            Candidate { really: allowed & b.lt(zero) & (-off).lt(c), num: c, den: q }
         }
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        self.meet(x, v).into()
+    }
+
+    /// The same, before anything is selected.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let roots = self.roots(x, v);
         let allowed = if self.inside { x[0].lt(x[0].same(f64::INFINITY)) } else { roots.meets };
         self.outward(&roots, allowed)
@@ -108,6 +119,18 @@ impl Circle {
         let change = ((y[0].same(self.square) - y[0] * y[0]) - y[1] * y[1]) * self.half;
         let y = [y[0] + y[0] * change, y[1] + y[1] * change];
         ([y[0] + self.center[0], y[1] + self.center[1]], [y[0] * self.to_normal, y[1] * self.to_normal])
+    }
+
+    pub(crate) fn translated(self, by: [f64; 2]) -> Circle {
+        let center = moved(self.center, by);
+        Circle { center, ..self }.with_slack(slack([center[0], center[1], self.radius]))
+    }
+    /// The same with another rounding of coordinates.
+    pub(crate) fn with_slack(self, slack: f64) -> Circle {
+        Circle { slack, off: 2.0 * self.radius * slack, ..self }
+    }
+    pub(crate) fn ground(&self) -> Ground {
+        Ground::Round { center: self.center, to_normal: self.to_normal, square: self.square, half: self.half }
     }
 
     /// Polar angle of a point as seen from the centre, in (−π, π].
@@ -166,6 +189,9 @@ impl Piece for Circle {
     }
     fn area(&self) -> f64 {
         self.turn() * PI * self.radius * self.radius
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Circle(*self))
     }
     fn figure(&self) -> Figure {
         Figure::Circle { center: self.center.into(), radius: self.radius, inside: self.inside }

@@ -4,11 +4,11 @@
 //! ellipse is meeting a circle.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{dot, from, slack},
-    shapes::{Circle, curve::rising_root, elliptic_integral::second_kind},
+    plane::{dot, from, moved, slack},
+    shapes::{Circle, Shape, curve::rising_root, elliptic_integral::second_kind},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
 use lanes::Lane;
@@ -52,8 +52,7 @@ impl Ellipse {
         let [a, b] = semi_axes;
         let axis = [libm::cos(angle), libm::sin(angle)];
         let (e1, e2) = (axis, [-axis[1], axis[0]]);
-        let mut unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
-        unit.slack = slack([center.x, center.y, a, b]) / a.min(b);
+        let unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
         let inward = if inside { -1.0 } else { 1.0 };
         Ok(Ellipse {
             center: center.into(),
@@ -62,13 +61,20 @@ impl Ellipse {
             to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
             to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
-            unit,
+            unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
         })
     }
 
     /// The semi-axes `[a, b]` \[L\], as given.
     pub fn semi_axes(&self) -> [f64; 2] {
         self.semi_axes
+    }
+
+    pub(crate) fn translated(self, by: [f64; 2]) -> Ellipse {
+        let center = moved(self.center, by);
+        let [a, b] = self.semi_axes;
+        let unit = self.unit.with_slack(slack([center[0], center[1], a, b]) / a.min(b));
+        Ellipse { center, unit, ..self }
     }
 
     /// The two foci \[L\].
@@ -95,8 +101,14 @@ impl Ellipse {
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        self.meet(x, v).into()
+    }
+
+    /// The same, before anything is selected.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let (y, w) = self.affine(x, v);
-        self.unit.cross(y, w)
+        self.unit.meet(y, w)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -270,6 +282,9 @@ impl Piece for Ellipse {
     }
     fn extent(&self) -> Extent {
         Extent::of(self.extremes())
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Ellipse(*self))
     }
     fn area(&self) -> f64 {
         self.unit.turn() * PI * self.semi_axes[0] * self.semi_axes[1]

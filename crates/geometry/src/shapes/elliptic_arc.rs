@@ -1,12 +1,12 @@
 //! An arc of an ellipse between two vertices.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{cross, from},
+    plane::{cross, from, moved},
     shapes::{
-        Ellipse,
+        Ellipse, Shape,
         arc::Around,
         curve::{Parametric, closest_parameter},
     },
@@ -78,7 +78,12 @@ impl EllipticArc {
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
         let zero = x[0].same(0.0);
         let (to_a, to_b) = (from(x, self.a), from(x, self.b));
-        let (a_left, b_left) = (zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b)));
+        self.meet(x, v, [zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b))]).into()
+    }
+
+    /// The same for a path that has the vertices on its left or not.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], [a_left, b_left]: [F::Mask; 2]) -> Candidate<F> {
         let between = !a_left & b_left;
         let (y, w) = self.ellipse.affine(x, v);
         let around = self.around.meets(w, a_left, b_left);
@@ -90,6 +95,17 @@ impl EllipticArc {
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         self.ellipse.land(x, v, time)
+    }
+
+    pub(crate) fn ellipse(&self) -> &Ellipse {
+        &self.ellipse
+    }
+    /// The vertices, in the order of traversal.
+    pub(crate) fn vertices(&self) -> [&[f64; 2]; 2] {
+        [&self.a, &self.b]
+    }
+    pub(crate) fn translated(self, by: [f64; 2]) -> EllipticArc {
+        EllipticArc { ellipse: self.ellipse.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }
     }
 
     /// The eccentric angle from the start to `point`, in the sense of traversal, in [0, 2π).
@@ -168,6 +184,9 @@ impl Piece for EllipticArc {
     fn extent(&self) -> Extent {
         let on_arc = self.ellipse.extremes().into_iter().filter(|p| self.angle_along(p) <= self.sweep);
         Extent::of(on_arc.chain([self.a.into(), self.b.into()]))
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::EllipticArc(*self))
     }
     fn area(&self) -> f64 {
         // chord, plus the segment between chord and arc: the affine image of a circular one

@@ -1,10 +1,11 @@
 //! An infinite straight wall.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, dot, from, slack},
+    plane::{along, dot, from, moved, slack},
+    shapes::Shape,
 };
 use lanes::Lane;
 use nalgebra::Vector2;
@@ -34,12 +35,18 @@ impl FullLine {
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
+        self.meet(x, v).into()
+    }
+
+    /// The same, before anything is selected.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let zero = x[0].same(0.0);
         let to_line = from(x, self.through);
         let distance = -(to_line[0] * self.normal[0] + to_line[1] * self.normal[1]);
         let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
         // an infinite wall bounds the whole table, so a start beyond it is rounding
-        Crossing::when(zero.lt(speed), distance, speed)
+        Candidate { really: zero.lt(speed), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -49,6 +56,19 @@ impl FullLine {
         let n = self.normal.map(|n| time.same(n));
         let off = dot(from(p, self.through), n);
         (along(p, n, off), n)
+    }
+
+    /// A point of it.
+    pub(crate) fn through(&self) -> [f64; 2] {
+        self.through
+    }
+    /// Unit normal into the table.
+    pub(crate) fn inward_normal(&self) -> [f64; 2] {
+        self.normal
+    }
+    pub(crate) fn translated(self, by: [f64; 2]) -> FullLine {
+        let through = moved(self.through, by);
+        FullLine { through, slack: slack(through), ..self }
     }
 
     fn direction(&self) -> Vector2<f64> {
@@ -90,6 +110,9 @@ impl Piece for FullLine {
     }
     fn area(&self) -> f64 {
         f64::NAN
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Line(*self))
     }
     fn figure(&self) -> Figure {
         Figure::Line { through: self.through.into(), direction: self.direction() }

@@ -10,6 +10,7 @@ mod line;
 mod parallel;
 mod ray;
 pub(crate) mod segment;
+mod shape;
 mod translated;
 
 pub use arc::Arc;
@@ -21,4 +22,6 @@ pub use line::FullLine;
 pub use parallel::Parallel;
 pub use ray::Ray;
 pub use segment::Segment;
+pub(crate) use shape::Ground;
+pub use shape::Shape;
 pub use translated::Translated;

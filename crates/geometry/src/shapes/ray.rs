@@ -1,10 +1,11 @@
 //! A half-infinite straight wall.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, cross, dot, from, slack},
+    plane::{along, cross, dot, from, moved, slack},
+    shapes::Shape,
 };
 use lanes::Lane;
 use nalgebra::Vector2;
@@ -37,7 +38,16 @@ impl Ray {
         })
     }
 
-    fn normal(&self) -> [f64; 2] {
+    /// Its end.
+    pub(crate) fn start(&self) -> [f64; 2] {
+        self.from
+    }
+    pub(crate) fn translated(self, by: [f64; 2]) -> Ray {
+        let from = moved(self.from, by);
+        Ray { from, slack: slack(from), ..self }
+    }
+    /// Unit normal into the table.
+    pub(crate) fn inward_normal(&self) -> [f64; 2] {
         [-self.side * self.direction[1], self.side * self.direction[0]]
     }
 
@@ -45,22 +55,27 @@ impl Ray {
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
         let zero = x[0].same(0.0);
-        let n = self.normal();
         let to_end = from(x, self.from);
+        self.meet(x, v, to_end, zero.lt(cross(v, to_end))).into()
+    }
+
+    /// The same for a path that has the end on its left or not, with the vector from its start to there.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], to_end: [F; 2], end_left: F::Mask) -> Candidate<F> {
+        let n = self.inward_normal();
         let distance = -(to_end[0] * n[0] + to_end[1] * n[1]);
         let speed = -(v[0] * n[0] + v[1] * n[1]);
         // a ray with the table on its left goes from its end to infinity: its end must not be on the left of the path
-        let end_left = zero.lt(cross(v, to_end));
         let passes = if self.side > 0.0 { !end_left } else { end_left };
         let far = (x[0].abs() + x[1].abs()) * (16.0 * f64::EPSILON) + self.slack;
-        Crossing::when(passes & (-far).lt(distance) & zero.lt(speed), distance, speed)
+        Candidate { really: passes & (-far).lt(distance), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
-        let n = self.normal().map(|n| time.same(n));
+        let n = self.inward_normal().map(|n| time.same(n));
         let off = dot(from(p, self.from), n);
         (along(p, n, off), n)
     }
@@ -93,7 +108,7 @@ impl Piece for Ray {
         if self.side * s < 0.0 { 0.0 } else { s }
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        Landing { point: self.point_at(self.arc_length_at(point)), normal: self.normal().into() }
+        Landing { point: self.point_at(self.arc_length_at(point)), normal: self.inward_normal().into() }
     }
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {
         let far = Vector2::from(self.direction).map(|d| if d == 0.0 { 0.0 } else { d * f64::INFINITY });
@@ -105,6 +120,9 @@ impl Piece for Ray {
     }
     fn area(&self) -> f64 {
         f64::NAN
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Ray(*self))
     }
     fn figure(&self) -> Figure {
         Figure::Ray { from: self.from.into(), direction: self.direction.into(), left: self.side > 0.0 }

@@ -1,10 +1,11 @@
 //! A straight segment between two vertices.
 use crate::{
     Error,
-    crossing::Crossing,
+    crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, cross, dot, from, slack},
+    plane::{along, cross, dot, from, moved, slack},
+    shapes::Shape,
 };
 use lanes::Lane;
 use nalgebra::Vector2;
@@ -16,14 +17,20 @@ pub(crate) fn passes<F: Lane>(to_a: [F; 2], to_b: [F; 2], v: [F; 2]) -> F::Mask 
     !zero.lt(cross(v, to_a)) & zero.lt(cross(v, to_b))
 }
 
-/// The crossing of a path that passes between the ends of a segment.
+/// The crossing of a path that passes between the ends of a segment; `behind` is minus the distance by which its start may
+/// lie outside.
 #[inline(always)]
-pub(crate) fn crossing<F: Lane>(passes: F::Mask, to_a: [F; 2], v: [F; 2], normal: [f64; 2], slack: f64) -> Crossing<F> {
-    let zero = v[0].same(0.0);
-    let distance = -(to_a[0] * normal[0] + to_a[1] * normal[1]);
-    let speed = -(v[0] * normal[0] + v[1] * normal[1]);
-    let ahead = zero.same(-slack).lt(distance) & zero.lt(speed);
-    Crossing::when(passes & ahead, distance, speed)
+pub(crate) fn meet<F: Lane>(between: F::Mask, to_a: [F; 2], v: [F; 2], normal: [f64; 2], behind: f64) -> Candidate<F> {
+    // outwards, both; for one path, finding out that a wall lies along an axis takes longer than it saves
+    let [n0, n1] = normal.map(|n| -n);
+    let [distance, speed] = if F::LANES > 1 && n0 == 0.0 {
+        [to_a[1] * n1, v[1] * n1]
+    } else if F::LANES > 1 && n1 == 0.0 {
+        [to_a[0] * n0, v[0] * n0]
+    } else {
+        [to_a[0] * n0 + to_a[1] * n1, v[0] * n0 + v[1] * n1]
+    };
+    Candidate { really: between & speed.same(behind).lt(distance), num: distance, den: speed }
 }
 
 /// The point of a path at `time`, projected onto the line through `a` with a unit normal.
@@ -42,7 +49,8 @@ pub struct Segment {
     /// Unit normal into the table.
     normal: [f64; 2],
     length: f64,
-    slack: f64,
+    /// Minus the distance by which a start may lie outside: rounding.
+    behind: f64,
 }
 
 impl Segment {
@@ -57,14 +65,22 @@ impl Segment {
             return Err(Error::ZeroLength);
         }
         let normal = [-d.y / length, d.x / length];
-        Ok(Segment { a: a.into(), b: b.into(), normal, length, slack: slack([a.x, a.y, b.x, b.y]) })
+        let behind = -slack([a.x, a.y, b.x, b.y]);
+        Ok(Segment { a: a.into(), b: b.into(), normal, length, behind })
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
     #[inline(always)]
     pub fn cross<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Crossing<F> {
         let (to_a, to_b) = (from(x, self.a), from(x, self.b));
-        crossing(passes(to_a, to_b, v), to_a, v, self.normal, self.slack)
+        // outwards exactly where `a` is not on the left of the path and `b` is
+        self.meet(v, to_a, passes(to_a, to_b, v)).into()
+    }
+
+    /// The same for a path that passes between the vertices, with the vector from its start to `a`.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, v: [F; 2], to_a: [F; 2], between: F::Mask) -> Candidate<F> {
+        meet(between, to_a, v, self.normal, self.behind)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -81,9 +97,17 @@ impl Segment {
     pub(crate) fn end(&self) -> [f64; 2] {
         self.b
     }
+    pub(crate) fn vertices(&self) -> [&[f64; 2]; 2] {
+        [&self.a, &self.b]
+    }
     /// Unit normal into the table.
     pub(crate) fn inward_normal(&self) -> [f64; 2] {
         self.normal
+    }
+
+    pub(crate) fn translated(self, by: [f64; 2]) -> Segment {
+        let (a, b) = (moved(self.a, by), moved(self.b, by));
+        Segment { a, b, behind: -slack(a.into_iter().chain(b)), ..self }
     }
 
     fn direction(&self) -> Vector2<f64> {
@@ -132,6 +156,9 @@ impl Piece for Segment {
     }
     fn area(&self) -> f64 {
         0.5 * cross(self.a, self.b)
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Segment(*self))
     }
     fn figure(&self) -> Figure {
         Figure::Segment { ends: [self.a.into(), self.b.into()] }

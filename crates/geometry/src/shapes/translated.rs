@@ -1,5 +1,5 @@
 //! A piece moved by a vector: the translates of a lattice.
-use crate::{Crossing, Extent, Figure, Landing, Line, Piece};
+use crate::{Crossing, Extent, Figure, Landing, Line, Piece, shapes::Shape};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -59,6 +59,9 @@ impl Piece for Translated {
     }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         self.piece.tips().map(|tips| tips.map(|p| p + self.by))
+    }
+    fn shape(&self) -> Option<Shape> {
+        self.piece.shape().map(|shape| shape.translated(self.by))
     }
     fn figure(&self) -> Figure {
         let by = self.by;

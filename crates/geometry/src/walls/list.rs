@@ -9,11 +9,6 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct List(ByLane<Pieces>);
 
-/// From so many pieces on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower take as long
-/// either way at 19 sides (8: 54 and 71 ns, 16: 92 and 102, 24: 126 and 104, 32: 159 and 106). The first hits alone:
-/// `cargo bench -p geometry -- "each or tree"`.
-const MANY: usize = 20;
-
 /// How the first piece is found.
 #[derive(Clone, Debug)]
 enum Search {
@@ -34,6 +29,11 @@ struct Pieces {
 }
 
 impl List {
+    /// From so many pieces on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower take as
+    /// long either way at 19 sides (8: 54 and 71 ns, 16: 92 and 102, 24: 126 and 104, 32: 159 and 106). The first hits alone:
+    /// `cargo bench -p geometry -- "each or tree"`.
+    pub(crate) const MANY: usize = 20;
+
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> List {
         let known = Corners::new(corners);
@@ -41,7 +41,7 @@ impl List {
             |ends: Option<[Vector2<f64>; 2]>| ends.map_or([false; 2], |e| e.map(|end| known.contains(&end)));
         let corners = pieces.iter().map(|(_, piece)| are_corners(piece.ends())).collect();
         let tree = || Search::Tree(BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent())));
-        let search = if pieces.len() < MANY { Search::Each } else { tree() };
+        let search = if pieces.len() < List::MANY { Search::Each } else { tree() };
         List(ByLane(Pieces { numbered: pieces, search, corners, size: known.size() }))
     }
 }

@@ -1,18 +1,22 @@
 //! Straight sides and nothing else, however many.
-use super::{ByLane, CORNER, WallHit, Walls, corners::Corners};
+use super::{ByLane, CORNER, Few, WallHit, Walls, corners::Corners};
 use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
     boxes::{First, Inside, WIDTH, order},
     plane::slack,
-    shapes::{Segment, segment},
+    shapes::{Segment, Shape, segment},
 };
-use lanes::{Kernel, Lane, Mask};
+use lanes::{Kernel, Lane, MOST_LANES, Mask};
 use nalgebra::Vector2;
 
 /// The straight sides of a table of any form, with holes or without: eight are tested at once, and where there are many, only
 /// those near the path.
 #[derive(Clone, Debug)]
-pub struct Polygon(ByLane<Sides>);
+pub struct Polygon {
+    sides: ByLane<Sides>,
+    /// The sides for all lanes at once, where they are not too many for that.
+    few: Option<Few>,
+}
 
 /// From so many blocks of eight sides on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower
 /// take as long either way at 192 sides (64: 55 and 68 ns, 128: 71 and 91, 256: 99 and 95, 512: 159 and 96). The first
@@ -90,13 +94,18 @@ impl Polygon {
             };
             all.tree = Some(BoxTree::in_order(&(0..all.blocks.len()).map(around).collect::<Vec<_>>()));
         }
-        Ok(Polygon(ByLane(all)))
+        let few = (sides.len() < Few::PER_LANE * MOST_LANES).then(|| {
+            let shapes: Result<Vec<_>, Error> =
+                sides.iter().map(|(number, [a, b])| Ok((*number, Shape::Segment(Segment::new(*a, *b)?)))).collect();
+            shapes.map(|shapes| Few::new(&shapes, corners))
+        });
+        Ok(Polygon { sides: ByLane(all), few: few.transpose()? })
     }
 
     /// The same sides, each of them asked: the reference for the tree, and a measure of where it pays.
     #[must_use]
     pub fn without_tree(mut self) -> Polygon {
-        self.0.0.tree = None;
+        self.sides.0.tree = None;
         self
     }
 }
@@ -127,7 +136,7 @@ impl Inside for Search<'_> {
             let side = WIDTH * block + k;
             let to_a = [a[0][k] - x[0], a[1][k] - x[1]];
             let slack = slack([a[0][k], a[1][k], b[0][k], b[1][k]]);
-            let crossing = segment::crossing(true, to_a, v, self.sides.normals[side], slack);
+            let crossing = segment::meet(true, to_a, v, self.sides.normals[side], -slack).into();
             first.offer(side, crossing, |side| self.sides.numbers[side] as usize);
         }
     }
@@ -166,6 +175,9 @@ impl Boundary<2> for Sides {
 impl Walls<2> for Polygon {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        self.0.first_hit(x, v)
+        match &self.few {
+            Some(few) if F::LANES > 1 && few.len() < Few::PER_LANE * F::LANES => few.first_hit(x, v),
+            _ => self.sides.first_hit(x, v),
+        }
     }
 }

@@ -153,20 +153,27 @@ impl Interval {
     /// `cos x`
     #[must_use]
     pub fn cos(self) -> Interval {
-        let (a, b) = (libm::cos(self.low), libm::cos(self.high));
-        let bounds = Interval::widened(a.min(b), a.max(b), 2);
-        let high = if self.reaches(0.0) { 1.0 } else { bounds.high.min(1.0) };
-        let low = if self.reaches(PI) { -1.0 } else { bounds.low.max(-1.0) };
-        Interval { low, high }
+        self.waves([libm::cos(self.low), libm::cos(self.high)], 0.0)
     }
 
     /// `sin x`
     #[must_use]
     pub fn sin(self) -> Interval {
-        let (a, b) = (libm::sin(self.low), libm::sin(self.high));
+        self.waves([libm::sin(self.low), libm::sin(self.high)], FRAC_PI_2)
+    }
+
+    /// `[sin x, cos x]`, which cost as much as one of them.
+    #[must_use]
+    pub fn sin_cos(self) -> [Interval; 2] {
+        let ((s, c), (t, d)) = (libm::sincos(self.low), libm::sincos(self.high));
+        [self.waves([s, t], FRAC_PI_2), self.waves([c, d], 0.0)]
+    }
+
+    /// A wave of height 1 with these values at the ends and a crest at `crest`.
+    fn waves(self, [a, b]: [f64; 2], crest: f64) -> Interval {
         let bounds = Interval::widened(a.min(b), a.max(b), 2);
-        let high = if self.reaches(FRAC_PI_2) { 1.0 } else { bounds.high.min(1.0) };
-        let low = if self.reaches(-FRAC_PI_2) { -1.0 } else { bounds.low.max(-1.0) };
+        let high = if self.reaches(crest) { 1.0 } else { bounds.high.min(1.0) };
+        let low = if self.reaches(crest - PI) { -1.0 } else { bounds.low.max(-1.0) };
         Interval { low, high }
     }
 
@@ -304,6 +311,7 @@ mod tests {
             prop_assert!(a.powi(4).contains((x * x) * (x * x)));
             prop_assert!(a.sin().contains(libm::sin(x)));
             prop_assert!(a.cos().contains(libm::cos(x)));
+            prop_assert_eq!(a.sin_cos(), [a.sin(), a.cos()]);
             prop_assert!(a.tan().contains(libm::tan(x)));
             prop_assert!(a.atan().contains(libm::atan(x)));
             prop_assert!(a.exp().contains(libm::exp(x)));

@@ -59,6 +59,7 @@ pub struct Polar<F> {
     formula: F,
     inside: bool,
     slack: f64,
+    ranges: Ranges,
     table: ArcLength,
     area: f64,
     extent: Extent,
@@ -75,8 +76,10 @@ impl<F: PolarFormula> Polar<F> {
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
         let mut greatest = 0.0_f64;
+        let mut jets = vec![];
         for k in 0..SECTORS {
-            let [r, ..] = formula.jet_over(Interval::new(whole(k), whole(k + 1)));
+            let jet @ [r, ..] = formula.jet_over(Interval::new(whole(k), whole(k + 1)));
+            jets.push(jet);
             if !(r.low > 0.0 && r.high.is_finite()) {
                 return Err(Error::Parameter {
                     name: "r(φ)",
@@ -96,7 +99,7 @@ impl<F: PolarFormula> Polar<F> {
         let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
         let area = table.enclosed_area(&about);
         let extent = table.extent(&about);
-        Ok(Polar { center, formula, inside, slack, table, area, extent })
+        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), table, area, extent })
     }
 
     /// The formula.
@@ -130,6 +133,60 @@ impl<F: PolarFormula> Polar<F> {
     }
 }
 
+/// Enclosures of `r`, `r′` and `r″` over parts of a turn, looked up instead of computed: over a long way they are also
+/// narrower than what interval arithmetic finds in one go.
+#[derive(Clone, Debug)]
+struct Ranges {
+    /// `runs[k][i]` is over `2ᵏ` parts from number `i` on.
+    runs: Vec<Vec<[Interval; 3]>>,
+}
+
+/// Parts of a turn.
+const PARTS: usize = 64;
+
+impl Ranges {
+    /// From enclosures over equal sectors.
+    fn new(sectors: &[[Interval; 3]]) -> Ranges {
+        let both = |a: &[Interval; 3], b: &[Interval; 3]| [0, 1, 2].map(|i| a[i].union(b[i]));
+        // a turn later a formula is the same but for rounding
+        let room = |a: Interval| a + Interval::new(-1e-9, 1e-9) * a.magnitude();
+        let part = |sectors: &[[Interval; 3]]| sectors[1..].iter().fold(sectors[0], |a, b| both(&a, b)).map(room);
+        let mut runs = vec![sectors.chunks(sectors.len() / PARTS).map(part).collect::<Vec<_>>()];
+        let mut length = 1;
+        while length < PARTS {
+            let last = &runs[runs.len() - 1];
+            runs.push((0..PARTS).map(|i| both(&last[i], &last[(i + length) % PARTS])).collect());
+            length *= 2;
+        }
+        Ranges { runs }
+    }
+
+    /// Enclosures over some angles.
+    fn of<F: PolarFormula>(&self, formula: &F, angles: Interval) -> [Interval; 3] {
+        let [low, high] = [angles.low, angles.high].map(|angle| angle * (PARTS as f64 / (2.0 * PI)));
+        // of a short way the formula knows more; angles without end have no parts
+        if !(high - low >= 0.25 && low.abs().max(high.abs()) < 1e6) {
+            return formula.jet_over(angles);
+        }
+        // room for the rounding of angles
+        let [first, last] = [libm::floor(low - 1e-6), libm::floor(high + 1e-6)];
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "small whole numbers, not negative"
+        )]
+        let (start, count) =
+            ((first - libm::floor(first / PARTS as f64) * PARTS as f64) as usize, (last - first) as usize + 1);
+        if count >= PARTS {
+            return self.runs[self.runs.len() - 1][0];
+        }
+        let level = count.ilog2() as usize;
+        let run = &self.runs[level];
+        let (a, b) = (&run[start % PARTS], &run[(start + count - (1 << level)) % PARTS]);
+        [0, 1, 2].map(|i| a[i].union(b[i]))
+    }
+}
+
 /// The curve by its angle.
 struct About<'a, F> {
     center: Vector2<f64>,
@@ -139,7 +196,8 @@ struct About<'a, F> {
 impl<F: PolarFormula> Parametric for About<'_, F> {
     fn at(&self, angle: f64) -> [Vector2<f64>; 2] {
         let [r, slope, _] = self.formula.jet(angle);
-        let radial = Vector2::new(libm::cos(angle), libm::sin(angle));
+        let (sin, cos) = libm::sincos(angle);
+        let radial = Vector2::new(cos, sin);
         [self.center + radial * r, radial * slope + Vector2::new(-radial.y, radial.x) * r]
     }
 }
@@ -147,6 +205,7 @@ impl<F: PolarFormula> Parametric for About<'_, F> {
 /// `±(d − r(φ) cos ψ) |v|` along a path, as a function of `ψ`, with `φ = φᵥ + σ (ψ − π/2)`.
 struct Sweep<'a, F> {
     formula: &'a F,
+    ranges: &'a Ranges,
     /// `d |v|`
     moment: f64,
     speed: f64,
@@ -167,15 +226,16 @@ impl<F: PolarFormula> Sweep<'_, F> {
 impl<F: PolarFormula> Smooth for Sweep<'_, F> {
     fn jet(&self, psi: f64) -> [f64; 2] {
         let [r, slope, _] = self.formula.jet(self.angle(psi));
-        let (sin, cos) = (libm::sin(psi), libm::cos(psi));
+        let (sin, cos) = libm::sincos(psi);
         let rate = r * sin - self.sense * slope * cos;
         [self.side * (self.moment - r * cos * self.speed), self.side * rate * self.speed]
     }
 
     fn second_derivative(&self, over: Interval) -> Interval {
         let angles = Interval::new(self.angle(over.low), self.angle(over.high));
-        let [r, slope, second] = self.formula.jet_over(angles);
-        let bend = (r - second) * over.cos() + slope * over.sin() * (2.0 * self.sense);
+        let [r, slope, second] = self.ranges.of(self.formula, angles);
+        let [sin, cos] = over.sin_cos();
+        let bend = (r - second) * cos + slope * sin * (2.0 * self.sense);
         bend * (self.side * self.speed)
     }
 }
@@ -190,6 +250,7 @@ impl<F: PolarFormula> Piece for Polar<F> {
         let (moment, ahead) = (y.perp(&v), y.dot(&v));
         let sweep = Sweep {
             formula: &self.formula,
+            ranges: &self.ranges,
             moment: moment.abs(),
             speed,
             heading: libm::atan2(v.y, v.x),

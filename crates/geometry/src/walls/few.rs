@@ -1,0 +1,269 @@
+//! A list of a few shapes, asked in lanes.
+use super::{CORNER, WallHit, Walls, dot};
+use crate::{
+    crossing::Candidate,
+    plane::{along, cross, from},
+    shapes::{Ellipse, Ground, Shape},
+};
+use lanes::{Lane, Mask};
+use nalgebra::Vector2;
+
+/// Shapes that are asked one after another, each for all lanes at once.
+///
+/// Times are compared as fractions, and what the landing needs to know of a piece is selected with them, so that
+/// however many pieces there are a hit costs one division and one landing. Neighbours look at the vertex that they
+/// share once, and from the same side, so no path slips through between them.
+#[derive(Clone, Debug)]
+pub struct Few {
+    entries: Vec<Entry>,
+    /// The ellipses, on which a landing needs too many constants to be selected.
+    ovals: Vec<Ellipse>,
+    /// The corners, with the numbers of the pieces that end there.
+    corners: Vec<([f64; 2], f64)>,
+    /// Size of their coordinates, of which rounding is a fraction.
+    size: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    shape: Shape,
+    /// Whether it starts where the one before it ends.
+    joined: bool,
+    /// Whether its start and its end are corners.
+    corners: [bool; 2],
+    landing: Landing<f64>,
+}
+
+/// What a landing needs to know of a piece.
+#[derive(Clone, Copy, Debug)]
+struct Landing<F> {
+    /// A point of a straight piece, the centre of a circle, the place of an ellipse in the list of those.
+    anchor: [F; 2],
+    /// The unit normal into the table; `±1/r` and `1/(2 r²)` of a circle; [`OVAL`].
+    normal: [F; 2],
+    /// `r²` of a circle.
+    square: F,
+    /// The number; of a part of a circle −1 minus that.
+    piece: F,
+}
+
+/// In place of a unit normal: an ellipse.
+const OVAL: [f64; 2] = [2.0, 0.0];
+
+/// The first crossing of those looked at.
+struct First<F: Lane> {
+    num: F,
+    den: F,
+    landing: Landing<F>,
+}
+
+/// A vertex as a path sees it.
+#[derive(Clone, Copy)]
+struct Seen<F: Lane> {
+    /// The vector from the start of the path.
+    to: [F; 2],
+    /// `v ×` that: positive on the left.
+    turn: F,
+}
+
+/// A path that looks at vertices.
+struct Eye<F: Lane> {
+    x: [F; 2],
+    v: [F; 2],
+    last: Seen<F>,
+    /// The least `|v × (corner − x)|`.
+    aside: F,
+}
+
+impl<F: Lane> Eye<F> {
+    #[inline(always)]
+    fn see(&mut self, p: &[f64; 2], corner: bool) -> Seen<F> {
+        let to = from(self.x, *p);
+        let turn = cross(self.v, to);
+        if corner {
+            self.aside = self.aside.min(turn.abs());
+        }
+        Seen { to, turn }
+    }
+
+    /// Start and end of a piece.
+    #[inline(always)]
+    fn both(&mut self, entry: &Entry, [a, b]: [&[f64; 2]; 2]) -> [Seen<F>; 2] {
+        let start = if entry.joined { self.last } else { self.see(a, entry.corners[0]) };
+        self.last = self.see(b, entry.corners[1]);
+        [start, self.last]
+    }
+}
+
+impl<F: Lane> Seen<F> {
+    #[inline(always)]
+    fn left(&self) -> F::Mask {
+        self.turn.same(0.0).lt(self.turn)
+    }
+}
+
+/// Within this many times the rounding of a corner's place, a path that passes it may end in it.
+const NEAR: f64 = 8.0;
+
+impl Few {
+    /// The shapes with their numbers, and the corners of the boundary.
+    pub fn new(shapes: &[(usize, Shape)], corners: &[Vector2<f64>]) -> Few {
+        let is_corner = |p: Option<[f64; 2]>| p.is_some_and(|p| corners.contains(&p.into()));
+        let mut few = Few { entries: vec![], ovals: vec![], corners: vec![], size: 0.0 };
+        let mut end = None;
+        for &(number, shape) in shapes {
+            let [a, b] = ends(&shape);
+            let piece = number as f64;
+            let landing = match shape.ground() {
+                Ground::Flat { through, normal } => Landing { anchor: through, normal, square: 0.0, piece },
+                Ground::Round { center, to_normal, square, half } => {
+                    Landing { anchor: center, normal: [to_normal, half], square, piece: -1.0 - piece }
+                }
+                Ground::Oval(ellipse) => {
+                    few.ovals.push(ellipse);
+                    Landing { anchor: [(few.ovals.len() - 1) as f64, 0.0], normal: OVAL, square: 0.0, piece }
+                }
+            };
+            let corners = [a, b].map(is_corner);
+            few.entries.push(Entry { shape, joined: a.is_some() && a == end, corners, landing });
+            few.corners.extend([a, b].into_iter().filter(|p| is_corner(*p)).flatten().map(|p| (p, piece)));
+            end = b;
+        }
+        few.size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
+        few
+    }
+
+    /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
+    pub(super) const PER_LANE: usize = 40;
+
+    /// How many there are.
+    #[inline(always)]
+    pub(super) fn len(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// The lanes that end in a corner.
+    #[cold]
+    #[inline(never)]
+    fn cornered<F: Lane>(&self, x: &[F; 2], point: &[F; 2], piece: F) -> F::Mask {
+        let ends = |lane: usize| {
+            let [x, point] = [x, point].map(|p| Vector2::from(p.map(|p| p.lane(lane))));
+            // a path may come from far beyond the vertices
+            let near = CORNER * self.size.max(x.amax());
+            let own = self.corners.iter().filter(|(_, number)| *number == piece.lane(lane));
+            own.map(|(corner, _)| (point - Vector2::from(*corner)).amax()).any(|distance| distance <= near)
+        };
+        piece.same(0.0).lt(piece.each(|lane| if ends(lane) { 1.0 } else { 0.0 }))
+    }
+}
+
+/// Start and end of a shape, where there are such.
+fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
+    match shape {
+        Shape::Segment(s) => s.vertices().map(|p| Some(*p)),
+        Shape::Arc(s) => s.vertices().map(|p| Some(*p)),
+        Shape::EllipticArc(s) => s.vertices().map(|p| Some(*p)),
+        Shape::Ray(s) => [Some(s.start()), None],
+        Shape::Line(_) | Shape::Circle(_) | Shape::Ellipse(_) => [None; 2],
+    }
+}
+
+impl<F: Lane> First<F> {
+    /// Takes a crossing that comes before.
+    #[inline(always)]
+    fn look(&mut self, candidate: Candidate<F>, entry: &Entry) {
+        let Candidate { really, num, den } = candidate;
+        // most pieces are not met: one path goes on at once
+        if F::LANES == 1 && !really.any() {
+            return;
+        }
+        let zero = num.same(0.0);
+        let num = num.max(zero);
+        let sooner = really & (num * self.den).lt(self.num * den);
+        let Landing { anchor, normal, square, piece } = self.landing;
+        let new = &entry.landing;
+        let [num, den, a0, a1, n0, n1, square, piece] = sooner.choose(
+            [
+                num,
+                den,
+                zero.same(new.anchor[0]),
+                zero.same(new.anchor[1]),
+                zero.same(new.normal[0]),
+                zero.same(new.normal[1]),
+                zero.same(new.square),
+                zero.same(new.piece),
+            ],
+            [self.num, self.den, anchor[0], anchor[1], normal[0], normal[1], square, piece],
+        );
+        (self.num, self.den) = (num, den);
+        self.landing = Landing { anchor: [a0, a1], normal: [n0, n1], square, piece };
+    }
+}
+
+impl Walls<2> for Few {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        let (x, v) = (*x, *v);
+        let zero = v[0].same(0.0);
+        let one = zero.same(1.0);
+        let never = zero.same(f64::INFINITY);
+        let nowhere = Landing { anchor: [zero; 2], normal: [zero; 2], square: zero, piece: zero };
+        let mut first = First { num: never, den: one, landing: nowhere };
+        let mut eye = Eye { x, v, last: Seen { to: [zero; 2], turn: zero }, aside: never };
+        for entry in &self.entries {
+            match &entry.shape {
+                Shape::Segment(s) => {
+                    let [a, b] = eye.both(entry, s.vertices());
+                    first.look(s.meet(v, a.to, !a.left() & b.left()), entry);
+                }
+                Shape::Arc(s) => {
+                    let [a, b] = eye.both(entry, s.vertices());
+                    first.look(s.meet(x, v, [a.left(), b.left()]), entry);
+                }
+                Shape::Circle(s) => first.look(s.meet(x, v), entry),
+                Shape::EllipticArc(s) => {
+                    let [a, b] = eye.both(entry, s.vertices());
+                    first.look(s.meet(x, v, [a.left(), b.left()]), entry);
+                }
+                Shape::Ellipse(s) => first.look(s.meet(x, v), entry),
+                Shape::Ray(s) => {
+                    let end = eye.see(&s.start(), entry.corners[0]);
+                    first.look(s.meet(x, v, end.to, end.left()), entry);
+                }
+                Shape::Line(s) => first.look(s.meet(x, v), entry),
+            }
+        }
+        let First { num, den, landing: Landing { anchor, normal, square, piece } } = first;
+        let round = piece.lt(zero);
+        let piece = round.select(-piece - 1.0, piece);
+        let time = num / den;
+        let p = along(x, v, time);
+        let y = [p[0] - anchor[0], p[1] - anchor[1]];
+        // onto the line; or one Newton step towards the circle, as in the landings of the shapes themselves
+        let off = -dot(&y, &normal);
+        let change = ((square - y[0] * y[0]) - y[1] * y[1]) * normal[1];
+        let z = [y[0] + y[0] * change, y[1] + y[1] * change];
+        let [mut p1, mut p2, mut n1, mut n2] = round.choose(
+            [z[0] + anchor[0], z[1] + anchor[1], z[0] * normal[0], z[1] * normal[0]],
+            [p[0] + off * normal[0], p[1] + off * normal[1], normal[0], normal[1]],
+        );
+        if !self.ovals.is_empty() {
+            let oval = !round & one.same(1.5).lt(normal[0]);
+            for (k, ellipse) in self.ovals.iter().enumerate() {
+                let here = oval & (anchor[0] - k as f64).abs().lt(one);
+                if here.any() {
+                    let (p, n) = ellipse.land(x, v, time);
+                    [p1, p2, n1, n2] = here.choose([p[0], p[1], n[0], n[1]], [p1, p2, n1, n2]);
+                }
+            }
+        }
+        let point = [p1, p2];
+        let mut corner = zero.lt(zero);
+        let reach = (x[0].abs() + x[1].abs()) + self.size;
+        let clear = (reach * (NEAR * CORNER) * (v[0].abs() + v[1].abs())).lt(eye.aside);
+        if (!clear).any() {
+            corner = self.cornered(&x, &point, piece);
+        }
+        WallHit { time, point, normal: [n1, n2], inverse: one, piece, corner }
+    }
+}
