@@ -52,7 +52,7 @@ fn run(criterion: &mut Criterion) {
                 b.iter(|| {
                     let mut made = 0;
                     let mut orbits = starts.iter().map(orbit);
-                    billiard.run_side_by_side(&mut orbits, COLLISIONS, &mut |f| made += f.outcome.collisions);
+                    billiard.run_side_by_side(&mut orbits, COLLISIONS, &mut (), &mut |f| made += f.outcome.collisions);
                     made
                 });
             });

@@ -31,7 +31,7 @@ fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<En
     let starts = starts(&billiard.table, 70);
     let mut ended: Vec<Ended> = vec![];
     let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
-    billiard.run_side_by_side(&mut starts.iter().map(orbit), 300, &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut starts.iter().map(orbit), 300, &mut (), &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
     assert_eq!(ended.len(), starts.len(), "{name}");
     for (k, (start, lane)) in starts.iter().zip(&ended).enumerate() {
@@ -78,7 +78,7 @@ fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
         billiard.run(orbit, &Collisions(k as u64 % 11), &mut ());
     }
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.len(), orbits.len());
     ended.sort_by_key(|f| f.index);
     for (f, start) in ended.iter().zip(&starts) {
@@ -94,6 +94,6 @@ fn a_first_orbit_without_a_future_holds_nobody_up() {
     let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
     let away: Disks = Start { position: [0.0, 2.0], velocity: [0.1, 1.0], spin: [0.0] }.orbit(Clock::new(0.0));
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.iter().map(|f| f.outcome.stop).collect::<Vec<_>>(), [Stop::Escaped; 5]);
 }

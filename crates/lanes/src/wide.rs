@@ -87,6 +87,10 @@ impl<S: Simd> Lane for Wide<S> {
         self.of(self.simd.max_f64s(self.value, other.value))
     }
     #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.of(self.simd.min_f64s(self.value, other.value))
+    }
+    #[inline(always)]
     fn lt(self, other: Self) -> WideMask<S> {
         WideMask { simd: self.simd, value: self.simd.less_than_f64s(self.value, other.value) }
     }
@@ -109,7 +113,7 @@ impl<S: Simd> Lane for Wide<S> {
     }
     #[inline(always)]
     fn store(self, to: &mut [f64]) {
-        self.simd.partial_store_f64s(&mut to[..Self::LANES], self.value);
+        to[..Self::LANES].copy_from_slice(pulp::bytemuck::cast_slice(core::slice::from_ref(&self.value)));
     }
 }
 
