@@ -243,7 +243,7 @@ where
             }
         };
         let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
-        self.observer.collision(&group.view, &hit, &group.orbit);
+        self.observer.collision(&mut group.view, &hit, &group.orbit);
         let grazes = !group.slow.lt(square);
         if grazes.any() {
             self.change(group, next, step + 1, |lane| grazes.at(lane).then_some(Stop::Grazing));

@@ -28,6 +28,8 @@ const INTEGERS: f64 = 6_755_399_441_055_744.0;
 const LAST_BITS: u64 = (1 << 51) - 1;
 /// Cells are counted so many points later: some vectors of any width.
 const MOST_NOTED: usize = 64;
+/// So many cells are carried over together.
+const MOST_FULL: usize = 256;
 
 impl Density {
     /// A grid of `size[0]` × `size[1]` empty cells (at least one each way) over the window between two corners; cells are
@@ -145,15 +147,28 @@ impl Density {
     #[inline(always)]
     pub fn count(&mut self, cells: &[f64]) {
         for cell in cells {
-            #[allow(clippy::cast_possible_truncation, reason = "the number of a cell")]
-            let cell = (cell.to_bits() & LAST_BITS) as usize;
-            let few = &mut self.few[cell];
-            *few = few.wrapping_add(1);
-            if *few == 0 {
+            let cell = number(*cell);
+            if self.adds_to_few(cell) {
                 self.many[cell] += 256;
             }
         }
     }
+
+    /// Counts a point; whether that makes another 256 of them.
+    #[inline(always)]
+    fn adds_to_few(&mut self, cell: usize) -> bool {
+        let few = &mut self.few[cell];
+        *few = few.wrapping_add(1);
+        *few == 0
+    }
+}
+
+/// The number of a cell.
+#[inline(always)]
+fn number(cell: f64) -> usize {
+    #[allow(clippy::cast_possible_truncation, reason = "the number of something in memory")]
+    let number = (cell.to_bits() & LAST_BITS) as usize;
+    number
 }
 
 /// The last cells of points, which are not counted yet: a count need not wait for what finds its cell, and what finds the
@@ -164,12 +179,15 @@ pub struct Noted {
     cells: [f64; MOST_NOTED],
     /// Where the oldest of them are.
     oldest: usize,
+    /// Cells with another 256 points, which lie far apart: many of them are fetched at the same time.
+    full: Vec<usize>,
 }
 
 impl Noted {
     /// No cells of this density yet.
     pub fn new(density: &Density) -> Self {
-        Noted { cells: [density.cells([0.0; 2], 0.0, false); MOST_NOTED], oldest: 0 }
+        let nobody = density.cells([0.0; 2], 0.0, false);
+        Noted { cells: [nobody; MOST_NOTED], oldest: 0, full: Vec::with_capacity(MOST_FULL) }
     }
 
     /// Notes the [`cells`](Density::cells) of points of this density, and counts as many others.
@@ -177,7 +195,12 @@ impl Noted {
     pub fn note<F: Lane>(&mut self, density: &mut Density, cells: F) {
         let oldest = self.oldest % MOST_NOTED;
         let old = &mut self.cells[oldest..oldest + F::LANES];
-        density.count(old);
+        for cell in &*old {
+            let cell = number(*cell);
+            if density.adds_to_few(cell) {
+                carry(&mut self.full, density, cell);
+            }
+        }
         cells.store(old);
         self.oldest = oldest + F::LANES;
     }
@@ -185,7 +208,17 @@ impl Noted {
     /// Counts what is noted.
     pub fn count(&mut self, density: &mut Density) {
         density.count(&self.cells);
-        *self = Noted::new(density);
+        self.full.drain(..).for_each(|cell| density.many[cell] += 256);
+        self.cells = Noted::new(density).cells;
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn carry(full: &mut Vec<usize>, density: &mut Density, cell: usize) {
+    full.push(cell);
+    if full.len() == MOST_FULL {
+        full.drain(..).for_each(|cell| density.many[cell] += 256);
     }
 }
 
@@ -208,7 +241,7 @@ impl Density {
 }
 
 impl Extend<[f64; 2]> for Density {
-    #[inline]
+    #[inline(always)]
     fn extend<I: IntoIterator<Item = [f64; 2]>>(&mut self, points: I) {
         for point in points {
             self.add(point);
@@ -255,6 +288,27 @@ mod tests {
         let grid = grid.clone().merge(grid);
         assert_eq!([0, 1, 2].map(|layer| grid.counts(layer)), [[0; 4], [0, 2000, 0, 0], [0; 4]]);
         assert_eq!((grid.total(), grid.outside()), (2000, 0));
+    }
+
+    #[test]
+    fn noted_points_are_counted_all() {
+        let mut grid = Density::new([0.0; 2], [1.0; 2], [50, 40]).in_layers(2);
+        let mut same = grid.clone();
+        let (mut noted, layer) = (Noted::new(&grid), grid.layer(1));
+        for i in 0..200_000 {
+            let point = [f64::from(i * 7 % 1001) / 1000.0, f64::from(i * 13 % 1003) / 500.0];
+            let cells = grid.cells(point, layer, i % 5 > 0);
+            noted.note(&mut grid, cells);
+            if i % 5 > 0 {
+                same.add_to(point, layer);
+            }
+        }
+        noted.count(&mut grid);
+        assert_eq!(
+            (0..2).map(|k| grid.counts(k)).collect::<Vec<_>>(),
+            (0..2).map(|k| same.counts(k)).collect::<Vec<_>>()
+        );
+        assert_eq!((grid.total(), grid.outside()), (160_000, same.outside()));
     }
 
     #[test]

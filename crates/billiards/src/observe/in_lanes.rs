@@ -23,7 +23,7 @@ pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Trac
     /// A collision has just happened in every lane with an orbit.
     fn collision<F: Lane>(
         &mut self,
-        view: &Self::View<F>,
+        view: &mut Self::View<F>,
         hit: &WallHit<F, N>,
         orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
     );
@@ -36,5 +36,5 @@ impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneOb
     fn begin<F: Lane>(&mut self, (): &mut (), _: F::Mask, _: u64, _: &Orbit<f64, N, S, K, T>) {}
     fn end<F: Lane>(&mut self, (): &mut (), _: F::Mask) {}
     #[inline(always)]
-    fn collision<F: Lane>(&mut self, (): &(), _: &WallHit<F, N>, _: &Orbit<F, N, S, K::In<F>, T::In<F>>) {}
+    fn collision<F: Lane>(&mut self, (): &mut (), _: &WallHit<F, N>, _: &Orbit<F, N, S, K::In<F>, T::In<F>>) {}
 }

@@ -114,10 +114,14 @@ impl<'a> Harvest<'a> {
         for (before, ended) in &results.ends {
             let (now, later) = events.split_at(before - taken);
             (events, taken) = (later, *before);
-            now.iter().for_each(|event| self.event(event));
+            for event in now {
+                self.event(event);
+            }
             self.end(ended);
         }
-        events.iter().for_each(|event| self.event(event));
+        for event in events {
+            self.event(event);
+        }
         results.points.iter().for_each(|point| self.clouds.add(point));
         if self.clouds.are_crowded() {
             self.crowded.store(true, Ordering::Relaxed);

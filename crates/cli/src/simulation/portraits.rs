@@ -75,10 +75,36 @@ pub(crate) struct View<F: Lane> {
     layers: [F; 2],
 }
 
+/// What portraits need of a collision.
+#[derive(Clone, Copy, Debug)]
+struct Seen<F> {
+    /// Where, and on which piece.
+    point: [F; 2],
+    piece: F,
+    /// `v0` and `v·t`, where `t = J ν`.
+    spin: F,
+    tangential: F,
+    /// `|(v, w)|²`
+    square: F,
+}
+
+impl<F: Lane> Seen<F> {
+    #[inline(always)]
+    fn of(hit: &WallHit<F, 2>, velocity: &[F; 2], spin: &[F; 1]) -> Self {
+        let ([n1, n2], [v1, v2], [spin]) = (hit.normal, *velocity, *spin);
+        let tangential = (v2 * n1 - v1 * n2) * hit.inverse;
+        Seen { point: hit.point, piece: hit.piece, spin, tangential, square: v1 * v1 + v2 * v2 + spin * spin }
+    }
+}
+
+/// `1/√x`
+fn inverse_root<F: Lane>(x: F) -> F {
+    x.same(1.0) / x.sqrt()
+}
+
 /// `1/|(v, w)|`
-fn inverse_speed<F: Lane>([v1, v2]: &[F; 2], [w]: &[F; 1]) -> F {
-    let square = *v1 * *v1 + *v2 * *v2 + *w * *w;
-    square.same(1.0) / square.sqrt()
+fn inverse_speed([v1, v2]: &[f64; 2], w: f64) -> f64 {
+    inverse_root(v1 * v1 + v2 * v2 + w * w)
 }
 
 impl PlanarPortraits {
@@ -95,15 +121,14 @@ impl PlanarPortraits {
 
     /// The points of collisions, velocities scaled by `unit`.
     #[inline(always)]
-    fn points<F: Lane>(&self, unit: F, hit: &WallHit<F, 2>, velocity: &[F; 2], spin: &[F; 1]) -> [[F; 2]; 2] {
-        let unit = if self.strict { unit } else { inverse_speed(velocity, spin) };
-        let ([n1, n2], [v1, v2]) = (hit.normal, velocity);
-        let tangential = (*v2 * n1 - *v1 * n2) * (hit.inverse * unit);
+    fn points<F: Lane>(&self, unit: F, seen: &Seen<F>) -> [[F; 2]; 2] {
+        let unit = if self.strict { unit } else { inverse_root(seen.square) };
+        let tangential = seen.tangential * unit;
         let s = match &self.reduced {
-            Some((_, unrolled)) => unrolled.arc_length(hit),
+            Some((_, unrolled)) => unrolled.arc_length(seen.point, seen.piece),
             None => tangential,
         };
-        [[spin[0] * unit, tangential], [s, tangential]]
+        [[seen.spin * unit, tangential], [s, tangential]]
     }
 
     /// Counts points in their layers, where `here`.
@@ -144,11 +169,11 @@ impl Merge for PlanarPortraits {
 
 impl Portraits<2, 1> for PlanarPortraits {
     fn unit(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
-        inverse_speed(velocity, spin)
+        inverse_speed(velocity, spin[0])
     }
     #[inline(always)]
     fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, 2>, velocity: &[f64; 2], spin: &[f64; 1]) -> Point {
-        let [velocity, reduced] = self.points(unit, hit, velocity, spin);
+        let [velocity, reduced] = self.points(unit, &Seen::of(hit, velocity, spin));
         Point { orbit, velocity, reduced }
     }
     #[inline(always)]
@@ -179,7 +204,7 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
         let layers = self.layers(self.orbits[index as usize]);
         let put = |to: F, from: f64| here.select(to.same(from), to);
         view.here = view.here | here;
-        view.unit = put(view.unit, inverse_speed(&orbit.velocity, &orbit.spin));
+        view.unit = put(view.unit, inverse_speed(&orbit.velocity, orbit.spin[0]));
         view.layers = [0, 1].map(|i| put(view.layers[i], layers[i]));
     }
     fn end<F: Lane>(&mut self, view: &mut View<F>, here: F::Mask) {
@@ -188,11 +213,11 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
     #[inline(always)]
     fn collision<F: Lane>(
         &mut self,
-        view: &View<F>,
+        view: &mut View<F>,
         hit: &WallHit<F, 2>,
         orbit: &Orbit<F, 2, 1, Keeper<2, F>, Clock<F>>,
     ) {
-        let points = self.points(view.unit, hit, &orbit.velocity, &orbit.spin);
+        let points = self.points(view.unit, &Seen::of(hit, &orbit.velocity, &orbit.spin));
         self.add(points, view.layers, view.here);
     }
 }
