@@ -89,7 +89,7 @@ fn row<'a>(name: &str, how: &str, mut without: Run<'a>, mut with: Run<'a>) {
         for (times, run) in times.iter_mut().zip([&mut without, &mut with]) {
             let begun = now();
             let made = run();
-            times.push((now() - begun).as_secs_f64() * 1e9 / made as f64);
+            times.push(now().saturating_sub(begun).as_secs_f64() * 1e9 / made as f64);
         }
     }
     let [without, with] = times.map(|mut of_runs| {
@@ -137,27 +137,28 @@ fn on<'a, W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize>(
     Billiard { walls, law }
 }
 
-fn main() {
-    let no_slip = Disk::new(&NoSlip, 0.5_f64.sqrt());
+const ALONE: &str = "one orbit";
+const TOGETHER: &str = "side by side";
+
+/// Things that an orbit or a law may have.
+fn of_orbits(no_slip: Disk) {
     let stadium = tables::stadium(1.0, 1.0).expect("a table");
     let capsule = walls::Capsule::new(Vector2::zeros(), 1.0, 1.0, [0, 1, 2, 3]).expect("walls");
     let starts = disks(&stadium);
     let points: Vec<Start<2, 0>> = starts.iter().map(|(x, v, _)| (*x, *v, [])).collect();
-    let (alone, together) = ("one orbit", "side by side");
-    println!("| what | how | without | with |\n|---|---|---|---|");
 
     let specular = on::<_, _, 2, 0>(&capsule, &Specular);
     let spinning = on::<_, _, 2, 1>(&capsule, &Specular);
     let name = "spin, under the specular law";
     row(
         name,
-        alone,
+        ALONE,
         single::<_, 2, 0, Free, _, _>(&specular, &points, (), ()),
         single::<_, 2, 1, Free, _, _>(&spinning, &starts, (), ()),
     );
     row(
         name,
-        together,
+        TOGETHER,
         many::<_, 2, 0, Free, _, _>(&specular, &points, (), ()),
         many::<_, 2, 1, Free, _, _>(&spinning, &starts, (), ()),
     );
@@ -165,15 +166,15 @@ fn main() {
     let rough = on::<_, _, 2, 1>(&capsule, &no_slip);
     let plain = || single::<_, 2, 1, Free, _, _>(&rough, &starts, (), ());
     let plain_many = || many::<_, 2, 1, Free, _, _>(&rough, &starts, (), ());
-    row("energy kept", alone, plain(), single::<_, 2, 1, Conserved<f64, 2>, _, _>(&rough, &starts, (), ()));
-    row("energy kept", together, plain_many(), many::<_, 2, 1, Conserved<f64, 2>, _, _>(&rough, &starts, (), ()));
+    row("energy kept", ALONE, plain(), single::<_, 2, 1, Conserved<f64, 2>, _, _>(&rough, &starts, (), ()));
+    row("energy kept", TOGETHER, plain_many(), many::<_, 2, 1, Conserved<f64, 2>, _, _>(&rough, &starts, (), ()));
 
     let clock = Clock::new(0.0);
-    row("time", alone, plain(), single::<_, 2, 1, Free, _, _>(&rough, &starts, clock, ()));
-    row("time", together, plain_many(), many::<_, 2, 1, Free, _, _>(&rough, &starts, clock, ()));
+    row("time", ALONE, plain(), single::<_, 2, 1, Free, _, _>(&rough, &starts, clock, ()));
+    row("time", TOGETHER, plain_many(), many::<_, 2, 1, Free, _, _>(&rough, &starts, clock, ()));
     let timed = || single::<_, 2, 1, Free, _, _>(&rough, &starts, clock, ());
     let track = (clock, Angle::new(0.0));
-    row("spin position", alone, timed(), single::<_, 2, 1, Free, _, _>(&rough, &starts, track, ()));
+    row("spin position", ALONE, timed(), single::<_, 2, 1, Free, _, _>(&rough, &starts, track, ()));
 
     let mut rows = Vec::with_capacity(1024);
     let record = Record::new(|row: PlanarRow| {
@@ -184,18 +185,22 @@ fn main() {
         ControlFlow::Continue(())
     });
     let turning = single::<_, 2, 1, Free, _, _>(&rough, &starts, track, ());
-    row("record, into memory", alone, turning, single::<_, 2, 1, Free, _, _>(&rough, &starts, track, record));
+    row("record, into memory", ALONE, turning, single::<_, 2, 1, Free, _, _>(&rough, &starts, track, record));
     let portrait = VelocityPortrait::new(Density::disk(1000));
-    row("density portrait", alone, plain(), single::<_, 2, 1, Free, _, _>(&rough, &starts, (), portrait));
+    row("density portrait", ALONE, plain(), single::<_, 2, 1, Free, _, _>(&rough, &starts, (), portrait));
     let density = Density::disk(1000);
     let portrait = Portrait { noted: Noted::new(&density), density };
-    row("density portrait", together, plain_many(), many::<_, 2, 1, Free, _, _>(&rough, &starts, (), portrait));
+    row("density portrait", TOGETHER, plain_many(), many::<_, 2, 1, Free, _, _>(&rough, &starts, (), portrait));
 
     let own = PerPiece::new(no_slip, [no_slip; 3]);
     let own = on::<_, _, 2, 1>(&capsule, &own);
-    row("a law for each piece", alone, plain(), single::<_, 2, 1, Free, _, _>(&own, &starts, (), ()));
-    row("a law for each piece", together, plain_many(), many::<_, 2, 1, Free, _, _>(&own, &starts, (), ()));
+    row("a law for each piece", ALONE, plain(), single::<_, 2, 1, Free, _, _>(&own, &starts, (), ()));
+    row("a law for each piece", TOGETHER, plain_many(), many::<_, 2, 1, Free, _, _>(&own, &starts, (), ()));
+}
 
+/// Things that a table may have.
+fn of_tables(no_slip: Disk) {
+    let stadium = tables::stadium(1.0, 1.0).expect("a table");
     let list = |table: &Table| (table.list(0..table.pieces().len()), disks(table));
     let (drawn, drawn_starts) = list(&stadium);
     let (centres, centres_starts) = list(&stadium.offset(0.25).expect("room for a disk").table);
@@ -203,7 +208,7 @@ fn main() {
     let name = "offset for a disk of radius 1/4, as a list of pieces";
     row(
         name,
-        alone,
+        ALONE,
         single::<_, 2, 1, Free, _, _>(&drawn, &drawn_starts, (), ()),
         single::<_, 2, 1, Free, _, _>(&centres, &centres_starts, (), ()),
     );
@@ -213,7 +218,7 @@ fn main() {
     let (few, many_sides) = (on::<_, _, 2, 1>(&few, &no_slip), on::<_, _, 2, 1>(&many_sides, &no_slip));
     row(
         "tree of boxes: 48 sides without, 480 with it",
-        alone,
+        ALONE,
         single::<_, 2, 1, Free, _, _>(&few, &few_starts, (), ()),
         single::<_, 2, 1, Free, _, _>(&many_sides, &many_starts, (), ()),
     );
@@ -228,13 +233,13 @@ fn main() {
     let name = "lattice in place of a square's walls, about a disk";
     row(
         name,
-        alone,
+        ALONE,
         single::<_, 2, 1, Free, _, _>(&sinai, &sinai_starts, (), ()),
         single::<_, 2, 1, Free, _, _>(&torus, &sinai_starts, (), ()),
     );
     row(
         name,
-        together,
+        TOGETHER,
         many::<_, 2, 1, Free, _, _>(&sinai, &sinai_starts, (), ()),
         many::<_, 2, 1, Free, _, _>(&torus, &sinai_starts, (), ()),
     );
@@ -250,14 +255,21 @@ fn main() {
     let name = "third dimension: a cube in place of a square";
     row(
         name,
-        alone,
+        ALONE,
         single::<_, 2, 1, Free, _, _>(&square, &square_starts, (), ()),
         single::<_, 3, 3, Free, _, _>(&cube, &balls, (), ()),
     );
     row(
         name,
-        together,
+        TOGETHER,
         many::<_, 2, 1, Free, _, _>(&square, &square_starts, (), ()),
         many::<_, 3, 3, Free, _, _>(&cube, &balls, (), ()),
     );
+}
+
+fn main() {
+    println!("| what | how | without | with |\n|---|---|---|---|");
+    let no_slip = Disk::new(&NoSlip, 0.5_f64.sqrt());
+    of_orbits(no_slip);
+    of_tables(no_slip);
 }

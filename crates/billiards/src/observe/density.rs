@@ -139,8 +139,9 @@ impl Density {
         let at = at.max(x.same(-1.0)).min(x.same(self.size[i] as f64));
         // the greatest integer below
         let (nearest, whole) = (at + INTEGERS, (at + INTEGERS) - INTEGERS);
-        let above = at.lt(whole);
-        [above.select(whole - 1.0, whole), above.select(nearest - 1.0, nearest)]
+        // a number and no branch, which no CPU could predict
+        let above = at.lt(whole).select(x.same(1.0), x.same(0.0));
+        [whole - above, nearest - above]
     }
 
     /// Counts a point in each of some [`cells`](Self::cells).
