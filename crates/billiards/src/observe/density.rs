@@ -137,11 +137,10 @@ impl Density {
     fn along<F: Lane>(&self, i: usize, x: F) -> [F; 2] {
         let at = (x - self.low[i]) * self.scale[i];
         let at = at.max(x.same(-1.0)).min(x.same(self.size[i] as f64));
-        // the greatest integer below
         let (nearest, whole) = (at + INTEGERS, (at + INTEGERS) - INTEGERS);
-        // a number and no branch, which no CPU could predict
-        let above = at.lt(whole).select(x.same(1.0), x.same(0.0));
-        [whole - above, nearest - above]
+        // 0 or −1, to the greatest integer below; a branch, which no CPU could predict, would cost a flight
+        let below = x.same(0.5).copysign(at - whole) - 0.5;
+        [whole + below, nearest + below]
     }
 
     /// Counts a point in each of some [`cells`](Self::cells).
