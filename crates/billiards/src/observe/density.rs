@@ -139,7 +139,8 @@ impl Density {
         let at = at.max(x.same(-1.0)).min(x.same(self.size[i] as f64));
         let (nearest, whole) = (at + INTEGERS, (at + INTEGERS) - INTEGERS);
         // 0 or −1, to the greatest integer below; a branch, which no CPU could predict, would cost a flight
-        let below = x.same(0.5).copysign(at - whole) - 0.5;
+        let rest = (at - whole) + 0.0; // never −0
+        let below = x.same(0.5).copysign(rest) - 0.5;
         [whole + below, nearest + below]
     }
 
