@@ -21,15 +21,14 @@ fn portrait(table: Table) -> f64 {
     let mut portrait = VelocityPortrait::new(Density::disk(SIZE));
     billiard.run(&mut orbit, &Collisions(200_000), &mut portrait);
 
-    let density = portrait.into_points();
-    for rows in density.counts().chunks(2 * SIZE).rev() {
+    let counts = portrait.into_points().counts(0);
+    for rows in counts.chunks(2 * SIZE).rev() {
         let (low, high) = rows.split_at(SIZE); // a character is about two cells high
         println!("{}", low.iter().zip(high).map(|(a, b)| if a + b > 0 { '*' } else { '.' }).collect::<String>());
     }
     let middle = |i: usize| (i as f64 + 0.5) / SIZE as f64 * 2.0 - 1.0;
     let in_disk = |(cell, _): &(usize, &u64)| middle(cell % SIZE).hypot(middle(cell / SIZE)) < 1.0;
-    let (visited, all) = density
-        .counts()
+    let (visited, all) = counts
         .iter()
         .enumerate()
         .filter(in_disk)

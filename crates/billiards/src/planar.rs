@@ -2,7 +2,7 @@
 use crate::{
     billiard::{BallLaw, Billiard},
     energy::EnergyKeeper,
-    observe::Observer,
+    observe::{LaneObserver, Observer},
     orbit::Orbit,
     rolling::Rolling,
     run::{Limit, Outcome, run},
@@ -47,35 +47,40 @@ impl<L: BallLaw<2, 1>> Planar<L> {
 
 impl<L: BallLaw<2, 1>> Planar<L> {
     /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
-    pub fn run_side_by_side<K: Keeping<2, 1>, T: Tracking<2, 1>>(
+    pub fn run_side_by_side<K: Keeping<2, 1>, T: Tracking<2, 1>, O: LaneObserver<2, 1, K, T>>(
         &self,
         orbits: &mut dyn Iterator<Item = Orbit<f64, 2, 1, K, T>>,
         collisions: u64,
+        observer: &mut O,
         finished: &mut dyn FnMut(Finished<2, 1, K, T>),
     ) {
-        self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, finished });
+        self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, observer, finished });
     }
 }
 
-struct ManyOn<'a, L, K, T> {
+struct ManyOn<'a, L, K, T, O> {
     law: &'a L,
     orbits: &'a mut dyn Iterator<Item = Orbit<f64, 2, 1, K, T>>,
     collisions: u64,
+    observer: &'a mut O,
     finished: &'a mut dyn FnMut(Finished<2, 1, K, T>),
 }
 
-impl<L, K, T> WithWalls<2> for ManyOn<'_, L, K, T>
+impl<L, K, T, O> WithWalls<2> for ManyOn<'_, L, K, T, O>
 where
     L: BallLaw<2, 1>,
     K: Keeping<2, 1>,
     T: Tracking<2, 1>,
+    O: LaneObserver<2, 1, K, T>,
 {
     type Output = ();
     fn run<W: Walls<2>>(self, walls: &W) {
-        run_side_by_side(&Billiard { walls, law: self.law }, self.orbits, self.collisions, self.finished);
+        let billiard = Billiard { walls, law: self.law };
+        run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
     }
     fn run_homogeneous<W: Homogeneous>(self, walls: &W) {
-        run_side_by_side(&Rolling { walls, law: self.law }, self.orbits, self.collisions, self.finished);
+        let billiard = Rolling { walls, law: self.law };
+        run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
     }
 }
 

@@ -2,6 +2,7 @@
 use crate::{
     billiard::Motion,
     energy::{Conserved, EnergyKeeper},
+    observe::LaneObserver,
     orbit::{Orbit, square_speed},
     run::{GRAZING, MOST_IDLE, Outcome, Stop},
     track::{Clock, Track},
@@ -69,32 +70,35 @@ pub struct Finished<const N: usize, const S: usize, K, T> {
 }
 
 /// Runs every orbit for so many collisions, as many side by side as this CPU has lanes, and hands over each one as it
-/// ends (in no particular order).
+/// ends (in no particular order). The observer sees all collisions; `()` costs nothing.
 ///
 /// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next one at
 /// once, so that one early end or one long life holds nobody up.
-pub fn run_side_by_side<B, const N: usize, const S: usize, K, T>(
+pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, O>(
     billiard: &B,
     orbits: &mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
     collisions: u64,
+    observer: &mut O,
     finished: &mut dyn FnMut(Finished<N, S, K, T>),
 ) where
     B: Motion<N, S>,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    O: LaneObserver<N, S, K, T>,
 {
     // lanes that nobody has sat in yet hold the first orbit
     let Some(first) = orbits.next() else { return };
-    lanes::dispatch(Many { billiard, orbits, upcoming: Some(first.clone()), first, collisions, finished });
+    lanes::dispatch(Many { billiard, orbits, upcoming: Some(first.clone()), first, collisions, observer, finished });
 }
 
-struct Many<'a, B, const N: usize, const S: usize, K, T> {
+struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
     billiard: &'a B,
     orbits: &'a mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
     /// The next of the orbits.
     upcoming: Option<Orbit<f64, N, S, K, T>>,
     first: Orbit<f64, N, S, K, T>,
     collisions: u64,
+    observer: &'a mut O,
     finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
 }
 
@@ -102,17 +106,26 @@ struct Many<'a, B, const N: usize, const S: usize, K, T> {
 const VECTORS: usize = 4;
 
 /// One vector of orbits.
-struct Group<F: Lane, const N: usize, const S: usize, K, T, C> {
+struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     orbit: Orbit<F, N, S, K, T>,
     carried: C,
+    /// What the observer knows of these orbits.
+    view: V,
     /// Square of the normal speed that counts as grazing.
     slow: F,
     lanes: [Seat; MOST_LANES],
 }
 
-/// The group of a run of the motion `B` of orbits that keep the energy with `K` and track `T`.
-type GroupOf<F, const N: usize, const S: usize, B, K, T> =
-    Group<F, N, S, <K as Keeping<N, S>>::In<F>, <T as Tracking<N, S>>::In<F>, <B as Motion<N, S>>::Carried<F>>;
+/// The group of a run of the motion `B` of orbits that keep the energy with `K` and track `T`, seen by `O`.
+type GroupOf<F, const N: usize, const S: usize, B, K, T, O> = Group<
+    F,
+    N,
+    S,
+    <K as Keeping<N, S>>::In<F>,
+    <T as Tracking<N, S>>::In<F>,
+    <B as Motion<N, S>>::Carried<F>,
+    <O as LaneObserver<N, S, K, T>>::View<F>,
+>;
 
 /// Who sits in a lane.
 #[derive(Clone, Copy)]
@@ -128,11 +141,12 @@ struct Seat {
     idle: u32,
 }
 
-impl<B, const N: usize, const S: usize, K, T> Many<'_, B, N, S, K, T>
+impl<B, const N: usize, const S: usize, K, T, O> Many<'_, B, N, S, K, T, O>
 where
     B: Motion<N, S>,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    O: LaneObserver<N, S, K, T>,
 {
     /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there: when the
     /// energy keeper has come as far as theirs, so that each orbit has the beats that it has on its own.
@@ -140,7 +154,7 @@ where
     #[inline(never)]
     fn change<F: Lane>(
         &mut self,
-        group: &mut GroupOf<F, N, S, B, K, T>,
+        group: &mut GroupOf<F, N, S, B, K, T, O>,
         next: &mut u64,
         step: u64,
         ended: impl Fn(usize) -> Option<Stop>,
@@ -170,13 +184,15 @@ where
             let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, B::BEAT));
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(orbit)) => {
-                    (seat.index, seat.until) = (Some(*next), step + self.collisions);
+                    let index = *next;
+                    (seat.index, seat.until) = (Some(index), step + self.collisions);
                     *next += 1;
                     idle[lane] = false;
                     self.upcoming = self.orbits.next();
                     let mut here = [false; MOST_LANES];
                     here[lane] = true;
                     self.seat(group, mask(&here), &orbit);
+                    self.observer.begin(&mut group.view, mask(&here), index, &orbit);
                 }
                 (Some(wait), orbit) => {
                     seat.until = step + wait;
@@ -185,6 +201,7 @@ where
                 (None, _) => {}
             }
         }
+        self.observer.end(&mut group.view, mask(&idle));
         // an idle lane follows an orbit, which has a future
         if let Some(model) = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some()) {
             let o = &group.orbit;
@@ -200,7 +217,7 @@ where
     }
 
     /// Puts an orbit into some lanes.
-    fn seat<F: Lane>(&self, group: &mut GroupOf<F, N, S, B, K, T>, lanes: F::Mask, orbit: &Orbit<f64, N, S, K, T>) {
+    fn seat<F: Lane>(&self, group: &mut GroupOf<F, N, S, B, K, T, O>, lanes: F::Mask, orbit: &Orbit<f64, N, S, K, T>) {
         let put = |to: F, from: f64| lanes.select(to.same(from), to);
         let o = &mut group.orbit;
         o.position = core::array::from_fn(|i| put(o.position[i], orbit.position[i]));
@@ -214,7 +231,7 @@ where
 
     /// One collision of every lane.
     #[inline(always)]
-    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T>, next: &mut u64, step: u64) {
+    fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, next: &mut u64, step: u64) {
         let zero = group.slow.same(0.0);
         let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
         let (mut orbit, mut carried) = (group.orbit.clone(), group.carried);
@@ -224,13 +241,19 @@ where
             self.step_where_orbits_may_end(group, next, step);
         } else {
             (group.orbit, group.carried) = (orbit, carried);
+            self.observer.collision(&mut group.view, &hit, &group.orbit);
         }
     }
 
     /// The same, where a hit is a corner, out of reach, without motion or grazing in some lane.
     #[cold]
     #[inline(never)]
-    fn step_where_orbits_may_end<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T>, next: &mut u64, step: u64) {
+    fn step_where_orbits_may_end<F: Lane>(
+        &mut self,
+        group: &mut GroupOf<F, N, S, B, K, T, O>,
+        next: &mut u64,
+        step: u64,
+    ) {
         let (hit, arrival) = loop {
             let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
             if !self.look(group, hit.time, hit.corner, next, step) {
@@ -238,6 +261,7 @@ where
             }
         };
         let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
+        self.observer.collision(&mut group.view, &hit, &group.orbit);
         let grazes = !group.slow.lt(square);
         if grazes.any() {
             self.change(group, next, step + 1, |lane| grazes.at(lane).then_some(Stop::Grazing));
@@ -247,7 +271,7 @@ where
     /// Looks at a hit that is a corner, out of reach or without motion somewhere; whether an orbit ended.
     fn look<F: Lane>(
         &mut self,
-        group: &mut GroupOf<F, N, S, B, K, T>,
+        group: &mut GroupOf<F, N, S, B, K, T, O>,
         time: F,
         corner: F::Mask,
         next: &mut u64,
@@ -280,11 +304,12 @@ where
     }
 }
 
-impl<B, const N: usize, const S: usize, K, T> Kernel for Many<'_, B, N, S, K, T>
+impl<B, const N: usize, const S: usize, K, T, O> Kernel for Many<'_, B, N, S, K, T, O>
 where
     B: Motion<N, S>,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    O: LaneObserver<N, S, K, T>,
 {
     type Output = ();
     #[inline(always)]
@@ -299,9 +324,10 @@ where
             keeper: K::In::<F>::all(&first.keeper, zero),
             track: T::In::<F>::all(&first.track, zero),
         };
-        let mut groups: [GroupOf<F, N, S, B, K, T>; VECTORS] = core::array::from_fn(|_| Group {
+        let mut groups: [GroupOf<F, N, S, B, K, T, O>; VECTORS] = core::array::from_fn(|_| Group {
             orbit: nobody.clone(),
             carried: self.billiard.start(zero),
+            view: self.observer.nobody(zero),
             slow: zero,
             lanes: [seat; MOST_LANES],
         });

@@ -1,12 +1,14 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
+use billiards::observe::{LaneObserver, Watch};
 use billiards::{
-    BallLaw, Billiard, Clock, Collisions, Conserved, Finished, Orbit, Planar, Start, Stop, Timed, laws::Disk, run,
-    run_side_by_side,
+    BallLaw, Billiard, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start, Stop, Timed,
+    laws::Disk, run, run_side_by_side,
 };
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Specular};
+use core::ops::ControlFlow;
 use geometry::{Table, WallHit, Walls, tables};
 use lanes::{Lane, Mask};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -36,7 +38,7 @@ fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<En
     let starts = starts(&billiard.table, 70);
     let mut ended: Vec<Ended> = vec![];
     let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
-    billiard.run_side_by_side(&mut starts.iter().map(orbit), 300, &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut starts.iter().map(orbit), 300, &mut (), &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
     assert_eq!(ended.len(), starts.len(), "{name}");
     for (k, (start, lane)) in starts.iter().zip(&ended).enumerate() {
@@ -125,7 +127,7 @@ fn walls_and_laws_of_your_own_run_in_as_many_lanes_as_there_are() {
         Start { position: [0.5 * sin, 0.25], velocity: [cos, sin], spin: [0.5] }.orbit(Clock::new(0.0))
     };
     let mut ended: Vec<Ended> = vec![];
-    run_side_by_side(&billiard, &mut (0..50).map(orbit), 101, &mut |f| ended.push(f));
+    run_side_by_side(&billiard, &mut (0..50).map(orbit), 101, &mut (), &mut |f| ended.push(f));
     assert_eq!(lanes.load(Ordering::Relaxed), lanes::instruction_set().1);
     ended.sort_by_key(|f| f.index);
     for (k, f) in (0..50).zip(&ended) {
@@ -156,7 +158,7 @@ fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
         billiard.run(orbit, &Collisions(k as u64 % 11), &mut ());
     }
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.len(), orbits.len());
     ended.sort_by_key(|f| f.index);
     for (f, start) in ended.iter().zip(&starts) {
@@ -172,6 +174,76 @@ fn a_first_orbit_without_a_future_holds_nobody_up() {
     let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
     let away: Disks = Start { position: [0.0, 2.0], velocity: [0.1, 1.0], spin: [0.0] }.orbit(Clock::new(0.0));
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.iter().map(|f| f.outcome.stop).collect::<Vec<_>>(), [Stop::Escaped; 5]);
+}
+
+/// Everything that happens to each orbit, bit by bit.
+#[derive(Default)]
+struct Diary {
+    /// Number of the orbit, place, piece, velocity and spin.
+    pages: Vec<(u64, [u64; 6])>,
+}
+
+impl LaneObserver<2, 1, Conserved<f64, 2>, Clock> for Diary {
+    /// Who sits in each lane.
+    type View<F: Lane> = [Option<u64>; 16];
+
+    fn nobody<F: Lane>(&self, _: F) -> [Option<u64>; 16] {
+        [None; 16]
+    }
+    fn begin<F: Lane>(&mut self, view: &mut [Option<u64>; 16], here: F::Mask, index: u64, _: &Disks) {
+        let lane = (0..F::LANES).find(|&lane| here.at(lane)).unwrap();
+        assert!((0..F::LANES).all(|other| here.at(other) == (other == lane)), "one orbit, one lane");
+        view[lane] = Some(index);
+    }
+    fn end<F: Lane>(&mut self, view: &mut [Option<u64>; 16], here: F::Mask) {
+        (0..F::LANES).filter(|&lane| here.at(lane)).for_each(|lane| view[lane] = None);
+    }
+    fn collision<F: Lane>(
+        &mut self,
+        view: &mut [Option<u64>; 16],
+        hit: &WallHit<F, 2>,
+        orbit: &Orbit<F, 2, 1, Conserved<F, 2>, Clock<F>>,
+    ) {
+        for lane in 0..F::LANES {
+            if let Some(index) = view[lane] {
+                let ([x, y], [v1, v2], [w]) = (orbit.position, orbit.velocity, orbit.spin);
+                let numbers = [x, y, hit.piece, v1, v2, w];
+                self.pages.push((index, numbers.map(|number| number.lane(lane).to_bits())));
+            }
+        }
+    }
+}
+
+#[test]
+fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
+    // where orbits finish, hit corners, graze, escape and stay for ever
+    let tables = [
+        tables::stadium(1.0, 1.0),
+        tables::square(1.0),
+        tables::circle(1.0),
+        tables::wedge(1.0),
+        tables::strip(1.0),
+        tables::mushroom(1.0, 0.5, 0.75),
+    ];
+    for table in tables {
+        let billiard = Planar { table: table.unwrap(), law: Disk::new(&Specular, 1.0) };
+        let starts = starts(&billiard.table, 70);
+        let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
+        let mut diary = Diary::default();
+        billiard.run_side_by_side(&mut starts.iter().map(orbit), 50, &mut diary, &mut |_| {});
+        diary.pages.sort_by_key(|page| page.0); // a stable sort
+        let mut alone = vec![];
+        for (k, start) in starts.iter().enumerate() {
+            let look = |c: &Collision<'_, 2, 1, Conserved<f64, 2>, Clock>| {
+                let ([x, y], [v1, v2], [w]) = (c.orbit.position, c.orbit.velocity, c.orbit.spin);
+                alone.push((k as u64, [x, y, c.hit.piece, v1, v2, w].map(f64::to_bits)));
+                ControlFlow::Continue(())
+            };
+            billiard.run(&mut orbit(start), &Collisions(50), &mut Watch::new(look));
+        }
+        assert_eq!(diary.pages.len(), alone.len());
+        assert!(diary.pages == alone);
+    }
 }

@@ -15,11 +15,11 @@ mod velocity_portrait;
 mod view;
 
 pub use axes::{Axis, Label, MARGIN as AXES_MARGIN, draw as axes, ticks};
-pub use cloud::Cloud;
+pub use cloud::{Cloud, MOST_DOTS, layer};
 pub use grid::{Grid, Shading};
 pub use ink::{Colour, ORBITS};
 pub use orbit::draw as orbit;
-pub use phase_portrait::{Reduced, draw as phase_portrait};
+pub use phase_portrait::{Reduced, WIDTH as REDUCED_WIDTH, draw as phase_portrait};
 pub use png::Raster;
 pub use stroke::Stroke;
 pub use svg::{Anchor, Outline, Style, Svg, escape};

@@ -4,7 +4,8 @@ mod csv;
 mod jsonl;
 mod npy;
 
-use std::io;
+use std::fmt::Debug;
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::scene::RecordFormat;
@@ -69,19 +70,15 @@ pub struct Row<'a> {
     pub cell: &'a [i64],
 }
 
-/// Writes collision records. Rows must have the lengths that [`Columns`] says.
-pub trait RecordWriter {
-    /// Writes one collision.
-    ///
-    /// # Errors
-    /// The file cannot be written.
-    fn row(&mut self, row: &Row<'_>) -> io::Result<()>;
+/// How collision records are written. Rows must have the lengths that [`Columns`] says.
+///
+/// Threads format their rows by themselves; what they have is written in order.
+pub trait Format: Debug + Send + Sync {
+    /// What comes before the rows, of the same length for any number of them.
+    fn header(&self, columns: Columns, rows: u64) -> Vec<u8>;
 
-    /// Completes the file.
-    ///
-    /// # Errors
-    /// The file cannot be written.
-    fn finish(self: Box<Self>) -> io::Result<()>;
+    /// Appends a collision.
+    fn row(&self, row: &Row<'_>, to: &mut Vec<u8>);
 }
 
 /// Where a record lies in a folder: `collisions.csv` or the like.
@@ -93,49 +90,74 @@ pub fn path(folder: &Path, format: RecordFormat) -> PathBuf {
     })
 }
 
-/// Starts a record in a folder; it appears there when it is finished.
-///
-/// # Errors
-/// The file cannot be made.
-pub fn create(folder: &Path, format: RecordFormat, columns: Columns) -> io::Result<Box<dyn RecordWriter + Send>> {
-    let file = WholeFile::create(&path(folder, format))?;
-    Ok(match format {
-        RecordFormat::Csv => Box::new(Csv::new(file, columns)?),
-        RecordFormat::JsonLines => Box::new(JsonLines::new(file, columns)),
-        RecordFormat::Npy => Box::new(Npy::new(file, columns)?),
-    })
+/// The format of this name.
+pub fn format(format: RecordFormat, columns: Columns) -> Box<dyn Format> {
+    match format {
+        RecordFormat::Csv => Box::new(Csv),
+        RecordFormat::JsonLines => Box::new(JsonLines::new(columns)),
+        RecordFormat::Npy => Box::new(Npy),
+    }
 }
 
-/// Something that can be told that all has been written.
-pub trait Finish {
-    /// Completes what has been written.
+/// A record on its way to the disk.
+#[derive(Debug)]
+pub struct RecordFile<'a> {
+    file: WholeFile,
+    format: &'a dyn Format,
+    columns: Columns,
+    rows: u64,
+}
+
+impl<'a> RecordFile<'a> {
+    /// Starts a record; it appears under its path when it is finished.
     ///
     /// # Errors
-    /// It cannot be written.
-    fn finish(self) -> io::Result<()>;
-}
+    /// The file cannot be made.
+    pub fn create(path: &Path, format: &'a dyn Format, columns: Columns) -> io::Result<Self> {
+        let mut file = WholeFile::create(path)?;
+        file.write_all(&format.header(columns, 0))?;
+        Ok(Self { file, format, columns, rows: 0 })
+    }
 
-impl Finish for WholeFile {
-    fn finish(self) -> io::Result<()> {
-        WholeFile::finish(self)
+    /// Writes so many rows.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write(&mut self, rows: u64, formatted: &[u8]) -> io::Result<()> {
+        self.rows += rows;
+        self.file.write_all(formatted)
+    }
+
+    /// Completes the file.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn finish(mut self) -> io::Result<()> {
+        let header = self.format.header(self.columns, self.rows);
+        if header != self.format.header(self.columns, 0) {
+            self.file.seek(SeekFrom::Start(0))?;
+            self.file.write_all(&header)?;
+        }
+        self.file.finish()
     }
 }
 
-impl<T> Finish for &mut io::Cursor<T> {
-    fn finish(self) -> io::Result<()> {
-        Ok(())
+/// Appends the shortest decimal that reads back to the same double: `0.25`, `-3`, `1e-7`; of several, the nearest, and of two
+/// equally near ones (there are such for some sums of few powers of two) the even one.
+fn push_number(to: &mut Vec<u8>, x: f64) {
+    if (1e-4..1e16).contains(&x.abs()) {
+        let mut digits = zmij::Buffer::new();
+        let digits = digits.format_finite(x);
+        return to.extend_from_slice(digits.strip_suffix(".0").unwrap_or(digits).as_bytes());
     }
+    // what is very large or small has an exponent
+    let digits = format!("{x:?}");
+    to.extend_from_slice(digits.strip_suffix(".0").unwrap_or(&digits).as_bytes());
 }
 
-/// Appends the shortest decimal that reads back to the same double: `0.25`, `-3`, `1e-7`.
-fn push_number(line: &mut String, x: f64) {
-    use std::fmt::Write as _;
-    let start = line.len();
-    // Writing to a string cannot fail.
-    let _ = write!(line, "{x:?}");
-    if line[start..].ends_with(".0") {
-        line.truncate(line.len() - 2);
-    }
+/// Appends a whole number.
+fn push_integer(to: &mut Vec<u8>, n: impl itoa::Integer) {
+    to.extend_from_slice(itoa::Buffer::new().format(n).as_bytes());
 }
 
 #[cfg(test)]
@@ -160,11 +182,27 @@ mod tests {
         fn numbers_read_back_to_the_same_double(bits in any::<u64>()) {
             let x = f64::from_bits(bits);
             prop_assume!(x.is_finite());
-            let mut text = String::new();
+            let mut text = vec![];
             push_number(&mut text, x);
+            let text = String::from_utf8(text).unwrap();
             prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), bits);
             let plain = format!("{x:?}");
-            prop_assert!(text.len() <= plain.len());
+            prop_assert_eq!(text.len(), plain.strip_suffix(".0").unwrap_or(&plain).len());
+        }
+
+        #[test]
+        fn numbers_of_any_size_are_as_short_as_those_of_the_standard_library(x in -20.0..20.0_f64, digits in 0..18_i32) {
+            // all magnitudes alike, some with few digits
+            let x = libm::copysign(libm::exp10(x.abs() - 5.0), x);
+            let few = libm::round(x * libm::exp10(f64::from(digits))) / libm::exp10(f64::from(digits));
+            for x in [x, few] {
+                let mut text = vec![];
+                push_number(&mut text, x);
+                let (text, plain) = (String::from_utf8(text).unwrap(), format!("{x:?}"));
+                prop_assert_eq!(text.parse::<f64>().unwrap(), x);
+                prop_assert_eq!(text.len(), plain.strip_suffix(".0").unwrap_or(&plain).len());
+                prop_assert_eq!(text.contains('e'), plain.contains('e'));
+            }
         }
     }
 }

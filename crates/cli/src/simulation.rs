@@ -6,10 +6,13 @@ mod engine;
 mod event;
 mod harvest;
 mod horizon;
+mod job;
 mod law;
 mod look;
 mod paths;
 mod planar;
+mod portraits;
+mod recorder;
 mod room;
 mod scale;
 mod schedule;
@@ -17,6 +20,7 @@ mod spatial;
 mod start;
 pub(crate) mod strokes;
 mod summary;
+mod unrolled;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -27,17 +31,18 @@ use billiards::geometry::Lattice;
 
 use crate::document::Diagnostic;
 use crate::picture::{Material, Needs, PICTURES, Picture};
-use crate::record::{self, Columns};
+use crate::record::{self, Columns, RecordFile};
 use crate::scene::{Limit, Scene};
 use crate::whole_file::WholeFile;
 
-pub(crate) use engine::{Bare, Engine, PlanarTrail, Until};
+pub(crate) use engine::{Bare, Engine, PlanarTrail, Trail, Until};
 pub(crate) use law::{PlanarLaw, SpatialLaw};
 pub(crate) use summary::host;
 
 use harvest::{Harvest, Seen, Totals};
 use look::{Flat, Solid};
 use planar::Planar;
+use recorder::Recorder;
 use schedule::{Launch, Work, run_all};
 use spatial::Spatial;
 
@@ -193,14 +198,19 @@ impl Simulation {
             Lattice::new(&lattice.vectors().iter().map(|v| v / planar.drawn.factor).collect::<Vec<_>>()).ok()
         });
         let seen = Flat::new(planar, &*starts);
-        let mut harvest = self.harvest(kept, lattice, &seen)?;
-        let work = Work { pieces: &planar.pieces, ..self.work(&harvest, control) };
+        let crowded = AtomicBool::new(false);
+        let format = self.format(lattice.is_some());
+        let mut harvest = self.harvest(kept, format.as_ref(), lattice, &seen, &crowded)?;
+        let work = Work { pieces: &planar.pieces, ..self.work(&harvest, format.as_ref(), control, &crowded) };
+        let portraits = planar.portraits(&harvest.clouds);
         let launch = |orbit| {
             let start = starts(orbit);
             Launch { orbit: planar.launch(&start), scale: start.scale }
         };
-        let busy =
-            planar.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
+        let (busy, counts) = planar.with_engine(|engine| {
+            run_all(engine, &launch, portraits.as_deref(), &work, &mut |results| harvest.take(&results))
+        })?;
+        harvest.clouds.merge(counts);
         let (mut material, totals) = harvest.finish()?;
         let factor = planar.drawn.factor;
         material.outline = strokes::of(&planar.drawn.table, factor);
@@ -222,24 +232,38 @@ impl Simulation {
     ) -> io::Result<(Material, Totals, Duration)> {
         let starts = spatial.starts().map_err(io::Error::other)?;
         let seen = Solid::new(spatial, &*starts);
-        let mut harvest = self.harvest(kept, None, &seen)?;
-        let work = Work { shift: spatial.shift.into(), ..self.work(&harvest, control) };
+        let crowded = AtomicBool::new(false);
+        let format = self.format(false);
+        let mut harvest = self.harvest(kept, format.as_ref(), None, &seen, &crowded)?;
+        let work = Work { shift: spatial.shift.into(), ..self.work(&harvest, format.as_ref(), control, &crowded) };
         let launch = |orbit| {
             let start = starts(orbit);
             Launch { orbit: spatial.launch(&start), scale: start.scale }
         };
-        let busy =
-            spatial.with_engine(|engine| run_all(engine, &launch, &work, &mut |results| harvest.take(&results)))?;
+        let (busy, _) = spatial
+            .with_engine(|engine| run_all(engine, &launch, None, &work, &mut |results| harvest.take(&results)))?;
         let (mut material, totals) = harvest.finish()?;
         (material.outline, material.window) = seen.edges();
         Ok((material, totals, busy))
     }
 
-    fn harvest<'a>(&self, kept: &Kept<'_>, lattice: Option<Lattice>, seen: &'a dyn Seen) -> io::Result<Harvest<'a>> {
-        let columns = Columns { dimension: self.scene.dimension, lattice: lattice.is_some() };
-        let format = self.scene.output.collisions;
-        let record = format.map(|format| record::create(kept.folder, format, columns)).transpose()?;
-        Ok(Harvest::new(columns, record, kept.needs, lattice, self.orbits(), seen))
+    /// How the record is written, if one is asked for.
+    fn format(&self, lattice: bool) -> Option<(Box<dyn record::Format>, Columns)> {
+        let columns = Columns { dimension: self.scene.dimension, lattice };
+        self.scene.output.collisions.map(|format| (record::format(format, columns), columns))
+    }
+
+    fn harvest<'a>(
+        &self,
+        kept: &Kept<'_>,
+        format: Option<&'a (Box<dyn record::Format>, Columns)>,
+        lattice: Option<Lattice>,
+        seen: &'a dyn Seen,
+        crowded: &'a AtomicBool,
+    ) -> io::Result<Harvest<'a>> {
+        let path = self.scene.output.collisions.map(|format| record::path(kept.folder, format));
+        let record = format.zip(path).map(|((format, columns), path)| RecordFile::create(&path, &**format, *columns));
+        Ok(Harvest::new(record.transpose()?, kept.needs, lattice, self.orbits(), seen, crowded))
     }
 
     /// Most collisions and the longest time of an orbit.
@@ -251,13 +275,23 @@ impl Simulation {
         }
     }
 
-    fn work<'a>(&self, harvest: &Harvest<'_>, control: &'a Control) -> Work<'a> {
+    fn work<'a>(
+        &self,
+        harvest: &Harvest<'_>,
+        format: Option<&'a (Box<dyn record::Format>, Columns)>,
+        control: &'a Control,
+        crowded: &'a AtomicBool,
+    ) -> Work<'a> {
         let (collisions, time) = self.limit();
         Work {
             orbits: self.orbits(),
             collisions,
             time,
             watch: harvest.extent(),
+            recorder: format.map(|(format, columns)| Recorder { format: &**format, columns: *columns }),
+            drawn: harvest.draws_paths(),
+            counted: harvest.clouds.any(),
+            crowded,
             pieces: &[],
             shift: [0.0; 3],
             threads: control.threads,

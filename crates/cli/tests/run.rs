@@ -220,6 +220,33 @@ output = { collisions = "csv" }
 }
 
 #[test]
+fn portraits_do_not_depend_on_who_counts_the_points() {
+    let folder = Folder::new("portraits");
+    // enough points that they are counted, and as few that they are dots; laws that keep the speed and one that does not
+    for (law, collisions) in
+        [("no-slip", 250), ("no-slip", 30), ("{ name = \"restitution\", normal = 0.99, tangential = 0 }", 250)]
+    {
+        let pictures = "pictures = [\"velocity-portrait\", \"phase-portrait\"]";
+        let scene = format!(
+            "law = {}\n[table]\nname = \"stadium\"\n[ensemble]\ncount = 301\nseed = 5\n[run]\n\
+             collisions = {collisions}\n[output]\n{pictures}\n",
+            if law.starts_with('{') { law.into() } else { format!("\"{law}\"") }
+        );
+        let drawn = |scene: &str, threads: &str| {
+            folder.done(scene, &["--threads", threads]);
+            let files = ["velocity-portrait.svg", "phase-portrait.svg"];
+            files.map(|file| folder.read(&format!("out/{file}")))
+        };
+        let one = drawn(&scene, "1");
+        assert_eq!(one[0].contains("<image"), collisions == 250);
+        assert!(drawn(&scene, "2") == one);
+        assert!(drawn(&scene, "5") == one);
+        // with a record, every orbit runs on its own
+        assert!(drawn(&format!("{scene}collisions = \"npy\"\n"), "2") == one);
+    }
+}
+
+#[test]
 fn a_time_limit_ends_orbits_at_that_time() {
     let folder = Folder::new("time");
     let summary = folder.done(&SQUARE.replace("collisions = 3", "time = 2.25"), &[]);

@@ -1,28 +1,56 @@
 //! Counts of very many points on a grid.
 use crate::merge::Merge;
+use lanes::{Lane, Mask};
 
-/// How many of the points fell into each cell of a grid over a window of the plane.
+/// How many of the points fell into each cell of a grid over a window of the plane, in one layer or several.
 ///
-/// Memory does not grow with the points, and counts merge exactly.
+/// Memory does not grow with the points, and counts merge exactly, in any order. Counting a point takes a few
+/// multiplications and an addition to a byte: of every count the last eight bits lie close together, so that the cells at
+/// work fit into the cache of a core, and only every 256th point of a cell goes beyond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Density {
     low: [f64; 2],
     high: [f64; 2],
     size: [usize; 2],
-    counts: Vec<u64>,
-    outside: u64,
+    /// Cells per length.
+    scale: [f64; 2],
+    layers: usize,
+    /// Counts modulo 256, layer by layer, each with a border of cells around the window for the points outside; at the
+    /// end those of nobody.
+    few: Vec<u8>,
+    /// What is missing in them: multiples of 256.
+    many: Vec<u64>,
 }
 
+/// `x + 3·2⁵¹` is the integer nearest to `x` and `3·2⁵¹`, for `|x| < 2⁵¹`; its last bits are that integer, for `x ≥ 0`.
+const INTEGERS: f64 = 6_755_399_441_055_744.0;
+/// Those bits.
+const LAST_BITS: u64 = (1 << 51) - 1;
+/// Cells are counted so many points later: some vectors of any width.
+const MOST_NOTED: usize = 64;
+/// So many cells are carried over together.
+const MOST_FULL: usize = 256;
+
 impl Density {
-    /// A grid of `size[0]` × `size[1]` empty cells (at least one each way) over `low ≤ x < high`.
+    /// A grid of `size[0]` × `size[1]` empty cells (at least one each way) over the window between two corners; cells are
+    /// counted from `low`, which each of them contains, towards `high`, wherever that lies.
     pub fn new(low: [f64; 2], high: [f64; 2], size: [usize; 2]) -> Self {
         let size = size.map(|n| n.max(1));
-        Density { low, high, size, counts: vec![0; size[0] * size[1]], outside: 0 }
+        let scale = [0, 1].map(|i| size[i] as f64 / (high[i] - low[i]));
+        Density { low, high, size, scale, layers: 0, few: vec![], many: vec![] }.in_layers(1)
     }
 
     /// A square grid over the unit disk, the window of velocity portraits.
     pub fn disk(size: usize) -> Self {
         Density::new([-1.0; 2], [1.0; 2], [size; 2])
+    }
+
+    /// So many empty grids over the same window, at least one.
+    #[must_use]
+    pub fn in_layers(self, layers: usize) -> Self {
+        let layers = layers.max(1);
+        let cells = layers * self.cells_of_layer() + 1;
+        Density { layers, few: vec![0; cells], many: vec![0; cells], ..self }
     }
 
     /// The corners of the window.
@@ -35,41 +63,186 @@ impl Density {
         self.size
     }
 
-    /// The counts, row by row from the lowest second coordinate up.
-    pub fn counts(&self) -> &[u64] {
-        &self.counts
+    /// The counts of a layer, row by row from `low` on, first coordinate first.
+    pub fn counts(&self, layer: usize) -> Vec<u64> {
+        let [width, height] = self.size;
+        let cells = (0..height).flat_map(|row| {
+            let first = self.first(layer) + row * (width + 2);
+            first..first + width
+        });
+        cells.map(|cell| self.at(cell)).collect()
+    }
+
+    /// Number of layers.
+    pub fn layers(&self) -> usize {
+        self.layers
+    }
+
+    /// Points inside the window.
+    pub fn inside(&self) -> u64 {
+        (0..self.layers).flat_map(|layer| self.counts(layer)).sum()
     }
 
     /// Points outside the window.
     pub fn outside(&self) -> u64 {
-        self.outside
+        self.total() - self.inside()
     }
 
     /// All points, inside and outside.
     pub fn total(&self) -> u64 {
-        self.counts.iter().sum::<u64>() + self.outside
+        (0..self.few.len() - 1).map(|cell| self.at(cell)).sum()
     }
 
-    /// Counts a point.
-    #[inline]
+    fn at(&self, cell: usize) -> u64 {
+        self.many[cell] + u64::from(self.few[cell])
+    }
+
+    fn cells_of_layer(&self) -> usize {
+        (self.size[0] + 2) * (self.size[1] + 2)
+    }
+
+    /// The first cell of a layer that is not in its border.
+    fn first(&self, layer: usize) -> usize {
+        layer.min(self.layers - 1) * self.cells_of_layer() + self.size[0] + 3
+    }
+
+    /// Counts a point in the first layer.
+    #[inline(always)]
     pub fn add(&mut self, point: [f64; 2]) {
-        let mut cell = [0; 2];
-        for i in 0..2 {
-            let at = (point[i] - self.low[i]) / (self.high[i] - self.low[i]) * self.size[i] as f64;
-            if !(at >= 0.0 && at < self.size[i] as f64) {
-                self.outside += 1;
-                return;
+        self.add_to(point, self.layer(0));
+    }
+
+    /// The layer of this number, as [`add_to`](Self::add_to) wants it.
+    pub fn layer(&self, layer: usize) -> f64 {
+        self.first(layer) as f64
+    }
+
+    /// Counts a point in the layer given by [`layer`](Self::layer).
+    #[inline(always)]
+    pub fn add_to(&mut self, point: [f64; 2], layer: f64) {
+        self.count(&[self.cells(point, layer, true)]);
+    }
+
+    /// The cells of a point in each lane that is `here`, in the layers given by [`layer`](Self::layer), for
+    /// [`count`](Self::count).
+    #[inline(always)]
+    pub fn cells<F: Lane>(&self, point: [F; 2], layer: F, here: F::Mask) -> F {
+        let ([_, column], [row, _]) = (self.along(0, point[0]), self.along(1, point[1]));
+        let cell = column + (row * (self.size[0] + 2) as f64 + layer);
+        here.select(cell, layer.same(INTEGERS + (self.few.len() - 1) as f64))
+    }
+
+    /// The number of the cell along a coordinate, and the same and `INTEGERS`; one to either side stands for all outside.
+    #[inline(always)]
+    fn along<F: Lane>(&self, i: usize, x: F) -> [F; 2] {
+        let at = (x - self.low[i]) * self.scale[i];
+        let at = at.max(x.same(-1.0)).min(x.same(self.size[i] as f64));
+        let (nearest, whole) = (at + INTEGERS, (at + INTEGERS) - INTEGERS);
+        // 0 or −1, to the greatest integer below; a branch, which no CPU could predict, would cost a flight
+        let rest = (at - whole) + 0.0; // never −0
+        let below = x.same(0.5).copysign(rest) - 0.5;
+        [whole + below, nearest + below]
+    }
+
+    /// Counts a point in each of some [`cells`](Self::cells).
+    #[inline(always)]
+    pub fn count(&mut self, cells: &[f64]) {
+        for cell in cells {
+            let cell = number(*cell);
+            if self.adds_to_few(cell) {
+                self.many[cell] += 256;
             }
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and the size")]
-            let index = at as usize;
-            cell[i] = index;
         }
-        self.counts[cell[1] * self.size[0] + cell[0]] += 1;
+    }
+
+    /// Counts a point; whether that makes another 256 of them.
+    #[inline(always)]
+    fn adds_to_few(&mut self, cell: usize) -> bool {
+        let few = &mut self.few[cell];
+        *few = few.wrapping_add(1);
+        *few == 0
+    }
+}
+
+/// The number of a cell.
+#[inline(always)]
+fn number(cell: f64) -> usize {
+    #[allow(clippy::cast_possible_truncation, reason = "the number of something in memory")]
+    let number = (cell.to_bits() & LAST_BITS) as usize;
+    number
+}
+
+/// The last cells of points, which are not counted yet: a count need not wait for what finds its cell, and what finds the
+/// next ones need not wait for the count.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub struct Noted {
+    cells: [f64; MOST_NOTED],
+    /// Where the oldest of them are.
+    oldest: usize,
+    /// Cells with another 256 points, which lie far apart: many of them are fetched at the same time.
+    full: Vec<usize>,
+}
+
+impl Noted {
+    /// No cells of this density yet.
+    pub fn new(density: &Density) -> Self {
+        let nobody = density.cells([0.0; 2], 0.0, false);
+        Noted { cells: [nobody; MOST_NOTED], oldest: 0, full: Vec::with_capacity(MOST_FULL) }
+    }
+
+    /// Notes the [`cells`](Density::cells) of points of this density, and counts as many others.
+    #[inline(always)]
+    pub fn note<F: Lane>(&mut self, density: &mut Density, cells: F) {
+        let oldest = self.oldest % MOST_NOTED;
+        let old = &mut self.cells[oldest..oldest + F::LANES];
+        for cell in &*old {
+            let cell = number(*cell);
+            if density.adds_to_few(cell) {
+                carry(&mut self.full, density, cell);
+            }
+        }
+        cells.store(old);
+        self.oldest = oldest + F::LANES;
+    }
+
+    /// Counts what is noted.
+    pub fn count(&mut self, density: &mut Density) {
+        density.count(&self.cells);
+        self.full.drain(..).for_each(|cell| density.many[cell] += 256);
+        self.cells = Noted::new(density).cells;
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn carry(full: &mut Vec<usize>, density: &mut Density, cell: usize) {
+    full.push(cell);
+    if full.len() == MOST_FULL {
+        full.drain(..).for_each(|cell| density.many[cell] += 256);
+    }
+}
+
+impl Density {
+    /// Adds the points of another grid; of one with another window, size or number of layers, as points outside.
+    pub fn merge_in(&mut self, other: &Self) {
+        let same = (self.low, self.high, self.size, self.layers) == (other.low, other.high, other.size, other.layers);
+        let mut add = |cell: usize, count: u64| {
+            let total = self.at(cell) + count;
+            #[allow(clippy::cast_possible_truncation, reason = "the last eight bits")]
+            let few = total as u8;
+            (self.few[cell], self.many[cell]) = (few, total - u64::from(few));
+        };
+        if same {
+            (0..other.few.len()).for_each(|cell| add(cell, other.at(cell)));
+        } else {
+            add(0, other.total());
+        }
     }
 }
 
 impl Extend<[f64; 2]> for Density {
-    #[inline]
+    #[inline(always)]
     fn extend<I: IntoIterator<Item = [f64; 2]>>(&mut self, points: I) {
         for point in points {
             self.add(point);
@@ -77,17 +250,10 @@ impl Extend<[f64; 2]> for Density {
     }
 }
 
-/// Of grids with different windows or sizes, the points of the second count as outside the first.
+/// See [`Density::merge_in`].
 impl Merge for Density {
     fn merge(mut self, other: Self) -> Self {
-        if (self.low, self.high, self.size) == (other.low, other.high, other.size) {
-            for (a, b) in self.counts.iter_mut().zip(other.counts) {
-                *a += b;
-            }
-            self.outside += other.outside;
-        } else {
-            self.outside += other.total();
-        }
+        self.merge_in(&other);
         self
     }
 }
@@ -99,9 +265,51 @@ mod tests {
     #[test]
     fn a_point_falls_into_the_cell_around_it() {
         let mut grid = Density::new([0.0, 0.0], [4.0, 2.0], [4, 2]);
-        grid.extend([[0.0, 0.0], [3.5, 1.5], [3.999, 1.0], [4.0, 0.5], [f64::NAN, 0.5], [1.5, 0.5]]);
-        assert_eq!(grid.counts(), [1, 1, 0, 0, 0, 0, 0, 2]);
-        assert_eq!((grid.outside(), grid.total()), (2, 6));
+        grid.extend([[0.0, 0.0], [3.5, 1.5], [3.999, 1.0], [4.0, 0.5], [f64::NAN, 0.5], [1.5, 0.5], [-1e-9, 0.5]]);
+        assert_eq!(grid.counts(0), [1, 1, 0, 0, 0, 0, 0, 2]);
+        assert_eq!((grid.outside(), grid.total()), (3, 7));
+    }
+
+    #[test]
+    fn the_edge_of_a_cell_belongs_to_it_where_counting_begins() {
+        let mut grid = Density::new([0.0, 3.0], [8.0, 0.0], [8, 3]);
+        grid.extend((0..8).map(|x| [f64::from(x), 2.0]));
+        grid.extend((1..=8).map(|x| [f64::from(x).next_down(), 3.0]));
+        assert_eq!(grid.counts(0), [[1; 8], [1; 8], [0; 8]].concat());
+    }
+
+    #[test]
+    fn counts_beyond_a_byte_are_whole() {
+        let mut grid = Density::new([0.0; 2], [1.0; 2], [2, 2]).in_layers(3);
+        let layer = grid.layer(1);
+        for _ in 0..1000 {
+            grid.add_to([0.7, 0.2], layer);
+            grid.count(&[grid.cells([0.7, 0.2], layer, false)]);
+        }
+        let grid = grid.clone().merge(grid);
+        assert_eq!([0, 1, 2].map(|layer| grid.counts(layer)), [[0; 4], [0, 2000, 0, 0], [0; 4]]);
+        assert_eq!((grid.total(), grid.outside()), (2000, 0));
+    }
+
+    #[test]
+    fn noted_points_are_counted_all() {
+        let mut grid = Density::new([0.0; 2], [1.0; 2], [50, 40]).in_layers(2);
+        let mut same = grid.clone();
+        let (mut noted, layer) = (Noted::new(&grid), grid.layer(1));
+        for i in 0..200_000 {
+            let point = [f64::from(i * 7 % 1001) / 1000.0, f64::from(i * 13 % 1003) / 500.0];
+            let cells = grid.cells(point, layer, i % 5 > 0);
+            noted.note(&mut grid, cells);
+            if i % 5 > 0 {
+                same.add_to(point, layer);
+            }
+        }
+        noted.count(&mut grid);
+        assert_eq!(
+            (0..2).map(|k| grid.counts(k)).collect::<Vec<_>>(),
+            (0..2).map(|k| same.counts(k)).collect::<Vec<_>>()
+        );
+        assert_eq!((grid.total(), grid.outside()), (160_000, same.outside()));
     }
 
     #[test]

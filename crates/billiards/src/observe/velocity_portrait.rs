@@ -43,12 +43,12 @@ impl<E: Extend<[f64; 2]>> VelocityPortrait<E> {
 }
 
 impl<K, T, E: Extend<[f64; 2]>> Observer<2, 1, K, T> for VelocityPortrait<E> {
-    #[inline]
+    #[inline(always)]
     fn collision(&mut self, c: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
         let (o, [n1, n2]) = (c.orbit, c.hit.unit_normal());
-        let speed = square_speed(&o.velocity, &o.spin).sqrt();
+        let unit = 1.0 / square_speed(&o.velocity, &o.spin).sqrt();
         let vt = o.velocity[1] * n1 - o.velocity[0] * n2;
-        self.0.extend(Some([o.spin[0] / speed, vt / speed]));
+        self.0.extend(Some([o.spin[0] * unit, vt * unit]));
         ControlFlow::Continue(())
     }
 }

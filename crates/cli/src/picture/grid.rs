@@ -1,5 +1,7 @@
 //! Counts of very many points on a grid, and their shading.
 
+use billiards::observe::Density;
+
 use super::ink::Colour;
 use super::png::Raster;
 use super::view::Window;
@@ -9,12 +11,9 @@ use super::view::Window;
 #[derive(Clone, Debug)]
 pub struct Grid {
     window: Window,
-    width: usize,
-    height: usize,
-    /// For each colour the counts per cell: few numbers close together, since a point touches one of them.
-    planes: Vec<(Colour, Vec<u64>)>,
-    /// Which of them the last point went to.
-    last: usize,
+    colours: Vec<Colour>,
+    /// A layer for each colour, rows from the top.
+    density: Density,
 }
 
 /// The counts of all colours together.
@@ -44,13 +43,15 @@ const FAINTEST: f64 = 0.22;
 const SPARSE: f64 = 0.6;
 
 impl Grid {
-    /// An empty grid over a window, this many cells wide; cells are square.
-    pub fn new(window: Window, width: usize) -> Self {
+    /// An empty grid over a window, this many cells wide, for points of these colours; cells are square.
+    pub fn new(window: Window, width: usize, colours: &[Colour]) -> Self {
         let [w, h] = window.size();
         let width = width.clamp(1, 16_384);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few thousand")]
         let height = ((width as f64 * h / w + 0.5).clamp(1.0, 16_384.0)) as usize;
-        Self { window, width, height, planes: vec![], last: 0 }
+        let Window { low, high } = window;
+        let density = Density::new([low[0], high[1]], [high[0], low[1]], [width, height]).in_layers(colours.len());
+        Self { window, colours: colours.into(), density }
     }
 
     /// The window.
@@ -60,65 +61,47 @@ impl Grid {
 
     /// Width and height in cells.
     pub fn size(&self) -> [usize; 2] {
-        [self.width, self.height]
+        self.density.size()
     }
 
-    /// How many points were counted.
+    /// How many points were counted inside the window.
     pub fn total(&self) -> u64 {
-        self.planes.iter().flat_map(|(_, counts)| counts).sum()
+        self.density.inside()
     }
 
     /// Counts a point; one outside the window is left out.
     #[inline]
-    pub fn add(&mut self, [x, y]: [f64; 2], colour: Colour) {
-        let Window { low, high } = self.window;
-        let column = (x - low[0]) / (high[0] - low[0]) * self.width as f64;
-        let row = (high[1] - y) / (high[1] - low[1]) * self.height as f64;
-        if column >= 0.0 && column < self.width as f64 && row >= 0.0 && row < self.height as f64 {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "just checked")]
-            let cell = row as usize * self.width + column as usize;
-            self.plane(colour)[cell] += 1;
-        }
+    pub fn add(&mut self, point: [f64; 2], colour: Colour) {
+        // of a colour that is not expected, points are drawn in the last one
+        let layer = self.colours.iter().position(|of| *of == colour).unwrap_or(self.colours.len());
+        self.density.add_to(point, self.density.layer(layer));
     }
 
-    /// The counts of a colour.
-    #[inline]
-    fn plane(&mut self, colour: Colour) -> &mut [u64] {
-        if self.planes.get(self.last).is_none_or(|(of, _)| *of != colour) {
-            self.last = self.planes.iter().position(|(of, _)| *of == colour).unwrap_or_else(|| {
-                self.planes.push((colour, vec![0; self.width * self.height]));
-                self.planes.len() - 1
-            });
-        }
-        &mut self.planes[self.last].1
+    /// Its counts, a layer for each colour.
+    pub fn into_density(self) -> Density {
+        self.density
+    }
+
+    /// Adds counts of the same shape.
+    pub fn merge(&mut self, counts: &Density) {
+        self.density.merge_in(counts);
     }
 
     fn tally(&self) -> Tally {
-        let cells = self.width * self.height;
+        let [width, height] = self.size();
+        let cells = width * height;
         let (mut counts, mut tints) = (vec![0; cells], vec![[0; 3]; cells]);
-        for (colour, plane) in &self.planes {
+        for (layer, colour) in self.colours.iter().enumerate() {
             let parts = [colour.0, colour.1, colour.2].map(u64::from);
-            for ((total, tint), &count) in counts.iter_mut().zip(&mut tints).zip(plane).filter(|of| *of.1 > 0) {
+            let plane = self.density.counts(layer);
+            for ((total, tint), &count) in counts.iter_mut().zip(&mut tints).zip(&plane).filter(|of| *of.1 > 0) {
                 *total += count;
                 for (sum, part) in tint.iter_mut().zip(parts) {
                     *sum += count * part;
                 }
             }
         }
-        Tally { width: self.width, height: self.height, counts, tints }
-    }
-
-    /// Both counts together; of grids of different shape, the first one.
-    #[must_use]
-    pub fn merge(mut self, other: &Self) -> Self {
-        if (self.window, self.width, self.height) == (other.window, other.width, other.height) {
-            for (colour, plane) in &other.planes {
-                for (a, b) in self.plane(*colour).iter_mut().zip(plane) {
-                    *a += b;
-                }
-            }
-        }
-        self
+        Tally { width, height, counts, tints }
     }
 
     /// The picture of the counts: empty cells white, full ones in the mean colour of their points.
@@ -209,19 +192,20 @@ mod tests {
 
     #[test]
     fn points_are_counted_once_and_only_inside() {
-        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [2.0, 1.0] }, 4);
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [2.0, 1.0] }, 4, &[Colour::BLACK]);
         assert_eq!(grid.size(), [4, 2]);
         for point in [[0.0, 1.0], [1.99, 0.01], [2.0, 0.5], [-0.1, 0.5], [f64::NAN, 0.5]] {
             grid.add(point, Colour::BLACK);
         }
         assert_eq!(grid.tally().counts, [1, 0, 0, 0, 0, 0, 0, 1]);
-        let doubled = grid.clone().merge(&grid);
+        let mut doubled = grid.clone();
+        doubled.merge(&grid.into_density());
         assert_eq!((doubled.total(), doubled.tally().counts[7]), (4, 2));
     }
 
     #[test]
     fn single_points_are_spread_to_be_seen() {
-        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [100.0, 100.0] }, 100);
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [100.0, 100.0] }, 100, &[Colour::BLACK]);
         grid.add([50.5, 50.5], Colour::BLACK);
         let wide = grid.tally().spread(2);
         assert_eq!(wide.counts.iter().filter(|count| **count > 0).count(), 13);
@@ -230,7 +214,7 @@ mod tests {
 
     #[test]
     fn more_points_are_never_paler() {
-        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [4.0, 1.0] }, 4);
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [4.0, 1.0] }, 4, &[Colour(0, 0, 200)]);
         for (cell, count) in [(0.5, 1), (1.5, 10), (2.5, 100)] {
             for _ in 0..count {
                 grid.add([cell, 0.5], Colour(0, 0, 200));

@@ -13,7 +13,7 @@ use super::view::{View, Window};
 use super::{COLUMN, File, Material, Needs, Picture};
 
 /// Width of the portrait, where its height is 2.
-const WIDTH: f64 = 2.6;
+pub const WIDTH: f64 = 2.6;
 /// White around the picture.
 const MARGIN: f64 = 3.0;
 /// Pixels of the grid for dense portraits.
@@ -50,9 +50,14 @@ impl Reduced {
         Self { cloud: Cloud::new(window, PIXELS), offsets, length }
     }
 
-    /// Adds a collision of an orbit at arc length `s`, with tangential velocity between −1 and 1.
-    pub fn add(&mut self, orbit: u64, s: f64, tangential: f64) {
-        self.cloud.add(orbit, [s / self.length * WIDTH, tangential]);
+    /// Its points: arc length, in units in which that of the whole boundary is [`WIDTH`], and tangential velocity.
+    pub fn cloud(&self) -> &Cloud {
+        &self.cloud
+    }
+
+    /// The same, to add points.
+    pub fn cloud_mut(&mut self) -> &mut Cloud {
+        &mut self.cloud
     }
 }
 
@@ -89,7 +94,7 @@ mod tests {
         for count in [10_u32, 30_000] {
             let mut reduced = Reduced::new(vec![0.0, 1.0, 3.0], 4.0);
             for i in 0..count {
-                reduced.add(u64::from(i), f64::from(i % 400) * 0.01, 0.5);
+                reduced.cloud_mut().add(u64::from(i), [f64::from(i % 400) * 0.0065, 0.5]);
             }
             let material = Material { reduced: Some(reduced), ..Material::default() };
             let files = (PICTURE.draw)(&material);

@@ -77,6 +77,7 @@ impl Raster {
         let [width, height] = self.size().map(|n| u32::try_from(n).unwrap_or(u32::MAX));
         let mut png = Vec::new();
         let mut encoder = png::Encoder::new(&mut png, width, height);
+        encoder.set_compression(png::Compression::High);
         let colours = self.colours();
         let bytes: Vec<u8> = if colours.len() <= PALETTE {
             let places: BTreeMap<Colour, u8> = colours.keys().copied().zip(0..=u8::MAX).collect();
@@ -87,10 +88,11 @@ impl Raster {
             self.pixels.iter().filter_map(|pixel| places.get(pixel).copied()).collect()
         } else {
             encoder.set_color(png::ColorType::Rgb);
+            // The noise of very many points gets hardly smaller by trying harder.
+            encoder.set_compression(png::Compression::Balanced);
             self.pixels.iter().flat_map(|c| [c.0, c.1, c.2]).collect()
         };
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_compression(png::Compression::High);
         encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: DENSITY, yppu: DENSITY, unit: png::Unit::Meter }));
         // Writing to memory fails only for a picture without pixels, which then is an empty file.
         let _ = encoder.write_header().and_then(|mut writer| {

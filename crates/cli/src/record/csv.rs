@@ -1,50 +1,34 @@
 //! Comma-separated values.
 
-use std::fmt::Write as _;
-use std::io::{self, Write};
-
-use super::{Columns, Finish, RecordWriter, Row, push_number};
+use super::{Columns, Format, Row, push_integer, push_number};
 
 /// A header line, then one line per collision; numbers are the shortest decimals that read back to the same double.
-#[derive(Debug)]
-pub struct Csv<W> {
-    to: W,
-    line: String,
-}
+#[derive(Clone, Copy, Debug)]
+pub struct Csv;
 
-impl<W: Write> Csv<W> {
-    /// Starts a record.
-    ///
-    /// # Errors
-    /// The header cannot be written.
-    pub fn new(mut to: W, columns: Columns) -> io::Result<Self> {
+impl Format for Csv {
+    fn header(&self, columns: Columns, _: u64) -> Vec<u8> {
         let names: Vec<_> = columns.names().collect();
-        writeln!(to, "{}", names.join(","))?;
-        Ok(Self { to, line: String::new() })
+        (names.join(",") + "\n").into_bytes()
     }
-}
 
-impl<W: Write + Finish> RecordWriter for Csv<W> {
-    fn row(&mut self, row: &Row<'_>) -> io::Result<()> {
-        let line = &mut self.line;
-        line.clear();
-        // Writing to a string cannot fail.
-        let _ = write!(line, "{},{},", row.orbit, row.n);
-        push_number(line, row.time);
-        let _ = write!(line, ",{}", row.piece);
+    fn row(&self, row: &Row<'_>, to: &mut Vec<u8>) {
+        push_integer(to, row.orbit);
+        to.push(b',');
+        push_integer(to, row.n);
+        to.push(b',');
+        push_number(to, row.time);
+        to.push(b',');
+        push_integer(to, row.piece);
         for &x in row.state {
-            line.push(',');
-            push_number(line, x);
+            to.push(b',');
+            push_number(to, x);
         }
-        for cell in row.cell {
-            let _ = write!(line, ",{cell}");
+        for &cell in row.cell {
+            to.push(b',');
+            push_integer(to, cell);
         }
-        line.push('\n');
-        self.to.write_all(line.as_bytes())
-    }
-
-    fn finish(self: Box<Self>) -> io::Result<()> {
-        self.to.finish()
+        to.push(b'\n');
     }
 }
 
@@ -54,13 +38,11 @@ mod tests {
 
     #[test]
     fn a_record_is_a_header_and_a_line_per_collision() {
-        let mut to = io::Cursor::new(Vec::new());
-        let mut csv = Csv::new(&mut to, Columns { dimension: 2, lattice: true }).unwrap();
+        let mut record = Csv.header(Columns { dimension: 2, lattice: true }, 1);
         let state = [0.0, 0.1, -2.0, 1e-7, 1.0 / 3.0, 1e300];
-        csv.row(&Row { orbit: 0, n: 1, time: 0.5, piece: 3, state: &state, cell: &[-1, 2] }).unwrap();
-        Box::new(csv).finish().unwrap();
+        Csv.row(&Row { orbit: 0, n: 1, time: 0.5, piece: 3, state: &state, cell: &[-1, 2] }, &mut record);
         assert_eq!(
-            String::from_utf8(to.into_inner()).unwrap(),
+            String::from_utf8(record).unwrap(),
             "orbit,n,t,piece,x0,x1,x2,v0,v1,v2,cell1,cell2\n0,1,0.5,3,0,0.1,-2,1e-7,0.3333333333333333,1e300,-1,2\n"
         );
     }

@@ -3,32 +3,14 @@
 //! The array has one dimension and a structured type: every column is a named field, whole numbers `<i8`, all others
 //! `<f8`. So `a = numpy.load("collisions.npy")` gives `a["x1"]` by name, and counts and cells stay exact.
 
-use std::io::{self, Seek, SeekFrom, Write};
-
-use super::{Columns, Finish, RecordWriter, Row};
+use super::{Columns, Format, Row};
 
 /// Digits kept free for the number of rows, known only at the end.
 const DIGITS: usize = 19;
 
 /// A structured `NumPy` array.
-#[derive(Debug)]
-pub struct Npy<W> {
-    to: W,
-    columns: Columns,
-    rows: u64,
-    bytes: Vec<u8>,
-}
-
-impl<W: Write + Seek> Npy<W> {
-    /// Starts a record.
-    ///
-    /// # Errors
-    /// The header cannot be written.
-    pub fn new(mut to: W, columns: Columns) -> io::Result<Self> {
-        to.write_all(&header(columns, 0))?;
-        Ok(Self { to, columns, rows: 0, bytes: Vec::new() })
-    }
-}
+#[derive(Clone, Copy, Debug)]
+pub struct Npy;
 
 /// The header of an array with this many rows; its length does not depend on them.
 fn header(columns: Columns, rows: u64) -> Vec<u8> {
@@ -48,24 +30,17 @@ fn header(columns: Columns, rows: u64) -> Vec<u8> {
     [b"\x93NUMPY\x01\x00", &length.to_le_bytes()[..], text.as_bytes()].concat()
 }
 
-impl<W: Write + Seek + Finish> RecordWriter for Npy<W> {
-    fn row(&mut self, row: &Row<'_>) -> io::Result<()> {
-        let bytes = &mut self.bytes;
-        bytes.clear();
-        bytes.extend(row.orbit.to_le_bytes());
-        bytes.extend(row.n.to_le_bytes());
-        bytes.extend(row.time.to_le_bytes());
-        bytes.extend(row.piece.to_le_bytes());
-        bytes.extend(row.state.iter().flat_map(|x| x.to_le_bytes()));
-        bytes.extend(row.cell.iter().flat_map(|cell| cell.to_le_bytes()));
-        self.rows += 1;
-        self.to.write_all(bytes)
+impl Format for Npy {
+    fn header(&self, columns: Columns, rows: u64) -> Vec<u8> {
+        header(columns, rows)
     }
 
-    fn finish(mut self: Box<Self>) -> io::Result<()> {
-        self.to.seek(SeekFrom::Start(0))?;
-        self.to.write_all(&header(self.columns, self.rows))?;
-        self.to.finish()
+    fn row(&self, row: &Row<'_>, to: &mut Vec<u8>) {
+        for number in [row.orbit.to_le_bytes(), row.n.to_le_bytes(), row.time.to_le_bytes(), row.piece.to_le_bytes()] {
+            to.extend_from_slice(&number);
+        }
+        row.state.iter().for_each(|x| to.extend_from_slice(&x.to_le_bytes()));
+        row.cell.iter().for_each(|cell| to.extend_from_slice(&cell.to_le_bytes()));
     }
 }
 
@@ -74,15 +49,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_header_names_the_fields_and_counts_the_rows_at_the_end() {
-        let mut to = io::Cursor::new(Vec::new());
-        let mut npy = Npy::new(&mut to, Columns { dimension: 2, lattice: false }).unwrap();
+    fn the_header_names_the_fields_and_counts_the_rows() {
+        let mut bytes = Npy.header(Columns { dimension: 2, lattice: false }, 3);
         for n in 1..=3 {
-            npy.row(&Row { orbit: 0, n, time: 0.5, piece: 2, state: &[0.0, 1.0, 2.0, 3.0, 4.0, 5.5], cell: &[] })
-                .unwrap();
+            let state = [0.0, 1.0, 2.0, 3.0, 4.0, 5.5];
+            Npy.row(&Row { orbit: 0, n, time: 0.5, piece: 2, state: &state, cell: &[] }, &mut bytes);
         }
-        Box::new(npy).finish().unwrap();
-        let bytes = to.into_inner();
         assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
         let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
         assert_eq!((10 + length) % 64, 0);

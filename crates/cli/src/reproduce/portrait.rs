@@ -18,7 +18,8 @@ const AROUND: f64 = 0.03;
 impl Portrait {
     /// An empty portrait so many cells wide.
     pub(super) fn new(cells: usize) -> Self {
-        Portrait(Grid::new(Window::unit_disk(AROUND), cells))
+        let colours: Vec<Colour> = ORBITS.into_iter().chain([SEA]).collect();
+        Portrait(Grid::new(Window::unit_disk(AROUND), cells, &colours))
     }
 
     /// Adds an orbit, in its colour.

@@ -257,10 +257,20 @@ fn first<const N: usize, const S: usize, T: Trail<N, S>>(
     launch: Launch<N, S, T>,
     pieces: &[u64],
 ) -> First {
-    let mut watch = Watch { events: vec![], orbit: 0, before: 0, scale: launch.scale, pieces, shift: [0.0; 3] };
+    let mut events = vec![];
+    let mut watch = Watch {
+        events: Some(&mut events),
+        portraits: None,
+        points: None,
+        orbit: 0,
+        before: 0,
+        scale: launch.scale,
+        pieces,
+        shift: [0.0; 3],
+    };
     let mut orbit = launch.orbit;
     let outcome = engine.watched(&mut orbit, Until { collisions: 1, time: f64::INFINITY }, &mut watch);
-    match watch.events.first() {
+    match events.first() {
         Some(event) => First::Hit { time: event.time, piece: event.piece },
         None => First::Nothing(if outcome.stop == Stop::Escaped { "escapes at once" } else { outcome.stop.name() }),
     }

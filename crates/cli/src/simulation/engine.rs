@@ -3,13 +3,15 @@
 use std::ops::ControlFlow;
 
 use billiards::geometry::WallHit;
+use billiards::observe::LaneObserver;
 use billiards::{
-    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, InLanes, Keeping, Limit, Motion, Observer, Orbit,
-    Outcome, Stop, Timed, Track, run, run_side_by_side,
+    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, InLanes, Keeping, Limit, Merge, Motion, Observer,
+    Orbit, Outcome, Stop, Timed, Track, run, run_side_by_side,
 };
 use lanes::Lane;
 
 use super::event::Event;
+use super::portraits::{PlanarPortraits, Point};
 use super::scale::Scale;
 
 /// Keeps the energy where the law does, in lanes of `F`.
@@ -81,6 +83,8 @@ impl<T: Timed<f64>> Limit<T> for Until {
 
 /// What a watched orbit tracks besides the time: in the plane x0 and the lattice cell, in space nothing.
 pub(crate) trait Trail<const N: usize, const S: usize>: Track<f64, N, S> + Clone + Send {
+    /// The portraits that there are of such orbits.
+    type Portraits: Portraits<N, S>;
     /// The spin position x0.
     fn angle(&self) -> f64;
     /// The accumulated translation.
@@ -105,6 +109,7 @@ impl Track<f64, 2, 1> for PlanarTrail {
 }
 
 impl Trail<2, 1> for PlanarTrail {
+    type Portraits = PlanarPortraits;
     fn angle(&self) -> f64 {
         self.angle.0.value()
     }
@@ -114,6 +119,7 @@ impl Trail<2, 1> for PlanarTrail {
 }
 
 impl Trail<3, 3> for () {
+    type Portraits = ();
     fn angle(&self) -> f64 {
         0.0
     }
@@ -127,10 +133,41 @@ pub(crate) type Bare<const N: usize, const S: usize> = Orbit<f64, N, S, Keeper<N
 /// An orbit that is watched.
 pub(crate) type Watched<const N: usize, const S: usize, T> = Orbit<f64, N, S, Keeper<N>, (Clock, T)>;
 
+/// Counts collisions for density portraits.
+pub(crate) trait Portraits<const N: usize, const S: usize>:
+    LaneObserver<N, S, Keeper<N>, Clock> + Merge + Send
+{
+    /// By what an orbit is scaled that goes on like this.
+    fn unit(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
+    /// A collision of an orbit with this unit.
+    fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, N>, velocity: &[f64; N], spin: &[f64; S]) -> Point;
+    /// Counts a collision.
+    fn count(&mut self, point: &Point);
+    /// These orbits are about to run side by side.
+    fn side_by_side(&mut self, orbits: impl Iterator<Item = u64>);
+}
+
+/// There are none in space.
+impl<const N: usize, const S: usize> Portraits<N, S> for () {
+    fn unit(&self, _: &[f64; N], _: &[f64; S]) -> f64 {
+        1.0
+    }
+    fn point(&self, orbit: u64, _: f64, _: &WallHit<f64, N>, _: &[f64; N], _: &[f64; S]) -> Point {
+        Point { orbit, velocity: [0.0; 2], reduced: [0.0; 2] }
+    }
+    fn count(&mut self, _: &Point) {}
+    fn side_by_side(&mut self, _: impl Iterator<Item = u64>) {}
+}
+
 /// Sees every collision of a watched orbit.
 #[derive(Debug)]
-pub(crate) struct Watch<'a> {
-    pub(crate) events: Vec<Event>,
+pub(crate) struct Watch<'a, P> {
+    /// Where collisions go, if they are wanted.
+    pub(crate) events: Option<&'a mut Vec<Event>>,
+    /// What counts them, if that is wanted, and by what the orbit is scaled for it.
+    pub(crate) portraits: Option<(&'a mut P, f64)>,
+    /// Where their points go instead, as long as they are few.
+    pub(crate) points: Option<&'a mut Vec<Point>>,
     /// Number of the orbit.
     pub(crate) orbit: u64,
     /// Collisions before this run.
@@ -142,15 +179,26 @@ pub(crate) struct Watch<'a> {
     pub(crate) shift: [f64; 3],
 }
 
-impl<const N: usize, const S: usize, K, T: Trail<N, S>> Observer<N, S, K, (Clock, T)> for Watch<'_> {
+impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Keeper<N>, (Clock, T)> for Watch<'_, T::Portraits> {
     #[inline(always)]
-    fn collision(&mut self, collision: &Collision<'_, N, S, K, (Clock, T)>) -> ControlFlow<()> {
-        self.events.push(self.event(collision));
+    fn collision(&mut self, collision: &Collision<'_, N, S, Keeper<N>, (Clock, T)>) -> ControlFlow<()> {
+        if self.events.is_some() {
+            let event = self.event(collision);
+            self.events.iter_mut().for_each(|events| events.push(event));
+        }
+        if let Some((portraits, unit)) = &mut self.portraits {
+            let Collision { hit, orbit, .. } = collision;
+            let point = portraits.point(self.orbit, *unit, hit, &orbit.velocity, &orbit.spin);
+            match &mut self.points {
+                Some(points) => points.push(point),
+                None => portraits.count(&point),
+            }
+        }
         ControlFlow::Continue(())
     }
 }
 
-impl Watch<'_> {
+impl<P> Watch<'_, P> {
     fn event<const N: usize, const S: usize, K, T: Trail<N, S>>(
         &self,
         collision: &Collision<'_, N, S, K, (Clock, T)>,
@@ -181,13 +229,36 @@ impl Watch<'_> {
 }
 
 /// A table's walls and a law, ready to run orbits.
-pub(crate) trait Engine<const N: usize, const S: usize, T>: Bounce<N, S> {
+pub(crate) trait Engine<const N: usize, const S: usize, T: Trail<N, S>>: Bounce<N, S> {
     /// Runs an orbit that nobody watches.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs orbits that nobody watches, in the lanes of vector registers: the same collisions, bit by bit.
     fn side_by_side(&self, orbits: &mut [Bare<N, S>], collisions: u64) -> Vec<Outcome>;
+    /// The same, counting every collision.
+    fn counted(&self, orbits: &mut [Bare<N, S>], collisions: u64, portraits: &mut T::Portraits) -> Vec<Outcome>;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
-    fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome;
+    fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome;
+}
+
+/// Runs orbits side by side, seen by an observer.
+fn side_by_side<B, O, const N: usize, const S: usize>(
+    billiard: &B,
+    orbits: &mut [Bare<N, S>],
+    collisions: u64,
+    observer: &mut O,
+) -> Vec<Outcome>
+where
+    B: Motion<N, S>,
+    O: LaneObserver<N, S, Keeper<N>, Clock>,
+{
+    let mut outcomes = vec![Outcome { stop: Stop::Finished, collisions: 0 }; orbits.len()];
+    let starts = orbits.to_vec();
+    run_side_by_side(billiard, &mut starts.into_iter(), collisions, observer, &mut |finished| {
+        #[allow(clippy::cast_possible_truncation, reason = "an index of this slice")]
+        let index = finished.index as usize;
+        (orbits[index], outcomes[index]) = (finished.orbit, finished.outcome);
+    });
+    outcomes
 }
 
 impl<B, const N: usize, const S: usize, T> Engine<N, S, T> for B
@@ -199,16 +270,12 @@ where
         run(self, orbit, &until, &mut ())
     }
     fn side_by_side(&self, orbits: &mut [Bare<N, S>], collisions: u64) -> Vec<Outcome> {
-        let mut outcomes = vec![Outcome { stop: Stop::Finished, collisions: 0 }; orbits.len()];
-        let starts = orbits.to_vec();
-        run_side_by_side(self, &mut starts.into_iter(), collisions, &mut |finished| {
-            #[allow(clippy::cast_possible_truncation, reason = "an index of this slice")]
-            let index = finished.index as usize;
-            (orbits[index], outcomes[index]) = (finished.orbit, finished.outcome);
-        });
-        outcomes
+        side_by_side(self, orbits, collisions, &mut ())
     }
-    fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_>) -> Outcome {
+    fn counted(&self, orbits: &mut [Bare<N, S>], collisions: u64, portraits: &mut T::Portraits) -> Vec<Outcome> {
+        side_by_side(self, orbits, collisions, portraits)
+    }
+    fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome {
         run(self, orbit, &until, watch)
     }
 }

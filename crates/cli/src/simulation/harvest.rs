@@ -2,15 +2,17 @@
 
 use std::collections::BTreeMap;
 use std::io;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use billiards::Stop;
 use billiards::geometry::Lattice;
 
 use super::event::Event;
 use super::paths::Paths;
+use super::portraits::Clouds;
 use super::schedule::{Ended, Extent, Results};
-use crate::picture::{self, Cloud, Material, Needs, Reduced};
-use crate::record::{Columns, RecordWriter, Row};
+use crate::picture::{self, Material, Needs, Reduced};
+use crate::record::RecordFile;
 
 /// Most orbits that a picture shows as lines.
 const MOST_PATHS: u64 = 200;
@@ -34,11 +36,11 @@ pub(crate) struct Totals {
 
 /// Takes results in the order of the orbits and keeps what is asked for.
 pub(crate) struct Harvest<'a> {
-    columns: Columns,
-    record: Option<Box<dyn RecordWriter + Send>>,
+    record: Option<RecordFile<'a>>,
     paths: Option<Paths>,
-    velocities: Option<Cloud>,
-    reduced: Option<Reduced>,
+    pub(crate) clouds: Clouds,
+    /// Set once points need no longer be handed on one by one.
+    crowded: &'a AtomicBool,
     seen: &'a dyn Seen,
     /// Legs shown of each orbit.
     legs: u64,
@@ -57,26 +59,26 @@ pub(crate) trait Seen {
     fn direction(&self, velocity: [f64; 3]) -> [f64; 2];
     /// An empty reduced phase space, where there is one.
     fn reduced(&self) -> Option<Reduced>;
-    /// The arc length of a collision.
-    fn arc_length(&self, event: &Event) -> f64;
 }
 
 impl<'a> Harvest<'a> {
     /// For a record, if there is one, and for pictures with these needs, of so many orbits.
     pub(crate) fn new(
-        columns: Columns,
-        record: Option<Box<dyn RecordWriter + Send>>,
+        record: Option<RecordFile<'a>>,
         needs: &[Needs],
         lattice: Option<Lattice>,
         orbits: u64,
         seen: &'a dyn Seen,
+        crowded: &'a AtomicBool,
     ) -> Self {
         Harvest {
-            columns,
             record,
             paths: needs.contains(&Needs::Paths).then(|| Paths::new(lattice)),
-            velocities: needs.contains(&Needs::Velocities).then(picture::velocities),
-            reduced: needs.contains(&Needs::Reduced).then(|| seen.reduced()).flatten(),
+            clouds: Clouds {
+                velocities: needs.contains(&Needs::Velocities).then(picture::velocities),
+                reduced: needs.contains(&Needs::Reduced).then(|| seen.reduced()).flatten(),
+            },
+            crowded,
             seen,
             legs: (picture::MOST_LEGS as u64 / orbits.clamp(1, MOST_PATHS)).max(1),
             cell: [0.0; 2],
@@ -84,9 +86,14 @@ impl<'a> Harvest<'a> {
         }
     }
 
-    /// How much of the orbits must be watched.
+    /// Whether lines are drawn of single collisions.
+    pub(crate) fn draws_paths(&self) -> bool {
+        self.paths.is_some()
+    }
+
+    /// How much of the orbits must be watched, besides counting.
     pub(crate) fn extent(&self) -> Extent {
-        if self.record.is_some() || self.velocities.is_some() || self.reduced.is_some() {
+        if self.record.is_some() {
             Extent { orbits: u64::MAX, collisions: u64::MAX }
         } else if self.paths.is_some() {
             Extent { orbits: MOST_PATHS, collisions: self.legs }
@@ -100,34 +107,35 @@ impl<'a> Harvest<'a> {
     /// # Errors
     /// The record cannot be written.
     pub(crate) fn take(&mut self, results: &Results) -> io::Result<()> {
+        if let Some(record) = &mut self.record {
+            record.write(results.rows, &results.formatted)?;
+        }
         let (mut events, mut taken) = (&results.events[..], 0);
         for (before, ended) in &results.ends {
             let (now, later) = events.split_at(before - taken);
             (events, taken) = (later, *before);
-            now.iter().try_for_each(|event| self.event(event))?;
+            for event in now {
+                self.event(event);
+            }
             self.end(ended);
         }
-        events.iter().try_for_each(|event| self.event(event))
+        for event in events {
+            self.event(event);
+        }
+        results.points.iter().for_each(|point| self.clouds.add(point));
+        if self.clouds.are_crowded() {
+            self.crowded.store(true, Ordering::Relaxed);
+        }
+        Ok(())
     }
 
-    fn event(&mut self, event: &Event) -> io::Result<()> {
-        if let Some(record) = &mut self.record {
-            write(&mut **record, self.columns, event)?;
-        }
-        if let Some(velocities) = &mut self.velocities {
-            velocities.add(event.orbit, portrait(event));
-        }
-        if let Some(reduced) = &mut self.reduced {
-            let [_, tangential] = portrait(event);
-            reduced.add(event.orbit, self.seen.arc_length(event), tangential);
-        }
+    fn event(&mut self, event: &Event) {
         if event.n <= self.legs
             && let Some(paths) = Self::paths_of(&mut self.paths, event.orbit, self.seen, &mut self.cell)
         {
             paths.fly(self.seen.point(event.position), [event.cell[0] - self.cell[0], event.cell[1] - self.cell[1]]);
             self.cell = event.cell;
         }
-        Ok(())
     }
 
     /// The lines, the last of which is that of an orbit; none if the orbit is not shown.
@@ -172,32 +180,10 @@ impl<'a> Harvest<'a> {
         }
         let material = Material {
             paths: self.paths.map(Paths::into_paths).unwrap_or_default(),
-            velocities: self.velocities,
-            reduced: self.reduced,
+            velocities: self.clouds.velocities,
+            reduced: self.clouds.reduced,
             ..Material::default()
         };
         Ok((material, self.totals))
-    }
-}
-
-/// `(v0, v·t)` of the velocity scaled to length one, where `t = J ν`.
-fn portrait(event: &Event) -> [f64; 2] {
-    let ([v1, v2, _], [v0, ..], [n1, n2, _]) = (event.velocity, event.spin, event.normal);
-    let speed = libm::hypot(v0, libm::hypot(v1, v2));
-    [v0 / speed, (v2 * n1 - v1 * n2) / speed]
-}
-
-fn write(record: &mut dyn RecordWriter, columns: Columns, event: &Event) -> io::Result<()> {
-    let ([x1, x2, x3], [v1, v2, v3], [w1, w2, w3]) = (event.position, event.velocity, event.spin);
-    #[allow(clippy::cast_possible_truncation, reason = "a number of cells")]
-    let cell = event.cell.map(|c| c as i64);
-    let mut row = |state: &[f64]| {
-        let Event { orbit, n, time, piece, .. } = *event;
-        record.row(&Row { orbit, n, time, piece, state, cell: &cell[..columns.cells()] })
-    };
-    if columns.dimension == 2 {
-        row(&[event.angle, x1, x2, w1, v1, v2])
-    } else {
-        row(&[x1, x2, x3, v1, v2, v3, w1, w2, w3])
     }
 }

@@ -2,32 +2,23 @@
 
 use std::cell::Cell;
 
-use billiards::geometry::{Vector2, Vector3};
+use billiards::geometry::Vector3;
 
-use super::event::Event;
 use super::harvest::Seen;
 use super::planar::Planar;
 use super::spatial::{Space, Spatial};
-use super::start::{self, Start};
+use super::start::Start;
 use crate::picture::{Reduced, Stroke, Window};
 
 /// A table in the plane.
 pub(crate) struct Flat<'a> {
     planar: &'a Planar,
     starts: &'a dyn Fn(u64) -> Start<2, 1>,
-    /// Arc length at the start of each piece of the region of centres.
-    offsets: Vec<f64>,
-    shifts: Vec<Vector2<f64>>,
 }
 
 impl<'a> Flat<'a> {
     pub(crate) fn new(planar: &'a Planar, starts: &'a dyn Fn(u64) -> Start<2, 1>) -> Self {
-        let (offsets, shifts) = (planar.centres.arc_length_offsets(), start::neighbours(&planar.centres));
-        Flat { planar, starts, offsets, shifts }
-    }
-
-    fn factor(&self) -> f64 {
-        self.planar.drawn.factor
+        Flat { planar, starts }
     }
 }
 
@@ -45,18 +36,8 @@ impl Seen for Flat<'_> {
     }
 
     fn reduced(&self) -> Option<Reduced> {
-        let out = |s: f64| s / self.factor();
-        Some(Reduced::new(self.offsets.iter().map(|s| out(*s)).collect(), out(self.planar.centres.perimeter())))
-    }
-
-    fn arc_length(&self, event: &Event) -> f64 {
-        let [x, y, _] = event.position.map(|x| x * self.factor());
-        let piece = &self.planar.centres.pieces()[event.own_piece];
-        // on a lattice, the copy of the piece that was hit
-        let off = |point: &Vector2<f64>| (piece.closest(point).point - point).norm_squared();
-        let copies = self.shifts.iter().map(|shift| Vector2::new(x, y) - shift);
-        let at = copies.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or_default();
-        (self.offsets[event.own_piece] + piece.arc_length_at(&at)) / self.factor()
+        let (centres, out) = (&self.planar.centres, |s: f64| s / self.planar.drawn.factor);
+        Some(Reduced::new(centres.arc_length_offsets().into_iter().map(out).collect(), out(centres.perimeter())))
     }
 }
 
@@ -171,9 +152,5 @@ impl Seen for Solid<'_> {
 
     fn reduced(&self) -> Option<Reduced> {
         None
-    }
-
-    fn arc_length(&self, _: &Event) -> f64 {
-        0.0
     }
 }

@@ -9,8 +9,10 @@ use super::boundary::{self, Drawn};
 use super::engine::{Engine, Keeper, PlanarTrail, Watched};
 use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, is_strict};
+use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
+use super::unrolled::Unrolled;
 use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Ensemble, LawKind, Scene};
 
@@ -115,6 +117,16 @@ impl Planar {
             keeper: Keeper::for_law(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), trail),
         }
+    }
+
+    /// What makes the counters of points for these clouds, if there are any.
+    #[allow(clippy::type_complexity, reason = "a function, boxed")]
+    pub(crate) fn portraits(&self, clouds: &Clouds) -> Option<Box<dyn Fn() -> PlanarPortraits + Sync>> {
+        let unrolled = clouds.reduced.is_some().then(|| Arc::new(Unrolled::of(&self.centres)));
+        let (clouds, strict) = (clouds.clone(), self.strict);
+        clouds.any().then(|| -> Box<dyn Fn() -> PlanarPortraits + Sync> {
+            Box::new(move || PlanarPortraits::new(&clouds, unrolled.as_ref(), strict))
+        })
     }
 
     /// Up to where the digits of the first orbits last, within a number of collisions and a time.

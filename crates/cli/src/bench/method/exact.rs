@@ -8,7 +8,7 @@ use super::super::case::{Case, Space};
 use super::super::law::Law;
 use super::super::state::{State, first};
 use super::{End, Entry, Method, always};
-use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Until};
+use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Trail, Until};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact",
@@ -101,7 +101,7 @@ fn until(collisions: u64) -> Until {
 }
 
 /// Runs one orbit and shows its state on the way.
-pub(in crate::bench) fn trace<const N: usize, const S: usize, T>(
+pub(in crate::bench) fn trace<const N: usize, const S: usize, T: Trail<N, S>>(
     engine: &dyn Engine<N, S, T>,
     start: &State<f64>,
     stops: &[u64],
@@ -123,7 +123,7 @@ pub(in crate::bench) fn trace<const N: usize, const S: usize, T>(
 }
 
 /// Runs each start for so many collisions.
-pub(super) fn bulk<const N: usize, const S: usize, T>(
+pub(super) fn bulk<const N: usize, const S: usize, T: Trail<N, S>>(
     engine: &dyn Engine<N, S, T>,
     starts: &[State<f64>],
     collisions: u64,

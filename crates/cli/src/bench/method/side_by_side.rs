@@ -61,7 +61,7 @@ impl Method for Plane {
         let mut made = 0;
         let mut finished = |f: Finished<2, 1, Conserved<f64, 2>, ()>| made += f.outcome.collisions;
         let each = share(starts, collisions);
-        self.billiard.run_side_by_side(&mut many(starts), each, &mut finished);
+        self.billiard.run_side_by_side(&mut many(starts), each, &mut (), &mut finished);
         made
     }
 }
@@ -94,6 +94,6 @@ impl WithWalls<3> for On<'_> {
     type Output = ();
     fn run<W: Walls<3>>(self, walls: &W) {
         let billiard = Billiard { walls, law: self.law };
-        run_side_by_side(&billiard, self.starts, self.collisions, self.finished);
+        run_side_by_side(&billiard, self.starts, self.collisions, &mut (), self.finished);
     }
 }

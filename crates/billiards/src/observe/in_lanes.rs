@@ -1,0 +1,40 @@
+//! Watching many orbits side by side.
+use crate::{
+    orbit::Orbit,
+    side_by_side::{Keeping, Tracking},
+};
+use geometry::WallHit;
+use lanes::Lane;
+
+/// Watches runs of many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
+///
+/// It sees every collision that an [`Observer`](super::Observer) of the single orbits would see, as many at a time as
+/// the CPU has lanes, those of one orbit in order. It must not touch what no orbit is in: lanes idle along where there
+/// are fewer orbits than lanes.
+pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> {
+    /// What it knows of the orbits in the lanes of a vector.
+    type View<F: Lane>;
+    /// There is no orbit in any lane.
+    fn nobody<F: Lane>(&self, zero: F) -> Self::View<F>;
+    /// Orbit number `index`, in the order of the starts, begins in the lane where `here` is true.
+    fn begin<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask, index: u64, orbit: &Orbit<f64, N, S, K, T>);
+    /// There is no orbit any more in some lanes.
+    fn end<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask);
+    /// A collision has just happened in every lane with an orbit.
+    fn collision<F: Lane>(
+        &mut self,
+        view: &mut Self::View<F>,
+        hit: &WallHit<F, N>,
+        orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
+    );
+}
+
+/// Nobody watches: costs nothing.
+impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneObserver<N, S, K, T> for () {
+    type View<F: Lane> = ();
+    fn nobody<F: Lane>(&self, _: F) {}
+    fn begin<F: Lane>(&mut self, (): &mut (), _: F::Mask, _: u64, _: &Orbit<f64, N, S, K, T>) {}
+    fn end<F: Lane>(&mut self, (): &mut (), _: F::Mask) {}
+    #[inline(always)]
+    fn collision<F: Lane>(&mut self, (): &mut (), _: &WallHit<F, N>, _: &Orbit<F, N, S, K::In<F>, T::In<F>>) {}
+}

@@ -1,0 +1,323 @@
+//! A few orbits on one thread: one by one where somebody watches them, side by side where not.
+
+use std::ops::{ControlFlow, Range};
+use std::sync::atomic::Ordering;
+use std::sync::mpsc::SyncSender;
+use std::time::{Duration, Instant};
+
+use billiards::{Orbit, Stop, Timed};
+use lanes::{Double, two_prod};
+
+use super::engine::{Bare, Engine, Portraits, Trail, Until, Watch, Watched};
+use super::scale::Scale;
+use super::schedule::{Ended, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, Results, STEPS, Work};
+use crate::picture::{MOST_DOTS, layer};
+
+/// Collisions between two looks at the clock, the energy and the user.
+pub(super) const BLOCK: u64 = 4096;
+
+/// A few orbits on one thread.
+pub(super) struct Job<'a, const N: usize, const S: usize, T: Trail<N, S>> {
+    pub(super) engine: &'a dyn Engine<N, S, T>,
+    pub(super) work: &'a Work<'a>,
+    pub(super) out: SyncSender<Results>,
+    pub(super) results: Results,
+    /// What this thread counts for portraits.
+    pub(super) portraits: Option<T::Portraits>,
+    /// Time spent on the simulation itself.
+    pub(super) busy: Duration,
+}
+
+/// What is known of an orbit besides its state.
+#[derive(Clone, Copy, Debug)]
+struct Course {
+    orbit: u64,
+    stop: Option<Stop>,
+    collisions: u64,
+    drift: f64,
+}
+
+/// A row of a record seldom takes more.
+const BYTES_OF_ROW: usize = 192;
+
+/// An orbit that nobody watches any more.
+fn bare<const N: usize, const S: usize, T>(orbit: &Watched<N, S, T>) -> Bare<N, S> {
+    let &Orbit { position, velocity, spin, keeper, track: (clock, _) } = orbit;
+    Orbit { position, velocity, spin, keeper, track: clock }
+}
+
+/// An orbit, watched or not.
+enum Running<const N: usize, const S: usize, T> {
+    Watched(Watched<N, S, T>),
+    Bare(Bare<N, S>),
+}
+
+impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
+    /// Runs orbits: side by side where nobody wants to see each of them.
+    pub(super) fn run_all(
+        &mut self,
+        orbits: Range<u64>,
+        launch: &(dyn Fn(u64) -> Launch<N, S, T> + Sync),
+    ) -> ControlFlow<()> {
+        let is_bare = self.work.is_bare(&orbits);
+        let mut orbits = orbits.peekable();
+        while let Some(&orbit) = orbits.peek() {
+            let left = orbits.size_hint().0 as u64;
+            if is_bare && left >= FEWEST_SIDE_BY_SIDE && !self.shows_points() {
+                self.run_side_by_side(orbit, &orbits.map(launch).collect::<Vec<_>>());
+                break;
+            }
+            self.run(orbit, launch(orbit))?;
+            orbits.next();
+        }
+        ControlFlow::Continue(())
+    }
+
+    /// Whether points of portraits are handed on one by one.
+    fn shows_points(&self) -> bool {
+        self.portraits.is_some() && !self.work.crowded.load(Ordering::Relaxed)
+    }
+
+    /// Runs one orbit. It is run in blocks of the same size however it is watched, so its bits are the same.
+    fn run(&mut self, index: u64, launch: Launch<N, S, T>) -> ControlFlow<()> {
+        let Work { collisions: most, watch, progress, interrupted, .. } = *self.work;
+        let scale = launch.scale;
+        let end = scale.time_in(self.work.time);
+        let watched = if index < watch.orbits { watch.collisions } else { 0 };
+        let energy = Energy::of(&launch.orbit);
+        let mut orbit = Running::Watched(launch.orbit);
+        let mut shown = 0;
+        let (mut n, mut drift, mut steps) = (0, 0.0_f64, 0);
+        let stop = loop {
+            let begun = Instant::now();
+            let until = Until { collisions: BLOCK.min(most - n), time: end };
+            orbit = orbit.watched_if(n < watched || self.portraits.is_some());
+            let shows_points = self.shows_points();
+            let outcome = match &mut orbit {
+                Running::Watched(orbit) => {
+                    let Work { pieces, shift, .. } = *self.work;
+                    let Results { events, points, .. } = &mut self.results;
+                    let mut portraits = None;
+                    if let Some(of_thread) = &mut self.portraits {
+                        let unit = of_thread.unit(&orbit.velocity, &orbit.spin);
+                        portraits = Some((of_thread, unit));
+                    }
+                    let mut watch = Watch {
+                        events: (n < watched).then_some(events),
+                        portraits,
+                        points: shows_points.then_some(points),
+                        orbit: index,
+                        before: n,
+                        scale,
+                        pieces,
+                        shift,
+                    };
+                    self.engine.watched(orbit, until, &mut watch)
+                }
+                Running::Bare(orbit) => self.engine.bare(orbit, until),
+            };
+            n += outcome.collisions;
+            drift = drift.max(orbit.energy().drift_from(&energy));
+            let now = progress_of(n, most).max(progress_of_time(orbit.time(), end));
+            progress.fetch_add(now - steps, Ordering::Relaxed);
+            steps = now;
+            self.busy += begun.elapsed();
+            let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == until.collisions && n < most;
+            if !block_is_over {
+                break Some(outcome.stop);
+            }
+            if shows_points {
+                shown += outcome.collisions;
+                // an orbit with so many points is a crowd
+                self.work.crowded.fetch_or(shown > MOST_DOTS as u64, Ordering::Relaxed);
+            }
+            self.send_block()?;
+            if interrupted.load(Ordering::Relaxed) {
+                break None;
+            }
+        };
+        progress.fetch_add(STEPS - steps, Ordering::Relaxed);
+        self.end(&orbit, scale, Course { orbit: index, stop, collisions: n, drift });
+        self.send_block()
+    }
+
+    /// Hands over the results so far if they are many.
+    fn send_block(&mut self) -> ControlFlow<()> {
+        let Results { events, points, .. } = &self.results;
+        if events.len().max(points.len()) as u64 >= BLOCK { self.send() } else { ControlFlow::Continue(()) }
+    }
+
+    /// Runs orbits that nobody watches, from the given one, in blocks as they would be run one by one.
+    fn run_side_by_side(&mut self, first: u64, launches: &[Launch<N, S, T>]) {
+        let Work { collisions: most, progress, interrupted, .. } = *self.work;
+        let energies: Vec<Energy> = launches.iter().map(|launch| Energy::of(&launch.orbit)).collect();
+        let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
+        let mut orbits: Vec<Bare<N, S>> = launches.iter().map(|launch| bare(&launch.orbit)).collect();
+        let course = |k: usize| Course { orbit: first + k as u64, stop: None, collisions: 0, drift: 0.0 };
+        let mut courses: Vec<Course> = (0..orbits.len()).map(course).collect();
+        for mut going in self.in_turn(first, launches.len()) {
+            let mut n = 0;
+            while !going.is_empty() && !interrupted.load(Ordering::Relaxed) {
+                let begun = Instant::now();
+                let block = BLOCK.min(most - n);
+                let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
+                let outcomes = match &mut self.portraits {
+                    Some(portraits) => {
+                        portraits.side_by_side(going.iter().map(|&k| first + k as u64));
+                        self.engine.counted(&mut these, block, portraits)
+                    }
+                    None => self.engine.side_by_side(&mut these, block),
+                };
+                for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
+                    orbits[k] = orbit;
+                    let course = &mut courses[k];
+                    course.collisions += outcome.collisions;
+                    course.drift = course.drift.max(Energy::of(&orbits[k]).drift_from(&energies[k]));
+                    if outcome.stop != Stop::Finished || course.collisions == most {
+                        course.stop = Some(outcome.stop);
+                        progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
+                    } else {
+                        progress.fetch_add(progress_of(n + block, most) - progress_of(n, most), Ordering::Relaxed);
+                    }
+                }
+                going.retain(|&k| courses[k].stop.is_none());
+                n += block;
+                self.busy += begun.elapsed();
+            }
+            progress.fetch_add((STEPS - progress_of(n, most)) * going.len() as u64, Ordering::Relaxed);
+        }
+        for ((orbit, scale), course) in orbits.into_iter().zip(scales).zip(courses) {
+            self.end(&Running::Bare(orbit), scale, course);
+        }
+    }
+
+    /// So many orbits from the given one, as they run side by side: all together, or those that are counted in the same
+    /// layer of portraits, which then fits into the cache.
+    fn in_turn(&self, first: u64, count: usize) -> Vec<Vec<usize>> {
+        let mut all: Vec<usize> = (0..count).collect();
+        if self.portraits.is_none() {
+            return vec![all];
+        }
+        let layer = |k: &usize| layer(first + *k as u64);
+        all.sort_by_key(layer);
+        let mut turns: Vec<Vec<usize>> = vec![];
+        for of_layer in all.chunk_by(|a, b| layer(a) == layer(b)) {
+            match turns.last_mut() {
+                Some(few) if (few.len() as u64) < LEAST_SIDE_BY_SIDE => few.extend(of_layer),
+                _ => turns.push(of_layer.to_vec()),
+            }
+        }
+        turns
+    }
+
+    /// Notes the end of an orbit.
+    fn end(&mut self, orbit: &Running<N, S, T>, scale: Scale, course: Course) {
+        let Course { orbit: index, stop, collisions, drift } = course;
+        let (position, velocity) = orbit.end(scale.time_in(self.work.time), stop);
+        let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
+        let velocity = velocity.map(|v| scale.speed_out(v));
+        let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
+        let time = if out_of_time { self.work.time } else { scale.time_out(orbit.time()) };
+        let ended = Ended { orbit: index, stop, collisions, time, drift, position, velocity };
+        self.results.ends.push((self.results.events.len(), ended));
+    }
+
+    /// Hands over the results so far; rows of the record are written here, on this thread.
+    pub(super) fn send(&mut self) -> ControlFlow<()> {
+        let mut results = core::mem::take(&mut self.results);
+        if let Some(recorder) = &self.work.recorder {
+            results.rows = results.events.len() as u64;
+            results.formatted.reserve(results.events.len() * BYTES_OF_ROW);
+            results.events.iter().for_each(|event| recorder.write(event, &mut results.formatted));
+            if !self.work.drawn {
+                // nobody else wants them: their place is used again
+                results.events.clear();
+                results.ends.iter_mut().for_each(|(before, _)| *before = 0);
+                core::mem::swap(&mut results.events, &mut self.results.events);
+            }
+        }
+        match self.out.send(results) {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(_) => ControlFlow::Break(()),
+        }
+    }
+}
+
+/// Part of an orbit that is done, in [`STEPS`].
+fn progress_of(n: u64, most: u64) -> u64 {
+    part(n as f64 / most.max(1) as f64)
+}
+
+fn progress_of_time(time: f64, end: f64) -> u64 {
+    if end.is_finite() { part(time / end) } else { 0 }
+}
+
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and STEPS")]
+fn part(of_one: f64) -> u64 {
+    (of_one.clamp(0.0, 1.0) * STEPS as f64) as u64
+}
+
+impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
+    /// The same orbit, no longer watched unless it is to be.
+    fn watched_if(self, watched: bool) -> Self {
+        match self {
+            Running::Watched(orbit) if !watched => Running::Bare(bare(&orbit)),
+            other => other,
+        }
+    }
+
+    fn state(&self) -> (&[f64; N], &[f64; N]) {
+        match self {
+            Running::Watched(orbit) => (&orbit.position, &orbit.velocity),
+            Running::Bare(orbit) => (&orbit.position, &orbit.velocity),
+        }
+    }
+
+    fn time(&self) -> f64 {
+        match self {
+            Running::Watched(orbit) => orbit.track.time(),
+            Running::Bare(orbit) => orbit.track.time(),
+        }
+    }
+
+    fn energy(&self) -> Energy {
+        match self {
+            Running::Watched(orbit) => Energy::of(orbit),
+            Running::Bare(orbit) => Energy::of(orbit),
+        }
+    }
+
+    /// Position and velocity at the end: at the end of time, or at the last collision.
+    fn end(&self, end: f64, stop: Option<Stop>) -> ([f64; 3], [f64; 3]) {
+        let (at, v) = self.state();
+        let flown = if stop == Some(Stop::Finished) && end.is_finite() { (end - self.time()).max(0.0) } else { 0.0 };
+        let (mut position, mut velocity) = ([0.0; 3], [0.0; 3]);
+        for i in 0..N {
+            position[i] = at[i] + v[i] * flown;
+            velocity[i] = v[i];
+        }
+        (position, velocity)
+    }
+}
+
+/// `|v|² + |w|²` to twice the usual precision, so that a drift of one rounding is seen as such.
+#[derive(Clone, Copy, Debug)]
+struct Energy(Double);
+
+impl Energy {
+    fn of<const N: usize, const S: usize, K, T>(orbit: &Orbit<f64, N, S, K, T>) -> Energy {
+        let mut sum = Double::new(0.0);
+        for x in orbit.velocity.iter().chain(&orbit.spin) {
+            let (square, rest) = two_prod(*x, *x);
+            sum.add(square);
+            sum.add(rest);
+        }
+        Energy(sum)
+    }
+
+    /// The relative deviation.
+    fn drift_from(&self, start: &Energy) -> f64 {
+        let (now, then) = (self.0, start.0);
+        (((now.high - then.high) + (now.low - then.low)) / then.high).abs()
+    }
+}

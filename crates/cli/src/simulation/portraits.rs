@@ -1,0 +1,266 @@
+//! Density portraits: every thread counts its points where they arise, on grids of its own.
+//!
+//! As long as there are few points, they are handed on one by one, to be drawn as dots; once they are more than that,
+//! they are counted. Counts are whole numbers, so the portrait does not depend on who counted what.
+
+use std::sync::Arc;
+
+use billiards::geometry::WallHit;
+use billiards::observe::{Density, LaneObserver, Noted};
+use billiards::{Clock, Merge, Orbit};
+use lanes::{Lane, Mask};
+
+use super::engine::{Keeper, Portraits};
+use super::unrolled::Unrolled;
+use crate::picture::{self, Cloud, Reduced};
+
+/// A collision as portraits show it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Point {
+    /// Number of the orbit.
+    pub(crate) orbit: u64,
+    /// `(v0, v·t)` of the velocity scaled to length one, where `t = J ν`.
+    pub(crate) velocity: [f64; 2],
+    /// `(s, v·t)`, the arc length in the unit of the picture.
+    pub(crate) reduced: [f64; 2],
+}
+
+/// The portraits of a disk in the plane.
+#[derive(Clone, Debug)]
+pub(crate) struct PlanarPortraits {
+    velocities: Option<Counter>,
+    reduced: Option<(Counter, Arc<Unrolled>)>,
+    /// Whether no collision changes the speed.
+    strict: bool,
+    /// The orbits that run side by side.
+    orbits: Vec<u64>,
+}
+
+/// Counts the points of a cloud.
+#[derive(Clone, Debug)]
+struct Counter {
+    density: Density,
+    noted: Noted,
+    /// Whether there is anything to count.
+    counts: bool,
+}
+
+impl Counter {
+    fn of(cloud: &Cloud) -> Self {
+        let density = cloud.counter();
+        Counter { noted: Noted::new(&density), density, counts: false }
+    }
+
+    #[inline(always)]
+    fn note<F: Lane>(&mut self, point: [F; 2], layer: F, here: F::Mask) {
+        let cells = self.density.cells(point, layer, here);
+        self.noted.note(&mut self.density, cells);
+    }
+
+    /// What it has counted, if anything.
+    fn counted(mut self) -> Option<Density> {
+        self.noted.count(&mut self.density);
+        self.counts.then_some(self.density)
+    }
+}
+
+/// What is known of the orbits in the lanes of a vector.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct View<F: Lane> {
+    /// Whether there is one.
+    here: F::Mask,
+    /// By what velocities are scaled.
+    unit: F,
+    /// The layers in which they are counted.
+    layers: [F; 2],
+}
+
+/// What portraits need of a collision.
+#[derive(Clone, Copy, Debug)]
+struct Seen<F> {
+    /// Where, and on which piece.
+    point: [F; 2],
+    piece: F,
+    /// `v0` and `v·t`, where `t = J ν`.
+    spin: F,
+    tangential: F,
+    /// `|(v, w)|²`
+    square: F,
+}
+
+impl<F: Lane> Seen<F> {
+    #[inline(always)]
+    fn of(hit: &WallHit<F, 2>, velocity: &[F; 2], spin: &[F; 1]) -> Self {
+        let ([n1, n2], [v1, v2], [spin]) = (hit.normal, *velocity, *spin);
+        let tangential = (v2 * n1 - v1 * n2) * hit.inverse;
+        Seen { point: hit.point, piece: hit.piece, spin, tangential, square: v1 * v1 + v2 * v2 + spin * spin }
+    }
+}
+
+/// `1/√x`
+fn inverse_root<F: Lane>(x: F) -> F {
+    x.same(1.0) / x.sqrt()
+}
+
+/// `1/|(v, w)|`
+fn inverse_speed([v1, v2]: &[f64; 2], w: f64) -> f64 {
+    inverse_root(v1 * v1 + v2 * v2 + w * w)
+}
+
+impl PlanarPortraits {
+    /// For these clouds, without points.
+    pub(crate) fn new(clouds: &Clouds, unrolled: Option<&Arc<Unrolled>>, strict: bool) -> Self {
+        let reduced = clouds.reduced.as_ref().map(|reduced| Counter::of(reduced.cloud()));
+        PlanarPortraits {
+            velocities: clouds.velocities.as_ref().map(Counter::of),
+            reduced: reduced.zip(unrolled.cloned()),
+            strict,
+            orbits: vec![],
+        }
+    }
+
+    /// The points of collisions, velocities scaled by `unit`.
+    #[inline(always)]
+    fn points<F: Lane>(&self, unit: F, seen: &Seen<F>) -> [[F; 2]; 2] {
+        let unit = if self.strict { unit } else { inverse_root(seen.square) };
+        let tangential = seen.tangential * unit;
+        let s = match &self.reduced {
+            Some((_, unrolled)) => unrolled.arc_length(seen.point, seen.piece),
+            None => tangential,
+        };
+        [[seen.spin * unit, tangential], [s, tangential]]
+    }
+
+    /// Counts points in their layers, where `here`.
+    #[inline(always)]
+    fn add<F: Lane>(&mut self, [velocity, reduced]: [[F; 2]; 2], layers: [F; 2], here: F::Mask) {
+        if let Some(counter) = &mut self.velocities {
+            counter.note(velocity, layers[0], here);
+        }
+        if let Some((counter, _)) = &mut self.reduced {
+            counter.note(reduced, layers[1], here);
+        }
+    }
+
+    /// Counting begins. The layers of an orbit.
+    fn layers(&mut self, orbit: u64) -> [f64; 2] {
+        let layer = picture::layer(orbit);
+        let of = |counter: &mut Counter| {
+            counter.counts = true;
+            counter.density.layer(layer)
+        };
+        [self.velocities.as_mut().map_or(0.0, of), self.reduced.as_mut().map_or(0.0, |(counter, _)| of(counter))]
+    }
+}
+
+impl Merge for PlanarPortraits {
+    fn merge(mut self, other: Self) -> Self {
+        let add = |mine: Option<&mut Counter>, other: Option<Counter>| {
+            if let (Some(mine), Some(other)) = (mine, other.and_then(Counter::counted)) {
+                mine.counts = true;
+                mine.density.merge_in(&other);
+            }
+        };
+        add(self.velocities.as_mut(), other.velocities);
+        add(self.reduced.as_mut().map(|(mine, _)| mine), other.reduced.map(|(other, _)| other));
+        self
+    }
+}
+
+impl Portraits<2, 1> for PlanarPortraits {
+    fn unit(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
+        inverse_speed(velocity, spin[0])
+    }
+    #[inline(always)]
+    fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, 2>, velocity: &[f64; 2], spin: &[f64; 1]) -> Point {
+        let [velocity, reduced] = self.points(unit, &Seen::of(hit, velocity, spin));
+        Point { orbit, velocity, reduced }
+    }
+    #[inline(always)]
+    fn count(&mut self, point: &Point) {
+        let layers = self.layers(point.orbit);
+        self.add([point.velocity, point.reduced], layers, true);
+    }
+    fn side_by_side(&mut self, orbits: impl Iterator<Item = u64>) {
+        self.orbits.clear();
+        self.orbits.extend(orbits);
+    }
+}
+
+impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
+    type View<F: Lane> = View<F>;
+
+    fn nobody<F: Lane>(&self, zero: F) -> View<F> {
+        View { here: zero.lt(zero), unit: zero, layers: [zero; 2] }
+    }
+    fn begin<F: Lane>(
+        &mut self,
+        view: &mut View<F>,
+        here: F::Mask,
+        index: u64,
+        orbit: &Orbit<f64, 2, 1, Keeper<2>, Clock>,
+    ) {
+        #[allow(clippy::cast_possible_truncation, reason = "the number of one of the orbits side by side")]
+        let layers = self.layers(self.orbits[index as usize]);
+        let put = |to: F, from: f64| here.select(to.same(from), to);
+        view.here = view.here | here;
+        view.unit = put(view.unit, inverse_speed(&orbit.velocity, orbit.spin[0]));
+        view.layers = [0, 1].map(|i| put(view.layers[i], layers[i]));
+    }
+    fn end<F: Lane>(&mut self, view: &mut View<F>, here: F::Mask) {
+        view.here = view.here & !here;
+    }
+    #[inline(always)]
+    fn collision<F: Lane>(
+        &mut self,
+        view: &mut View<F>,
+        hit: &WallHit<F, 2>,
+        orbit: &Orbit<F, 2, 1, Keeper<2, F>, Clock<F>>,
+    ) {
+        let points = self.points(view.unit, &Seen::of(hit, &orbit.velocity, &orbit.spin));
+        self.add(points, view.layers, view.here);
+    }
+}
+
+/// The portraits that are wanted: they show points one by one as long as these are few.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Clouds {
+    pub(crate) velocities: Option<Cloud>,
+    pub(crate) reduced: Option<Reduced>,
+}
+
+impl Clouds {
+    /// Whether there are any.
+    pub(crate) fn any(&self) -> bool {
+        self.velocities.is_some() || self.reduced.is_some()
+    }
+
+    /// Adds a point.
+    pub(crate) fn add(&mut self, point: &Point) {
+        if let Some(velocities) = &mut self.velocities {
+            velocities.add(point.orbit, point.velocity);
+        }
+        if let Some(reduced) = &mut self.reduced {
+            reduced.cloud_mut().add(point.orbit, point.reduced);
+        }
+    }
+
+    /// Adds points that were counted.
+    pub(crate) fn merge(&mut self, counted: Option<PlanarPortraits>) {
+        let add = |counter: Option<Counter>, cloud: Option<&mut Cloud>| {
+            if let (Some(counts), Some(cloud)) = (counter.and_then(Counter::counted), cloud) {
+                cloud.merge(&counts);
+            }
+        };
+        if let Some(PlanarPortraits { velocities, reduced, .. }) = counted {
+            add(velocities, self.velocities.as_mut());
+            add(reduced.map(|(counter, _)| counter), self.reduced.as_mut().map(Reduced::cloud_mut));
+        }
+    }
+
+    /// Whether further points need no longer be handed on one by one.
+    pub(crate) fn are_crowded(&self) -> bool {
+        let reduced = self.reduced.as_ref().map(Reduced::cloud);
+        self.velocities.iter().chain(reduced).all(Cloud::is_crowded)
+    }
+}

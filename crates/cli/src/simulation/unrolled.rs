@@ -1,0 +1,223 @@
+//! The boundary of a planar table, unrolled: where on it a collision is.
+
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+use billiards::geometry::{Figure, Piece, Table, Vector2};
+use lanes::{Lane, Mask};
+
+use super::start;
+use crate::picture::REDUCED_WIDTH;
+
+/// The arc length of all pieces laid end to end, in the unit of the picture.
+#[derive(Clone, Debug)]
+pub(crate) struct Unrolled {
+    table: Table,
+    /// Arc length at the start of each piece.
+    offsets: Vec<f64>,
+    /// To the copies of a piece on a lattice next to it.
+    shifts: Vec<Vector2<f64>>,
+    /// Width of the picture per length.
+    unit: f64,
+    /// All pieces, where they are few segments and arcs; else nothing.
+    stretches: Vec<Stretch>,
+    /// Whether there are arcs among them.
+    arcs: bool,
+}
+
+/// Most pieces that are told apart one after another.
+const MOST_STRETCHES: usize = 16;
+
+/// A segment or an arc on the unrolled boundary.
+///
+/// With `d` from `origin` to a point of it, a segment is at `start + d·axis`, and an arc at `start + radius θ`, where `θ` is
+/// the angle from `axis` to `d` in the sense of `turn`.
+#[derive(Clone, Copy, Debug)]
+struct Stretch<F = f64> {
+    origin: [F; 2],
+    axis: [F; 2],
+    turn: F,
+    /// 0 of a segment.
+    radius: F,
+    /// The angle of an arc.
+    sweep: F,
+    start: F,
+}
+
+impl Stretch {
+    /// A piece that begins at `start`, in a picture with so much width per length.
+    fn of(piece: &dyn Piece, start: f64, unit: f64) -> Option<Self> {
+        let turn = |inside| if inside { 1.0 } else { -1.0 };
+        let arc = |center: Vector2<f64>, radius: f64, inside| {
+            let axis = (piece.point_at(0.0) - center) / radius;
+            let (sweep, radius) = (piece.length() / radius, radius * unit);
+            Stretch { origin: center.into(), axis: axis.into(), turn: turn(inside), radius, sweep, start }
+        };
+        match piece.figure() {
+            Figure::Segment { ends: [a, b] } => {
+                let axis = (b - a).normalize() * unit;
+                Some(Stretch { origin: a.into(), axis: axis.into(), turn: 1.0, radius: 0.0, sweep: 0.0, start })
+            }
+            Figure::Arc { center, radius, inside, .. } | Figure::Circle { center, radius, inside } => {
+                Some(arc(center, radius, inside))
+            }
+            _ => None,
+        }
+    }
+
+    /// The same in as many lanes as `zero` has.
+    #[inline(always)]
+    fn all<F: Lane>(&self, zero: F) -> Stretch<F> {
+        let [o1, o2] = self.origin;
+        let [a1, a2] = self.axis;
+        Stretch {
+            origin: [zero.same(o1), zero.same(o2)],
+            axis: [zero.same(a1), zero.same(a2)],
+            turn: zero.same(self.turn),
+            radius: zero.same(self.radius),
+            sweep: zero.same(self.sweep),
+            start: zero.same(self.start),
+        }
+    }
+}
+
+impl<F: Lane> Stretch<F> {
+    /// This one, or `other` where `second`.
+    #[inline(always)]
+    fn or(self, second: F::Mask, other: &Self) -> Self {
+        let ([o1, o2], [p1, p2]) = (self.origin, other.origin);
+        let ([a1, a2], [b1, b2]) = (self.axis, other.axis);
+        Stretch {
+            origin: [second.select(p1, o1), second.select(p2, o2)],
+            axis: [second.select(b1, a1), second.select(b2, a2)],
+            turn: second.select(other.turn, self.turn),
+            radius: second.select(other.radius, self.radius),
+            sweep: second.select(other.sweep, self.sweep),
+            start: second.select(other.start, self.start),
+        }
+    }
+
+    /// Where a point of it is, on a boundary with or without arcs.
+    #[inline(always)]
+    fn at(&self, [x, y]: [F; 2], arcs: bool) -> F {
+        let (d1, d2) = (x - self.origin[0], y - self.origin[1]);
+        let [a1, a2] = self.axis;
+        let along = d1 * a1 + d2 * a2;
+        if !arcs {
+            return self.start + along;
+        }
+        let angle = angle(along, self.turn * (a1 * d2 - a2 * d1));
+        // rounding may take a point beyond the ends
+        let beyond = (self.sweep * 0.5 + PI).lt(angle);
+        let angle = beyond.select(angle.same(0.0), angle.min(self.sweep));
+        let zero = angle.same(0.0);
+        self.start + zero.lt(self.radius).select(self.radius * angle, along)
+    }
+}
+
+/// The angle of a vector in [0, 2π], to 2·10⁻⁸: a hundred thousandth of a pixel.
+///
+/// The quotient of its components, or of their difference and sum beyond π/8, goes into the series of the arc tangent.
+#[inline(always)]
+fn angle<F: Lane>(x: F, y: F) -> F {
+    let zero = x.same(0.0);
+    let (a, b) = (x.abs(), y.abs());
+    let (small, large) = (a.min(b), a.max(b));
+    let steep = (large * 0.414_213_562_373_095_03).lt(small); // tan(π/8)
+    let t = steep.select(small - large, small) / steep.select(small + large, large);
+    let t2 = t * t;
+    let mut series = t2.same(1.0 / 15.0);
+    for k in [13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0] {
+        series = t2.same(1.0 / k) - series * t2;
+    }
+    let mut angle = t * series + steep.select(zero.same(FRAC_PI_4), zero);
+    angle = a.lt(b).select(-angle + FRAC_PI_2, angle);
+    angle = x.lt(zero).select(-angle + PI, angle);
+    y.lt(zero).select(-angle + TAU, angle)
+}
+
+impl Unrolled {
+    /// The boundary of a table, of finite length.
+    pub(crate) fn of(table: &Table) -> Self {
+        let (offsets, unit) = (table.arc_length_offsets(), REDUCED_WIDTH / table.perimeter());
+        let few = table.lattice().is_none() && table.pieces().len() <= MOST_STRETCHES;
+        let stretch = |(piece, start): (&std::sync::Arc<dyn Piece>, &f64)| Stretch::of(&**piece, start * unit, unit);
+        let stretches: Option<Vec<Stretch>> = table.pieces().iter().zip(&offsets).map(stretch).collect();
+        let stretches = stretches.filter(|_| few).unwrap_or_default();
+        let arcs = stretches.iter().any(|stretch| stretch.radius > 0.0);
+        Unrolled { shifts: start::neighbours(table), unit, offsets, table: table.clone(), stretches, arcs }
+    }
+
+    /// Where hits are, between 0 and the width of the picture.
+    #[inline(always)]
+    pub(crate) fn arc_length<F: Lane>(&self, [x, y]: [F; 2], piece: F) -> F {
+        let Some((first, others)) = self.stretches.split_first() else {
+            return x.each(|k| self.of_one(piece.lane(k), Vector2::new(x.lane(k), y.lane(k))));
+        };
+        let mut stretch = first.all(x);
+        let mut before = 0.5;
+        for other in others {
+            stretch = stretch.or(x.same(before).lt(piece), &other.all(x));
+            before += 1.0;
+        }
+        stretch.at([x, y], self.arcs)
+    }
+
+    /// The same for a piece of any kind.
+    #[inline(never)]
+    fn of_one(&self, piece: f64, at: Vector2<f64>) -> f64 {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+        let number = (piece as usize).min(self.offsets.len() - 1);
+        let piece = &self.table.pieces()[number];
+        // on a lattice, the copy of the piece that was hit
+        let off = |point: &Vector2<f64>| (piece.closest(point).point - point).norm_squared();
+        let at = match &self.shifts[..] {
+            [] | [_] => at,
+            shifts => shifts.iter().map(|shift| at - shift).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(at),
+        };
+        (self.offsets[number] + piece.arc_length_at(&at)) * self.unit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use billiards::geometry::tables;
+
+    #[test]
+    fn angles_are_right_to_a_hundred_thousandth_of_a_pixel() {
+        for k in 0..10_000 {
+            let turn = f64::from(k) * 6.283e-4;
+            let (sin, cos) = libm::sincos(turn);
+            for size in [1e-3, 1.0, 1e5] {
+                assert!((angle(size * cos, size * sin) - turn).abs() < 2e-8, "{turn}");
+            }
+        }
+    }
+
+    #[test]
+    fn points_of_segments_and_arcs_are_where_their_pieces_say() {
+        let tables = [
+            tables::stadium(1.0, 1.0),
+            tables::mushroom(1.0, 0.5, 0.75),
+            tables::moon(1.0, 0.75, 1.0),
+            tables::sinai(1.0, 0.25),
+            tables::circle(0.5),
+            tables::hexagon(1.0),
+        ];
+        for table in tables.map(Result::unwrap) {
+            let unrolled = Unrolled::of(&table);
+            assert_eq!(unrolled.stretches.len(), table.pieces().len());
+            for (number, piece) in table.pieces().iter().enumerate() {
+                for k in 0..=100 {
+                    let point = piece.point_at(piece.length() * f64::from(k) * 0.01);
+                    let fast = unrolled.arc_length([point.x, point.y], number as f64);
+                    let exact = unrolled.of_one(number as f64, point);
+                    // a closed curve ends where it begins
+                    let off = (fast - exact).abs();
+                    let round = piece.ends().is_none() && (off - piece.length() * unrolled.unit).abs() < 1e-7;
+                    assert!(off < 1e-7 || round, "{table:?} {number} {k}: {fast} {exact}");
+                }
+            }
+        }
+    }
+}
