@@ -134,7 +134,7 @@ impl Few {
     }
 
     /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
-    pub(super) const PER_LANE: usize = 40;
+    pub(super) const PER_LANE: usize = 24;
 
     /// How many there are.
     #[inline(always)]
