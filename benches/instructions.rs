@@ -4,6 +4,7 @@
 //! cargo install gungraun-runner --version 0.20.0   # once; and valgrind
 //! cargo bench --features gungraun --bench instructions
 //! ```
+#![allow(missing_docs, reason = "made by macros")]
 use billiards::collision_laws::laws::NoSlip;
 use billiards::geometry::{Table, tables};
 use billiards::laws::Disk;

@@ -194,7 +194,7 @@ impl Noted {
     /// Notes the [`cells`](Density::cells) of points of this density, and counts as many others.
     #[inline(always)]
     pub fn note<F: Lane>(&mut self, density: &mut Density, cells: F) {
-        let oldest = self.oldest % MOST_NOTED;
+        let oldest = if self.oldest + F::LANES > MOST_NOTED { 0 } else { self.oldest };
         let old = &mut self.cells[oldest..oldest + F::LANES];
         for cell in &*old {
             let cell = number(*cell);
@@ -310,6 +310,32 @@ mod tests {
             (0..2).map(|k| same.counts(k)).collect::<Vec<_>>()
         );
         assert_eq!((grid.total(), grid.outside()), (160_000, same.outside()));
+    }
+
+    #[test]
+    fn points_noted_one_by_one_and_side_by_side_are_counted_all() {
+        struct Both<'a>(&'a mut Density, &'a mut Noted);
+        impl lanes::Kernel for Both<'_> {
+            type Output = u64;
+            fn run<F: Lane>(self, zero: F) -> u64 {
+                let Both(grid, noted) = self;
+                let layer = grid.layer(0);
+                for k in 0..1000 {
+                    let cells = grid.cells([zero, zero], zero.same(layer), !zero.lt(zero));
+                    noted.note(grid, cells);
+                    for _ in 0..k % 7 {
+                        let cells = grid.cells([0.0, 0.0], layer, true);
+                        noted.note(grid, cells);
+                    }
+                }
+                noted.count(grid);
+                1000 * F::LANES as u64 + (0..1000).map(|k| k % 7).sum::<u64>()
+            }
+        }
+        let mut grid = Density::disk(10);
+        let mut noted = Noted::new(&grid);
+        let points = lanes::dispatch(Both(&mut grid, &mut noted));
+        assert_eq!((grid.total(), grid.inside()), (points, points));
     }
 
     #[test]

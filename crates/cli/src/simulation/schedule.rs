@@ -128,6 +128,7 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
     let jobs_left = Mutex::new(JobsLeft { next: 0, queue: Some(queue) });
     std::thread::scope(|scope| {
         let one = || {
+            let _over = Over(&jobs_left);
             let (mut busy, mut portraits) = (Duration::ZERO, portraits.map(|new| new()));
             while let Some((orbits, out)) = take(&jobs_left, work) {
                 let mut job = Job { engine, work, out, results: Results::default(), portraits, busy };
@@ -185,6 +186,15 @@ impl Work<'_> {
 struct JobsLeft {
     next: u64,
     queue: Option<SyncSender<Receiver<Results>>>,
+}
+
+/// Ends the work when a thread ends, be it by a panic: nobody waits for ever.
+struct Over<'a>(&'a Mutex<JobsLeft>);
+
+impl Drop for Over<'_> {
+    fn drop(&mut self) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).queue = None;
+    }
 }
 
 /// The next job, and where its results go.
