@@ -45,7 +45,7 @@ pub struct Billiard<'a, W, L> {
 ///
 /// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
 pub trait Motion<const N: usize, const S: usize> {
-    /// The energy is restored at every so manieth collision.
+    /// The energy is restored after so many collisions.
     const BEAT: u32 = BEAT;
     /// What is carried from collision to collision besides the orbit.
     type Carried<F: Lane>: Copy;
