@@ -233,42 +233,28 @@ where
     #[inline(always)]
     fn step<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, next: &mut u64, step: u64) {
         let zero = group.slow.same(0.0);
-        let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
-        let (mut orbit, mut carried) = (group.orbit.clone(), group.carried);
-        let square = self.billiard.collide(&mut orbit, &mut carried, &hit, &arrival);
-        let moves = zero.lt(hit.time) & hit.time.lt(zero.same(f64::INFINITY)) & group.slow.lt(square);
-        if (!moves | hit.corner).any() {
-            self.step_where_orbits_may_end(group, next, step);
-        } else {
+        loop {
+            let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
+            let (mut orbit, mut carried) = (group.orbit.clone(), group.carried);
+            let square = self.billiard.collide(&mut orbit, &mut carried, &hit, &arrival);
+            let slides = !group.slow.lt(square);
+            let moves = zero.lt(hit.time) & hit.time.lt(zero.same(f64::INFINITY));
+            let odd = (!moves | hit.corner | slides).any();
+            if odd && self.look(group, hit.time, hit.corner, next, step) {
+                continue;
+            }
             (group.orbit, group.carried) = (orbit, carried);
             self.observer.collision(&mut group.view, &hit, &group.orbit);
-        }
-    }
-
-    /// The same, where a hit is a corner, out of reach, without motion or grazing in some lane.
-    #[cold]
-    #[inline(never)]
-    fn step_where_orbits_may_end<F: Lane>(
-        &mut self,
-        group: &mut GroupOf<F, N, S, B, K, T, O>,
-        next: &mut u64,
-        step: u64,
-    ) {
-        let (hit, arrival) = loop {
-            let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
-            if !self.look(group, hit.time, hit.corner, next, step) {
-                break (hit, arrival);
+            if odd && slides.any() {
+                self.change(group, next, step + 1, |lane| slides.at(lane).then_some(Stop::Grazing));
             }
-        };
-        let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
-        self.observer.collision(&mut group.view, &hit, &group.orbit);
-        let grazes = !group.slow.lt(square);
-        if grazes.any() {
-            self.change(group, next, step + 1, |lane| grazes.at(lane).then_some(Stop::Grazing));
+            return;
         }
     }
 
     /// Looks at a hit that is a corner, out of reach or without motion somewhere; whether an orbit ended.
+    #[cold]
+    #[inline(never)]
     fn look<F: Lane>(
         &mut self,
         group: &mut GroupOf<F, N, S, B, K, T, O>,
