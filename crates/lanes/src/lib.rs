@@ -85,10 +85,6 @@ pub trait Lane:
     /// Writes the lanes to the front of `to`, which must hold at least [`Lane::LANES`] numbers.
     fn store(self, to: &mut [f64]);
 
-    /// Runs a task in a function of its own, made for the instruction set of these lanes: for what is long and asked from
-    /// many places, each of which would otherwise hold a copy.
-    fn apart<T: Task>(self, task: T) -> T::Output;
-
     /// The larger of two numbers; `other` where `self` is NaN.
     #[must_use]
     #[inline(always)]

@@ -1,5 +1,5 @@
 //! One lane: `f64` itself.
-use crate::{Lane, Mask, Task, vectorized};
+use crate::{Lane, Mask};
 
 impl Lane for f64 {
     type Mask = bool;
@@ -19,10 +19,6 @@ impl Lane for f64 {
     #[inline(always)]
     fn copysign(self, sign: f64) -> f64 {
         self.copysign(sign)
-    }
-    #[inline(always)]
-    fn apart<T: Task>(self, task: T) -> T::Output {
-        vectorized(task)
     }
     #[inline(always)]
     fn lt(self, other: f64) -> bool {

@@ -83,10 +83,6 @@ impl<S: Simd> Lane for Wide<S> {
         self.of(s.or_f64s(s.abs_f64s(self.value), s.and_f64s(bit, sign.value)))
     }
     #[inline(always)]
-    fn apart<T: Task>(self, task: T) -> T::Output {
-        self.simd.vectorize(Run(task))
-    }
-    #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.of(self.simd.max_f64s(self.value, other.value))
     }
@@ -184,20 +180,17 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     Arch::new().dispatch(Run(kernel))
 }
 
-/// A task as `pulp` takes it.
-struct Run<T>(T);
-
-impl<T: Task> NullaryFnOnce for Run<T> {
-    type Output = T::Output;
-    #[inline(always)]
-    fn call(self) -> T::Output {
-        self.0.run()
-    }
-}
-
 /// Runs a task compiled for the best instruction set of this CPU, still one number at a time: the three-operand
 /// instructions of AVX save moves, and no bit of a result changes.
 pub fn vectorized<T: Task>(task: T) -> T::Output {
+    struct Run<T>(T);
+    impl<T: Task> NullaryFnOnce for Run<T> {
+        type Output = T::Output;
+        #[inline(always)]
+        fn call(self) -> T::Output {
+            self.0.run()
+        }
+    }
     // AVX-512 keeps truth values in registers of their own, which takes a single chain of operations longer
     #[cfg(target_arch = "x86_64")]
     if let Some(avx2) = pulp::x86::V3::try_new() {

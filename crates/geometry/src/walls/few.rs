@@ -5,7 +5,7 @@ use crate::{
     plane::{along, cross, from},
     shapes::{Ellipse, Ground, Shape},
 };
-use lanes::{Lane, Mask, Task};
+use lanes::{Lane, Mask};
 use nalgebra::Vector2;
 
 /// Shapes that are asked one after another, each for all lanes at once.
@@ -203,22 +203,6 @@ impl<F: Lane> First<F> {
 impl Walls<2> for Few {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        x[0].apart(Paths { few: self, x, v })
-    }
-}
-
-/// The paths of all lanes, whose first hits are asked.
-struct Paths<'a, F> {
-    few: &'a Few,
-    x: &'a [F; 2],
-    v: &'a [F; 2],
-}
-
-impl<F: Lane> Task for Paths<'_, F> {
-    type Output = WallHit<F, 2>;
-    #[inline(always)]
-    fn run(self) -> WallHit<F, 2> {
-        let Paths { few, x, v } = self;
         let (x, v) = (*x, *v);
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
@@ -226,7 +210,7 @@ impl<F: Lane> Task for Paths<'_, F> {
         let nowhere = Landing { anchor: [zero; 2], normal: [zero; 2], square: zero, piece: zero };
         let mut first = First { num: never, den: one, landing: nowhere };
         let mut eye = Eye { x, v, last: Seen { to: [zero; 2], turn: zero }, aside: never };
-        for entry in &few.entries {
+        for entry in &self.entries {
             match &entry.shape {
                 Shape::Segment(s) => {
                     let [a, b] = eye.both(entry, s.vertices());
@@ -263,9 +247,9 @@ impl<F: Lane> Task for Paths<'_, F> {
             [z[0] + anchor[0], z[1] + anchor[1], z[0] * normal[0], z[1] * normal[0]],
             [p[0] + off * normal[0], p[1] + off * normal[1], normal[0], normal[1]],
         );
-        if !few.ovals.is_empty() {
+        if !self.ovals.is_empty() {
             let oval = !round & one.same(1.5).lt(normal[0]);
-            for (k, ellipse) in few.ovals.iter().enumerate() {
+            for (k, ellipse) in self.ovals.iter().enumerate() {
                 let here = oval & (anchor[0] - k as f64).abs().lt(one);
                 if here.any() {
                     let (p, n) = ellipse.land(x, v, time);
@@ -275,10 +259,10 @@ impl<F: Lane> Task for Paths<'_, F> {
         }
         let point = [p1, p2];
         let mut corner = zero.lt(zero);
-        let reach = (x[0].abs() + x[1].abs()) + few.size;
+        let reach = (x[0].abs() + x[1].abs()) + self.size;
         let clear = (reach * (NEAR * CORNER) * (v[0].abs() + v[1].abs())).lt(eye.aside);
         if (!clear).any() {
-            corner = few.cornered(&x, &point, piece);
+            corner = self.cornered(&x, &point, piece);
         }
         WallHit { time, point, normal: [n1, n2], inverse: one, piece, corner }
     }
