@@ -73,7 +73,7 @@ pub trait Motion<const N: usize, const S: usize> {
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
-    const BEAT: u32 = if W::SLOW { 2 } else { BEAT };
+    const BEAT: u32 = if W::SLOW { 1 } else { BEAT };
     type Carried<F: Lane> = ();
     type Arrival<F: Lane> = ();
 

@@ -1,7 +1,7 @@
 //! Keeping the energy of long orbits to the last digit.
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
-//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, and at every second one where walls are
+//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, and at each one where walls are
 //! [slow](Walls::SLOW), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
 //! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
 //! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.

@@ -23,7 +23,7 @@ pub(super) fn most_unit(normal: [f64; 2]) -> [f64; 2] {
 ///
 /// Each length of `n` between 1 and 2 rounds otherwise: one in some thousand fits.
 pub(super) fn of_known_length(unit: [f64; 2]) -> ([f64; 2], f64) {
-    const LENGTHS: u32 = 1 << 12;
+    const LENGTHS: u32 = 1 << 14;
     const ENOUGH: f64 = f64::EPSILON / 4096.0;
     let mut best = (f64::INFINITY, unit, 1.0);
     for k in 0..LENGTHS {
