@@ -6,7 +6,7 @@ use super::score::{STOPS, Score};
 use crate::picture::{Anchor, Colour, ORBITS, Outline, Style, Svg, escape};
 
 /// Width and height of the page, and of the frame in it.
-const PAGE: [f64; 2] = [510.0, 330.0];
+const PAGE: [f64; 2] = [540.0, 330.0];
 const CORNER: [f64; 2] = [34.0, 20.0];
 const FRAME: [f64; 2] = [330.0, 278.0];
 /// Left end of the legend.
