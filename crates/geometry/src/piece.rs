@@ -1,5 +1,5 @@
 //! A piece of a planar boundary, as the sum of what anything may ask of it.
-use crate::{crossing::Crossing, path::Line, shapes::Shape};
+use crate::{crossing::Crossing, path::Line, shapes::{Shape, curve::Graph}};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 
@@ -107,6 +107,12 @@ pub trait Piece: Debug + Send + Sync {
     /// The piece as a shape that answers in lanes, if it is one: lists of those run side by side at full speed, other
     /// pieces one lane after another.
     fn shape(&self) -> Option<Shape> {
+        None
+    }
+
+    /// The piece as polynomial graphs over short chords, in the order of traversal, if it is a smooth curve that these give to
+    /// rounding: paths meet them in tens of nanoseconds, and side by side in lanes.
+    fn graphs(&self) -> Option<Vec<Graph>> {
         None
     }
 

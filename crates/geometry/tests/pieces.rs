@@ -1,6 +1,9 @@
 //! Every shape keeps what [`geometry::Piece`] promises, and pieces that are the same curve agree.
 #![allow(clippy::unwrap_used, clippy::float_cmp, reason = "tests panic where they fail, and claim exact values")]
 
+mod formulas;
+
+use formulas::{Clover, Conic, Quartic};
 use geometry::{
     Extent, Line, Piece, Vector2, check,
     shapes::{
@@ -11,95 +14,6 @@ use geometry::{
 
 fn v(x: f64, y: f64) -> Vector2<f64> {
     Vector2::new(x, y)
-}
-
-/// `(x/a)⁴ + (y/b)⁴ + twist·(xy/ab) = 1`, lengths in units of `unit`.
-#[derive(Clone, Copy, Debug)]
-struct Quartic {
-    semi_axes: [f64; 2],
-    twist: f64,
-}
-
-impl Quartic {
-    fn scaled(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        [x / self.semi_axes[0], y / self.semi_axes[1]]
-    }
-}
-
-impl ImplicitFormula for Quartic {
-    fn value(&self, p: [f64; 2]) -> f64 {
-        let [x, y] = self.scaled(p);
-        x * x * x * x + y * y * y * y + self.twist * x * y - 1.0
-    }
-    fn gradient(&self, p: [f64; 2]) -> [f64; 2] {
-        let ([x, y], [a, b]) = (self.scaled(p), self.semi_axes);
-        [(4.0 * x * x * x + self.twist * y) / a, (4.0 * y * y * y + self.twist * x) / b]
-    }
-    fn hessian(&self, p: [f64; 2]) -> [f64; 3] {
-        let ([x, y], [a, b]) = (self.scaled(p), self.semi_axes);
-        [12.0 * x * x / (a * a), self.twist / (a * b), 12.0 * y * y / (b * b)]
-    }
-    fn hessian_over(&self, [x, y]: [Interval; 2]) -> [Interval; 3] {
-        let [a, b] = self.semi_axes;
-        [
-            x.square() * (12.0 / (a * a * a * a)),
-            Interval::from(self.twist / (a * b)),
-            y.square() * (12.0 / (b * b * b * b)),
-        ]
-    }
-    fn extent(&self) -> Extent {
-        let [a, b] = self.semi_axes;
-        Extent { min: v(-1.25 * a, -1.25 * b), max: v(1.25 * a, 1.25 * b) }
-    }
-}
-
-/// An ellipse as an equation.
-#[derive(Clone, Copy, Debug)]
-struct Conic {
-    center: [f64; 2],
-    semi_axes: [f64; 2],
-}
-
-impl ImplicitFormula for Conic {
-    fn value(&self, p: [f64; 2]) -> f64 {
-        let [x, y] = [0, 1].map(|i| (p[i] - self.center[i]) / self.semi_axes[i]);
-        x * x + y * y - 1.0
-    }
-    fn gradient(&self, p: [f64; 2]) -> [f64; 2] {
-        [0, 1].map(|i| 2.0 * (p[i] - self.center[i]) / (self.semi_axes[i] * self.semi_axes[i]))
-    }
-    fn hessian(&self, _: [f64; 2]) -> [f64; 3] {
-        let [xx, yy] = self.semi_axes.map(|a| 2.0 / (a * a));
-        [xx, 0.0, yy]
-    }
-    fn hessian_over(&self, _: [Interval; 2]) -> [Interval; 3] {
-        self.hessian([0.0; 2]).map(|h| Interval::from(h) * Interval::new(1.0f64.next_down(), 1.0f64.next_up()))
-    }
-    fn extent(&self) -> Extent {
-        let (c, a) = (Vector2::from(self.center), Vector2::from(self.semi_axes));
-        Extent { min: c - a, max: c + a }
-    }
-}
-
-/// `r = R (1 + a cos nφ)`
-#[derive(Clone, Copy, Debug)]
-struct Clover {
-    radius: f64,
-    amount: f64,
-    leaves: u32,
-}
-
-impl PolarFormula for Clover {
-    fn jet(&self, angle: f64) -> [f64; 3] {
-        let n = f64::from(self.leaves);
-        let (sin, cos) = (libm::sin(n * angle), libm::cos(n * angle));
-        [1.0 + self.amount * cos, -n * self.amount * sin, -n * n * self.amount * cos].map(|r| self.radius * r)
-    }
-    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
-        let n = f64::from(self.leaves);
-        let (sin, cos) = ((angle * n).sin(), (angle * n).cos());
-        [cos * self.amount + 1.0, sin * (-n * self.amount), cos * (-n * n * self.amount)].map(|r| r * self.radius)
-    }
 }
 
 /// A circle about a point other than the centre of the polar coordinates.

@@ -1,6 +1,8 @@
 //! Composite walls against the plain list of pieces, lanes against single numbers, and long orbits against leaks.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
 
+mod formulas;
+
 use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, Translated};
 use geometry::{
     Interior, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
@@ -85,6 +87,9 @@ fn planar() -> Vec<(String, Table)> {
         let corners = [turned(1.0, 0.0), turned(0.4, 0.9), turned(-1.0, 0.0), turned(-0.4, -0.9)];
         let side = |i: usize| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as _;
         add("turned parallelogram", Table::new((0..4).map(side).collect()).unwrap());
+        if k < 4 {
+            formulas::tables(by, size).into_iter().for_each(|(name, table)| add(name, table));
+        }
     }
     all
 }

@@ -59,7 +59,7 @@ impl<const N: usize> Slab<N> {
 }
 
 /// The first of what has been offered, in whatever order: of equal times the lowest number.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct First {
     time: f64,
     place: usize,
@@ -155,6 +155,10 @@ impl<const N: usize> BoxTree<N> {
     pub(crate) fn walk<F: Lane>(&self, zero: F, path: &Line<N>, inside: &impl Inside) -> First {
         let mut first = First::NONE;
         let Some(root) = self.levels.len().checked_sub(1) else { return first };
+        // what is not a number is in no box
+        if path.point.iter().chain(path.velocity.iter()).any(|a| a.is_nan()) {
+            return first;
+        }
         let slab = Slab::new(path, self.size);
         let mut open = [Open(0); OPEN];
         let mut count = 1;

@@ -3,7 +3,7 @@
 //! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of
 //! points so dense that the direction turns little and one way between neighbours therefore finds every crossing; the
 //! closest points of the base curve then give the time to the last bits.
-use super::curve::{ArcLength, Parametric, closest_parameter, rising_root};
+use super::curve::{ArcLength, Graph, Parametric, closest_parameter, graphs, rising_root};
 use crate::{
     Error,
     crossing::Crossing,
@@ -261,6 +261,10 @@ impl Parametric for Base<'_> {
 }
 
 impl Piece for Parallel {
+    fn graphs(&self) -> Option<Vec<Graph>> {
+        let last = self.nodes.len() - 1;
+        graphs(self, [self.nodes[0].s, self.nodes[last].s], [self.nodes[0].point, self.nodes[last].point], self.extent.size())
+    }
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let v = path.velocity;
         let left = |p: &Vector2<f64>| 0.0 < v.perp(&(p - path.point));

@@ -1,5 +1,5 @@
 //! A piece moved by a vector: the translates of a lattice.
-use crate::{Crossing, Extent, Figure, Landing, Line, Piece, shapes::Shape};
+use crate::{Crossing, Extent, Figure, Landing, Line, Piece, shapes::{Shape, curve::Graph}};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -62,6 +62,10 @@ impl Piece for Translated {
     }
     fn shape(&self) -> Option<Shape> {
         self.piece.shape().map(|shape| shape.translated(self.by))
+    }
+    fn graphs(&self) -> Option<Vec<Graph>> {
+        let moved = |graph: Graph| graph.translated(self.by.into());
+        Some(self.piece.graphs()?.into_iter().map(moved).collect())
     }
     fn figure(&self) -> Figure {
         let by = self.by;

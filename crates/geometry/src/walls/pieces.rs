@@ -1,6 +1,9 @@
 //! Pieces of any kind: those that answer in lanes beside those that do not.
-use super::{Few, List, WallHit, Walls};
-use crate::{Piece, shapes::Shape};
+use super::{Few, Graphs, List, WallHit, Walls};
+use crate::{
+    Piece,
+    shapes::{Shape, curve::Graph},
+};
 use lanes::{Lane, MOST_LANES};
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -10,6 +13,8 @@ use std::sync::Arc;
 pub struct Pieces {
     /// Those known in lanes.
     few: Few,
+    /// Smooth curves, if any.
+    graphs: Option<Graphs>,
     /// The others, if any; or all, where they are many.
     list: Option<List>,
     /// Whether the list is of all.
@@ -26,9 +31,25 @@ impl Pieces {
         if all && shapes.len() < pieces.len() {
             shapes.clear();
         }
-        let others: Vec<_> = pieces.into_iter().filter(|(_, piece)| all || piece.shape().is_none()).collect();
-        let list = (!others.is_empty()).then(|| List::new(others, corners));
-        Pieces { few: Few::new(&shapes, corners), list, all }
+        let mut graphs: Vec<(usize, Graph)> = vec![];
+        let others = pieces.into_iter().filter(|(number, piece)| {
+            if all {
+                return true;
+            }
+            if piece.shape().is_some() {
+                return false;
+            }
+            let cut = piece.graphs();
+            graphs.extend(cut.iter().flatten().map(|graph| (*number, *graph)));
+            cut.is_none()
+        });
+        let others: Vec<_> = others.collect();
+        Pieces {
+            few: Few::new(&shapes, corners),
+            graphs: (!graphs.is_empty()).then(|| Graphs::new(&graphs, corners)),
+            list: (!others.is_empty()).then(|| List::new(others, corners)),
+            all,
+        }
     }
 }
 
@@ -37,13 +58,22 @@ impl Walls<2> for Pieces {
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        let Some(list) = &self.list else { return self.few.first_hit(x, v) };
         let few = self.few.len();
-        if few == 0 || self.all {
-            let in_lanes = 0 < few && few < Few::PER_LANE * F::LANES;
-            return if in_lanes { self.few.first_hit(x, v) } else { list.first_hit(x, v) };
+        let known = 0 < few && (!self.all || self.list.is_none() || few < Few::PER_LANE * F::LANES);
+        let mut first = WallHit::never(*x);
+        if known {
+            first = self.few.first_hit(x, v);
         }
-        let (hit, other) = (self.few.first_hit(x, v), list.first_hit(x, v));
-        hit.or(other.time.lt(hit.time), &other)
+        if let Some(graphs) = &self.graphs {
+            let other = graphs.first_hit(x, v);
+            first = first.or(other.time.lt(first.time), &other);
+        }
+        match &self.list {
+            Some(list) if !(self.all && known) => {
+                let other = list.first_hit(x, v);
+                first.or(other.time.lt(first.time), &other)
+            }
+            _ => first,
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! A closed curve given by an equation `f(x, y) = 0`.
-use super::{ArcLength, Interval, Parametric, Smooth, first_rise};
+use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -151,6 +151,21 @@ impl<F: ImplicitFormula> Implicit<F> {
             }
         }
         Landing { point: p, normal: gradient * (-self.side() / libm::hypot(gradient.x, gradient.y)) }
+    }
+
+    /// Whether nothing can hide between points of the curve: about none of its graphs can the second derivatives be far greater
+    /// than they are at points of it.
+    fn is_calm(&self, graphs: &[Graph]) -> bool {
+        let bend = self.vertices.iter().fold(0.0_f64, |m, p| {
+            let [fx, fy] = self.formula.gradient((*p).into());
+            let most = self.formula.hessian((*p).into()).into_iter().fold(0.0_f64, |m, a| m.max(a.abs()));
+            m.max(most).max(libm::hypot(fx, fy) / self.extent.size())
+        });
+        graphs.iter().all(|graph| {
+            let Extent { min, max } = graph.extent();
+            let around = [0, 1].map(|i| Interval::new(min[i], max[i]));
+            self.formula.hessian_over(around).iter().all(|a| a.magnitude() <= 4.0 * bend)
+        })
     }
 
     /// From arc length counter-clockwise to arc length in the sense of traversal, and back.
@@ -399,6 +414,13 @@ impl<F: ImplicitFormula> Piece for Implicit<F> {
     }
     fn extent(&self) -> Extent {
         self.extent
+    }
+    fn graphs(&self) -> Option<Vec<Graph>> {
+        let chords = self.chords();
+        let count = (self.vertices.len() - 1) as f64;
+        let range = if self.inside { [0.0, count] } else { [count, 0.0] };
+        let graphs = graphs(&chords, range, [self.vertices[0]; 2], self.extent.size())?;
+        self.is_calm(&graphs).then_some(graphs)
     }
     fn area(&self) -> f64 {
         self.side() * self.area

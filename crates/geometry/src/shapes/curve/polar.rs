@@ -1,5 +1,5 @@
 //! A closed curve given as a radius for every direction.
-use super::{ArcLength, Interval, Parametric, Smooth, first_rise};
+use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -60,6 +60,8 @@ pub struct Polar<F> {
     inside: bool,
     slack: f64,
     ranges: Ranges,
+    /// Whether nothing can hide between points of the curve.
+    calm: bool,
     table: ArcLength,
     area: f64,
     extent: Extent,
@@ -99,7 +101,10 @@ impl<F: PolarFormula> Polar<F> {
         let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
         let area = table.enclosed_area(&about);
         let extent = table.extent(&about);
-        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), table, area, extent })
+        // in no sector can the second derivative differ much from what it is in its middle
+        let bend = jets.iter().fold(0.0_f64, |m, [r, _, second]| m.max(second.magnitude()).max(r.magnitude()));
+        let calm = jets.iter().all(|[.., second]| second.width() <= 0.25 * bend);
+        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), calm, table, area, extent })
     }
 
     /// The formula.
@@ -305,6 +310,15 @@ impl<F: PolarFormula> Piece for Polar<F> {
     }
     fn extent(&self) -> Extent {
         self.extent
+    }
+    fn graphs(&self) -> Option<Vec<Graph>> {
+        if !self.calm {
+            return None;
+        }
+        let angles = if self.inside { [0.0, 2.0 * PI] } else { [2.0 * PI, 0.0] };
+        let about = self.about();
+        let start = about.at(0.0)[0];
+        graphs(&about, angles, [start; 2], self.extent.size())
     }
     fn area(&self) -> f64 {
         if self.inside { self.area } else { -self.area }

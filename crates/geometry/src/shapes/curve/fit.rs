@@ -1,0 +1,217 @@
+//! A smooth curve cut into polynomial graphs that are right to rounding.
+use super::{
+    Graph, Parametric,
+    graph::{DEGREE, Local},
+    rising_root,
+};
+use core::f64::consts::PI;
+use nalgebra::{SMatrix, SVector, Vector2};
+
+/// Points at which a graph is compared with its curve, and from which it is made.
+const SAMPLES: usize = 2 * DEGREE + 4;
+
+/// Units of rounding of the curve's size within which points must agree, of 1 for inclines, and of parameters: what formulas of a
+/// few functions are wrong by.
+const AGREE: f64 = 8.0 * f64::EPSILON;
+
+/// Greatest incline of a graph over its chord.
+const STEEP: f64 = 0.5;
+
+/// A stretch that is too long is cut at this part of it; after one that is not, the next may be longer by its inverse.
+const PART: f64 = 0.8;
+
+/// Least part of the range: a curve that needs shorter ones has a kink.
+const LEAST: f64 = 1.0 / 65_536.0;
+
+/// Most graphs of one curve; one that needs more is rough.
+const MOST: usize = 4096;
+
+/// Of a bend that changes its sign, the part of the greatest bend that does not matter, and what is rounding: the depth of what
+/// is neglected is its third power.
+const FLAT: [f64; 2] = [1e-6, 1e-11];
+
+/// Cuts a curve between two parameters into graphs; `vertices` are its first and its last point as others know them. The parameter
+/// rises or falls, such that the table lies on the left.
+///
+/// The incline of the graph is fitted to the direction of the curve, and its integral to the points, by least squares in Chebyshev
+/// polynomials. That keeps normals right to rounding, and takes the mean of the errors of the points.
+///
+/// `None` where no polynomial is right to rounding: at kinks, and on curves that wiggle without end.
+pub(crate) fn graphs(
+    curve: &impl Parametric,
+    [start, end]: [f64; 2],
+    vertices: [Vector2<f64>; 2],
+    size: f64,
+) -> Option<Vec<Graph>> {
+    let cut = Cut { curve, size };
+    let mut graphs = vec![];
+    let mut from = Place { u: start, vertex: vertices[0] };
+    let (mut length, mut stop) = (0.125 * (end - start), end);
+    while from.u != end {
+        // no slivers before the end or an inflection
+        let rest = stop - from.u;
+        let whole = rest.abs() <= length.abs();
+        let u = if whole { stop } else { from.u + if rest.abs() < 2.0 * length.abs() { 0.5 * rest } else { length } };
+        let to = Place { u, vertex: if u == end { vertices[1] } else { curve.at(u)[0] } };
+        match cut.fit([from, to]) {
+            Fit::Graph(_) if graphs.len() == MOST => return None,
+            Fit::Graph(graph) => {
+                graphs.push(graph);
+                if whole {
+                    stop = end;
+                } else if u == from.u + length {
+                    length *= 1.0 / PART;
+                }
+                from = to;
+            }
+            Fit::Inflection(u) => stop = u,
+            Fit::Long => length = PART * (u - from.u),
+        }
+        if length.abs() < LEAST * (end - start).abs() || length.is_nan() {
+            return None;
+        }
+    }
+    Some(graphs)
+}
+
+#[derive(Clone, Copy)]
+struct Place {
+    u: f64,
+    vertex: Vector2<f64>,
+}
+
+struct Cut<'a, C> {
+    curve: &'a C,
+    size: f64,
+}
+
+/// What came of a fit.
+enum Fit {
+    Graph(Graph),
+    /// The bend changes its sign at this parameter.
+    Inflection(f64),
+    /// It is too long.
+    Long,
+}
+
+impl<C: Parametric> Cut<'_, C> {
+    fn fit(&self, [from, to]: [Place; 2]) -> Fit {
+        let chord = to.vertex - from.vertex;
+        let half = 0.5 * libm::hypot(chord.x, chord.y);
+        let origin = from.vertex + chord * 0.5;
+        let outward = Vector2::new(chord.y, -chord.x) / (2.0 * half);
+        let along = Vector2::new(-outward.y, outward.x);
+        // in units of half the chord
+        let local = |y: Vector2<f64>| [along.dot(&y) / half, outward.dot(&y) / half];
+        let sense = if from.u < to.u { 1.0 } else { -1.0 };
+        let sample = |u: f64| {
+            let [p, d] = self.curve.at(u);
+            let ([a, b], [run, rise]) = (local(p - origin), local(d * sense));
+            [a, b, rise / run, run]
+        };
+        let (middle, width) = (0.5 * (from.u + to.u), 0.5 * (to.u - from.u));
+        let samples: [[f64; 4]; SAMPLES] = core::array::from_fn(|k| {
+            sample(middle - width * libm::cos(PI * ((k as f64 + 0.5) / SAMPLES as f64)))
+        });
+        let within = |[a, _, slope, run]: &[f64; 4]| a.abs() < 1.0 + AGREE && slope.abs() < STEEP && *run > 0.0;
+        let forwards = samples.windows(2).all(|w| w[0][0] < w[1][0]);
+        if !(half > 0.0 && half.is_finite() && forwards && samples.iter().all(within)) {
+            return Fit::Long;
+        }
+        let Some((inclines, rest)) = incline(&samples) else { return Fit::Long };
+        let mut heights = [0.0; DEGREE + 1];
+        for (k, c) in inclines.iter().enumerate() {
+            heights[k + 1] = c / (k as f64 + 1.0);
+        }
+        heights[0] = samples.iter().map(|[a, b, ..]| b - horner(&heights, *a)[0]).sum::<f64>() / SAMPLES as f64;
+        // the rounding of parameters turns directions
+        let [first, last] = [samples[0][2], samples[SAMPLES - 1][2]];
+        let turning = ((last - first) / (to.u - from.u)).abs() * from.u.abs().max(to.u.abs());
+        let agrees = |[a, b, slope, _]: &[f64; 4]| {
+            let [height, incline, _] = horner(&heights, *a);
+            (height - b).abs() * half <= AGREE * self.size && (incline - slope).abs() <= AGREE + f64::EPSILON * turning
+        };
+        if !(samples.iter().all(agrees) && rest <= f64::EPSILON * (0.5 + 0.25 * turning)) {
+            return Fit::Long;
+        }
+        if let Some(a) = inflection(&heights) {
+            // the parameter at which the curve is there
+            let part = rising_root(
+                |s| {
+                    let [at, _, _, run] = sample(from.u + (to.u - from.u) * s);
+                    [at - a, run]
+                },
+                [0.0, 1.0],
+            );
+            return Fit::Inflection(from.u + (to.u - from.u) * part);
+        }
+        // lines that cross twice lie between the chord and a tangent, whose height over the middle is half the sum of those over
+        // the ends
+        let middle = samples.iter().fold(0.0_f64, |m, [a, b, slope, _]| m.max((b - a * slope).abs()));
+        let near = 2.125 * middle * half + AGREE * self.size;
+        let local = Local {
+            origin: origin.into(),
+            outward: outward.into(),
+            inverse: 1.0 / half,
+            heights: heights.map(|c| c * half),
+        };
+        Fit::Graph(Graph { ends: [from.vertex.into(), to.vertex.into()], near, local })
+    }
+}
+
+/// A polynomial and its first two derivatives.
+fn horner(c: &[f64; DEGREE + 1], a: f64) -> [f64; 3] {
+    let mut jet = [0.0; 3];
+    for &c in c.iter().rev() {
+        jet = [jet[0] * a + c, jet[1] * a + jet[0], jet[2] * a + jet[1]];
+    }
+    [jet[0], jet[1], 2.0 * jet[2]]
+}
+
+/// The polynomial closest to the inclines of the samples, and the size of its last terms, about that of those cut off.
+fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
+    let mut normal = SMatrix::<f64, DEGREE, DEGREE>::zeros();
+    let mut right = SVector::<f64, DEGREE>::zeros();
+    for [a, _, slope, _] in samples {
+        // Chebyshev polynomials
+        let mut t = SVector::<f64, DEGREE>::repeat(1.0);
+        t[1] = *a;
+        for k in 2..DEGREE {
+            t[k] = 2.0 * a * t[k - 1] - t[k - 2];
+        }
+        normal += t * t.transpose();
+        right += t * *slope;
+    }
+    let chebyshev = normal.cholesky()?.solve(&right);
+    // as powers: T₀ = 1, T₁ = a, T_k = 2a T_{k−1} − T_{k−2}
+    let [mut before, mut last] = [[0.0; DEGREE]; 2];
+    (before[0], last[1]) = (1.0, 1.0);
+    let mut powers = [0.0; DEGREE];
+    for k in 0..DEGREE {
+        for (power, c) in powers.iter_mut().zip(before) {
+            *power += chebyshev[k] * c;
+        }
+        let mut next = before.map(|c| -c);
+        for i in 1..DEGREE {
+            next[i] += 2.0 * last[i - 1];
+        }
+        (before, last) = (last, next);
+    }
+    Some((powers, chebyshev[DEGREE - 1].abs().max(chebyshev[DEGREE - 2].abs())))
+}
+
+/// Where the second derivative changes its sign, if it does.
+fn inflection(heights: &[f64; DEGREE + 1]) -> Option<f64> {
+    const GRID: usize = 64;
+    let bend = |k: usize| {
+        let a = (2 * k) as f64 / GRID as f64 - 1.0;
+        (a, horner(heights, a)[2])
+    };
+    let greatest = (0..=GRID).map(|k| bend(k).1.abs()).fold(0.0, f64::max);
+    let least = (FLAT[0] * greatest).max(FLAT[1]);
+    let signs = || (0..=GRID).map(bend).filter(|(_, b)| b.abs() > least);
+    let (first, sign) = signs().next()?;
+    let (after, _) = signs().find(|(_, b)| b * sign < 0.0)?;
+    let before = signs().take_while(|(_, b)| b * sign > 0.0).map(|(a, _)| a).fold(first, f64::max);
+    Some(rising_root(|a| [-sign * horner(heights, a)[2], 0.0], [before, after]))
+}

@@ -1,0 +1,248 @@
+//! A short stretch of a curve as a polynomial over its chord, which answers in lanes.
+use crate::{piece::Extent, plane::along};
+use lanes::{Lane, Mask};
+
+/// Degree of the polynomials: higher ones make fewer and longer stretches.
+pub(super) const DEGREE: usize = 17;
+
+/// A stretch of a curve that bends one way: heights over its chord, given by a polynomial.
+///
+/// Traversed with the table on its left. A path crosses it outwards at most once: where it comes from the table's side, on
+/// a stretch that bulges outwards the later and on one that bulges inwards the earlier of two crossings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Graph {
+    pub(crate) ends: [[f64; 2]; 2],
+    /// The distances of the ends from a line that crosses it twice add up to less.
+    pub(crate) near: f64,
+    pub(crate) local: Local<f64>,
+}
+
+/// A graph in its own coordinates, one or one per lane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct Local<F> {
+    /// The middle of the chord.
+    pub(super) origin: [F; 2],
+    /// The unit normal of the chord away from the table.
+    pub(super) outward: [F; 2],
+    /// 2/length of the chord.
+    pub(super) inverse: F,
+    /// Coefficients of the height \[L\] as a polynomial in `u`, which runs from −1 to 1.
+    pub(super) heights: [F; DEGREE + 1],
+}
+
+/// Where a path crosses a graph outwards.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Meeting<F: Lane> {
+    /// Infinite where it does not.
+    pub(crate) time: F,
+    pub(crate) point: [F; 2],
+    /// Into the table, not of unit length.
+    pub(crate) normal: [F; 2],
+}
+
+impl<F: Lane> Meeting<F> {
+    /// This one, or `other` where `second`.
+    #[inline(always)]
+    pub(crate) fn or(&self, second: F::Mask, other: &Self) -> Self {
+        let [time, p0, p1, n0, n1] = second.choose(
+            [other.time, other.point[0], other.point[1], other.normal[0], other.normal[1]],
+            [self.time, self.point[0], self.point[1], self.normal[0], self.normal[1]],
+        );
+        Meeting { time, point: [p0, p1], normal: [n0, n1] }
+    }
+
+    /// The unit normal into the table.
+    #[inline(always)]
+    pub(crate) fn unit_normal(&self) -> [F; 2] {
+        let [a, b] = self.normal;
+        let inverse = a.same(1.0) / (a * a + b * b).sqrt();
+        [a * inverse, b * inverse]
+    }
+}
+
+/// A path as graphs see it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ray<F> {
+    pub(crate) x: [F; 2],
+    pub(crate) v: [F; 2],
+    /// `1/|v|²`
+    inverse: F,
+}
+
+impl<F: Lane> Ray<F> {
+    #[inline(always)]
+    pub(crate) fn new(x: [F; 2], v: [F; 2]) -> Self {
+        Ray { x, v, inverse: v[0].same(1.0) / (v[0] * v[0] + v[1] * v[1]) }
+    }
+}
+
+/// The powers that are enough to come near.
+const LOW: usize = 11;
+
+/// A step (half lengths of the chord) after which the next one, of its third power, is about as small as what higher powers change.
+const NEARBY: f64 = 1.0 / 256.0;
+
+/// A step after which the next one is below rounding.
+const SMALL: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
+
+/// Steps allowed. One or two are typical, and a path that is tangent to rounding takes some more.
+const STEPS: u32 = 12;
+
+impl Graph {
+    /// A box around it.
+    pub(crate) fn extent(&self) -> Extent {
+        // the height is at most `near`
+        let Extent { min, max } = Extent::of(self.ends.map(Into::into));
+        Extent { min: min.add_scalar(-self.near), max: max.add_scalar(self.near) }
+    }
+
+    /// The same moved by a vector \[L\].
+    #[must_use]
+    pub(crate) fn translated(mut self, by: [f64; 2]) -> Graph {
+        for p in self.ends.iter_mut().chain([&mut self.local.origin]) {
+            *p = crate::plane::moved(*p, by);
+        }
+        self
+    }
+}
+
+impl Local<f64> {
+    /// One graph per lane.
+    #[inline(always)]
+    pub(crate) fn side_by_side<'a, F: Lane>(zero: F, of: impl Fn(usize) -> &'a Local<f64>) -> Local<F> {
+        let mut heights = [zero; DEGREE + 1];
+        for (i, height) in heights.iter_mut().enumerate() {
+            *height = zero.each(|lane| of(lane).heights[i]);
+        }
+        Local {
+            origin: [zero.each(|lane| of(lane).origin[0]), zero.each(|lane| of(lane).origin[1])],
+            outward: [zero.each(|lane| of(lane).outward[0]), zero.each(|lane| of(lane).outward[1])],
+            inverse: zero.each(|lane| of(lane).inverse),
+            heights,
+        }
+    }
+}
+
+/// How far beyond its ends (half lengths of the chord) a graph is still looked at.
+const BEYOND: f64 = 1.0625;
+
+impl<F: Lane> Local<F> {
+    /// A vector along the chord and across it.
+    #[inline(always)]
+    fn turned(&self, y: [F; 2]) -> [F; 2] {
+        let [n0, n1] = self.outward;
+        [n0 * y[1] - n1 * y[0], n0 * y[0] + n1 * y[1]]
+    }
+
+    /// Height over the chord and its first two derivatives, with powers up to `degree`, which is odd; the second to three digits or
+    /// so, which decides how fast things converge and not to what.
+    ///
+    /// Even and odd powers apart, `p = e(u²) + u o(u²)`, are two chains of half the length.
+    #[inline(always)]
+    fn jet(&self, u: F, degree: usize) -> [F; 3] {
+        let c = &self.heights;
+        let square = u * u;
+        let zero = u.same(0.0);
+        let (mut even, mut odd) = (c[degree - 1], c[degree]);
+        let (mut even_rate, mut odd_rate) = (zero, zero);
+        let mut k = degree - 1;
+        while k > 0 {
+            k -= 2;
+            even_rate = even_rate * square + even;
+            odd_rate = odd_rate * square + odd;
+            even = even * square + c[k];
+            odd = odd * square + c[k + 1];
+        }
+        let rate = even_rate * u + odd_rate * square;
+        [even + odd * u, odd + (rate + rate), ((c[5] * (u * 20.0) + c[4] * 12.0) * u + c[3] * 6.0) * u + (c[2] + c[2])]
+    }
+
+    /// The step in time from `u` to the root of a parabola with this value, slope and second derivative at which it rises, or to the end
+    /// of the graph before it; and the square of the slope at the root, negative where there is none.
+    #[inline(always)]
+    fn step(&self, u: F, rate: F, [g, slope, bend]: [F; 3]) -> [F; 2] {
+        let [zero, one] = [g.same(0.0), g.same(1.0)];
+        let square = slope * slope - (g + g) * bend;
+        let root = square.max(zero).sqrt();
+        let falls = slope.lt(zero);
+        let num = falls.select(root - slope, -(g + g));
+        // rounding has no say in which way it bends
+        let den = falls.select(bend.abs().copysign(-self.heights[2]), slope + root);
+        let flat = !zero.lt(den.abs());
+        let mut dt = flat.select(zero, num / flat.select(one, den));
+        let beyond = !(u + dt * rate).abs().lt(one.same(BEYOND));
+        if beyond.any() {
+            let end = (one.same(BEYOND).copysign(dt * rate) - u) / rate;
+            dt = beyond.select(end, dt);
+        }
+        [dt, square]
+    }
+
+    /// The outward crossing, if there is one: for sure where `through`, that is, where the path's line passes between the
+    /// ends outwards. Where not `wanted` nothing means anything.
+    ///
+    /// `g(t)`, the height of the path over the chord minus that of the graph, rises through 0 there. Its second
+    /// derivative has one sign, so the root of its parabola with a slope that is not negative is the right one of two, and iterating
+    /// converges with the third power, as fast where a path nearly grazes (Euler's method).
+    #[inline(always)]
+    pub(crate) fn meet(&self, ray: &Ray<F>, through: F::Mask, wanted: F::Mask, slack: f64) -> Meeting<F> {
+        let Ray { x, v, inverse } = *ray;
+        let [n0, n1] = self.outward;
+        let [zero, one] = [v[0].same(0.0), v[0].same(1.0)];
+        let from = [x[0] - self.origin[0], x[1] - self.origin[1]];
+        let [run, rise] = self.turned(v);
+        let rate = run * self.inverse;
+        // from where the path crosses the chord, or else from its point next to the middle
+        let foot = -(from[0] * v[0] + from[1] * v[1]) * inverse;
+        let mut t = through.select(-(n0 * from[0] + n1 * from[1]) / rise, foot);
+        // towards the root of the lower powers, and on from there
+        let mut going = wanted;
+        for _ in 0..STEPS {
+            let [a, b] = self.turned(along(from, v, t));
+            let u = a * self.inverse;
+            let [height, incline, turn] = self.jet(u, LOW);
+            let [dt, _] = self.step(u, rate, [b - height, rise - incline * rate, -turn * (rate * rate)]);
+            t = going.select(t + dt, t);
+            going = going & !(dt * rate).abs().lt(zero.same(NEARBY));
+            if !going.any() {
+                break;
+            }
+        }
+        let mut going = wanted;
+        let mut last = [zero; 6];
+        for _ in 0..STEPS {
+            let [a, b] = self.turned(along(from, v, t));
+            let u = a * self.inverse;
+            let [height, incline, turn] = self.jet(u, DEGREE);
+            let (slope, bend) = (rise - incline * rate, -turn * (rate * rate));
+            let [dt, square] = self.step(u, rate, [b - height, slope, bend]);
+            // a lane that is done stays as it is, whatever the others need
+            last = going.choose([a, u, slope, bend, dt, square], last);
+            t = going.select(t + dt, t);
+            going = going & !(dt * rate).abs().lt(zero.same(SMALL));
+            if !going.any() {
+                break;
+            }
+        }
+        let [a, u, slope, bend, dt, square] = last;
+        let end = u + dt * rate;
+        let [height, incline, _] = self.jet(end, DEGREE);
+        let incline = incline * self.inverse;
+        let reach = a + dt * run;
+        // a crossing behind the start counts, now, where the start lies outside by no more than rounding and moves on
+        // outwards
+        let slope = slope + bend * dt;
+        let back = (-t).max(zero);
+        let behind = zero.lt(back);
+        let outside = back * (slope + bend * back * 0.5);
+        let now = !outside.same(slack).lt(outside) & zero.lt(slope + bend * back);
+        let within = !going & !square.lt(zero) & !one.lt(end.abs());
+        let really = wanted & (through | within) & (!behind | now);
+        Meeting {
+            time: really.select(t.max(zero), zero.same(f64::INFINITY)),
+            point: [self.origin[0] + (n0 * height - n1 * reach), self.origin[1] + (n1 * height + n0 * reach)],
+            normal: [-n0 - n1 * incline, n0 * incline - n1],
+        }
+    }
+}
