@@ -1,5 +1,9 @@
 //! A piece of a planar boundary, as the sum of what anything may ask of it.
-use crate::{crossing::Crossing, path::Line, shapes::{Shape, curve::Graph}};
+use crate::{
+    crossing::Crossing,
+    path::Line,
+    shapes::{Shape, curve::Graph},
+};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 

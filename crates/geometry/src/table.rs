@@ -26,16 +26,11 @@ pub struct Table {
     lattice: Option<Lattice>,
     /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
     nearby: Vec<(usize, Arc<dyn Piece>)>,
-    /// Walls of a form that composite walls do not cover, made when they are first asked for: of very many pieces that takes
-    /// longer than many a run.
-    general: OnceLock<Arc<General>>,
-}
-
-/// Walls of any form.
-#[derive(Debug)]
-enum General {
-    Sides(Polygon),
-    Pieces(Pieces),
+    /// All pieces as the sides of a polygon, where composite walls do not cover them and they are straight. This and what follows
+    /// is made when it is first asked for: of many pieces or of curves that takes longer than many a run.
+    polygon: OnceLock<Option<Arc<Polygon>>>,
+    /// Those pieces that no composite wall covers, on a lattice with all translates.
+    parts: OnceLock<Arc<Pieces>>,
 }
 
 /// Two normals that differ by less than this belong to a smooth joint.
@@ -124,7 +119,7 @@ impl Table {
             Some(lattice) => translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect(),
             None => pieces.iter().cloned().enumerate().collect(),
         };
-        Ok(Table { pieces, next, corners, lattice, nearby, general: OnceLock::new() })
+        Ok(Table { pieces, next, corners, lattice, nearby, polygon: OnceLock::new(), parts: OnceLock::new() })
     }
 
     /// The pieces, in the order of their numbers.
@@ -257,7 +252,7 @@ impl Table {
             };
         }
         // obstacles of straight sides in a rectangle, too, are asked faster together with it
-        if self.general.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
+        if self.polygon.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
             return self.with_general_walls(visit);
         }
         let Some((container, rest)) = self.container() else { return self.with_general_walls(visit) };
@@ -273,28 +268,22 @@ impl Table {
             (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
             (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
                 Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.parts([*one]) }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts(&[*one]) }),
             },
             (Container::Disk(walls), [one]) => match self.scatterer(*one) {
                 Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.parts([*one]) }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts(&[*one]) }),
             },
-            (Container::Rectangle(walls), many) => {
-                visit.run(&Around { container: walls, obstacles: self.parts(many.iter().copied()) })
-            }
+            (Container::Rectangle(walls), many) => visit.run(&Around { container: walls, obstacles: self.parts(many) }),
             _ => self.with_general_walls(visit),
         }
     }
 
     /// Runs a computation with walls of any form.
     fn with_general_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
-        let general = || match self.polygon() {
-            Some(walls) => General::Sides(walls),
-            None => General::Pieces(self.parts(0..self.pieces.len())),
-        };
-        match &**self.general.get_or_init(|| Arc::new(general())) {
-            General::Sides(walls) => visit.run(walls),
-            General::Pieces(walls) => visit.run(walls),
+        match self.polygon.get_or_init(|| self.polygon().map(Arc::new)) {
+            Some(walls) => visit.run(&**walls),
+            None => visit.run(self.parts(&(0..self.pieces.len()).collect::<Vec<_>>())),
         }
     }
 
@@ -326,9 +315,9 @@ impl Table {
         List::new(self.numbered(numbers), &self.corners)
     }
 
-    /// Some pieces as walls, each asked in the best way.
-    fn parts(&self, numbers: impl IntoIterator<Item = usize>) -> Pieces {
-        Pieces::new(self.numbered(numbers), &self.corners)
+    /// Those pieces that no composite wall covers as walls, each asked in the best way.
+    fn parts(&self, numbers: &[usize]) -> &Pieces {
+        self.parts.get_or_init(|| Arc::new(Pieces::new(self.numbered(numbers.iter().copied()), &self.corners)))
     }
 
     fn numbered(&self, numbers: impl IntoIterator<Item = usize>) -> Vec<(usize, Arc<dyn Piece>)> {
@@ -367,15 +356,17 @@ impl Table {
     }
 
     /// Every piece that reaches into the unit cell, translated there.
-    fn translates(&self, lattice: &Lattice) -> Pieces {
-        let mut corners = vec![];
-        let mut pieces = vec![];
-        for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
-            let ends = self.pieces[i].ends().map_or(vec![], Vec::from);
-            corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
-            pieces.push((i, piece));
-        }
-        Pieces::new(pieces, &corners)
+    fn translates(&self, lattice: &Lattice) -> &Pieces {
+        self.parts.get_or_init(|| {
+            let mut corners = vec![];
+            let mut pieces = vec![];
+            for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
+                let ends = self.pieces[i].ends().map_or(vec![], Vec::from);
+                corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
+                pieces.push((i, piece));
+            }
+            Arc::new(Pieces::new(pieces, &corners))
+        })
     }
 }
 

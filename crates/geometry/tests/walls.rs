@@ -88,7 +88,9 @@ fn planar() -> Vec<(String, Table)> {
         let side = |i: usize| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as _;
         add("turned parallelogram", Table::new((0..4).map(side).collect()).unwrap());
         if k < 4 {
-            formulas::tables(by, size).into_iter().for_each(|(name, table)| add(name, table));
+            for (name, table) in formulas::tables(by, size) {
+                add(name, table);
+            }
         }
     }
     all

@@ -263,7 +263,12 @@ impl Parametric for Base<'_> {
 impl Piece for Parallel {
     fn graphs(&self) -> Option<Vec<Graph>> {
         let last = self.nodes.len() - 1;
-        graphs(self, [self.nodes[0].s, self.nodes[last].s], [self.nodes[0].point, self.nodes[last].point], self.extent.size())
+        graphs(
+            self,
+            [self.nodes[0].s, self.nodes[last].s],
+            [self.nodes[0].point, self.nodes[last].point],
+            self.extent.size(),
+        )
     }
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let v = path.velocity;

@@ -1,5 +1,8 @@
 //! A piece moved by a vector: the translates of a lattice.
-use crate::{Crossing, Extent, Figure, Landing, Line, Piece, shapes::{Shape, curve::Graph}};
+use crate::{
+    Crossing, Extent, Figure, Landing, Line, Piece,
+    shapes::{Shape, curve::Graph},
+};
 use nalgebra::Vector2;
 use std::sync::Arc;
 

@@ -173,7 +173,10 @@ struct Search<'a> {
 impl Inside for Search<'_> {
     #[inline(always)]
     fn offer<F: Lane>(&self, zero: F, block: usize, first: &mut First) {
-        let (x, v) = ([zero.same(self.ray.x[0]), zero.same(self.ray.x[1])], [zero.same(self.ray.v[0]), zero.same(self.ray.v[1])]);
+        let (x, v) = (
+            [zero.same(self.ray.x[0]), zero.same(self.ray.x[1])],
+            [zero.same(self.ray.v[0]), zero.same(self.ray.v[1])],
+        );
         let [ends_x, ends_y] = &self.all.ends;
         let (mut starts, mut ends, mut grazed) = (0, 0, 0);
         let mut k = 0;
@@ -206,15 +209,14 @@ impl Kernel for Search<'_> {
     type Output = Option<(usize, Meeting<f64>)>;
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) -> Self::Output {
-        let first = match &self.all.tree {
-            Some(tree) => tree.walk(zero, self.path, &self),
-            None => {
-                let mut first = First::NONE;
-                for block in 0..self.all.exist.len() {
-                    self.offer(zero, block, &mut first);
-                }
-                first
+        let first = if let Some(tree) = &self.all.tree {
+            tree.walk(zero, self.path, &self)
+        } else {
+            let mut first = First::NONE;
+            for block in 0..self.all.exist.len() {
+                self.offer(zero, block, &mut first);
             }
+            first
         };
         first.found().map(|(graph, _)| (graph, self.best.get()))
     }

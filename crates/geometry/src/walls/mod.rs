@@ -125,6 +125,15 @@ pub trait Walls<const N: usize>: Sync {
     }
 }
 
+impl<W: Walls<N>, const N: usize> Walls<N> for &W {
+    const SLOW: bool = W::SLOW;
+
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
+        (**self).first_hit(x, v)
+    }
+}
+
 /// A computation for walls of any type; see [`Table::with_walls`](crate::Table::with_walls).
 pub trait WithWalls<const N: usize> {
     /// What it returns.

@@ -1,5 +1,10 @@
 //! Curves given by formulas, and tables of them.
-#![allow(dead_code, unreachable_pub, clippy::unwrap_used, reason = "no test needs all of it, and a test may stop at the first surprise")]
+#![allow(
+    dead_code,
+    unreachable_pub,
+    clippy::unwrap_used,
+    reason = "no test needs all of it, and a test may stop at the first surprise"
+)]
 
 use geometry::{
     Extent, Piece, Table, Vector2,

@@ -4,8 +4,8 @@ use crate::piece::Extent;
 use nalgebra::Vector2;
 
 /// A curve with a parameter.
-pub(crate) trait Parametric {
-    /// The point and its derivative with respect to the parameter.
+pub trait Parametric {
+    /// The point \[L\] and its derivative with respect to the parameter, which does not vanish.
     fn at(&self, u: f64) -> [Vector2<f64>; 2];
 }
 

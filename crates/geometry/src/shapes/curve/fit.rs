@@ -30,14 +30,31 @@ const MOST: usize = 4096;
 /// is neglected is its third power.
 const FLAT: [f64; 2] = [1e-6, 1e-11];
 
-/// Cuts a curve between two parameters into graphs; `vertices` are its first and its last point as others know them. The parameter
-/// rises or falls, such that the table lies on the left.
+/// Cuts a curve between two parameters into graphs; `vertices` are its first and its last point as others know them, and `size`
+/// \[L\] is that of its coordinates. The parameter rises or falls, such that the table lies on the left.
+///
+/// A smooth piece of your own runs as fast as the curves here if its [`Piece::graphs`](crate::Piece::graphs) returns these:
+///
+/// ```
+/// use geometry::{Vector2, shapes::curve::{Parametric, graphs}};
+///
+/// /// A parabola, `y = x²`.
+/// struct Parabola;
+/// impl Parametric for Parabola {
+///     fn at(&self, x: f64) -> [Vector2<f64>; 2] {
+///         [Vector2::new(x, x * x), Vector2::new(1.0, 2.0 * x)]
+///     }
+/// }
+/// let ends = [Vector2::new(-1.0, 1.0), Vector2::new(1.0, 1.0)];
+/// assert!(graphs(&Parabola, [-1.0, 1.0], ends, 1.0).is_some_and(|graphs| graphs.len() < 16));
+/// ```
 ///
 /// The incline of the graph is fitted to the direction of the curve, and its integral to the points, by least squares in Chebyshev
 /// polynomials. That keeps normals right to rounding, and takes the mean of the errors of the points.
 ///
-/// `None` where no polynomial is right to rounding: at kinks, and on curves that wiggle without end.
-pub(crate) fn graphs(
+/// `None` where no polynomial is right to rounding: at kinks, and on curves that wiggle without end. What lies between the points that
+/// are compared, 38 on each graph, is left to the caller: nothing can hide there if bounds on the second derivative say so.
+pub fn graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],
     vertices: [Vector2<f64>; 2],
@@ -54,8 +71,8 @@ pub(crate) fn graphs(
         let u = if whole { stop } else { from.u + if rest.abs() < 2.0 * length.abs() { 0.5 * rest } else { length } };
         let to = Place { u, vertex: if u == end { vertices[1] } else { curve.at(u)[0] } };
         match cut.fit([from, to]) {
-            Fit::Graph(_) if graphs.len() == MOST => return None,
-            Fit::Graph(graph) => {
+            Ok(_) if graphs.len() == MOST => return None,
+            Ok(graph) => {
                 graphs.push(graph);
                 if whole {
                     stop = end;
@@ -64,8 +81,8 @@ pub(crate) fn graphs(
                 }
                 from = to;
             }
-            Fit::Inflection(u) => stop = u,
-            Fit::Long => length = PART * (u - from.u),
+            Err(Refused::Inflection(u)) => stop = u,
+            Err(Refused::Long) => length = PART * (u - from.u),
         }
         if length.abs() < LEAST * (end - start).abs() || length.is_nan() {
             return None;
@@ -85,9 +102,8 @@ struct Cut<'a, C> {
     size: f64,
 }
 
-/// What came of a fit.
-enum Fit {
-    Graph(Graph),
+/// Why a stretch is no graph.
+enum Refused {
     /// The bend changes its sign at this parameter.
     Inflection(f64),
     /// It is too long.
@@ -95,7 +111,7 @@ enum Fit {
 }
 
 impl<C: Parametric> Cut<'_, C> {
-    fn fit(&self, [from, to]: [Place; 2]) -> Fit {
+    fn fit(&self, [from, to]: [Place; 2]) -> Result<Graph, Refused> {
         let chord = to.vertex - from.vertex;
         let half = 0.5 * libm::hypot(chord.x, chord.y);
         let origin = from.vertex + chord * 0.5;
@@ -110,15 +126,14 @@ impl<C: Parametric> Cut<'_, C> {
             [a, b, rise / run, run]
         };
         let (middle, width) = (0.5 * (from.u + to.u), 0.5 * (to.u - from.u));
-        let samples: [[f64; 4]; SAMPLES] = core::array::from_fn(|k| {
-            sample(middle - width * libm::cos(PI * ((k as f64 + 0.5) / SAMPLES as f64)))
-        });
+        let samples: [[f64; 4]; SAMPLES] =
+            core::array::from_fn(|k| sample(middle - width * libm::cos(PI * ((k as f64 + 0.5) / SAMPLES as f64))));
         let within = |[a, _, slope, run]: &[f64; 4]| a.abs() < 1.0 + AGREE && slope.abs() < STEEP && *run > 0.0;
         let forwards = samples.windows(2).all(|w| w[0][0] < w[1][0]);
         if !(half > 0.0 && half.is_finite() && forwards && samples.iter().all(within)) {
-            return Fit::Long;
+            return Err(Refused::Long);
         }
-        let Some((inclines, rest)) = incline(&samples) else { return Fit::Long };
+        let (inclines, rest) = incline(&samples).ok_or(Refused::Long)?;
         let mut heights = [0.0; DEGREE + 1];
         for (k, c) in inclines.iter().enumerate() {
             heights[k + 1] = c / (k as f64 + 1.0);
@@ -132,7 +147,7 @@ impl<C: Parametric> Cut<'_, C> {
             (height - b).abs() * half <= AGREE * self.size && (incline - slope).abs() <= AGREE + f64::EPSILON * turning
         };
         if !(samples.iter().all(agrees) && rest <= f64::EPSILON * (0.5 + 0.25 * turning)) {
-            return Fit::Long;
+            return Err(Refused::Long);
         }
         if let Some(a) = inflection(&heights) {
             // the parameter at which the curve is there
@@ -143,7 +158,7 @@ impl<C: Parametric> Cut<'_, C> {
                 },
                 [0.0, 1.0],
             );
-            return Fit::Inflection(from.u + (to.u - from.u) * part);
+            return Err(Refused::Inflection(from.u + (to.u - from.u) * part));
         }
         // lines that cross twice lie between the chord and a tangent, whose height over the middle is half the sum of those over
         // the ends
@@ -155,7 +170,7 @@ impl<C: Parametric> Cut<'_, C> {
             inverse: 1.0 / half,
             heights: heights.map(|c| c * half),
         };
-        Fit::Graph(Graph { ends: [from.vertex.into(), to.vertex.into()], near, local })
+        Ok(Graph { ends: [from.vertex.into(), to.vertex.into()], near, local })
     }
 }
 

@@ -3,6 +3,9 @@
 //! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre. Both are met by the majorant
 //! method ([`first_rise`]), which cannot step over a root; what makes it sound is an enclosure of the second
 //! derivatives in [`Interval`] arithmetic.
+//!
+//! A curve that is smooth is also cut into [`graphs`](graphs()), once per table: polynomials over short chords that are right to
+//! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks.
 mod arc_length;
 mod fit;
 mod graph;
@@ -12,8 +15,9 @@ mod majorant;
 mod polar;
 mod root;
 
-pub(crate) use arc_length::{ArcLength, Parametric, closest_parameter};
-pub(crate) use fit::graphs;
+pub use arc_length::Parametric;
+pub(crate) use arc_length::{ArcLength, closest_parameter};
+pub use fit::graphs;
 pub use graph::Graph;
 pub(crate) use graph::{Local, Meeting, Ray};
 pub use implicit::{Implicit, ImplicitFormula};

@@ -1,0 +1,164 @@
+//! Curves cut into polynomial graphs: right to rounding, and only where they are smooth.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+mod formulas;
+mod random;
+
+use formulas::Clover;
+use geometry::{
+    Line, Piece, Table, Vector2, WallHit, Walls,
+    shapes::{
+        Circle,
+        curve::{Interval, Polar, PolarFormula},
+    },
+    walls::Graphs,
+};
+use random::Random;
+
+/// `r = 1 + |cos φ|³/10`, whose third derivative jumps.
+#[derive(Clone, Copy, Debug)]
+struct Kinked;
+
+impl PolarFormula for Kinked {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(angle);
+        let size = cos.abs();
+        [1.0 + 0.1 * size * cos * cos, -0.3 * size * cos * sin, 0.3 * size * (2.0 * sin * sin - cos * cos)]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [sin, cos] = angle.sin_cos();
+        let size = cos.abs();
+        let second = (sin.square() * 2.0 - cos.square()) * size * 0.3;
+        [size * cos.square() * 0.1 + 1.0, size * cos * sin * -0.3, second]
+    }
+}
+
+/// A circle with a spike far narrower than the distance between any points that are looked at.
+#[derive(Clone, Copy, Debug)]
+struct Spiked;
+
+impl Spiked {
+    const PLACE: f64 = 1.234_567;
+    const WIDTH: f64 = 1e-7;
+}
+
+impl PolarFormula for Spiked {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let u = (angle - Spiked::PLACE) / Spiked::WIDTH;
+        let spike = 1e-4 * libm::exp(-u * u);
+        let w = Spiked::WIDTH;
+        [1.0 + spike, -2.0 * u * spike / w, (4.0 * u * u - 2.0) * spike / (w * w)]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let w = Spiked::WIDTH;
+        let u = (angle + -Spiked::PLACE) * (1.0 / w);
+        let spike = (-u.square()).exp() * 1e-4;
+        let second = (u.square() * 4.0 + -2.0) * spike * (1.0 / (w * w));
+        [spike + 1.0, u * spike * (-2.0 / w), second]
+    }
+}
+
+fn clover() -> Clover {
+    Clover { radius: 1.0, amount: 0.2, leaves: 5 }
+}
+
+fn graphs(formula: impl PolarFormula + 'static, inside: bool) -> Option<usize> {
+    Polar::new(Vector2::new(0.25, -0.5), formula, inside).unwrap().graphs().map(|graphs| graphs.len())
+}
+
+#[test]
+fn a_smooth_curve_is_some_dozens_of_graphs_on_either_side() {
+    for inside in [true, false] {
+        let count = graphs(clover(), inside).unwrap();
+        assert!((20..100).contains(&count), "{count}");
+    }
+}
+
+#[test]
+fn a_kink_in_a_third_derivative_is_no_graph() {
+    assert_eq!(graphs(Kinked, true), None);
+}
+
+#[test]
+fn nothing_hides_between_the_points_that_are_compared() {
+    assert_eq!(graphs(Spiked, true), None);
+}
+
+/// The circle as a polar curve about its centre.
+#[derive(Clone, Copy, Debug)]
+struct Round;
+
+impl PolarFormula for Round {
+    fn jet(&self, _: f64) -> [f64; 3] {
+        [1.0, 0.0, 0.0]
+    }
+    fn jet_over(&self, _: Interval) -> [Interval; 3] {
+        [1.0, 0.0, 0.0].map(Interval::from)
+    }
+}
+
+#[test]
+fn the_graphs_of_a_circle_are_hit_as_the_circle() {
+    let circle = Circle::new(Vector2::zeros(), 1.0, true).unwrap();
+    let cut = Polar::new(Vector2::zeros(), Round, true).unwrap().graphs().unwrap();
+    let walls = Graphs::new(&cut.into_iter().map(|graph| (3, graph)).collect::<Vec<_>>(), &[]);
+    let mut random = Random(1);
+    for _ in 0..100_000 {
+        let path = Line {
+            point: Vector2::new(random.between(-0.7, 0.7), random.between(-0.7, 0.7)),
+            velocity: Vector2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)),
+        };
+        let (hit, time) = (walls.hit(&path).unwrap(), circle.crossing(&path).time());
+        assert_eq!((hit.piece, hit.corner), (3, false));
+        // the distance from the centre of a path inside makes angles of at least 0.14 with the circle
+        let ulp = f64::EPSILON;
+        assert!((hit.time - time).abs() * path.velocity.norm() <= 16.0 * ulp / 0.14, "{path:?} {hit:?} {time}");
+        assert!((hit.point.norm() - 1.0).abs() <= 2.0 * ulp, "{path:?} {hit:?}");
+        assert!((hit.normal + hit.point).norm() <= 8.0 * ulp, "{path:?} {hit:?}");
+    }
+}
+
+/// Paths that leave the curve within an angle of the tangent, and where they next meet it.
+#[test]
+fn grazing_paths_are_followed_from_hit_to_hit() {
+    let curve = Polar::new(Vector2::zeros(), clover(), true).unwrap();
+    let table = Table::new(vec![Box::new(curve.clone())]).unwrap();
+    let list = table.list([0]);
+    let walls = Graphs::new(&curve.graphs().unwrap().into_iter().map(|graph| (0, graph)).collect::<Vec<_>>(), &[]);
+    let mut random = Random(2);
+    let mut compared = 0;
+    for _ in 0..20_000 {
+        let point = curve.point_at(random.between(0.0, curve.length()));
+        let landing = curve.closest(&point);
+        let tangent =
+            Vector2::new(landing.normal.y, -landing.normal.x) * if random.between(0.0, 1.0) < 0.5 { 1.0 } else { -1.0 };
+        let angle = libm::exp2(random.between(-20.0, -1.0));
+        let path = Line { point: landing.point, velocity: tangent + landing.normal * angle };
+        let (a, b) = (list.hit(&path).unwrap(), walls.hit(&path).unwrap());
+        // a path that all but touches the curve on its way is decided by rounding
+        let cos = path.velocity.dot(&a.normal).abs().min(path.velocity.dot(&b.normal).abs());
+        if cos < 1e-6 {
+            continue;
+        }
+        compared += 1;
+        // the start is off by an ulp, which a flat chord makes longer or shorter at both ends
+        let bound = 64.0 * f64::EPSILON / cos.min(angle);
+        assert!((a.point - b.point).norm() <= bound, "{path:?} {a:?} {b:?}");
+    }
+    assert!(compared > 19_000, "{compared}");
+}
+
+#[test]
+fn paths_that_are_not_numbers_hit_nothing() {
+    // without a tree of boxes, and with one
+    for leaves in [3, 30] {
+        let cut = Polar::new(Vector2::zeros(), Clover { radius: 1.0, amount: 0.02, leaves }, true).unwrap();
+        let cut = cut.graphs().unwrap();
+        assert_eq!(cut.len() > 192, leaves == 30, "{}", cut.len());
+        let walls = Graphs::new(&cut.into_iter().map(|graph| (0, graph)).collect::<Vec<_>>(), &[]);
+        let nowhere = Vector2::repeat(f64::NAN);
+        for (point, velocity) in [(nowhere, Vector2::x()), (Vector2::zeros(), nowhere)] {
+            let hit: WallHit<f64, 2> = walls.first_hit(&point.into(), &velocity.into());
+            assert_eq!(hit.time, f64::INFINITY);
+        }
+    }
+}
