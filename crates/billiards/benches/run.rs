@@ -5,9 +5,12 @@ use billiards::{
     collision_laws::laws::{NoSlip, Specular},
     geometry::{
         Piece, Table, Vector2, Walls,
-        shapes::Segment,
+        shapes::{
+            Segment,
+            curve::{Interval, Polar, PolarFormula},
+        },
         tables,
-        walls::{Few, List},
+        walls::{Few, Graphs, List},
     },
     laws::Disk,
     run, run_side_by_side,
@@ -123,6 +126,35 @@ fn as_pieces(criterion: &mut Criterion) {
     }
 }
 
+/// `r = 1 + a cos nφ`
+#[derive(Clone, Copy, Debug)]
+struct Clover {
+    a: f64,
+    n: f64,
+}
+
+impl PolarFormula for Clover {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(self.n * angle);
+        [1.0 + self.a * cos, -self.n * self.a * sin, -self.n * self.n * self.a * cos]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [sin, cos] = (angle * self.n).sin_cos();
+        [cos * self.a + 1.0, sin * (-self.n * self.a), cos * (-self.n * self.n * self.a)]
+    }
+}
+
+/// Curves given by formulas, as polynomial graphs and by the majorant method.
+fn curves(criterion: &mut Criterion) {
+    for (a, n) in [(0.1, 3.0), (0.2, 5.0), (0.05, 20.0)] {
+        let curve = Polar::new(Vector2::zeros(), Clover { a, n }, true).expect("a radius that is positive");
+        let graphs: Vec<_> = curve.graphs().expect("a smooth curve").into_iter().map(|graph| (0, graph)).collect();
+        let table = Table::new(vec![Box::new(curve)]).expect("a closed curve");
+        on(criterion, &format!("1 + {a} cos {n} phi (graphs)"), &table, &Graphs::new(&graphs, &[]));
+        on(criterion, &format!("1 + {a} cos {n} phi (list)"), &table, &table.list([0]));
+    }
+}
+
 fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2>) {
     let mut group = criterion.benchmark_group("pieces");
     group.throughput(Throughput::Elements(ORBITS * COLLISIONS)).sample_size(20);
@@ -146,5 +178,5 @@ fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2
     });
 }
 
-criterion_group!(benches, tables_and_laws, many_sides, as_pieces);
+criterion_group!(benches, tables_and_laws, many_sides, as_pieces, curves);
 criterion_main!(benches);

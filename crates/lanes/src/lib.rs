@@ -29,7 +29,7 @@ use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// No instruction set has more lanes.
-pub const MOST_LANES: usize = 16;
+pub const MOST_LANES: usize = 8;
 
 /// The lanes of several numbers: what is computed one lane after another reads here, and its results are loaded from there.
 #[must_use]

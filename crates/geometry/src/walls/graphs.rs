@@ -27,7 +27,7 @@ const MANY: usize = 24;
 const PART: usize = 48;
 
 /// Up to so many parts, each graph is looked at for all lanes at once.
-const PARTS: usize = 4;
+const PARTS: usize = 8;
 
 #[derive(Clone, Debug)]
 struct All {
@@ -293,10 +293,11 @@ impl All {
         let mut found = [0; MOST_LANES];
         // per part of the graphs and lane, a bit for each of them
         let (mut through, mut open) = ([[0; MOST_LANES]; PARTS], [[0; MOST_LANES]; PARTS]);
-        let mut left = 0;
+        let mut counts = [0; MOST_LANES];
         let count = self.numbers.len();
+        let parts = count.div_ceil(PART);
         let mut end = turn(x, v, [zero.same(self.ends[0][0]), zero.same(self.ends[1][0])]);
-        for part in 0..count.div_ceil(PART) {
+        for part in 0..parts {
             let range = PART * part..count.min(PART * (part + 1));
             // as sums of powers of two
             let (mut starts, mut grazed, mut power) = (zero, zero, 1.0);
@@ -309,22 +310,21 @@ impl All {
                 grazed = grazes([start, end], zero.same(*near), speed).select(grazed + power, grazed);
                 power *= 2.0;
             }
-            let after = zero.lt(end).bits();
+            let (after, exist) = (zero.lt(end).bits(), self.exists(part));
             for lane in 0..F::LANES {
                 let starts = whole(starts.lane(lane));
                 let ends = starts >> 1 | (after >> lane & 1) << last;
                 let [between, maybe] = crossed(starts, ends, whole(grazed.lane(lane)));
-                (through[part][lane], open[part][lane]) = (between, maybe & self.exists(part));
-                left |= open[part][lane];
+                (through[part][lane], open[part][lane]) = (between, maybe & exist);
+                counts[lane] += (maybe & exist).count_ones();
             }
         }
         let mut part = [0; MOST_LANES];
-        while left != 0 {
-            left = 0;
+        for _ in 0..counts.into_iter().fold(0, u32::max) {
             let mut graph = [0; MOST_LANES];
             let mut known = [[0.0; MOST_LANES]; 2];
             for lane in 0..F::LANES {
-                while open[part[lane]][lane] == 0 && part[lane] < PARTS - 1 {
+                while open[part[lane]][lane] == 0 && part[lane] + 1 < parts {
                     part[lane] += 1;
                 }
                 let part = part[lane];
@@ -335,7 +335,6 @@ impl All {
                     known[0][lane] = 1.0;
                     known[1][lane] = (through[part][lane] >> k & 1) as f64;
                     open[part][lane] = bits & (bits - 1);
-                    left |= open[part..].iter().fold(0, |all, open| all | open[lane]);
                 }
             }
             let (wanted, outwards) = (zero.lt(zero.load(&known[0])), zero.lt(zero.load(&known[1])));

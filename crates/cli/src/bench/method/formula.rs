@@ -1,4 +1,4 @@
-//! The boundary as one formula, as a scene may write it: crossings by the majorant method.
+//! The boundary as one formula, as a scene may write it: cut into polynomial graphs.
 
 use billiards::geometry::shapes::curve::{Implicit, Polar};
 use billiards::geometry::{Piece, Table, Vector2};
@@ -12,7 +12,7 @@ use crate::expression::{Expression, ImplicitCurve, PolarCurve};
 
 pub(super) const IMPLICIT: Entry = Entry {
     name: "formula f(x, y) = 0",
-    summary: "the boundary as one equation, crossings by the majorant method",
+    summary: "the boundary as one equation, cut into polynomial graphs right to rounding",
     sizes,
     build: |case, law, _| {
         build(case, law, |formulas| {
@@ -25,7 +25,7 @@ pub(super) const IMPLICIT: Entry = Entry {
 
 pub(super) const POLAR: Entry = Entry {
     name: "formula r(t)",
-    summary: "the boundary as a radius in every direction, crossings by the majorant method",
+    summary: "the boundary as a radius in every direction, cut into polynomial graphs right to rounding",
     sizes,
     build: |case, law, _| {
         build(case, law, |formulas| {

@@ -81,8 +81,8 @@ pub fn graphs(
                 }
                 from = to;
             }
-            Err(Refused::Inflection(u)) => stop = u,
-            Err(Refused::Long) => length = PART * (u - from.u),
+            Err(Refused::Inflection(at)) if (at - from.u).abs() < (u - from.u).abs() => stop = at,
+            Err(_) => length = PART * (u - from.u),
         }
         if length.abs() < LEAST * (end - start).abs() || length.is_nan() {
             return None;
