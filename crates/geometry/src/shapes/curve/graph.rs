@@ -195,7 +195,9 @@ impl<F: Lane> Local<F> {
         let rate = run * self.inverse;
         // from where the path crosses the chord, or else from its point next to the middle
         let foot = -(from[0] * v[0] + from[1] * v[1]) * inverse;
-        let mut t = through.select(-(n0 * from[0] + n1 * from[1]) / rise, foot);
+        let chord = -(n0 * from[0] + n1 * from[1]) / rise;
+        let there = through & ((chord - foot) * rate).abs().lt(one + one);
+        let mut t = there.select(chord, foot);
         // towards the root of the lower powers, and on from there
         let mut going = wanted;
         for _ in 0..STEPS {
