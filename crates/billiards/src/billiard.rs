@@ -1,6 +1,7 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
     energy::{BEAT, EnergyKeeper},
+    laws::Mirror,
     orbit::Orbit,
     track::Track,
 };
@@ -30,6 +31,11 @@ pub trait BallLaw<const N: usize, const S: usize>: Sync {
         BallLaw::<2, S>::collide(self, hit, &mut v, spin);
         *velocity = [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2];
     }
+
+    /// What it does in the frame of a hit in the plane, if it undoes itself and is the same at every hit.
+    fn mirror(&self) -> Option<Mirror> {
+        None
+    }
 }
 
 /// Walls and a law: the billiard map, in the coordinates of the plane or of space.
@@ -45,17 +51,24 @@ pub struct Billiard<'a, W, L> {
 ///
 /// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
 pub trait Motion<const N: usize, const S: usize> {
-    /// The energy is restored after so many collisions.
-    const BEAT: u32 = BEAT;
     /// What is carried from collision to collision besides the orbit.
     type Carried<F: Lane>: Copy;
     /// What a flight finds out besides the hit.
     type Arrival<F: Lane>: Copy;
 
+    /// The energy is restored after so many collisions.
+    fn beat(&self) -> u32 {
+        BEAT
+    }
     /// Orbits that start from anywhere, as many as `zero` has lanes.
     fn start<F: Lane>(&self, zero: F) -> Self::Carried<F>;
-    /// Other orbits start in the lanes `new`.
-    fn restart<F: Lane>(&self, carried: &mut Self::Carried<F>, new: F::Mask);
+    /// Another orbit starts in the lanes `new`.
+    fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(
+        &self,
+        carried: &mut Self::Carried<F>,
+        new: F::Mask,
+        orbit: &Orbit<f64, N, S, K, T>,
+    );
     /// The flight from where the orbit is to its next hit.
     fn flight<F: Lane, K, T>(
         &self,
@@ -73,12 +86,16 @@ pub trait Motion<const N: usize, const S: usize> {
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
-    const BEAT: u32 = if W::SLOW { 1 } else { BEAT };
     type Carried<F: Lane> = ();
     type Arrival<F: Lane> = ();
 
+    #[inline(always)]
+    fn beat(&self) -> u32 {
+        if self.walls.is_delicate() { 1 } else { BEAT }
+    }
     fn start<F: Lane>(&self, _: F) {}
-    fn restart<F: Lane>(&self, (): &mut (), _: F::Mask) {}
+    #[inline(always)]
+    fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, (): &mut (), _: F::Mask, _: &Orbit<f64, N, S, K, T>) {}
     #[inline(always)]
     fn flight<F: Lane, K, T>(&self, orbit: &Orbit<F, N, S, K, T>, (): &()) -> (WallHit<F, N>, ()) {
         (self.walls.first_hit(&orbit.position, &orbit.velocity), ())
@@ -98,7 +115,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             normal_speed = normal_speed + orbit.velocity[i] * hit.normal[i];
         }
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
-        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, Self::BEAT);
+        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, self.beat());
         let normal_speed = normal_speed * hit.inverse;
         normal_speed * normal_speed
     }

@@ -2,14 +2,14 @@
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
 //! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, and at each one where walls are
-//! [slow](Walls::SLOW), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
+//! [delicate](Walls::is_delicate), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
 //! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
 //! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.
 use crate::{orbit::square_speed, side_by_side::InLanes};
 use geometry::WallHit;
 #[cfg(doc)]
 use geometry::Walls;
-use lanes::{Lane, Mask};
+use lanes::{Double, Lane, Mask};
 
 /// The energy is restored after so many collisions, where finding the next hit is fast.
 ///
@@ -26,6 +26,10 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// The same for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
     /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32);
+    /// `|v|² + |w|²` as it should be, in one lane.
+    fn square(&self, lane: usize) -> Option<Double>;
+    /// Counts a collision that rounds nothing.
+    fn pass(&mut self, beat: u32);
 }
 
 /// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
@@ -38,6 +42,11 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>, _: u32) {}
     #[inline(always)]
     fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: u32) {}
+    fn square(&self, _: usize) -> Option<Double> {
+        None
+    }
+    #[inline(always)]
+    fn pass(&mut self, _: u32) {}
 }
 
 /// The energy of the start, kept.
@@ -101,6 +110,16 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         if self.beat >= beat {
             self.beat = 0;
             self.restore_in_frame(velocity, spin);
+        }
+    }
+    fn square(&self, lane: usize) -> Option<Double> {
+        Some(Double { high: self.high.lane(lane), low: self.low.lane(lane) })
+    }
+    #[inline(always)]
+    fn pass(&mut self, beat: u32) {
+        self.beat += 1;
+        if self.beat >= beat {
+            self.beat = 0;
         }
     }
 }

@@ -79,7 +79,7 @@ where
         run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
     }
     fn run_homogeneous<W: Homogeneous>(self, walls: &W) {
-        let billiard = Rolling { walls, law: self.law };
+        let billiard = Rolling::new(walls, self.law);
         run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
     }
 }
@@ -104,6 +104,6 @@ where
         run(&Billiard { walls, law: self.law }, self.orbit, self.limit, self.observer)
     }
     fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> Outcome {
-        run(&Rolling { walls, law: self.law }, self.orbit, self.limit, self.observer)
+        run(&Rolling::new(walls, self.law), self.orbit, self.limit, self.observer)
     }
 }

@@ -2,66 +2,164 @@
 use crate::{
     billiard::{BallLaw, Motion},
     energy::EnergyKeeper,
+    laws::Mirror,
     orbit::Orbit,
     track::Track,
 };
-use geometry::{Chord, Homogeneous, WallHit};
-use lanes::{Lane, Mask};
+use geometry::{Chord, Homogeneous, Swing, WallHit};
+use lanes::{Double, Lane, Mask};
 
 /// Homogeneous walls and a law: the frame of the last hit rolls along the wall with the orbit.
 ///
 /// In a circle and in a strip the normal and the tangential velocity at a collision depend on those at the last one and
 /// on nothing else. Carried on as they are, they are not rounded to the directions of the plane and back, and they wait
 /// for no search: faster, and without the drift of the phase that a rounded chord has.
+///
+/// A law that undoes itself returns in a circle after two collisions to the same velocity in the frame. Both are found before
+/// the first collision, in twice the digits, and change places at each one: nothing is rounded any more but the place.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling<'a, W, L> {
     /// What can be hit.
     pub walls: &'a W,
     /// What a hit does.
     pub law: &'a L,
+    /// The law, where it undoes itself and the walls are round.
+    mirror: Option<Mirror>,
 }
 
-/// The frame of the last hit.
+/// The frame of the last hit; before the first, that of the first.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<F: Lane> {
     place: [F; 2],
-    /// Normal and tangential velocity.
-    velocity: [F; 2],
-    /// Whether there has been a hit yet.
+    /// Normal velocity.
+    normal: F,
+    /// The motion along the wall, and where it recurs that between every second and third hit.
+    even: Along<F>,
+    odd: Along<F>,
+    /// Which of the two comes now, in all lanes alike.
+    is_odd: bool,
+    /// Whether there has been a hit yet, and the time of the first.
     on_wall: F::Mask,
+    first: F,
+}
+
+/// Motion along the wall.
+#[derive(Clone, Copy, Debug)]
+struct Along<F> {
+    /// Tangential velocity.
+    tangential: F,
+    /// Scaled spin; time and turn of a flight where it recurs.
+    spin: F,
+    time: F,
+    swing: Swing<F>,
+}
+
+impl<F: Lane> Along<F> {
+    fn at_rest(zero: F) -> Self {
+        Along { tangential: zero, spin: zero, time: zero, swing: Swing { direction: [zero; 2], inverse: zero } }
+    }
+
+    /// With `other` in some lanes.
+    fn with(&self, lanes: F::Mask, other: &Along<f64>) -> Self {
+        let put = |to: F, from: f64| lanes.select(to.same(from), to);
+        let ([u1, u2], [v1, v2]) = (self.swing.direction, other.swing.direction);
+        Along {
+            tangential: put(self.tangential, other.tangential),
+            spin: put(self.spin, other.spin),
+            time: put(self.time, other.time),
+            swing: Swing {
+                direction: [put(u1, v1), put(u2, v2)],
+                inverse: put(self.swing.inverse, other.swing.inverse),
+            },
+        }
+    }
+}
+
+impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
+    /// `law` between `walls`.
+    pub fn new(walls: &'a W, law: &'a L) -> Self {
+        Rolling { walls, law, mirror: if W::ROUND { law.mirror() } else { None } }
+    }
+
+    /// The frame of the first hit, with the velocity in the frame from which the path would have come.
+    fn before<K: EnergyKeeper<f64, 2, 1>, T>(&self, orbit: &Orbit<f64, 2, 1, K, T>) -> Frame<f64> {
+        let hit = self.walls.first_hit(&orbit.position, &orbit.velocity);
+        let velocity = self.walls.arrival(&orbit.position, &orbit.velocity, &hit.normal);
+        let [normal, tangential] = with_energy(velocity, orbit.spin[0], orbit.keeper.square(0));
+        let (normal, place) = (-normal, self.walls.place(&hit));
+        let now = [Double::new(orbit.spin[0]), if W::ROUND { tangential } else { -tangential }];
+        let along = |[spin, tangential]: [Double; 2]| {
+            let (tangential, swing) = (tangential.high, Swing::recurring(normal, tangential));
+            let time = self.walls.chord(&place, normal.high, tangential).time;
+            Along { tangential, spin: spin.high, time, swing }
+        };
+        let [even, odd] = match &self.mirror {
+            Some(mirror) => [along(now), along(mirror.apply(now))],
+            None => [Along { tangential: now[1].high, ..Along::at_rest(0.0) }; 2],
+        };
+        Frame { place, normal: normal.high, even, odd, is_odd: false, on_wall: false, first: hit.time }
+    }
+}
+
+/// A velocity that has, with the spin, the energy that it should have: along itself, so that its direction stays; as it is
+/// where nearly all energy is spin.
+fn with_energy(velocity: [Double; 2], spin: f64, square: Option<Double>) -> [Double; 2] {
+    let own = velocity[0].times(velocity[0]).plus(velocity[1].times(velocity[1]));
+    match square {
+        Some(all) if own.high > 1e-3 * all.high => {
+            let lacks = all.plus(-own).plus(-Double::product(spin, spin)).value();
+            velocity.map(|x| x.plus(Double::new(x.high * (0.5 * lacks / own.high))))
+        }
+        _ => velocity,
+    }
 }
 
 impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
     type Carried<F: Lane> = Frame<F>;
-    /// The frame of the hit, with the velocity of the arrival.
-    type Arrival<F: Lane> = Frame<F>;
+    type Arrival<F: Lane> = Chord<F>;
 
     fn start<F: Lane>(&self, zero: F) -> Frame<F> {
-        Frame { place: [zero; 2], velocity: [zero; 2], on_wall: zero.lt(zero) }
+        let along = Along::at_rest(zero);
+        let (place, on_wall) = ([zero; 2], zero.lt(zero));
+        Frame { place, normal: zero, even: along, odd: along, is_odd: false, on_wall, first: zero }
     }
-    fn restart<F: Lane>(&self, carried: &mut Frame<F>, new: F::Mask) {
+    #[cold]
+    #[inline(never)]
+    fn restart<F: Lane, K: EnergyKeeper<f64, 2, 1>, T>(
+        &self,
+        carried: &mut Frame<F>,
+        new: F::Mask,
+        orbit: &Orbit<f64, 2, 1, K, T>,
+    ) {
+        let from = self.before(orbit);
+        let put = |to: F, from: f64| new.select(to.same(from), to);
+        carried.place = [put(carried.place[0], from.place[0]), put(carried.place[1], from.place[1])];
+        carried.normal = put(carried.normal, from.normal);
         carried.on_wall = carried.on_wall & !new;
+        carried.first = put(carried.first, from.first);
+        if self.mirror.is_some() {
+            let [even, odd] = if carried.is_odd { [from.odd, from.even] } else { [from.even, from.odd] };
+            carried.even = carried.even.with(new, &even);
+            carried.odd = carried.odd.with(new, &odd);
+        } else {
+            carried.even.tangential = put(carried.even.tangential, from.even.tangential);
+        }
     }
     #[inline(always)]
-    fn flight<F: Lane, K, T>(&self, orbit: &Orbit<F, 2, 1, K, T>, carried: &Frame<F>) -> (WallHit<F, 2>, Frame<F>) {
-        let [vn, vt] = carried.velocity;
+    fn flight<F: Lane, K, T>(&self, _: &Orbit<F, 2, 1, K, T>, carried: &Frame<F>) -> (WallHit<F, 2>, Chord<F>) {
         let on = carried.on_wall;
-        let mut chord = self.walls.chord(&carried.place, vn, vt);
-        let mut hit = self.walls.landing(&chord);
-        let mut normal = -vn;
+        let mut chord = if self.mirror.is_some() {
+            let now = if carried.is_odd { &carried.odd } else { &carried.even };
+            Chord { time: now.time, place: now.swing.apply(&carried.place), tangential: now.tangential }
+        } else {
+            self.walls.chord(&carried.place, carried.normal, carried.even.tangential)
+        };
         if (!on).any() {
-            let first = self.walls.first_hit(&orbit.position, &orbit.velocity);
-            let [vn, vt] = self.walls.arrival(&orbit.position, &orbit.velocity, &first);
-            let place = self.walls.place(&first);
-            chord = Chord {
-                time: on.select(chord.time, first.time),
-                place: [on.select(chord.place[0], place[0]), on.select(chord.place[1], place[1])],
-                tangential: on.select(chord.tangential, vt),
-            };
-            normal = on.select(normal, vn);
-            hit = self.walls.landing(&chord);
+            chord.time = on.select(chord.time, carried.first);
+            let [p1, p2] = carried.place;
+            chord.place = [on.select(chord.place[0], p1), on.select(chord.place[1], p2)];
         }
-        (hit, Frame { place: chord.place, velocity: [normal, chord.tangential], on_wall: on | !on })
+        (self.walls.landing(&chord), chord)
     }
     #[inline(always)]
     fn collide<F: Lane, K: EnergyKeeper<F, 2, 1>, T: Track<F, 2, 1>>(
@@ -69,16 +167,29 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         orbit: &mut Orbit<F, 2, 1, K, T>,
         carried: &mut Frame<F>,
         hit: &WallHit<F, 2>,
-        arrival: &Frame<F>,
+        chord: &Chord<F>,
     ) -> F {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
-        *carried = *arrival;
-        self.law.collide_in_frame(hit, &mut carried.velocity, &mut orbit.spin);
-        orbit.keeper.leave_in_frame(&mut carried.velocity, &mut orbit.spin, Self::BEAT);
-        let [vn, vt] = carried.velocity;
+        let arrival = carried.normal;
+        carried.place = chord.place;
+        carried.on_wall = carried.on_wall | !carried.on_wall;
+        let vt = if self.mirror.is_some() {
+            carried.is_odd = !carried.is_odd;
+            let now = if carried.is_odd { &carried.odd } else { &carried.even };
+            orbit.spin = [now.spin];
+            orbit.keeper.pass(self.beat());
+            now.tangential
+        } else {
+            let mut velocity = [-arrival, chord.tangential];
+            self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
+            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, self.beat());
+            [carried.normal, carried.even.tangential] = velocity;
+            velocity[1]
+        };
+        let vn = carried.normal;
         let [n1, n2] = hit.normal;
         orbit.position = hit.point;
         orbit.velocity = [vn * n1 - vt * n2, vn * n2 + vt * n1];
-        arrival.velocity[0] * arrival.velocity[0]
+        arrival * arrival
     }
 }

@@ -146,7 +146,10 @@ where
         let mut n = 0;
         // flights of no length in a row, and the number of the last one
         let (mut idle, mut idle_at) = (0, 0);
-        let mut carried = billiard.start(0.0);
+        let mut start = billiard.start(0.0);
+        billiard.restart(&mut start, true, orbit);
+        // nothing else points to this one: it lives in registers
+        let mut carried = start;
         let stop = loop {
             let (hit, arrival) = billiard.flight(orbit, &carried);
             if limit.is_beyond(n + 1, &orbit.track, hit.time) {

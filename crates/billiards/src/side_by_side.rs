@@ -181,7 +181,7 @@ where
             }
             *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
             idle[lane] = true;
-            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, B::BEAT));
+            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, self.billiard.beat()));
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(orbit)) => {
                     let index = *next;
@@ -203,7 +203,8 @@ where
         }
         self.observer.end(&mut group.view, mask(&idle));
         // an idle lane follows an orbit, which has a future
-        if let Some(model) = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some()) {
+        let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
+        if let (true, Some(model)) = (idle.contains(&true), model) {
             let o = &group.orbit;
             let orbit = Orbit {
                 position: o.position.map(|x| x.lane(model)),
@@ -226,7 +227,7 @@ where
         o.keeper.replace(lanes, &K::In::<F>::all(&orbit.keeper, group.slow));
         o.track.replace(lanes, &T::In::<F>::all(&orbit.track, group.slow));
         group.slow = put(group.slow, square_speed(&orbit.velocity, &orbit.spin) * (GRAZING * GRAZING));
-        self.billiard.restart(&mut group.carried, lanes);
+        self.billiard.restart(&mut group.carried, lanes, orbit);
     }
 
     /// One collision of every lane.
@@ -235,17 +236,14 @@ where
         let zero = group.slow.same(0.0);
         loop {
             let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
-            let (mut orbit, mut carried) = (group.orbit.clone(), group.carried);
-            let square = self.billiard.collide(&mut orbit, &mut carried, &hit, &arrival);
-            let slides = !group.slow.lt(square);
             let moves = zero.lt(hit.time) & hit.time.lt(zero.same(f64::INFINITY));
-            let odd = (!moves | hit.corner | slides).any();
-            if odd && self.look(group, hit.time, hit.corner, next, step) {
+            if (!moves | hit.corner).any() && self.look(group, hit.time, hit.corner, next, step) {
                 continue;
             }
-            (group.orbit, group.carried) = (orbit, carried);
+            let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
             self.observer.collision(&mut group.view, &hit, &group.orbit);
-            if odd && slides.any() {
+            let slides = !group.slow.lt(square);
+            if slides.any() {
                 self.change(group, next, step + 1, |lane| slides.at(lane).then_some(Stop::Grazing));
             }
             return;

@@ -55,4 +55,4 @@ pub use path::Line;
 pub use piece::{Extent, Figure, Landing, Piece};
 pub use sample::{BoundaryPoint, Interior, Perimeter};
 pub use table::Table;
-pub use walls::{Chord, Homogeneous, WallHit, Walls, WithWalls};
+pub use walls::{Chord, Homogeneous, Swing, WallHit, Walls, WithWalls};

@@ -1,7 +1,8 @@
 //! Error-free sums and products, and the double-double numbers made of them.
 //!
 //! References: [Dekker 1971], [Knuth, TAOCP 2, §4.2.2]; no fused operation is used.
-use crate::Lane;
+use crate::{Lane, Mask};
+use core::ops::Neg;
 
 /// `a + b = sum + error` exactly (Knuth's two-sum, six operations; any magnitudes).
 #[inline(always)]
@@ -56,10 +57,66 @@ impl<F: Lane> Double<F> {
         self.high = high;
     }
 
+    /// `a b`, without an error.
+    #[inline(always)]
+    pub fn product(a: F, b: F) -> Self {
+        let (high, low) = two_prod(a, b);
+        Double { high, low }
+    }
+
+    /// `self + other`
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(mut self, other: Self) -> Self {
+        self.add(other.high);
+        self.add(other.low);
+        self
+    }
+
+    /// `self · other`
+    #[inline(always)]
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        let mut product = Double::product(self.high, other.high);
+        product.add(self.high * other.low + self.low * other.high);
+        product
+    }
+
+    /// `self / other`
+    #[inline(always)]
+    #[must_use]
+    pub fn over(self, other: Self) -> Self {
+        let mut quotient = Double::new(self.high / other.high);
+        let rest = self.plus((-quotient).times(other));
+        quotient.add(rest.value() / other.high);
+        quotient
+    }
+
+    /// `√self`; 0 where that is not positive.
+    #[inline(always)]
+    #[must_use]
+    pub fn root(self) -> Self {
+        let zero = self.high.same(0.0);
+        let positive = zero.lt(self.high);
+        let mut root = Double::new(positive.select(self.high, zero).sqrt());
+        let rest = self.plus((-root).times(root)).value();
+        let twice = root.high + root.high;
+        root.add(positive.select(rest / positive.select(twice, self.high.same(1.0)), zero));
+        root
+    }
+
     /// The nearest `f64`.
     #[inline(always)]
     pub fn value(&self) -> F {
         self.high + self.low
+    }
+}
+
+impl<F: Lane> Neg for Double<F> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Double { high: -self.high, low: -self.low }
     }
 }
 
@@ -76,6 +133,19 @@ mod tests {
         // 0.1 as an f64 is 0.1 + 5.551115123125783e-18, so the exact sum exceeds 10⁵ by 10⁶ times that
         assert_eq!(sum.high, 100_000.0);
         assert!((sum.low - 5.551_115_123_125_783e-12).abs() < 1e-20);
+    }
+
+    #[test]
+    fn quotients_and_roots_undo_products_to_thirty_digits() {
+        let number = |x: f64| Double::new(x).over(Double::new(7.0));
+        for x in [1.0, 2.0_f64.powi(-300) / 3.0, 1e100] {
+            let x = number(x);
+            let off = |y: Double| (y.plus(-x).value() / x.high).abs();
+            assert!(off(x.times(number(0.3)).over(number(0.3))) < 1e-30, "{x:?}");
+            assert!(off(x.times(x).root()) < 1e-30, "{x:?}");
+        }
+        assert_eq!(Double::new(0.0).root(), Double::new(0.0));
+        assert_eq!(Double::new(-1e-30).root(), Double::new(0.0));
     }
 
     #[test]

@@ -1,5 +1,5 @@
 //! Laws that are one constant matrix for a disk: no-slip, specular, restitution.
-use super::{coefficients::Coefficients, slip::Slip};
+use super::{Mirror, coefficients::Coefficients, slip::Slip};
 use crate::billiard::BallLaw;
 use collision_laws::DiskLaw;
 use geometry::WallHit;
@@ -12,6 +12,8 @@ pub struct Disk {
     pub(super) in_plane: Coefficients<5>,
     /// In the frame of the contact: the map as it is.
     pub(super) in_frame: Coefficients<5>,
+    /// The same for a strict law, which undoes itself.
+    mirror: Option<Mirror>,
 }
 
 impl Disk {
@@ -21,7 +23,7 @@ impl Disk {
     /// the scaled spin changes by −1/γ times that.
     pub fn new(law: &impl DiskLaw, gamma: f64) -> Disk {
         let map = law.disk_map(gamma);
-        let Slip { push, pull } = Slip::of(&map, gamma);
+        let Slip { push, pull, reflects } = Slip::of(&map, gamma);
         Disk {
             in_plane: Coefficients([push[0], push[1], pull[0], pull[1], map.normal - 1.0]),
             in_frame: Coefficients([
@@ -31,6 +33,7 @@ impl Disk {
                 map.tangent_tangent,
                 map.normal,
             ]),
+            mirror: Mirror::of(&map, gamma, reflects),
         }
     }
 }
@@ -77,5 +80,8 @@ impl BallLaw<2, 1> for Disk {
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
         in_frame(self.in_frame.in_lanes(hit.time), velocity, spin);
+    }
+    fn mirror(&self) -> Option<Mirror> {
+        self.mirror
     }
 }

@@ -2,6 +2,7 @@
 mod coefficients;
 mod custom;
 mod disk;
+mod mirror;
 mod per_piece;
 mod rough_ball;
 mod slip;
@@ -9,6 +10,7 @@ mod specular;
 
 pub use custom::Custom;
 pub use disk::Disk;
+pub use mirror::Mirror;
 pub use per_piece::PerPiece;
 pub use rough_ball::RoughBall;
 pub use specular::Specular;

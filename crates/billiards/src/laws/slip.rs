@@ -13,6 +13,8 @@ pub(super) struct Slip {
     pub(super) push: [f64; 2],
     /// `p`
     pub(super) pull: [f64; 2],
+    /// Whether it is the reflection in `u`.
+    pub(super) reflects: bool,
 }
 
 /// A strict law needs no more digits than these: what is left of `p·u − 2` and `p ∧ u` at most.
@@ -35,7 +37,7 @@ impl Slip {
             [map.tangent_spin, map.tangent_tangent - 1.0]
         };
         let reflects = defect(push, pull) <= 16.0 * f64::EPSILON;
-        if reflects { lanes::dispatch(Reflection { direction: push }) } else { Slip { push, pull } }
+        if reflects { lanes::dispatch(Reflection { direction: push }) } else { Slip { push, pull, reflects } }
     }
 }
 
@@ -87,7 +89,7 @@ impl Kernel for Reflection {
         let first =
             (0..F::LANES).min_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Ordering::Equal)).unwrap_or(0);
         let [push, pull] = self.of_length(best.lane(first));
-        Slip { push, pull }
+        Slip { push, pull, reflects: true }
     }
 }
 
@@ -116,7 +118,7 @@ mod tests {
         for gamma in GAMMAS {
             let restitution = Restitution::new(0.5, 0.25).expect("between 0 and 1");
             for map in [NoSlip.disk_map(gamma), Specular.disk_map(gamma), restitution.disk_map(gamma)] {
-                let Slip { push: [u0, u1], pull: [p0, p1] } = Slip::of(&map, gamma);
+                let Slip { push: [u0, u1], pull: [p0, p1], .. } = Slip::of(&map, gamma);
                 let entries = [
                     (1.0 - u0 * p0, map.spin_spin),
                     (-u0 * p1, map.spin_tangent),

@@ -1,4 +1,5 @@
 //! The specular law: frictionless contact. Spin is neither read nor written.
+use super::Mirror;
 use crate::billiard::BallLaw;
 use geometry::WallHit;
 use lanes::Lane;
@@ -25,5 +26,9 @@ impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, _: &WallHit<F, 2>, velocity: &mut [F; 2], _: &mut [F; S]) {
         velocity[0] = -velocity[0];
+    }
+
+    fn mirror(&self) -> Option<Mirror> {
+        Some(Mirror::specular())
     }
 }

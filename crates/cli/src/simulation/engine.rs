@@ -8,7 +8,7 @@ use billiards::{
     Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, InLanes, Keeping, Limit, Merge, Motion, Observer,
     Orbit, Outcome, Stop, Timed, Track, run, run_side_by_side,
 };
-use lanes::Lane;
+use lanes::{Double, Lane};
 
 use super::event::Event;
 use super::portraits::{PlanarPortraits, Point};
@@ -43,6 +43,15 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
         if self.strict {
             self.conserved.leave_in_frame(velocity, spin, beat);
+        }
+    }
+    fn square(&self, lane: usize) -> Option<Double> {
+        if self.strict { EnergyKeeper::<F, N, S>::square(&self.conserved, lane) } else { None }
+    }
+    #[inline(always)]
+    fn pass(&mut self, beat: u32) {
+        if self.strict {
+            EnergyKeeper::<F, N, S>::pass(&mut self.conserved, beat);
         }
     }
 }

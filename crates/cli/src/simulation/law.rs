@@ -4,7 +4,7 @@ use billiards::BallLaw;
 use billiards::collision_laws::laws::{self, NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
 use billiards::collision_laws::{self, AnyLaw};
 use billiards::geometry::{Figure, Piece, Vector2, Vector3, WallHit};
-use billiards::laws::{Custom, Disk, PerPiece, RoughBall, Specular};
+use billiards::laws::{Custom, Disk, Mirror, PerPiece, RoughBall, Specular};
 use lanes::Lane;
 
 use super::scale::to_unity;
@@ -32,6 +32,12 @@ impl BallLaw<2, 1> for PlanarLaw {
         match self {
             PlanarLaw::Uniform(law) => law.collide_in_frame(hit, velocity, spin),
             PlanarLaw::PerPiece(law) => law.collide_in_frame(hit, velocity, spin),
+        }
+    }
+    fn mirror(&self) -> Option<Mirror> {
+        match self {
+            PlanarLaw::Uniform(law) => law.mirror(),
+            PlanarLaw::PerPiece(law) => BallLaw::<2, 1>::mirror(law),
         }
     }
 }

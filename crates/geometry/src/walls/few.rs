@@ -136,6 +136,11 @@ impl Few {
     /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
     pub(super) const PER_LANE: usize = 24;
 
+    /// Whether there is an ellipse, or an arc of one.
+    pub(super) fn has_ellipses(&self) -> bool {
+        !self.ovals.is_empty()
+    }
+
     /// How many there are.
     #[inline(always)]
     pub(super) fn len(&self) -> usize {

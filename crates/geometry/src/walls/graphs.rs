@@ -354,7 +354,9 @@ impl All {
 }
 
 impl Walls<2> for Graphs {
-    const SLOW: bool = true;
+    fn is_delicate(&self) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {

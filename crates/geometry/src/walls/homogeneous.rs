@@ -1,6 +1,6 @@
 //! Walls that look the same from each of their points: circle and strip.
 use super::{WallHit, Walls};
-use lanes::Lane;
+use lanes::{Double, Lane};
 
 /// A flight from wall to wall.
 #[derive(Clone, Copy, Debug)]
@@ -13,21 +13,87 @@ pub struct Chord<F> {
     pub tangential: F,
 }
 
+/// What a chord of a circle does to the unit vector from the centre: it turns it by `u²/|u|²`, `u = −tangential + i normal`.
+#[derive(Clone, Copy, Debug)]
+pub struct Swing<F> {
+    /// `u`, of any length.
+    pub direction: [F; 2],
+    /// `1/|u|²`
+    pub inverse: F,
+}
+
+impl<F: Lane> Swing<F> {
+    /// Of a chord with these velocities.
+    #[inline(always)]
+    pub fn new(normal: F, tangential: F) -> Self {
+        let inverse = normal.same(1.0) / (tangential * tangential + normal * normal);
+        Swing { direction: [-tangential, normal], inverse }
+    }
+
+    /// The place at the end of a chord from `place`.
+    ///
+    /// The place is multiplied by `u` twice, and not by the rounded `u²/|u|²`, which would be off by the same angle in
+    /// every chord alike; what is left of the rounding differs from place to place and averages out.
+    #[inline(always)]
+    pub fn apply(&self, place: &[F; 2]) -> [F; 2] {
+        let [u1, u2] = self.direction;
+        let turned = |[e1, e2]: [F; 2]| [e1 * u1 - e2 * u2, e1 * u2 + e2 * u1];
+        let [e1, e2] = turned(turned(*place)).map(|e| e * self.inverse);
+        // one Newton step keeps the length at 1
+        let scale = (e1 * e1 + e2 * e2) * -0.5 + 1.5;
+        [e1 * scale, e2 * scale]
+    }
+}
+
+impl Swing<f64> {
+    /// Of a chord that comes again and again: its angle is right to two digits more than `u` has.
+    ///
+    /// The length of `u` is free. So some ulp are added to one component, and to the other what corrects the angle best; one
+    /// of these pairs nearly fits.
+    pub fn recurring(normal: Double, tangential: Double) -> Self {
+        const CHOICES: i32 = 16;
+        // 3·2⁵¹: adding and subtracting it rounds to a whole number
+        const WHOLE: f64 = 6_755_399_441_055_744.0;
+        let (n, t) = (normal.high, tangential.high);
+        // the angle of `(−t, n)` changes by `n dt − t dn` in units of |u|²
+        let (step_n, step_t) = (n.abs().next_up() - n.abs(), t.abs().next_up() - t.abs());
+        let (by_n, by_t) = (t * step_n, n * step_t);
+        let per_t = 1.0 / by_t;
+        let off = n * tangential.low - t * normal.low;
+        let enough = by_t.abs() / 16.0;
+        let mut best = (off.abs(), n, t);
+        for k in -CHOICES..=CHOICES {
+            let off = off + f64::from(k) * by_n;
+            let m = (off * per_t + WHOLE) - WHOLE;
+            let (left, moves) = ((off - m * by_t).abs(), [f64::from(k) * step_n, m * step_t]);
+            let [moved_n, moved_t] = [n + moves[0], t + moves[1]];
+            let exact = moved_n - n == moves[0] && moved_t - t == moves[1];
+            if exact && left < best.0 && m.abs() <= f64::from(CHOICES) {
+                best = (left, moved_n, moved_t);
+            }
+            if best.0 <= enough {
+                break;
+            }
+        }
+        Swing::new(best.1, best.2)
+    }
+}
+
 /// Walls in the plane with a motion that takes every point of them to every other: what happens next depends on the
 /// normal and the tangential velocity alone.
 ///
 /// In these two numbers a long orbit needs no search for the next hit. The frame at a point with inward unit normal `n`
 /// has the tangent `t = J n = (−n₂, n₁)`.
 pub trait Homogeneous: Walls<2> {
+    /// Whether a flight does no more than to [turn](Swing) the place, a unit vector: on arrival the tangential velocity is then
+    /// that of the departure. Otherwise it is the opposite.
+    const ROUND: bool;
+
     /// The place of a hit, as two numbers of the walls' choice.
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2];
-    /// Normal and tangential velocity on arrival at the first hit of the path `x + t v`: these two numbers are carried on
-    /// for ever, so walls that can tell them better than by way of the rounded normal do.
-    #[inline(always)]
-    fn arrival<F: Lane>(&self, _x: &[F; 2], v: &[F; 2], hit: &WallHit<F, 2>) -> [F; 2] {
-        let [n1, n2] = hit.unit_normal();
-        [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2]
-    }
+    /// Normal and tangential velocity on arrival at the first hit of the path `x + t v`, where the unit normal is
+    /// `normal`, in twice the digits: these two numbers are carried on for ever.
+    fn arrival(&self, x: &[f64; 2], v: &[f64; 2], normal: &[f64; 2]) -> [Double; 2];
     /// The flight from a place with normal velocity `normal` ≥ 0 and tangential velocity `tangential`.
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F>;
     /// What is hit at the end of a flight. The normal has length 1.

@@ -32,7 +32,7 @@ pub use convex::ConvexPolygon;
 pub use cuboid::Cuboid;
 pub use few::Few;
 pub use graphs::Graphs;
-pub use homogeneous::{Chord, Homogeneous};
+pub use homogeneous::{Chord, Homogeneous, Swing};
 pub use list::List;
 pub use periodic::Periodic;
 pub use pieces::Pieces;
@@ -105,11 +105,14 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
 ///
 /// The same code runs in every lane width, so an ensemble has the bits of its single orbits.
 pub trait Walls<const N: usize>: Sync {
-    /// Whether a hit takes so long, tens of nanoseconds, that a few more make no difference.
-    const SLOW: bool = false;
-
     /// The first hit of the paths `x + t v`, `t ≥ 0`.
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
+
+    /// Whether what a collision rounds off the energy is worth restoring at once: where a hit takes so long that it makes no
+    /// difference, and on an ellipse, where the product of the momenta about the foci is conserved as well.
+    fn is_delicate(&self) -> bool {
+        false
+    }
 
     /// The first hit of one path.
     fn hit(&self, path: &Line<N>) -> Option<Hit<N>> {
@@ -126,11 +129,13 @@ pub trait Walls<const N: usize>: Sync {
 }
 
 impl<W: Walls<N>, const N: usize> Walls<N> for &W {
-    const SLOW: bool = W::SLOW;
-
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         (**self).first_hit(x, v)
+    }
+
+    fn is_delicate(&self) -> bool {
+        (**self).is_delicate()
     }
 }
 

@@ -54,7 +54,9 @@ impl Pieces {
 }
 
 impl Walls<2> for Pieces {
-    const SLOW: bool = true;
+    fn is_delicate(&self) -> bool {
+        self.list.is_some() || self.graphs.is_some() || self.few.has_ellipses()
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {

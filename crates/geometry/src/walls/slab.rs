@@ -1,7 +1,7 @@
 //! The space between two parallel planes: strip and slab.
 use super::{Chord, Homogeneous, WallHit, Walls};
 use crate::Error;
-use lanes::{Lane, Mask};
+use lanes::{Double, Lane, Mask};
 
 /// `low < x_AXIS < high` in ℝᴺ, axes counted from 0.
 #[derive(Clone, Debug)]
@@ -57,9 +57,15 @@ impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
 
 /// A place is the side, −1 for the lower and 1 for the upper wall, and the coordinate along the walls.
 impl<const AXIS: usize> Homogeneous for Slab<2, AXIS> {
+    const ROUND: bool = false;
+
     #[inline(always)]
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
         [-hit.normal[AXIS], hit.point[1 - AXIS]]
+    }
+    /// The components along the axes, as they are.
+    fn arrival(&self, _: &[f64; 2], v: &[f64; 2], [n1, n2]: &[f64; 2]) -> [Double; 2] {
+        [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2].map(Double::new)
     }
     #[inline(always)]
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {

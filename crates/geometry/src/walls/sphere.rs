@@ -1,7 +1,7 @@
 //! The inside of a sphere: disk table and ball table.
-use super::{Chord, Homogeneous, WallHit, Walls, dot};
+use super::{Chord, Homogeneous, Swing, WallHit, Walls, dot};
 use crate::Error;
-use lanes::{Double, Lane, Mask, two_prod, two_sum};
+use lanes::{Double, Lane, Mask, two_sum};
 use nalgebra::SVector;
 
 /// The ball of radius `r` about `c` in ℝᴺ, with the particle inside.
@@ -76,56 +76,30 @@ impl<const N: usize> Walls<N> for Sphere<N> {
 
 /// A place is the unit vector from the centre.
 impl Homogeneous for Sphere<2> {
+    const ROUND: bool = true;
+
     #[inline(always)]
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
         hit.normal.map(|n| -n * hit.inverse)
     }
-    /// The angular momentum `y ∧ v` is that of the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`, in twice the
-    /// digits up to their last rounding.
-    #[inline(always)]
-    fn arrival<F: Lane>(&self, x: &[F; 2], v: &[F; 2], _: &WallHit<F, 2>) -> [F; 2] {
-        let zero = v[0].same(0.0);
-        let product = |a: F, b: F| {
-            let (product, rest) = two_prod(a, b);
-            [product, rest]
-        };
-        let sum = |parts: &[[F; 2]]| {
-            let mut sum = Double::new(zero);
-            for part in parts.as_flattened() {
-                sum.add(*part);
-            }
-            sum
-        };
-        let [y1, y2] = [0, 1].map(|i| two_sum(x[i], zero.same(-self.center[i])));
-        let moment = sum(&[product(y1.0, -v[1]), product(y2.0, v[0]), [y1.1 * -v[1], y2.1 * v[0]]]);
-        let tangential = moment.high / zero.same(self.radius);
-        let rest = sum(&[[moment.high, moment.low], product(-tangential, zero.same(self.radius))]).value();
-        let low = rest / zero.same(self.radius);
-        let square = sum(&[
-            product(v[0], v[0]),
-            product(v[1], v[1]),
-            product(-tangential, tangential),
-            [tangential * (low * -2.0), zero],
-        ]);
-        let normal = square.high.max(zero).sqrt();
-        let rest = sum(&[[square.high, square.low], product(-normal, normal)]).value();
-        let grazing = !zero.lt(normal);
-        let normal = normal + grazing.select(zero, rest / grazing.select(zero.same(1.0), normal + normal));
-        [-normal, tangential + low]
+    /// The angular momentum `y ∧ v` is that of the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`.
+    fn arrival(&self, x: &[f64; 2], v: &[f64; 2], _: &[f64; 2]) -> [Double; 2] {
+        let [v1, v2] = v.map(Double::new);
+        let [y1, y2] = [0, 1].map(|i| {
+            let (high, low) = two_sum(x[i], -self.center[i]);
+            Double { high, low }
+        });
+        let moment = y2.times(v1).plus(-y1.times(v2));
+        let tangential = moment.over(Double::new(self.radius));
+        let square = v1.times(v1).plus(v2.times(v2)).plus(-tangential.times(tangential));
+        [-square.root(), tangential]
     }
-    /// The chord of `u = −tangential + i normal` turns the place by `u²/|u|²` and takes the time `2 r normal/|u|²`.
-    ///
-    /// The place is multiplied by `u` twice, and not by the rounded `u²/|u|²`, which would be off by the same angle in
-    /// every chord alike; what is left of the rounding differs from place to place and averages out.
+    /// The time is `2 r normal/|u|²`.
     #[inline(always)]
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
-        let inverse = normal.same(1.0) / (tangential * tangential + normal * normal);
-        let turned = |[e1, e2]: [F; 2]| [-(e1 * tangential) - e2 * normal, e1 * normal - e2 * tangential];
-        let [e1, e2] = turned(turned(*place)).map(|e| e * inverse);
-        // one Newton step keeps the length at 1
-        let scale = (e1 * e1 + e2 * e2) * -0.5 + 1.5;
-        let time = (normal + normal) * self.radius * inverse;
-        Chord { time, place: [e1 * scale, e2 * scale], tangential }
+        let swing = Swing::new(normal, tangential);
+        let time = (normal + normal) * self.radius * swing.inverse;
+        Chord { time, place: swing.apply(place), tangential }
     }
     #[inline(always)]
     fn landing<F: Lane>(&self, chord: &Chord<F>) -> WallHit<F, 2> {

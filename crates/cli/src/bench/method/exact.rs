@@ -48,7 +48,7 @@ impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, 
         (self.then)(&Billiard { walls, law: self.law })
     }
     fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
-        (self.then)(&Rolling { walls, law: self.law })
+        (self.then)(&Rolling::new(walls, self.law))
     }
 }
 
