@@ -50,13 +50,14 @@ pub(super) fn in_plane<F: Lane>(
     let [n1, n2] = hit.normal;
     let [v1, v2] = *velocity;
     // t = J n = (−n₂, n₁)
-    let vn = (v1 * n1 + v2 * n2) * hit.inverse;
-    let vt = (v2 * n1 - v1 * n2) * hit.inverse;
-    let slip = pull_spin * spin[0] + pull_tangent * vt;
+    let vn = v1 * n1 + v2 * n2;
+    let vt = v2 * n1 - v1 * n2;
+    // what is known first is multiplied first: the next flight waits for the end of this chain
+    let slip = (pull_tangent * vt) * hit.inverse + pull_spin * spin[0];
     spin[0] = spin[0] - push_spin * slip;
-    let along_n = (normal * hit.inverse) * vn;
-    let against_t = (push_tangent * slip) * hit.inverse;
-    *velocity = [(v1 + along_n * n1) + against_t * n2, (v2 + along_n * n2) - against_t * n1];
+    let along_n = (normal * vn) * (hit.inverse * hit.inverse);
+    let against_t = push_tangent * hit.inverse;
+    *velocity = [(v1 + along_n * n1) + slip * (against_t * n2), (v2 + along_n * n2) - slip * (against_t * n1)];
 }
 
 /// Applies the law to the normal and tangential components.
