@@ -115,6 +115,12 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
     {
         core::array::from_fn(|i| self.select(yes[i], no[i]))
     }
+    /// `yes` where true, `no` where false, for truth values that belong to numbers [chosen](Mask::choose) alike.
+    #[must_use]
+    #[inline(always)]
+    fn either(self, yes: Self, no: Self) -> Self {
+        (self & yes) | (!self & no)
+    }
     /// Whether any lane is true.
     fn any(self) -> bool;
     /// Whether one lane is true. `lane` must be below [`Lane::LANES`].

@@ -58,6 +58,15 @@ impl Mask<f64> for bool {
         }
     }
     #[inline(always)]
+    fn either(self, yes: bool, no: bool) -> bool {
+        if self {
+            core::hint::black_box(());
+            yes
+        } else {
+            no
+        }
+    }
+    #[inline(always)]
     fn any(self) -> bool {
         self
     }
