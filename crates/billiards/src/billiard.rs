@@ -45,13 +45,15 @@ pub struct Billiard<'a, W, L> {
 ///
 /// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
 pub trait Motion<const N: usize, const S: usize> {
-    /// The energy is restored after so many collisions.
-    const BEAT: u32 = BEAT;
     /// What is carried from collision to collision besides the orbit.
     type Carried<F: Lane>: Copy;
     /// What a flight finds out besides the hit.
     type Arrival<F: Lane>: Copy;
 
+    /// The energy is restored after so many collisions.
+    fn beat(&self) -> u32 {
+        BEAT
+    }
     /// Orbits that start from anywhere, as many as `zero` has lanes.
     fn start<F: Lane>(&self, zero: F) -> Self::Carried<F>;
     /// Other orbits start in the lanes `new`.
@@ -73,10 +75,13 @@ pub trait Motion<const N: usize, const S: usize> {
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
-    const BEAT: u32 = if W::SLOW { 1 } else { BEAT };
     type Carried<F: Lane> = ();
     type Arrival<F: Lane> = ();
 
+    #[inline(always)]
+    fn beat(&self) -> u32 {
+        if self.walls.careful() { 1 } else { BEAT }
+    }
     fn start<F: Lane>(&self, _: F) {}
     fn restart<F: Lane>(&self, (): &mut (), _: F::Mask) {}
     #[inline(always)]
@@ -98,7 +103,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             normal_speed = normal_speed + orbit.velocity[i] * hit.normal[i];
         }
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
-        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, Self::BEAT);
+        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, self.beat());
         let normal_speed = normal_speed * hit.inverse;
         normal_speed * normal_speed
     }

@@ -2,7 +2,7 @@
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
 //! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, and at each one where walls are
-//! [slow](Walls::SLOW), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
+//! [careful](Walls::careful), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
 //! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
 //! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.
 use crate::{orbit::square_speed, side_by_side::InLanes};
@@ -11,7 +11,7 @@ use geometry::WallHit;
 use geometry::Walls;
 use lanes::{Lane, Mask};
 
-/// The energy is restored after so many collisions, where finding the next hit is fast.
+/// The energy is restored after so many collisions, but where walls are [careful](Walls::careful).
 ///
 /// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √16 times that, whatever the number
 /// of collisions.

@@ -74,7 +74,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         *carried = *arrival;
         self.law.collide_in_frame(hit, &mut carried.velocity, &mut orbit.spin);
-        orbit.keeper.leave_in_frame(&mut carried.velocity, &mut orbit.spin, Self::BEAT);
+        orbit.keeper.leave_in_frame(&mut carried.velocity, &mut orbit.spin, self.beat());
         let [vn, vt] = carried.velocity;
         let [n1, n2] = hit.normal;
         orbit.position = hit.point;

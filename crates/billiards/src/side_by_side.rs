@@ -181,7 +181,7 @@ where
             }
             *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
             idle[lane] = true;
-            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, B::BEAT));
+            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, self.billiard.beat()));
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(orbit)) => {
                     let index = *next;

@@ -52,12 +52,13 @@ pub(super) fn in_plane<F: Lane>(
     // t = J n = (−n₂, n₁)
     let vn = v1 * n1 + v2 * n2;
     let vt = v2 * n1 - v1 * n2;
-    // what is known first is multiplied first: the next flight waits for the end of this chain
+    // The next flight waits for this chain, and ι is known last. What is constant along a straight wall is multiplied only
+    // where that is exact (ι and the push have few bits there): rounded, it would be off alike at every hit
     let slip = (pull_tangent * vt) * hit.inverse + pull_spin * spin[0];
     spin[0] = spin[0] - push_spin * slip;
     let along_n = (normal * vn) * (hit.inverse * hit.inverse);
-    let against_t = push_tangent * hit.inverse;
-    *velocity = [(v1 + along_n * n1) + slip * (against_t * n2), (v2 + along_n * n2) - slip * (against_t * n1)];
+    let against_t = slip * (push_tangent * hit.inverse);
+    *velocity = [(v1 + along_n * n1) + against_t * n2, (v2 + along_n * n2) - against_t * n1];
 }
 
 /// Applies the law to the normal and tangential components.

@@ -13,7 +13,9 @@ pub struct Around<A, B> {
 }
 
 impl<A: Walls<N>, B: Walls<N>, const N: usize> Walls<N> for Around<A, B> {
-    const SLOW: bool = A::SLOW || B::SLOW;
+    fn careful(&self) -> bool {
+        self.container.careful() || self.obstacles.careful()
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {

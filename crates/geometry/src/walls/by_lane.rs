@@ -12,7 +12,9 @@ use nalgebra::SVector;
 pub struct ByLane<B>(pub B);
 
 impl<B: Boundary<N> + Sync, const N: usize> Walls<N> for ByLane<B> {
-    const SLOW: bool = true;
+    fn careful(&self) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {

@@ -81,7 +81,9 @@ impl Boundary<2> for Pieces {
 }
 
 impl Walls<2> for List {
-    const SLOW: bool = true;
+    fn careful(&self) -> bool {
+        true
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {

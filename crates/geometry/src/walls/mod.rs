@@ -103,8 +103,11 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
 ///
 /// The same code runs in every lane width, so an ensemble has the bits of its single orbits.
 pub trait Walls<const N: usize>: Sync {
-    /// Whether a hit takes so long, tens of nanoseconds, that a few more make no difference.
-    const SLOW: bool = false;
+    /// Whether the energy is worth a few nanoseconds more at every collision: where a hit takes tens of them, or where
+    /// more than the energy wanders with it.
+    fn careful(&self) -> bool {
+        false
+    }
 
     /// The first hit of the paths `x + t v`, `t ≥ 0`.
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;

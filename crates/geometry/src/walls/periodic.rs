@@ -33,7 +33,9 @@ impl<W> Periodic<W> {
 }
 
 impl<W: Walls<2>> Walls<2> for Periodic<W> {
-    const SLOW: bool = W::SLOW;
+    fn careful(&self) -> bool {
+        self.walls.careful()
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {

@@ -33,7 +33,9 @@ impl Pieces {
 }
 
 impl Walls<2> for Pieces {
-    const SLOW: bool = true;
+    fn careful(&self) -> bool {
+        self.list.is_some() || self.few.careful()
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {

@@ -28,7 +28,9 @@ impl<W> Rotated<W> {
 }
 
 impl<W: Walls<2>> Walls<2> for Rotated<W> {
-    const SLOW: bool = W::SLOW;
+    fn careful(&self) -> bool {
+        self.walls.careful()
+    }
 
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
