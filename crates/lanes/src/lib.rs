@@ -76,6 +76,8 @@ pub trait Lane:
     fn lt(self, other: Self) -> Self::Mask;
     /// The number in one lane. `lane` must be below [`Lane::LANES`].
     fn lane(self, lane: usize) -> f64;
+    /// Puts a number into one lane. `lane` must be below [`Lane::LANES`].
+    fn put(&mut self, lane: usize, number: f64);
     /// The lanes `f(0), f(1), …`, as many as `self` has.
     #[must_use]
     fn each(self, f: impl FnMut(usize) -> f64) -> Self;

@@ -29,6 +29,10 @@ impl Lane for f64 {
         self
     }
     #[inline(always)]
+    fn put(&mut self, _: usize, number: f64) {
+        *self = number;
+    }
+    #[inline(always)]
     fn each(self, mut f: impl FnMut(usize) -> f64) -> f64 {
         f(0)
     }
