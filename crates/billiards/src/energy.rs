@@ -11,7 +11,7 @@ use geometry::WallHit;
 use geometry::Walls;
 use lanes::{Double, Lane, Mask};
 
-/// The energy is restored after so many collisions, where finding the next hit is fast.
+/// The energy is restored after so many collisions, but where walls are [delicate](Walls::is_delicate).
 ///
 /// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √16 times that, whatever the number
 /// of collisions.
@@ -144,11 +144,11 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             beat: one.beat,
         }
     }
-    fn replace(&mut self, mask: F::Mask, by: &Self) {
-        self.grid = mask.select(by.grid, self.grid);
-        self.high = mask.select(by.high, self.high);
-        self.low = mask.select(by.low, self.low);
-        self.grazing = mask.select(by.grazing, self.grazing);
+    fn put(&mut self, lane: usize, one: &Conserved<f64, N>) {
+        self.grid.put(lane, one.grid);
+        self.high.put(lane, one.high);
+        self.low.put(lane, one.low);
+        self.grazing.put(lane, one.grazing);
     }
     fn wait(&self, one: &Conserved<f64, N>, beat: u32) -> u64 {
         // an orbit that comes from slower walls may have counted further

@@ -103,6 +103,12 @@ pub(crate) const MOST_IDLE: u32 = 64;
 /// A normal speed below this fraction of the speed cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
+/// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
+#[inline(always)]
+fn moves(time: f64) -> bool {
+    time.to_bits().wrapping_sub(1) < f64::INFINITY.to_bits() - 1
+}
+
 /// Runs an orbit from collision to collision until the limit, an observer or physics ends it.
 pub fn run<B, const N: usize, const S: usize, K, T, O>(
     billiard: &B,
@@ -155,13 +161,13 @@ where
             if limit.is_beyond(n + 1, &orbit.track, hit.time) {
                 break Stop::Finished;
             }
-            if !(hit.time < f64::INFINITY) {
-                break Stop::Escaped;
-            }
-            if hit.corner {
-                break Stop::Corner;
-            }
-            if !(hit.time > 0.0) {
+            if hit.corner | !moves(hit.time) {
+                if !(hit.time < f64::INFINITY) {
+                    break Stop::Escaped;
+                }
+                if hit.corner {
+                    break Stop::Corner;
+                }
                 idle = if idle_at == n { idle + 1 } else { 1 };
                 idle_at = n + 1;
                 if idle > MOST_IDLE {

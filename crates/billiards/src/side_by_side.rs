@@ -17,8 +17,8 @@ pub trait InLanes<F: Lane>: Clone {
     fn one(&self, lane: usize) -> Self::One;
     /// The same in every lane, as many as `zero` has.
     fn all(one: &Self::One, zero: F) -> Self;
-    /// Takes over the lanes of another one where `mask` is true.
-    fn replace(&mut self, mask: F::Mask, by: &Self);
+    /// Puts what belongs to an orbit into one lane.
+    fn put(&mut self, lane: usize, one: &Self::One);
     /// After how many collisions an orbit can join these, because all of them count to `beat`.
     fn wait(&self, _: &Self::One, _beat: u32) -> u64 {
         0
@@ -29,7 +29,7 @@ impl<F: Lane> InLanes<F> for () {
     type One = ();
     fn one(&self, _: usize) {}
     fn all((): &(), _: F) {}
-    fn replace(&mut self, _: F::Mask, (): &()) {}
+    fn put(&mut self, _: usize, (): &()) {}
 }
 
 /// How the energy of an orbit is kept, with a type for every lane width: [`Conserved`] or [`Free`](crate::Free).
@@ -191,7 +191,8 @@ where
                     self.upcoming = self.orbits.next();
                     let mut here = [false; MOST_LANES];
                     here[lane] = true;
-                    self.seat(group, mask(&here), &orbit);
+                    Self::seat(group, lane, &orbit);
+                    self.billiard.restart(&mut group.carried, mask(&here), &orbit);
                     self.observer.begin(&mut group.view, mask(&here), index, &orbit);
                 }
                 (Some(wait), orbit) => {
@@ -200,6 +201,9 @@ where
                 }
                 (None, _) => {}
             }
+        }
+        if !idle.contains(&true) {
+            return;
         }
         self.observer.end(&mut group.view, mask(&idle));
         // an idle lane follows an orbit, which has a future
@@ -213,21 +217,23 @@ where
                 keeper: o.keeper.one(model),
                 track: o.track.one(model),
             };
-            self.seat(group, mask(&idle), &orbit);
+            for lane in (0..F::LANES).filter(|lane| idle[*lane]) {
+                Self::seat(group, lane, &orbit);
+            }
+            self.billiard.restart(&mut group.carried, mask(&idle), &orbit);
         }
     }
 
-    /// Puts an orbit into some lanes.
-    fn seat<F: Lane>(&self, group: &mut GroupOf<F, N, S, B, K, T, O>, lanes: F::Mask, orbit: &Orbit<f64, N, S, K, T>) {
-        let put = |to: F, from: f64| lanes.select(to.same(from), to);
+    /// Puts an orbit into a lane: numbers in memory, for which no vectors are needed.
+    fn seat<F: Lane>(group: &mut GroupOf<F, N, S, B, K, T, O>, lane: usize, orbit: &Orbit<f64, N, S, K, T>) {
         let o = &mut group.orbit;
-        o.position = core::array::from_fn(|i| put(o.position[i], orbit.position[i]));
-        o.velocity = core::array::from_fn(|i| put(o.velocity[i], orbit.velocity[i]));
-        o.spin = core::array::from_fn(|i| put(o.spin[i], orbit.spin[i]));
-        o.keeper.replace(lanes, &K::In::<F>::all(&orbit.keeper, group.slow));
-        o.track.replace(lanes, &T::In::<F>::all(&orbit.track, group.slow));
-        group.slow = put(group.slow, square_speed(&orbit.velocity, &orbit.spin) * (GRAZING * GRAZING));
-        self.billiard.restart(&mut group.carried, lanes, orbit);
+        let to = o.position.iter_mut().chain(&mut o.velocity).chain(&mut o.spin);
+        for (to, from) in to.zip(orbit.position.iter().chain(&orbit.velocity).chain(&orbit.spin)) {
+            to.put(lane, *from);
+        }
+        o.keeper.put(lane, &orbit.keeper);
+        o.track.put(lane, &orbit.track);
+        group.slow.put(lane, square_speed(&orbit.velocity, &orbit.spin) * (GRAZING * GRAZING));
     }
 
     /// One collision of every lane.

@@ -1,7 +1,7 @@
 //! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
 use crate::side_by_side::InLanes;
 use geometry::{Lattice, Vector2, WallHit};
-use lanes::{Double, Lane, Mask};
+use lanes::{Double, Lane};
 use std::sync::Arc;
 
 /// Something that each flight from one collision to the next adds to.
@@ -18,9 +18,9 @@ impl<F: Lane> InLanes<F> for Clock<F> {
     fn all(one: &Clock, zero: F) -> Self {
         Clock(Double { high: zero.same(one.0.high), low: zero.same(one.0.low) })
     }
-    fn replace(&mut self, mask: F::Mask, by: &Self) {
-        self.0.high = mask.select(by.0.high, self.0.high);
-        self.0.low = mask.select(by.0.low, self.0.low);
+    fn put(&mut self, lane: usize, one: &Clock) {
+        self.0.high.put(lane, one.0.high);
+        self.0.low.put(lane, one.0.low);
     }
 }
 

@@ -76,6 +76,8 @@ pub trait Lane:
     fn lt(self, other: Self) -> Self::Mask;
     /// The number in one lane. `lane` must be below [`Lane::LANES`].
     fn lane(self, lane: usize) -> f64;
+    /// Puts a number into one lane. `lane` must be below [`Lane::LANES`].
+    fn put(&mut self, lane: usize, number: f64);
     /// The lanes `f(0), f(1), …`, as many as `self` has.
     #[must_use]
     fn each(self, f: impl FnMut(usize) -> f64) -> Self;
@@ -114,6 +116,12 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
         F: Copy,
     {
         core::array::from_fn(|i| self.select(yes[i], no[i]))
+    }
+    /// `yes` where true, `no` where false, for truth values that belong to numbers [chosen](Mask::choose) alike.
+    #[must_use]
+    #[inline(always)]
+    fn either(self, yes: Self, no: Self) -> Self {
+        (self & yes) | (!self & no)
     }
     /// Whether any lane is true.
     fn any(self) -> bool;

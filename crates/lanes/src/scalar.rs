@@ -29,6 +29,10 @@ impl Lane for f64 {
         self
     }
     #[inline(always)]
+    fn put(&mut self, _: usize, number: f64) {
+        *self = number;
+    }
+    #[inline(always)]
     fn each(self, mut f: impl FnMut(usize) -> f64) -> f64 {
         f(0)
     }
@@ -51,6 +55,15 @@ impl Mask<f64> for bool {
     fn choose<const K: usize>(self, yes: [f64; K], no: [f64; K]) -> [f64; K] {
         if self {
             // keeps the compiler from turning the branch into a selection
+            core::hint::black_box(());
+            yes
+        } else {
+            no
+        }
+    }
+    #[inline(always)]
+    fn either(self, yes: bool, no: bool) -> bool {
+        if self {
             core::hint::black_box(());
             yes
         } else {

@@ -99,6 +99,10 @@ impl<S: Simd> Lane for Wide<S> {
         pulp::bytemuck::cast_slice::<S::f64s, f64>(core::slice::from_ref(&self.value))[lane]
     }
     #[inline(always)]
+    fn put(&mut self, lane: usize, number: f64) {
+        pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.value))[lane] = number;
+    }
+    #[inline(always)]
     fn each(self, mut f: impl FnMut(usize) -> f64) -> Self {
         let mut to = self;
         let lanes = pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut to.value));

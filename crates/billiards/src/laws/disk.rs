@@ -53,12 +53,14 @@ pub(super) fn in_plane<F: Lane>(
     let [n1, n2] = hit.normal;
     let [v1, v2] = *velocity;
     // t = J n = (−n₂, n₁)
-    let vn = (v1 * n1 + v2 * n2) * hit.inverse;
-    let vt = (v2 * n1 - v1 * n2) * hit.inverse;
-    let slip = pull_spin * spin[0] + pull_tangent * vt;
+    let vn = v1 * n1 + v2 * n2;
+    let vt = v2 * n1 - v1 * n2;
+    // The next flight waits for this chain, and ι is known last. What is constant along a straight wall is multiplied only
+    // where that is exact (ι and the push have few bits there): rounded, it would be off alike at every hit
+    let slip = (pull_tangent * vt) * hit.inverse + pull_spin * spin[0];
     spin[0] = spin[0] - push_spin * slip;
-    let along_n = (normal * hit.inverse) * vn;
-    let against_t = (push_tangent * slip) * hit.inverse;
+    let along_n = (normal * vn) * (hit.inverse * hit.inverse);
+    let against_t = slip * (push_tangent * hit.inverse);
     *velocity = [(v1 + along_n * n1) + against_t * n2, (v2 + along_n * n2) - against_t * n1];
 }
 

@@ -37,8 +37,17 @@ impl Slip {
             [map.tangent_spin, map.tangent_tangent - 1.0]
         };
         let reflects = defect(push, pull) <= 16.0 * f64::EPSILON;
-        if reflects { lanes::dispatch(Reflection { direction: push }) } else { Slip { push, pull, reflects } }
+        if reflects { lanes::dispatch(Reflection { direction: even(push) }) } else { Slip { push, pull, reflects } }
     }
+}
+
+/// The same direction with a power of two along the tangent, so that the push along that has no more bits than a length.
+fn even([spin, tangent]: [f64; 2]) -> [f64; 2] {
+    if tangent == 0.0 {
+        return [spin, tangent];
+    }
+    let power = libm::ldexp(1.0, libm::frexp(tangent).1).copysign(tangent);
+    [spin * (power / tangent), power]
 }
 
 /// The greater of `|p·u − 2|` and `|p ∧ u|`, right to 10⁻³²: both are 0 for a reflection.

@@ -64,8 +64,8 @@ impl<F: Lane, const N: usize> InLanes<F> for Keeper<N, F> {
     fn all(one: &Keeper<N>, zero: F) -> Self {
         Keeper { conserved: Conserved::all(&one.conserved, zero), strict: one.strict }
     }
-    fn replace(&mut self, mask: F::Mask, by: &Self) {
-        self.conserved.replace(mask, &by.conserved);
+    fn put(&mut self, lane: usize, one: &Keeper<N>) {
+        self.conserved.put(lane, &one.conserved);
     }
     fn wait(&self, one: &Keeper<N>, beat: u32) -> u64 {
         self.conserved.wait(&one.conserved, beat)

@@ -51,13 +51,14 @@ impl Circle {
             return Err(Error::Radius { radius });
         }
         let square = radius * radius;
+        let to_normal = if inside { -1.0 / radius } else { 1.0 / radius };
         let circle = Circle {
             center: center.into(),
             radius,
             inside,
             square,
-            half: 0.5 / square,
-            to_normal: if inside { -1.0 / radius } else { 1.0 / radius },
+            half: 0.5 * (to_normal * to_normal),
+            to_normal,
             slack: 0.0,
             off: 0.0,
         };
@@ -130,7 +131,7 @@ impl Circle {
         Circle { slack, off: 2.0 * self.radius * slack, ..self }
     }
     pub(crate) fn ground(&self) -> Ground {
-        Ground::Round { center: self.center, to_normal: self.to_normal, square: self.square, half: self.half }
+        Ground::Round { center: self.center, to_normal: self.to_normal, square: self.square }
     }
 
     /// Polar angle of a point as seen from the centre, in (−π, π].

@@ -27,8 +27,8 @@ pub enum Shape {
 pub(crate) enum Ground {
     /// On the line through a point with this unit normal into the table.
     Flat { through: [f64; 2], normal: [f64; 2] },
-    /// On a circle: `±1/r` from the offset off the centre to the inward normal, `r²` and `1/(2 r²)`.
-    Round { center: [f64; 2], to_normal: f64, square: f64, half: f64 },
+    /// On a circle: `±1/r` from the offset off the centre to the inward normal, and `r²`.
+    Round { center: [f64; 2], to_normal: f64, square: f64 },
     /// On an ellipse.
     Oval(Ellipse),
 }

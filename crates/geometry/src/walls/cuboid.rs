@@ -39,33 +39,35 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
+        let never = zero.lt(zero);
         // per axis: the wall ahead, the distance to it and the speed towards it
         let (mut num, mut den, mut piece) = (zero.same(f64::INFINITY), one, zero);
-        let mut first = [zero.lt(zero); N];
-        let mut ahead = [zero; N];
+        let mut first = [never; N];
+        let (mut ahead, mut inward) = ([zero; N], [zero; N]);
         for i in 0..N {
-            let up = zero.lt(v[i]);
-            ahead[i] = up.select(zero.same(self.high[i]), zero.same(self.low[i]));
-            let distance = up.select(zero.same(self.high[i]) - x[i], x[i] - self.low[i]);
+            let [low, high] = [self.low[i], self.high[i]].map(|x| zero.same(x));
+            let [below, above] = self.pieces[i].map(|p| zero.same(p));
+            let number;
+            let distance;
+            [ahead[i], distance, inward[i], number] =
+                zero.lt(v[i]).choose([high, high - x[i], -one, above], [low, x[i] - low, one, below]);
             let speed = v[i].abs();
-            let number = up.select(zero.same(self.pieces[i][1]), zero.same(self.pieces[i][0]));
             // a component of 0 never arrives, even from the wall itself: nothing is less than 0, nor than ∞·0
             let sooner = (distance.max(zero) * den).lt(num * speed);
             [num, den, piece] = sooner.choose([distance, speed, number], [num, den, piece]);
             for j in 0..i {
-                first[j] = first[j] & !sooner;
+                first[j] = sooner.either(never, first[j]);
             }
-            first[i] = sooner;
+            first[i] = sooner.either(!never, never);
         }
         let time = num / den;
         let (mut point, mut normal) = (*x, [zero; N]);
-        // a hit is near one wall; near two, it is a corner
-        let (mut near, mut corner) = (zero.lt(zero), zero.lt(zero));
+        let mut corner = never;
         for i in 0..N {
             let p = x[i] + time * v[i];
             let outer = zero.same(self.inner[i]).lt((p - self.middle[i]).abs());
-            (near, corner) = (near | outer, corner | (near & outer));
-            [point[i], normal[i]] = first[i].choose([ahead[i], (-one).copysign(-v[i])], [p, zero]);
+            corner = corner | first[i].either(never, outer);
+            [point[i], normal[i]] = first[i].choose([ahead[i], inward[i]], [p, zero]);
         }
         WallHit { time, point, normal, inverse: one, piece, corner }
     }

@@ -39,10 +39,8 @@ struct Entry {
 struct Landing<F> {
     /// A point of a straight piece, the centre of a circle, the place of an ellipse in the list of those.
     anchor: [F; 2],
-    /// The unit normal into the table; `±1/r` and `1/(2 r²)` of a circle; [`OVAL`].
+    /// The unit normal into the table; `±1/r` and `r²` of a circle; [`OVAL`].
     normal: [F; 2],
-    /// `r²` of a circle.
-    square: F,
     /// The number; of a part of a circle −1 minus that.
     piece: F,
 }
@@ -115,13 +113,13 @@ impl Few {
             let [a, b] = ends(&shape);
             let piece = number as f64;
             let landing = match shape.ground() {
-                Ground::Flat { through, normal } => Landing { anchor: through, normal, square: 0.0, piece },
-                Ground::Round { center, to_normal, square, half } => {
-                    Landing { anchor: center, normal: [to_normal, half], square, piece: -1.0 - piece }
+                Ground::Flat { through, normal } => Landing { anchor: through, normal, piece },
+                Ground::Round { center, to_normal, square } => {
+                    Landing { anchor: center, normal: [to_normal, square], piece: -1.0 - piece }
                 }
                 Ground::Oval(ellipse) => {
                     few.ovals.push(ellipse);
-                    Landing { anchor: [(few.ovals.len() - 1) as f64, 0.0], normal: OVAL, square: 0.0, piece }
+                    Landing { anchor: [(few.ovals.len() - 1) as f64, 0.0], normal: OVAL, piece }
                 }
             };
             let corners = [a, b].map(is_corner);
@@ -135,11 +133,6 @@ impl Few {
 
     /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
     pub(super) const PER_LANE: usize = 24;
-
-    /// Whether there is an ellipse, or an arc of one.
-    pub(super) fn has_ellipses(&self) -> bool {
-        !self.ovals.is_empty()
-    }
 
     /// How many there are.
     #[inline(always)]
@@ -185,9 +178,9 @@ impl<F: Lane> First<F> {
         let zero = num.same(0.0);
         let num = num.max(zero);
         let sooner = really & (num * self.den).lt(self.num * den);
-        let Landing { anchor, normal, square, piece } = self.landing;
+        let Landing { anchor, normal, piece } = self.landing;
         let new = &entry.landing;
-        let [num, den, a0, a1, n0, n1, square, piece] = sooner.choose(
+        let [num, den, a0, a1, n0, n1, piece] = sooner.choose(
             [
                 num,
                 den,
@@ -195,24 +188,28 @@ impl<F: Lane> First<F> {
                 zero.same(new.anchor[1]),
                 zero.same(new.normal[0]),
                 zero.same(new.normal[1]),
-                zero.same(new.square),
                 zero.same(new.piece),
             ],
-            [self.num, self.den, anchor[0], anchor[1], normal[0], normal[1], square, piece],
+            [self.num, self.den, anchor[0], anchor[1], normal[0], normal[1], piece],
         );
         (self.num, self.den) = (num, den);
-        self.landing = Landing { anchor: [a0, a1], normal: [n0, n1], square, piece };
+        self.landing = Landing { anchor: [a0, a1], normal: [n0, n1], piece };
     }
 }
 
 impl Walls<2> for Few {
+    /// On an ellipse the error of the energy is one of the product of the momenta about the foci.
+    fn is_delicate(&self) -> bool {
+        !self.ovals.is_empty()
+    }
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let (x, v) = (*x, *v);
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
         let never = zero.same(f64::INFINITY);
-        let nowhere = Landing { anchor: [zero; 2], normal: [zero; 2], square: zero, piece: zero };
+        let nowhere = Landing { anchor: [zero; 2], normal: [zero; 2], piece: zero };
         let mut first = First { num: never, den: one, landing: nowhere };
         let mut eye = Eye { x, v, last: Seen { to: [zero; 2], turn: zero }, aside: never };
         for entry in &self.entries {
@@ -238,7 +235,7 @@ impl Walls<2> for Few {
                 Shape::Line(s) => first.look(s.meet(x, v), entry),
             }
         }
-        let First { num, den, landing: Landing { anchor, normal, square, piece } } = first;
+        let First { num, den, landing: Landing { anchor, normal, piece } } = first;
         let round = piece.lt(zero);
         let piece = round.select(-piece - 1.0, piece);
         let time = num / den;
@@ -246,7 +243,7 @@ impl Walls<2> for Few {
         let y = [p[0] - anchor[0], p[1] - anchor[1]];
         // onto the line; or one Newton step towards the circle, as in the landings of the shapes themselves
         let off = -dot(&y, &normal);
-        let change = ((square - y[0] * y[0]) - y[1] * y[1]) * normal[1];
+        let change = ((normal[1] - y[0] * y[0]) - y[1] * y[1]) * (normal[0] * normal[0] * 0.5);
         let z = [y[0] + y[0] * change, y[1] + y[1] * change];
         let [mut p1, mut p2, mut n1, mut n2] = round.choose(
             [z[0] + anchor[0], z[1] + anchor[1], z[0] * normal[0], z[1] * normal[0]],

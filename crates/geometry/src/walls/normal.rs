@@ -19,7 +19,7 @@ pub(super) fn most_unit(normal: [f64; 2]) -> [f64; 2] {
     best
 }
 
-/// A normal `n` along a unit vector, and `ι` with `|n| ι = 1` to more than three digits more than either has.
+/// A normal `n` along a unit vector, and `ι` of at most 15 bits with `|n| ι = 1` to more than three digits more than `n` has.
 ///
 /// Each length of `n` between 1 and 2 rounds otherwise: one in some thousand fits.
 pub(super) fn of_known_length(unit: [f64; 2]) -> ([f64; 2], f64) {
@@ -27,8 +27,8 @@ pub(super) fn of_known_length(unit: [f64; 2]) -> ([f64; 2], f64) {
     const ENOUGH: f64 = f64::EPSILON / 4096.0;
     let mut best = (f64::INFINITY, unit, 1.0);
     for k in 0..LENGTHS {
-        let long = unit.map(|n| n * (1.0 + f64::from(k) / f64::from(LENGTHS)));
-        let inverse = 1.0 / (long[0] * long[0] + long[1] * long[1]).sqrt();
+        let inverse = 1.0 - 0.5 * f64::from(k) / f64::from(LENGTHS);
+        let long = unit.map(|n| n / inverse);
         let off = product_excess(long, inverse);
         for a in near(long[0]) {
             for b in near(long[1]) {

@@ -55,7 +55,7 @@ impl Pieces {
 
 impl Walls<2> for Pieces {
     fn is_delicate(&self) -> bool {
-        self.list.is_some() || self.graphs.is_some() || self.few.has_ellipses()
+        self.list.is_some() || self.graphs.is_some() || self.few.is_delicate()
     }
 
     #[inline(always)]

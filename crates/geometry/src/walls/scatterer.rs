@@ -46,7 +46,13 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
             y[i] = y[i] - self.center[i];
         }
         let zero = v[0].same(0.0);
-        let (a, b, c) = (dot(v, v), dot(&y, v), dot(&y, &y) - self.square);
+        let b = dot(&y, v);
+        let approaches = b.lt(zero);
+        // one path goes on at once
+        if F::LANES == 1 && !approaches.any() {
+            return WallHit::never(*x);
+        }
+        let (a, c) = (dot(v, v), dot(&y, &y) - self.square);
         // the earlier root of |y + t v|² = r², without cancellation, where the path approaches and meets the ball
         // b² − a c = |v|² r² − |y ∧ v|², in which the distance of a far start does not cancel
         let mut discriminant = a * self.square;
@@ -56,7 +62,7 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
                 discriminant = discriminant - moment * moment;
             }
         }
-        let meets = zero.lt(discriminant) & b.lt(zero) & zero.same(-self.off).lt(c);
+        let meets = zero.lt(discriminant) & approaches & zero.same(-self.off).lt(c);
         if !meets.any() {
             return WallHit::never(*x);
         }

@@ -85,24 +85,15 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
         let (mut n, mut middle, mut half, mut piece) = ([zero; 2], zero, zero, zero);
         for side in &self.pairs {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
-            let sign = one.copysign(speed);
-            let up = zero.lt(speed);
             let height = y[0] * side.normal[0] + y[1] * side.normal[1];
-            let wall = zero.same(side.distance);
-            let distance = up.select(wall - height, wall + height);
+            let [wall, u1, u2] = [side.distance, side.unit[0], side.unit[1]].map(|a| zero.same(a));
+            let [first, second] = side.pieces.map(|p| zero.same(p));
+            let [distance, m1, m2, number] =
+                zero.lt(speed).choose([wall - height, u1, u2, first], [wall + height, -u1, -u2, second]);
             // a speed of 0 never arrives: nothing is less than 0, nor than ∞·0
             let sooner = (distance.max(zero) * den).lt(num * speed.abs());
-            let number = up.select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
             [num, den, n[0], n[1], middle, half, piece] = sooner.choose(
-                [
-                    distance,
-                    speed.abs(),
-                    sign * side.unit[0],
-                    sign * side.unit[1],
-                    zero.same(side.middle),
-                    zero.same(side.half),
-                    number,
-                ],
+                [distance, speed.abs(), m1, m2, zero.same(side.middle), zero.same(side.half), number],
                 [num, den, n[0], n[1], middle, half, piece],
             );
         }
