@@ -17,11 +17,9 @@ fn time_is_so_exact_that_a_place_in_the_square_at_time_100_000_is_right() {
 #[test]
 fn energy_is_kept_to_the_last_digit() {
     for (name, billiard) in energies().unwrap() {
-        // restored at every sixteenth collision, to four units of 2⁻⁵³, the rounding of the velocity's own components; in a
-        // circle it is carried in twice the digits, and rounded in the frame of the wall and once more in the plane
+        // restored at every sixteenth collision, to four units of 2⁻⁵³, the rounding of the velocity's own components
         let restored = energy_drift(&billiard, 800_000, 100);
-        let bound = if name.starts_with("circle") { 8e-16 } else { 4e-16 };
-        assert!(restored <= bound, "{name}: {restored:e}");
+        assert!(restored <= 4e-16, "{name}: {restored:e}");
         // in between, that and what sixteen collisions round: about 4·10⁻¹⁶ each, at worst all alike
         let anywhere = energy_drift(&billiard, 100_000, 100_000);
         assert!(anywhere <= 1e-14, "{name}: {anywhere:e}");

@@ -76,7 +76,7 @@ impl PolarFormula for Waist {
 /// A piece and the truth about it.
 type Known = (&'static str, f64, Box<dyn Piece>, Box<dyn Truth>);
 
-/// Every kind of piece; formulas in the plain frame only.
+/// Every kind of piece; formulas in the plain frame only, by the majorant method, and cut into graphs among the tables.
 fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
     let at = |x, y| frame.point(x, y);
     let by = |x: f64| x * frame.scale;
@@ -125,11 +125,16 @@ fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
         Box::new(Cut::new(Offset { base: oval(true, None), distance })),
     ));
     if frame.name == "plain" {
-        all.push(("formula x⁴ + y⁴ = 1", 1.0, Box::new(Implicit::new(Fermat, true)?), Box::new(Cut::new(Quartic))));
-        let polar = Polar::new(Vector2::zeros(), Waist(0.25), true)?;
-        all.push(("formula 1 + ¼ cos 2φ", 1.25, Box::new(polar), Box::new(Cut::new(Peanut(0.25)))));
+        let [quartic, peanut] = formulas()?;
+        all.push(("formula x⁴ + y⁴ = 1", 1.0, quartic, Box::new(Cut::new(Quartic))));
+        all.push(("formula 1 + ¼ cos 2φ", 1.25, peanut, Box::new(Cut::new(Peanut(0.25)))));
     }
     Ok(all)
+}
+
+fn formulas() -> Result<[Box<dyn Piece>; 2], Error> {
+    let polar = Polar::new(Vector2::zeros(), Waist(0.25), true)?;
+    Ok([Box::new(Implicit::new(Fermat, true)?), Box::new(polar)])
 }
 
 /// The piece of a figure in a frame.
@@ -219,6 +224,19 @@ pub(crate) fn each(frame: &Frame, mut show: impl FnMut(&Subject<'_>)) -> Result<
             beyond || (x - closest.point).dot(&closest.normal) > 0.0
         };
         show(&Subject { name, size, extent, pieces: vec![&*piece], truth: vec![truth], inside: &inside, hit: &hit });
+    }
+    if frame.name == "plain" {
+        let truths: [Box<dyn Truth>; 2] = [Box::new(Cut::new(Quartic)), Box::new(Cut::new(Peanut(0.25)))];
+        let named = [("formula x⁴ + y⁴ = 1 (Graphs)", 1.0), ("formula 1 + ¼ cos 2φ (Graphs)", 1.25)];
+        for ((piece, truth), (name, extent)) in formulas()?.into_iter().zip(truths).zip(named) {
+            let table = Table::new(vec![piece])?;
+            let mut truth = Some(truth);
+            table.with_walls(Ask(&mut |hit| {
+                let (pieces, truth) = (vec![&*table.pieces()[0] as &dyn Piece], truth.take().into_iter().collect());
+                let (size, inside) = (frame.size(extent), &|x: &Vector2<f64>| table.contains(x));
+                show(&Subject { name, size, extent, pieces, truth, inside, hit });
+            }));
+        }
     }
     for (name, extent, table) in all_tables()? {
         let pieces = table.pieces().iter().map(|piece| framed(&piece.figure(), frame)).collect::<Result<_, _>>()?;

@@ -88,10 +88,12 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         let [normal, tangential] = with_energy(velocity, orbit.spin[0], orbit.keeper.square(0));
         let (normal, place) = (-normal, self.walls.place(&hit));
         let now = [Double::new(orbit.spin[0]), if W::ROUND { tangential } else { -tangential }];
-        let along = |[spin, tangential]: [Double; 2]| {
-            let (tangential, swing) = (tangential.high, Swing::recurring(normal, tangential));
+        let square = orbit.keeper.square(0);
+        let along = |along: [Double; 2]| {
+            let swing = Swing::recurring(normal, along[1]);
+            let [spin, tangential] = rounded(normal.high, along, square);
             let time = self.walls.chord(&place, normal.high, tangential).time;
-            Along { tangential, spin: spin.high, time, swing }
+            Along { tangential, spin, time, swing }
         };
         let [even, odd] = match &self.mirror {
             Some(mirror) => [along(now), along(mirror.apply(now))],
@@ -112,6 +114,24 @@ fn with_energy(velocity: [Double; 2], spin: f64, square: Option<Double>) -> [Dou
         }
         _ => velocity,
     }
+}
+
+/// Spin and tangential velocity, each rounded up or down so that with the normal velocity they have the energy nearest to what it
+/// should be.
+fn rounded(normal: f64, [spin, tangential]: [Double; 2], square: Option<Double>) -> [f64; 2] {
+    let [w, t] = [spin.high, tangential.high];
+    let Some(all) = square else { return [w, t] };
+    let lacks = [normal, w, t].iter().fold(all, |all, x| all.plus(-Double::product(*x, *x))).value();
+    let steps = [w, t].map(|x| x.abs().next_up() - x.abs());
+    let mut best = (lacks.abs(), [w, t]);
+    for (i, j) in [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)] {
+        let [by_w, by_t] = [f64::from(i) * steps[0], f64::from(j) * steps[1]];
+        let left = (lacks - 2.0 * (w * by_w + t * by_t)).abs();
+        if left < best.0 {
+            best = (left, [w + by_w, t + by_t]);
+        }
+    }
+    best.1
 }
 
 impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
