@@ -91,18 +91,24 @@ fn the_record_has_one_row_per_collision_in_the_order_of_the_orbits() {
 #[test]
 fn the_summary_tells_after_how_many_collisions_the_digits_are_gone() {
     let folder = Folder::new("horizon");
-    let orbit = "[[orbit]]\nposition = [0.1, 0.2]\nvelocity = [0.6, 0.8]\nspin = 0.25\n[run]\ncollisions = 1000\n";
+    let orbit = "[[orbit]]\nposition = [0.1, 0.2]\nvelocity = [0.6, 0.8]\nspin = 0.25\n[run]\ncollisions = 1000\n\
+                 [output]\npictures = [\"orbit\"]\n";
     let scene = |law: &str, table: &str| format!("law = \"{law}\"\n[table]\nname = \"{table}\"\n{orbit}");
+    // the start is a filled dot, the last place that is known an open one
+    let dots =
+        || ["#144a87", "#ffffff"].map(|fill| folder.read("out/orbit.svg").matches(&format!("fill=\"{fill}\"")).count());
     // the stadium's exponent is 0.94 per collision: 36 of them make a table of an ulp
     let chaotic = folder.done(&scene("specular", "stadium"), &[])["horizon"].clone();
     let collisions = chaotic["collisions"].as_u64().unwrap();
     assert!((25..50).contains(&collisions), "{chaotic}");
     assert_eq!((&chaotic["orbits"][0]["lost"], &chaotic["orbits"][0]["time"]), (&Value::Bool(true), &chaotic["time"]));
+    assert_eq!(dots(), [1, 1]);
     // in a circle errors grow like the square of the number of collisions
     let regular = folder.done(&scene("no-slip", "circle"), &[])["horizon"].clone();
     assert!(regular["collisions"].is_null() && regular["time"].is_null(), "{regular}");
     assert_eq!(regular["orbits"][0]["collisions"].as_u64(), Some(1000));
     assert!(regular["orbits"][0]["error"].as_f64().unwrap() < 1e-8, "{regular}");
+    assert_eq!(dots(), [1, 0]);
 }
 
 #[test]
