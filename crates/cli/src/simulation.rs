@@ -21,6 +21,7 @@ mod start;
 pub(crate) mod strokes;
 mod summary;
 mod unrolled;
+mod words;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -47,9 +48,9 @@ use schedule::{Launch, Work, run_all};
 use spatial::Spatial;
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
-pub(crate) use describe::{point, short};
 pub use horizon::{Horizons, OfOrbit};
 pub use summary::Summary;
+pub(crate) use words::{point, short};
 
 /// A scene whose table is built and whose starts are checked.
 #[derive(Debug)]

@@ -173,8 +173,7 @@ impl Arena {
                 let zero = self.constant(0.0);
                 self.binary(Operation::SignedPower, a, zero)
             }
-            Function::Jump => value,
-            Function::Exp => value,
+            Function::Exp | Function::Jump => value,
             Function::Ln => self.divide(one, a),
             Function::Sin => self.unary(Function::Cos, a),
             Function::Cos => {

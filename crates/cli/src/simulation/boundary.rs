@@ -14,8 +14,8 @@ use crate::scene::{
     self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape, Turn,
 };
 
-use super::describe::short;
 use super::scale;
+use super::words::short;
 
 /// A planar table as drawn, all lengths multiplied by a factor.
 #[derive(Clone, Debug)]

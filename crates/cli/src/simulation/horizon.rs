@@ -4,8 +4,8 @@ use billiards::geometry::{Lattice, Vector2};
 use billiards::{Bend, Bounce, Horizon};
 use serde::Serialize;
 
-use super::describe::short;
 use super::start::Start;
+use super::words::short;
 
 /// Orbits that are looked at: the first so many.
 const MOST_ORBITS: u64 = 16;
