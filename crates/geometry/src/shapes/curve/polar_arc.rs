@@ -36,7 +36,15 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
     /// an arc is no graph of polynomials.
     pub(super) fn between(curve: Polar<F>, kinks: &[Interval]) -> Vec<Box<dyn Piece>> {
         let mut cuts = kinks.to_vec();
-        if let [kink] = kinks {
+        if let [first, .., last] = kinks
+            && first.low == 0.0
+            && last.high == 2.0 * PI
+        {
+            // one kink, seen from both sides
+            cuts[0].low = last.low - 2.0 * PI;
+            cuts.pop();
+        }
+        if let [kink] = cuts[..] {
             // an arc has two ends
             cuts.push(Interval::from(kink.low + PI));
         }
@@ -59,6 +67,9 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
 
     /// The arc between two angles with these points; `None` if it is no graph of polynomials.
     fn new(curve: &Arc<Polar<F>>, range: [f64; 2], vertices: [Vector2<f64>; 2]) -> Option<PolarArc<F>> {
+        if range[0] >= range[1] {
+            return None;
+        }
         let about = curve.about();
         let parameter = |k: u32| range[0] + (range[1] - range[0]) * (f64::from(k) / f64::from(PARTS));
         let table = ArcLength::new(&about, (0..PARTS).map(parameter).chain([range[1]]));
@@ -198,6 +209,31 @@ mod tests {
                 let expected = (4.5 * PI - 8.0) * if inside { 1.0 } else { -1.0 };
                 assert!((area - expected).abs() < 4e-14, "{count} {area} {expected}");
             }
+        }
+    }
+
+    /// `r = 2 − |sin(kφ/2)|`
+    #[derive(Clone, Debug)]
+    struct FromZero(Waves);
+
+    impl PolarFormula for FromZero {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            self.0.jet(angle + PI / self.0.count)
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            self.0.jet_over(angle + PI / self.0.count)
+        }
+    }
+
+    #[test]
+    fn a_kink_where_the_turn_begins_is_one_kink() {
+        for count in [1.0, 2.0, 4.0] {
+            let curve = FromZero(Waves { count, sign: 1.0 });
+            let arcs = Polar::new(Vector2::zeros(), curve, true).unwrap().pieces();
+            assert_eq!(arcs.len() as f64, count.max(2.0));
+            let area: f64 = arcs.iter().map(|arc| arc.area()).sum();
+            assert!((area - (4.5 * PI - 8.0)).abs() < 4e-14, "{count} {area}");
+            assert!((arcs[0].point_at(0.0) - Vector2::new(2.0, 0.0)).norm() < 4e-15);
         }
     }
 
