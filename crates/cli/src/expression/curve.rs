@@ -67,6 +67,10 @@ impl ImplicitFormula for ImplicitCurve {
         self.hessian.evaluate(&region)
     }
 
+    fn gradient_over(&self, region: [Interval; 2]) -> [Interval; 2] {
+        self.gradient.evaluate(&region)
+    }
+
     fn extent(&self) -> Extent {
         self.extent
     }

@@ -435,6 +435,10 @@ impl<F: ImplicitFormula> ImplicitFormula for Scaled<F> {
         let back = |x: Interval| scaled(x, 1.0 / self.factor);
         self.formula.hessian_over(region.map(back)).map(|h| back(back(h)))
     }
+    fn gradient_over(&self, region: [Interval; 2]) -> [Interval; 2] {
+        let back = |x: Interval| scaled(x, 1.0 / self.factor);
+        self.formula.gradient_over(region.map(back)).map(back)
+    }
     fn extent(&self) -> Extent {
         let Extent { min, max } = self.formula.extent();
         Extent { min: min * self.factor, max: max * self.factor }

@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 
 /// A function `f` of the plane, twice differentiable, negative inside one smooth closed curve and positive outside it.
 ///
-/// All five functions are required. `hessian_over` is what makes the first hit certain: write the same formulas as in
+/// The functions without a body are required. `hessian_over` is what makes the first hit certain: write the same formulas as in
 /// `hessian` with [`Interval`]s. Who only knows a bound `|f_xx|, |f_xy|, |f_yy| ≤ c` may return
 /// `[Interval::new(-c, c); 3]`.
 ///
@@ -56,6 +56,12 @@ pub trait ImplicitFormula: Debug + Send + Sync {
 
     /// Intervals that contain `f_xx`, `f_xy` and `f_yy` everywhere in a box; the narrower, the faster.
     fn hessian_over(&self, region: [Interval; 2]) -> [Interval; 3];
+
+    /// Intervals that contain `f_x` and `f_y` everywhere in a box: asked for only where the second derivatives have no bound, so that
+    /// who has them everywhere need not say more.
+    fn gradient_over(&self, _region: [Interval; 2]) -> [Interval; 2] {
+        [Interval::ENTIRE; 2]
+    }
 
     /// A box that contains the curve, not very much larger than it.
     fn extent(&self) -> Extent;
@@ -365,6 +371,12 @@ impl<F: ImplicitFormula> Smooth for Along<'_, F> {
         let p = self.path.at(t);
         let gradient = Vector2::from(self.formula.gradient(p.into()));
         [self.side * self.formula.value(p.into()), self.side * gradient.dot(&self.path.velocity)]
+    }
+
+    fn first_derivative(&self, over: Interval) -> Interval {
+        let (x, v) = (self.path.point, self.path.velocity);
+        let [along, across] = self.formula.gradient_over([over * v.x + x.x, over * v.y + x.y]);
+        (along * v.x + across * v.y) * self.side
     }
 
     fn second_derivative(&self, over: Interval) -> Interval {

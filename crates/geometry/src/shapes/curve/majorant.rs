@@ -3,7 +3,7 @@
 //! A path crosses a curve where `h` rises through 0. Wherever `h'' ≤ c`, the parabola `h + h' τ + c τ²/2` lies above
 //! the function, so that its root `τ = (√(h'² − 2 c h) − h')/c` comes before the function's: marching from root to root
 //! cannot step over one. As soon as the bounds on `h''` prove that `h` rises steadily to its root, Newton's method
-//! finishes. Six or seven evaluations are typical.
+//! finishes. Six or seven evaluations are typical. Where `h''` has no bound, as about a kink, bounds on `h'` lead past it.
 use super::{Interval, rising_root};
 
 /// A function of one real variable that is twice differentiable, with an enclosure of its second derivative.
@@ -13,6 +13,12 @@ pub trait Smooth {
 
     /// An interval that contains the second derivative everywhere in `over`; the narrower, the faster.
     fn second_derivative(&self, over: Interval) -> Interval;
+
+    /// An interval that contains the first derivative everywhere in `over`. It is asked for only where the second has no bound,
+    /// and saves many short steps there.
+    fn first_derivative(&self, _over: Interval) -> Interval {
+        Interval::ENTIRE
+    }
 }
 
 /// The marching steps allowed. Paths need about three; only one that creeps along a curve within rounding needs many.
@@ -43,16 +49,15 @@ pub fn first_rise(h: &impl Smooth, over: Interval, noise: f64) -> Option<f64> {
 /// `h` at the start.
 fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f64> {
     let jet = |t: f64| h.jet(t).map(|a| sign * a);
-    let second = |from: f64, to: f64| {
-        let Interval { low, high } = h.second_derivative(Interval { low: from, high: to });
-        if sign < 0.0 { Interval { low: -high, high: -low } } else { Interval { low, high } }
-    };
+    let signed = |over: Interval| if sign < 0.0 { -over } else { over };
+    let second = |from: f64, to: f64| signed(h.second_derivative(Interval { low: from, high: to }));
+    let rise = |from: f64, to: f64| signed(h.first_derivative(Interval { low: from, high: to })).high;
     let least = LEAST_STEP * (over.high - over.low);
     let mut t = over.low;
     let mut here = here.map(|a| sign * a);
     // up to where h is certainly not positive
     let mut sure = t;
-    let (mut end, mut bend) = bounded(second, [t, over.high], least);
+    let mut on = Stretch::new(here[0], [t, over.high], second, rise, least);
     for _ in 0..STEPS {
         let [value, slope] = here;
         if value.is_nan() || slope.is_nan() {
@@ -63,48 +68,81 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
             return Some(if sure < t { rising_root(jet, [sure, t]) } else { t });
         }
         let value = value.min(0.0);
-        let mut step = safe_step(value, slope, bend.high);
+        let mut step = safe_step(value, slope, on.bend.high).max(safe_way(value, on.rise));
         // a bound for where the root may be can be sharper than one for the whole way
-        while step < 0.125 * (end - t) && end - t > 8.0 * least {
-            let near = t + (4.0 * step).max(0.125 * (end - t));
+        while step < 0.125 * (on.end - t) && on.end - t > 8.0 * least {
+            let near = t + (4.0 * step).max(0.125 * (on.end - t));
             let sharp = second(t, near);
             let farther = safe_step(value, slope, sharp.high);
-            if farther < 1.25 * step || farther == 0.0 {
+            if farther == 0.0 || (farther < 1.25 * step && is_bounded(on.bend)) {
                 break;
             }
-            (end, bend, step) = (near, sharp, farther);
+            on = Stretch { end: near, bend: sharp, ..on };
+            step = farther.max(step);
         }
-        if let Some(reach) = certain_reach(value, slope, bend)
-            && t + reach <= end
+        if let Some(reach) = certain_reach(value, slope, on.bend)
+            && t + reach <= on.end
         {
-            return Some(newton(jet, t, [value, slope], [step, reach], bend));
+            return Some(newton(jet, t, [value, slope], [step, reach], on.bend));
         }
         sure = t + step;
-        t = if sure < end { t + step.max(least) } else { end };
+        t = if sure < on.end { t + step.max(least) } else { on.end };
         if t >= over.high {
             return None;
         }
-        if t >= end {
-            end = (t + 4.0 * (step.min(over.high - t)).max(least)).min(over.high);
-            (end, bend) = bounded(second, [t, end], least);
-        }
         here = jet(t);
+        if t >= on.end {
+            let end = (t + 4.0 * (step.min(over.high - t)).max(least)).min(over.high);
+            on = Stretch::new(here[0], [t, end], second, rise, least);
+        }
     }
     Some(t)
 }
 
-/// The end of a stretch on which `h''` is bounded, and the bound: the whole one, or else a half, a quarter and so on.
-///
-/// Interval arithmetic on a formula with a quotient or a root often knows no bound on a long stretch.
-fn bounded(second: impl Fn(f64, f64) -> Interval, [from, to]: [f64; 2], least: f64) -> (f64, Interval) {
-    let mut end = to;
-    loop {
-        let bend = second(from, end);
-        if (bend.low.is_finite() && bend.high.is_finite()) || end - from <= least {
-            return (end, bend);
+/// Where something is known of a function.
+#[derive(Clone, Copy)]
+struct Stretch {
+    end: f64,
+    /// What `h''` is within.
+    bend: Interval,
+    /// What `h'` is at most; infinite where `bend` is enough.
+    rise: f64,
+}
+
+fn is_bounded(bend: Interval) -> bool {
+    bend.low.is_finite() && bend.high.is_finite()
+}
+
+impl Stretch {
+    /// The whole one if `h''` is bounded there or a bound on `h'` leads through half of it, or else a half, a quarter and so on.
+    ///
+    /// Interval arithmetic on a formula with a quotient or a root often knows no bound on a long stretch, and about a kink there is
+    /// none.
+    fn new(
+        value: f64,
+        [from, to]: [f64; 2],
+        second: impl Fn(f64, f64) -> Interval,
+        rise: impl Fn(f64, f64) -> f64,
+        least: f64,
+    ) -> Stretch {
+        let mut end = to;
+        loop {
+            let bend = second(from, end);
+            if is_bounded(bend) {
+                return Stretch { end, bend, rise: f64::INFINITY };
+            }
+            let rise = rise(from, end);
+            if safe_way(value, rise) >= 0.5 * (end - from) || end - from <= least {
+                return Stretch { end, bend, rise };
+            }
+            end = from + 0.5 * (end - from);
         }
-        end = from + 0.5 * (end - from);
     }
+}
+
+/// How far `h ≤ 0` certainly stays below 0, given `h' ≤ c`.
+fn safe_way(value: f64, c: f64) -> f64 {
+    if c <= 0.0 { f64::INFINITY } else { (-value / c).max(0.0) }
 }
 
 /// How far `h ≤ 0` certainly stays below 0, given `h'` and `h'' ≤ c`; nowhere if there is no bound `c`.
@@ -186,6 +224,10 @@ mod tests {
             let slope: f64 = (0..self.roots.len()).map(|i| self.without(t, [i, none])).sum();
             [-self.without(t, [none; 2]), slope]
         }
+        fn first_derivative(&self, over: Interval) -> Interval {
+            let none = usize::MAX;
+            (0..self.roots.len()).fold(Interval::from(0.0), |sum, i| sum + self.without(over, [i, none]))
+        }
         fn second_derivative(&self, over: Interval) -> Interval {
             let n = self.roots.len();
             let pairs = (0..n).flat_map(|i| (0..n).filter(move |&j| j != i).map(move |j| [i, j]));
@@ -253,6 +295,29 @@ mod tests {
             }
         }
         assert_eq!(first_rise(&Vague, Interval::new(0.0, 10.0), 1e-15), Some(2.0));
+    }
+
+    #[test]
+    fn a_kink_is_passed_in_a_few_steps() {
+        /// `t + |t − 1|/2 − 2`, whose root is 5/3.
+        struct Kinked(Cell<u32>);
+        impl Smooth for Kinked {
+            fn jet(&self, t: f64) -> [f64; 2] {
+                self.0.set(self.0.get() + 1);
+                [t + 0.5 * (t - 1.0).abs() - 2.0, if t < 1.0 { 0.5 } else { 1.5 }]
+            }
+            fn first_derivative(&self, over: Interval) -> Interval {
+                let slope = |t: f64| if t < 1.0 { 0.5 } else { 1.5 };
+                Interval::new(slope(over.low), slope(over.high))
+            }
+            fn second_derivative(&self, over: Interval) -> Interval {
+                self.0.set(self.0.get() + 1);
+                if over.contains(1.0) { Interval::ENTIRE } else { Interval::from(0.0) }
+            }
+        }
+        let h = Kinked(Cell::new(0));
+        let root = first_rise(&h, Interval::new(0.0, 10.0), 1e-15).unwrap();
+        assert!((root - 5.0 / 3.0).abs() < 1e-15 && h.0.get() < 40, "{root} {}", h.0.get());
     }
 
     #[test]

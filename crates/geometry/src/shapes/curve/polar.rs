@@ -299,6 +299,11 @@ impl<F: PolarFormula> Sweep<'_, F> {
     fn angle(&self, psi: f64) -> f64 {
         self.heading + self.sense * (psi - FRAC_PI_2)
     }
+
+    /// Enclosures of `r`, `r′` and `r″`.
+    fn over(&self, psi: Interval) -> [Interval; 3] {
+        self.ranges.of(self.formula, Interval::new(self.angle(psi.low), self.angle(psi.high)))
+    }
 }
 
 impl<F: PolarFormula> Smooth for Sweep<'_, F> {
@@ -309,9 +314,14 @@ impl<F: PolarFormula> Smooth for Sweep<'_, F> {
         [self.side * (self.moment - r * cos * self.speed), self.side * rate * self.speed]
     }
 
+    fn first_derivative(&self, over: Interval) -> Interval {
+        let [r, slope, _] = self.over(over);
+        let [sin, cos] = over.sin_cos();
+        (r * sin - slope * cos * self.sense) * (self.side * self.speed)
+    }
+
     fn second_derivative(&self, over: Interval) -> Interval {
-        let angles = Interval::new(self.angle(over.low), self.angle(over.high));
-        let [r, slope, second] = self.ranges.of(self.formula, angles);
+        let [r, slope, second] = self.over(over);
         let [sin, cos] = over.sin_cos();
         let bend = (r - second) * cos + slope * sin * (2.0 * self.sense);
         bend * (self.side * self.speed)
