@@ -69,7 +69,7 @@ impl<const N: usize> Walls<N> for Sphere<N> {
             normal: y.map(|y| -y),
             inverse: change * self.inverse + self.inverse,
             piece: zero.same(self.piece),
-            corner: zero.lt(zero),
+            corner: zero.never(),
         }
     }
 }
@@ -111,7 +111,7 @@ impl Homogeneous for Sphere<2> {
             normal: [-e1, -e2],
             inverse: one,
             piece: one.same(self.piece),
-            corner: one.lt(one),
+            corner: one.never(),
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, dot, normal::most_unit};
+use super::{CORNER, WallHit, Walls, dot, normal::most_unit, sooner};
 use crate::{Error, shapes::Segment};
 use lanes::{Lane, Mask};
 
@@ -83,19 +83,22 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
         let y = [x[0] - self.center[0], x[1] - self.center[1]];
         let (mut num, mut den) = (zero.same(f64::INFINITY), one);
         let (mut n, mut middle, mut half, mut piece) = ([zero; 2], zero, zero, zero);
-        for side in &self.pairs {
+        for (i, side) in self.pairs.iter().enumerate() {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let height = y[0] * side.normal[0] + y[1] * side.normal[1];
-            let [wall, u1, u2] = [side.distance, side.unit[0], side.unit[1]].map(|a| zero.same(a));
-            let [first, second] = side.pieces.map(|p| zero.same(p));
-            let [distance, m1, m2, number] =
-                zero.lt(speed).choose([wall - height, u1, u2, first], [wall + height, -u1, -u2, second]);
-            // a speed of 0 never arrives: nothing is less than 0, nor than ∞·0
-            let sooner = (distance.max(zero) * den).lt(num * speed.abs());
-            [num, den, n[0], n[1], middle, half, piece] = sooner.choose(
-                [distance, speed.abs(), m1, m2, zero.same(side.middle), zero.same(side.half), number],
-                [num, den, n[0], n[1], middle, half, piece],
-            );
+            // the side ahead: the first one, or its opposite
+            let [height, m1, m2] = speed.towards([height, zero.same(side.unit[0]), zero.same(side.unit[1])]);
+            let distance = zero.same(side.distance) - height;
+            let number = zero.lt(speed).select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
+            let (speed, along, most) = (speed.abs(), zero.same(side.middle), zero.same(side.half));
+            if i == 0 {
+                [num] = zero.lt(speed).choose([distance], [num]);
+                [den, n[0], n[1]] = [speed, m1, m2];
+                [middle, half, piece] = [along, most, number];
+                continue;
+            }
+            [num, den, n[0], n[1], middle, half, piece] = sooner([distance, speed], [num, den])
+                .choose([distance, speed, m1, m2, along, most, number], [num, den, n[0], n[1], middle, half, piece]);
         }
         let time = num / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
