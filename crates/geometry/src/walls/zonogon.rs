@@ -24,6 +24,8 @@ struct Pair {
 #[derive(Clone, Debug)]
 pub struct Zonogon<const K: usize> {
     center: [f64; 2],
+    /// Within the square root of this of the centre there are no corners: one comparison tells of most points that they are none.
+    clear: f64,
     pairs: [Pair; K],
 }
 
@@ -55,12 +57,16 @@ impl<const K: usize> Zonogon<K> {
         if !super::convex::turns_left(sides) {
             return Err(Error::NotConvex);
         }
+        let away = |p: [f64; 2]| [p[0] - center[0], p[1] - center[1]];
+        let nearest = (0..2 * K).map(vertex).map(away).map(|p| dot(&p, &p)).fold(f64::INFINITY, f64::min);
+        // a point counts as a corner within `CORNER`, and is off by less than twice that
+        let clear = (libm::sqrt(nearest) - 3.0 * CORNER * size).max(0.0);
+        let clear = clear * clear;
         let pairs = core::array::from_fn(|i| {
             let inward = sides[i].inward_normal();
             let n = [-inward[0], -inward[1]];
             let (a, b) = (vertex(i), vertex(i + 1));
-            let rel = |p: [f64; 2]| [p[0] - center[0], p[1] - center[1]];
-            let (a, b) = (rel(a), rel(b));
+            let (a, b) = (away(a), away(b));
             let along = |p: [f64; 2]| p[1] * n[0] - p[0] * n[1];
             Pair {
                 normal: n,
@@ -71,7 +77,7 @@ impl<const K: usize> Zonogon<K> {
                 pieces: [(first + i) as f64, (first + i + K) as f64],
             }
         });
-        Ok(Zonogon { center, pairs })
+        Ok(Zonogon { center, clear, pairs })
     }
 }
 
@@ -102,14 +108,17 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
         }
         let time = num / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
-        let along = p[1] * n[0] - p[0] * n[1] - middle;
+        let mut corner = zero.never();
+        if zero.same(self.clear).lt(dot(&p, &p)).any() {
+            corner = half.lt((p[1] * n[0] - p[0] * n[1] - middle).abs());
+        }
         WallHit {
             time,
             point: [p[0] + self.center[0], p[1] + self.center[1]],
             normal: [-n[0], -n[1]],
             inverse: one,
             piece,
-            corner: half.lt(along.abs()),
+            corner,
         }
     }
 }
