@@ -126,11 +126,15 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
     /// one number at a time where a prediction would mostly fail.
     #[must_use]
     #[inline(always)]
-    fn choose<const K: usize>(self, yes: [F; K], no: [F; K]) -> [F; K]
+    fn choose<const K: usize>(self, yes: [F; K], mut no: [F; K]) -> [F; K]
     where
         F: Copy,
     {
-        core::array::from_fn(|i| self.select(yes[i], no[i]))
+        // no closure: a compiler may leave it a function of its own, which is not compiled for the instruction set
+        for i in 0..K {
+            no[i] = self.select(yes[i], no[i]);
+        }
+        no
     }
     /// `yes` where true, `no` where false, for truth values that belong to numbers [chosen](Mask::choose) alike.
     #[must_use]

@@ -81,10 +81,12 @@ impl<F: Lane> Lane for Twin<F> {
         Twin([a.copysign(c), b.copysign(d)])
     }
     #[inline(always)]
-    fn towards<const K: usize>(self, numbers: [Self; K]) -> [Self; K] {
+    fn towards<const K: usize>(self, mut numbers: [Self; K]) -> [Self; K] {
         let Twin([a, b]) = self;
-        let (first, second) = (a.towards(numbers.map(|n| n.0[0])), b.towards(numbers.map(|n| n.0[1])));
-        core::array::from_fn(|i| Twin([first[i], second[i]]))
+        for Twin([c, d]) in &mut numbers {
+            ([*c], [*d]) = (a.towards([*c]), b.towards([*d]));
+        }
+        numbers
     }
     #[inline(always)]
     fn max(self, Twin([c, d]): Self) -> Self {

@@ -83,10 +83,13 @@ impl<S: Simd> Lane for Wide<S> {
         self.of(s.or_f64s(s.abs_f64s(self.value), s.and_f64s(bit, sign.value)))
     }
     #[inline(always)]
-    fn towards<const K: usize>(self, numbers: [Self; K]) -> [Self; K] {
+    fn towards<const K: usize>(self, mut numbers: [Self; K]) -> [Self; K] {
         let s = self.simd;
         let sign = s.and_f64s(self.value, s.splat_f64s(-0.0));
-        numbers.map(|number| self.of(s.xor_f64s(number.value, sign)))
+        for number in &mut numbers {
+            number.value = s.xor_f64s(number.value, sign);
+        }
+        numbers
     }
     #[inline(always)]
     fn max(self, other: Self) -> Self {

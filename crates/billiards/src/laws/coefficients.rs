@@ -9,7 +9,11 @@ impl<const K: usize> Coefficients<K> {
     /// The coefficients in lanes like those of `like`.
     #[inline(always)]
     pub(super) fn in_lanes<F: Lane>(&self, like: F) -> Coefficients<K, F> {
-        Coefficients(self.0.map(|c| like.same(c)))
+        let mut lanes = [like; K];
+        for i in 0..K {
+            lanes[i] = like.same(self.0[i]);
+        }
+        Coefficients(lanes)
     }
 
     /// The coefficients that `of` has for each lane, as many as `like` has.

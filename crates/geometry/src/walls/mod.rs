@@ -68,7 +68,11 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
     /// The unit normal into the table.
     #[inline(always)]
     pub fn unit_normal(&self) -> [F; N] {
-        self.normal.map(|n| n * self.inverse)
+        let mut unit = self.normal;
+        for n in &mut unit {
+            *n = *n * self.inverse;
+        }
+        unit
     }
 
     /// No hit, in lanes like those of `x`.
