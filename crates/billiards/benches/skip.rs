@@ -113,7 +113,7 @@ struct Portrait {
 impl LaneObserver<2, 1, Free, ()> for Portrait {
     type View<F: Lane> = F::Mask;
     fn nobody<F: Lane>(&self, zero: F) -> F::Mask {
-        zero.lt(zero)
+        zero.never()
     }
     fn begin<F: Lane>(&mut self, view: &mut F::Mask, here: F::Mask, _: u64, _: &Orbit<f64, 2, 1, Free, ()>) {
         *view = *view | here;

@@ -83,6 +83,9 @@ pub trait Motion<const N: usize, const S: usize> {
         hit: &WallHit<F, N>,
         arrival: &Self::Arrival<F>,
     ) -> F;
+    /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
+    #[inline(always)]
+    fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {

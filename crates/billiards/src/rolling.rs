@@ -140,7 +140,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
 
     fn start<F: Lane>(&self, zero: F) -> Frame<F> {
         let along = Along::at_rest(zero);
-        let (place, on_wall) = ([zero; 2], zero.lt(zero));
+        let (place, on_wall) = ([zero; 2], zero.never());
         Frame { place, normal: zero, even: along, odd: along, is_odd: false, on_wall, first: zero }
     }
     #[cold]
@@ -193,23 +193,31 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         let arrival = carried.normal;
         carried.place = chord.place;
         carried.on_wall = carried.on_wall | !carried.on_wall;
-        let vt = if self.mirror.is_some() {
+        if self.mirror.is_some() {
             carried.is_odd = !carried.is_odd;
-            let now = if carried.is_odd { &carried.odd } else { &carried.even };
-            orbit.spin = [now.spin];
             orbit.keeper.pass(self.beat());
-            now.tangential
         } else {
             let mut velocity = [-arrival, chord.tangential];
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
             orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, self.beat());
             [carried.normal, carried.even.tangential] = velocity;
-            velocity[1]
-        };
-        let vn = carried.normal;
-        let [n1, n2] = hit.normal;
-        orbit.position = hit.point;
-        orbit.velocity = [vn * n1 - vt * n2, vn * n2 + vt * n1];
+        }
         arrival * arrival
+    }
+    #[inline(always)]
+    fn settle<F: Lane, K, T>(&self, orbit: &mut Orbit<F, 2, 1, K, T>, carried: &Frame<F>) {
+        let on = carried.on_wall;
+        let now = if self.mirror.is_some() && carried.is_odd { &carried.odd } else { &carried.even };
+        let (vn, vt) = (carried.normal, now.tangential);
+        let WallHit { point, normal: [n1, n2], .. } =
+            self.walls.landing(&Chord { time: vn, place: carried.place, tangential: vt });
+        let velocity = [vn * n1 - vt * n2, vn * n2 + vt * n1];
+        for i in 0..2 {
+            orbit.position[i] = on.select(point[i], orbit.position[i]);
+            orbit.velocity[i] = on.select(velocity[i], orbit.velocity[i]);
+        }
+        if self.mirror.is_some() {
+            orbit.spin = [on.select(now.spin, orbit.spin[0])];
+        }
     }
 }

@@ -176,6 +176,9 @@ where
             }
             let square = billiard.collide(orbit, &mut carried, &hit, &arrival);
             n += 1;
+            if observer.looks() || orbit.track.looks() {
+                billiard.settle(orbit, &carried);
+            }
             if let ControlFlow::Break(()) = observer.collision(&Collision { n, hit: &hit, orbit }) {
                 break Stop::Observer;
             }
@@ -183,6 +186,7 @@ where
                 break Stop::Grazing;
             }
         };
+        billiard.settle(orbit, &carried);
         *at = orbit.clone();
         Outcome { stop, collisions: n }
     }

@@ -7,7 +7,7 @@ use crate::{
     run::{GRAZING, MOST_IDLE, Outcome, Stop},
     track::{Clock, Track},
 };
-use lanes::{Kernel, Lane, MOST_LANES, Mask};
+use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
 
 /// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
 pub trait InLanes<F: Lane>: Clone {
@@ -102,10 +102,10 @@ struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
     finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
 }
 
-/// Vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
-const VECTORS: usize = 4;
+/// Twins of vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
+const TWINS: usize = 2;
 
-/// One vector of orbits.
+/// A twin of vectors of orbits.
 struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     orbit: Orbit<F, N, S, K, T>,
     carried: C,
@@ -162,6 +162,7 @@ where
         let zero = group.slow.same(0.0);
         let mask = |of: &[bool; MOST_LANES]| zero.lt(zero.each(|k| if of[k % MOST_LANES] { 1.0 } else { 0.0 }));
         let mut idle = [false; MOST_LANES];
+        self.billiard.settle(&mut group.orbit, &group.carried);
         for lane in 0..F::LANES {
             let Some(stop) = ended(lane) else { continue };
             let seat = &mut group.lanes[lane];
@@ -247,6 +248,9 @@ where
                 continue;
             }
             let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
+            if self.observer.looks() || group.orbit.track.looks() {
+                self.billiard.settle(&mut group.orbit, &group.carried);
+            }
             self.observer.collision(&mut group.view, &hit, &group.orbit);
             let slides = !group.slow.lt(square);
             if slides.any() {
@@ -292,18 +296,10 @@ where
         }
         any
     }
-}
 
-impl<B, const N: usize, const S: usize, K, T, O> Kernel for Many<'_, B, N, S, K, T, O>
-where
-    B: Motion<N, S>,
-    K: Keeping<N, S>,
-    T: Tracking<N, S>,
-    O: LaneObserver<N, S, K, T>,
-{
-    type Output = ();
+    /// All orbits, in lanes like those of `zero`.
     #[inline(always)]
-    fn run<F: Lane>(mut self, zero: F) {
+    fn all<F: Lane>(mut self, zero: F) {
         let mut next = 0;
         let seat = Seat { index: None, until: 0, since: 0, idle_at: u64::MAX, idle: 0 };
         let first = &self.first;
@@ -314,7 +310,7 @@ where
             keeper: K::In::<F>::all(&first.keeper, zero),
             track: T::In::<F>::all(&first.track, zero),
         };
-        let mut groups: [GroupOf<F, N, S, B, K, T, O>; VECTORS] = core::array::from_fn(|_| Group {
+        let mut groups: [GroupOf<F, N, S, B, K, T, O>; TWINS] = core::array::from_fn(|_| Group {
             orbit: nobody.clone(),
             carried: self.billiard.start(zero),
             view: self.observer.nobody(zero),
@@ -343,5 +339,19 @@ where
                 }
             }
         }
+    }
+}
+
+impl<B, const N: usize, const S: usize, K, T, O> Kernel for Many<'_, B, N, S, K, T, O>
+where
+    B: Motion<N, S>,
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
+    O: LaneObserver<N, S, K, T>,
+{
+    type Output = ();
+    #[inline(always)]
+    fn run<F: Lane>(self, zero: F) {
+        self.all(Twin::of(zero));
     }
 }

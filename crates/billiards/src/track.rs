@@ -8,6 +8,11 @@ use std::sync::Arc;
 pub trait Track<F: Lane, const N: usize, const S: usize> {
     /// A flight with this velocity and spin from `from` to the hit.
     fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
+    /// Whether it looks at position, velocity and spin.
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        true
+    }
 }
 
 impl<F: Lane> InLanes<F> for Clock<F> {
@@ -33,6 +38,10 @@ pub trait Timed<F: Lane> {
 impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for () {
     #[inline(always)]
     fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], _: &WallHit<F, N>) {}
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        false
+    }
 }
 
 impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, S>> Track<F, N, S> for (A, B) {
@@ -40,6 +49,10 @@ impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, 
     fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>) {
         self.0.fly(from, velocity, spin, hit);
         self.1.fly(from, velocity, spin, hit);
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        self.0.looks() || self.1.looks()
     }
 }
 
@@ -58,6 +71,10 @@ impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Clock<F> {
     #[inline(always)]
     fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], hit: &WallHit<F, N>) {
         self.0.add(hit.time);
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        false
     }
 }
 

@@ -10,7 +10,7 @@ type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Specular};
 use core::ops::ControlFlow;
 use geometry::{Table, WallHit, Walls, tables};
-use lanes::{Lane, Mask};
+use lanes::{Lane, MOST_LANES, Mask};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
@@ -91,7 +91,7 @@ impl Walls<2> for Round {
         let inverse = zero.same(1.0) / dot(&p, &p).sqrt();
         let point = p.map(|p| p * inverse * self.radius);
         let normal = p.map(|p| -p);
-        let corner = zero.lt(zero);
+        let corner = zero.never();
         WallHit { time, point, normal, inverse, piece: zero, corner }
     }
 }
@@ -119,7 +119,7 @@ impl Walls<2> for Lanes<'_> {
 }
 
 #[test]
-fn walls_and_laws_of_your_own_run_in_as_many_lanes_as_there_are() {
+fn walls_and_laws_of_your_own_run_in_two_vectors_of_as_many_lanes_as_there_are() {
     let lanes = AtomicUsize::new(0);
     let billiard = Billiard { walls: &Lanes(&Round { radius: 2.0 }, &lanes), law: &Mirror };
     let orbit = |k: u32| -> Disks {
@@ -128,7 +128,7 @@ fn walls_and_laws_of_your_own_run_in_as_many_lanes_as_there_are() {
     };
     let mut ended: Vec<Ended> = vec![];
     run_side_by_side(&billiard, &mut (0..50).map(orbit), 101, &mut (), &mut |f| ended.push(f));
-    assert_eq!(lanes.load(Ordering::Relaxed), lanes::instruction_set().1);
+    assert_eq!(lanes.load(Ordering::Relaxed), 2 * lanes::instruction_set().1);
     ended.sort_by_key(|f| f.index);
     for (k, f) in (0..50).zip(&ended) {
         let mut alone = orbit(k);
@@ -187,22 +187,22 @@ struct Diary {
 
 impl LaneObserver<2, 1, Conserved<f64, 2>, Clock> for Diary {
     /// Who sits in each lane.
-    type View<F: Lane> = [Option<u64>; 16];
+    type View<F: Lane> = [Option<u64>; MOST_LANES];
 
-    fn nobody<F: Lane>(&self, _: F) -> [Option<u64>; 16] {
-        [None; 16]
+    fn nobody<F: Lane>(&self, _: F) -> [Option<u64>; MOST_LANES] {
+        [None; MOST_LANES]
     }
-    fn begin<F: Lane>(&mut self, view: &mut [Option<u64>; 16], here: F::Mask, index: u64, _: &Disks) {
+    fn begin<F: Lane>(&mut self, view: &mut [Option<u64>; MOST_LANES], here: F::Mask, index: u64, _: &Disks) {
         let lane = (0..F::LANES).find(|&lane| here.at(lane)).unwrap();
         assert!((0..F::LANES).all(|other| here.at(other) == (other == lane)), "one orbit, one lane");
         view[lane] = Some(index);
     }
-    fn end<F: Lane>(&mut self, view: &mut [Option<u64>; 16], here: F::Mask) {
+    fn end<F: Lane>(&mut self, view: &mut [Option<u64>; MOST_LANES], here: F::Mask) {
         (0..F::LANES).filter(|&lane| here.at(lane)).for_each(|lane| view[lane] = None);
     }
     fn collision<F: Lane>(
         &mut self,
-        view: &mut [Option<u64>; 16],
+        view: &mut [Option<u64>; MOST_LANES],
         hit: &WallHit<F, 2>,
         orbit: &Orbit<F, 2, 1, Conserved<F, 2>, Clock<F>>,
     ) {

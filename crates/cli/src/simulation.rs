@@ -2,6 +2,7 @@
 
 mod boundary;
 mod describe;
+mod desk;
 mod engine;
 mod event;
 mod harvest;

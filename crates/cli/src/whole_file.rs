@@ -3,6 +3,12 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::thread::JoinHandle;
+
+/// A long file is brought to disk in portions of so many bytes, each while the next one is written. Otherwise the disk idles
+/// until the system has as much in memory as it likes, or the file is finished.
+const PORTION: usize = 1 << 26;
 
 /// A file written under a temporary name in the same folder; [`finish`](Self::finish) gives it its own.
 ///
@@ -14,6 +20,31 @@ pub struct WholeFile {
     temporary: PathBuf,
     /// `None` once finished.
     file: Option<BufWriter<File>>,
+    /// Bytes of the portion at hand, and what brings portions to disk if there has been one.
+    portion: usize,
+    carrier: Option<Carrier>,
+}
+
+/// A thread that brings to disk what has been written, whenever it is told to.
+#[derive(Debug)]
+struct Carrier {
+    go: SyncSender<()>,
+    thread: JoinHandle<io::Result<()>>,
+}
+
+impl Carrier {
+    fn of(file: &File) -> io::Result<Self> {
+        let file = file.try_clone()?;
+        let (go, portions) = sync_channel(1);
+        let thread = std::thread::spawn(move || portions.into_iter().try_for_each(|()| file.sync_data()));
+        Ok(Carrier { go, thread })
+    }
+
+    /// Waits for the last portion.
+    fn finish(self) -> io::Result<()> {
+        drop(self.go);
+        self.thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    }
 }
 
 impl WholeFile {
@@ -31,7 +62,7 @@ impl WholeFile {
         hidden.push(format!(".{}.partial", std::process::id()));
         let temporary = folder.join(hidden);
         let file = BufWriter::with_capacity(1 << 16, File::create(&temporary)?);
-        Ok(Self { path: path.into(), temporary, file: Some(file) })
+        Ok(Self { path: path.into(), temporary, file: Some(file), portion: 0, carrier: None })
     }
 
     /// Writes a whole file at once.
@@ -50,7 +81,9 @@ impl WholeFile {
     /// It cannot be written or renamed.
     pub fn finish(mut self) -> io::Result<()> {
         if let Some(file) = self.file.take() {
-            let written = file.into_inner().map_err(io::IntoInnerError::into_error).and_then(|file| file.sync_all());
+            let written = file.into_inner().map_err(io::IntoInnerError::into_error);
+            let carried = self.carrier.take().map_or(Ok(()), Carrier::finish);
+            let written = written.and_then(|file| carried.and_then(|()| file.sync_all()));
             let done = written.and_then(|()| fs::rename(&self.temporary, &self.path));
             if done.is_err() {
                 // The write's own error says more than that of cleaning up after it.
@@ -68,7 +101,19 @@ impl WholeFile {
 
 impl Write for WholeFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.inner()?.write(bytes)
+        let written = self.inner()?.write(bytes)?;
+        self.portion += written;
+        if self.portion >= PORTION {
+            self.portion = 0;
+            let carrier = match self.carrier.take() {
+                Some(carrier) => carrier,
+                None => Carrier::of(self.inner()?.get_ref())?,
+            };
+            // a carrier that is still at work takes this portion with the next one; its error is told at the end
+            let _ = carrier.go.try_send(());
+            self.carrier = Some(carrier);
+        }
+        Ok(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -87,6 +132,7 @@ impl Drop for WholeFile {
         if let Some(file) = self.file.take() {
             // Without writing what is still in the buffer; nobody is left to hear of an error.
             let _ = file.into_parts();
+            let _ = self.carrier.take().map(Carrier::finish);
             let _ = fs::remove_file(&self.temporary);
         }
     }

@@ -6,6 +6,7 @@
 mod first;
 mod near;
 mod order;
+mod stack;
 
 use crate::Extent;
 use nalgebra::SVector;

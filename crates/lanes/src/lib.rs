@@ -20,16 +20,18 @@
 
 mod double;
 mod scalar;
+mod twin;
 mod wide;
 
 pub use double::{Double, two_prod, two_sum};
+pub use twin::{Twin, TwinMask};
 pub use wide::{Wide, WideMask, dispatch, instruction_set, vectorized};
 
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// No instruction set has more lanes.
-pub const MOST_LANES: usize = 8;
+/// No kernel has more lanes: two vectors of the widest instruction set.
+pub const MOST_LANES: usize = 16;
 
 /// The lanes of several numbers: what is computed one lane after another reads here, and its results are loaded from there.
 #[must_use]
@@ -72,6 +74,11 @@ pub trait Lane:
     /// `|self|` with the sign bit of `sign`.
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
+    /// These numbers where `self` is above 0, the opposite ones where it is below; one or the other where it is 0.
+    ///
+    /// With one lane this is a branch, as in [`choose`](Mask::choose).
+    #[must_use]
+    fn towards<const K: usize>(self, numbers: [Self; K]) -> [Self; K];
     /// `self < other`; false where either is NaN.
     fn lt(self, other: Self) -> Self::Mask;
     /// The number in one lane. `lane` must be below [`Lane::LANES`].
@@ -87,6 +94,14 @@ pub trait Lane:
     /// Writes the lanes to the front of `to`, which must hold at least [`Lane::LANES`] numbers.
     fn store(self, to: &mut [f64]);
 
+    /// False in every lane.
+    #[must_use]
+    #[inline(always)]
+    fn never(self) -> Self::Mask {
+        // a compiler sees that this is a constant, which it does not see of a comparison
+        let any = self.lt(self);
+        any & !any
+    }
     /// The larger of two numbers; `other` where `self` is NaN.
     #[must_use]
     #[inline(always)]
@@ -111,11 +126,15 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
     /// one number at a time where a prediction would mostly fail.
     #[must_use]
     #[inline(always)]
-    fn choose<const K: usize>(self, yes: [F; K], no: [F; K]) -> [F; K]
+    fn choose<const K: usize>(self, yes: [F; K], mut no: [F; K]) -> [F; K]
     where
         F: Copy,
     {
-        core::array::from_fn(|i| self.select(yes[i], no[i]))
+        // no closure: a compiler may leave it a function of its own, which is not compiled for the instruction set
+        for i in 0..K {
+            no[i] = self.select(yes[i], no[i]);
+        }
+        no
     }
     /// `yes` where true, `no` where false, for truth values that belong to numbers [chosen](Mask::choose) alike.
     #[must_use]

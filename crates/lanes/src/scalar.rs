@@ -21,6 +21,10 @@ impl Lane for f64 {
         self.copysign(sign)
     }
     #[inline(always)]
+    fn towards<const K: usize>(self, numbers: [f64; K]) -> [f64; K] {
+        (0.0 < self).choose(numbers, numbers.map(|number| -number))
+    }
+    #[inline(always)]
     fn lt(self, other: f64) -> bool {
         self < other
     }

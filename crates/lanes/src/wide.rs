@@ -83,6 +83,15 @@ impl<S: Simd> Lane for Wide<S> {
         self.of(s.or_f64s(s.abs_f64s(self.value), s.and_f64s(bit, sign.value)))
     }
     #[inline(always)]
+    fn towards<const K: usize>(self, mut numbers: [Self; K]) -> [Self; K] {
+        let s = self.simd;
+        let sign = s.and_f64s(self.value, s.splat_f64s(-0.0));
+        for number in &mut numbers {
+            number.value = s.xor_f64s(number.value, sign);
+        }
+        numbers
+    }
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.of(self.simd.max_f64s(self.value, other.value))
     }
@@ -233,7 +242,21 @@ mod tests {
                 lanes.store(&mut stored);
                 assert_eq!(stored[..F::LANES], numbers[k..k + F::LANES]);
                 assert_eq!(stored[F::LANES], -1.0);
+                let mut same = zero.each(|i| numbers[k + i]);
+                assert!((0..F::LANES).all(|i| same.lane(i) == lanes.lane(i)));
+                same.put(F::LANES - 1, 9.0);
+                assert_eq!(
+                    (same.lane(0), same.lane(F::LANES - 1)),
+                    (if F::LANES == 1 { 9.0 } else { numbers[k] }, 9.0)
+                );
+                let [towards] = (lanes - 2.5).towards([lanes]);
                 let below = lanes.lt(zero.same(3.0));
+                for i in 0..F::LANES {
+                    let number = numbers[k + i];
+                    assert_eq!(towards.lane(i), if number < 3.0 { -number } else { number });
+                    assert_eq!(below.at(i), number < 3.0);
+                    assert!(!zero.never().at(i));
+                }
                 let bits = (0..F::LANES).filter(|&i| numbers[k + i] < 3.0).fold(0, |bits, i| bits | (1 << i));
                 assert_eq!(below.bits(), bits);
                 assert_eq!((!below).bits(), bits ^ ((1 << F::LANES) - 1));
@@ -243,8 +266,17 @@ mod tests {
 
     #[test]
     fn lanes_go_to_memory_and_back_and_masks_have_a_bit_per_lane() {
+        struct Twice;
+        impl Kernel for Twice {
+            type Output = ();
+            fn run<F: Lane>(self, zero: F) {
+                Holds.run(crate::Twin::of(zero));
+            }
+        }
         dispatch(Holds);
+        dispatch(Twice);
         Holds.run(0.0);
+        Twice.run(0.0);
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = pulp::x86::V3::try_new() {
             Holds.run(Wide { simd: avx2, value: avx2.splat_f64s(0.0) });

@@ -5,7 +5,7 @@ use super::{
 };
 use crate::billiard::BallLaw;
 use geometry::WallHit;
-use lanes::Lane;
+use lanes::{Lane, stored};
 
 /// The disk laws of the pieces, by their numbers; pieces beyond the list have the last law of it.
 #[derive(Clone, Debug)]
@@ -19,20 +19,24 @@ impl PerPiece {
 }
 
 impl PerPiece {
-    /// The law of the piece hit in one lane.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-    fn at<F: Lane>(&self, hit: &WallHit<F, 2>, lane: usize) -> &Disk {
-        &self.0[(hit.piece.lane(lane) as usize).min(self.0.len() - 1)]
+    /// The law of the piece hit in each lane.
+    #[inline(always)]
+    fn at<'a, F: Lane>(&'a self, hit: &WallHit<F, 2>) -> impl Fn(usize) -> &'a Disk + use<'a, F> {
+        let [pieces] = stored(&[hit.piece]);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+        move |lane| &self.0[(pieces[lane] as usize).min(self.0.len() - 1)]
     }
 }
 
 impl BallLaw<2, 1> for PerPiece {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        in_plane(Coefficients::by_lane(hit.time, |lane| &self.at(hit, lane).in_plane), hit, velocity, spin);
+        let laws = self.at(hit);
+        in_plane(Coefficients::by_lane(hit.time, |lane| &laws(lane).in_plane), hit, velocity, spin);
     }
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        in_frame(Coefficients::by_lane(hit.time, |lane| &self.at(hit, lane).in_frame), velocity, spin);
+        let laws = self.at(hit);
+        in_frame(Coefficients::by_lane(hit.time, |lane| &laws(lane).in_frame), velocity, spin);
     }
 }

@@ -62,7 +62,7 @@ impl BallLaw<3, 3> for RoughBall {
         let q = match self.rough {
             Rough::All => slip,
             Rough::Along(direction) => {
-                let d = direction.map(|d| vn.same(d));
+                let d = [vn.same(direction[0]), vn.same(direction[1]), vn.same(direction[2])];
                 let along = dot(&d, n);
                 let mut t = d;
                 for i in 0..3 {
@@ -72,7 +72,7 @@ impl BallLaw<3, 3> for RoughBall {
                 // a direction along the normal, within rounding, leaves the wall smooth
                 let smooth = square.lt(dot(&d, &d) * (f64::EPSILON * f64::EPSILON * 16.0));
                 let part = smooth.select(vn.same(0.0), dot(&t, &slip) / square);
-                t.map(|t| t * part)
+                [t[0] * part, t[1] * part, t[2] * part]
             }
         };
         let turn = cross(n, &q);

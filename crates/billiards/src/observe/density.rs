@@ -138,10 +138,9 @@ impl Density {
         let at = (x - self.low[i]) * self.scale[i];
         let at = at.max(x.same(-1.0)).min(x.same(self.size[i] as f64));
         let (nearest, whole) = (at + INTEGERS, (at + INTEGERS) - INTEGERS);
-        // 0 or −1, to the greatest integer below; a branch, which no CPU could predict, would cost a flight
-        let rest = (at - whole) + 0.0; // never −0
-        let below = x.same(0.5).copysign(rest) - 0.5;
-        [whole + below, nearest + below]
+        // one less where that is not below
+        let above = at.lt(whole);
+        [above.select(whole - 1.0, whole), above.select(nearest - 1.0, nearest)]
     }
 
     /// Counts a point in each of some [`cells`](Self::cells).
@@ -321,7 +320,7 @@ mod tests {
                 let Both(grid, noted) = self;
                 let layer = grid.layer(0);
                 for k in 0..1000 {
-                    let cells = grid.cells([zero, zero], zero.same(layer), !zero.lt(zero));
+                    let cells = grid.cells([zero, zero], zero.same(layer), !zero.never());
                     noted.note(grid, cells);
                     for _ in 0..k % 7 {
                         let cells = grid.cells([0.0, 0.0], layer, true);

@@ -27,6 +27,11 @@ pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Trac
         hit: &WallHit<F, N>,
         orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
     );
+    /// Whether it looks at the orbits: where nobody does, they are written down at their ends only.
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        true
+    }
 }
 
 /// Nobody watches: costs nothing.
@@ -37,4 +42,8 @@ impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneOb
     fn end<F: Lane>(&mut self, (): &mut (), _: F::Mask) {}
     #[inline(always)]
     fn collision<F: Lane>(&mut self, (): &mut (), _: &WallHit<F, N>, _: &Orbit<F, N, S, K::In<F>, T::In<F>>) {}
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        false
+    }
 }

@@ -35,6 +35,11 @@ use core::ops::ControlFlow;
 pub trait Observer<const N: usize, const S: usize, K, T> {
     /// A collision has just happened. `Break` ends the orbit.
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()>;
+    /// Whether it looks at the orbit: where nobody does, that is written down at the end only.
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        true
+    }
 }
 
 /// Nobody watches: costs nothing.
@@ -42,6 +47,10 @@ impl<const N: usize, const S: usize, K, T> Observer<N, S, K, T> for () {
     #[inline(always)]
     fn collision(&mut self, _: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
         ControlFlow::Continue(())
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        false
     }
 }
 
@@ -54,11 +63,19 @@ impl<const N: usize, const S: usize, K, T, A: Observer<N, S, K, T>, B: Observer<
         self.0.collision(collision)?;
         self.1.collision(collision)
     }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        self.0.looks() || self.1.looks()
+    }
 }
 
 impl<const N: usize, const S: usize, K, T, O: Observer<N, S, K, T> + ?Sized> Observer<N, S, K, T> for &mut O {
     #[inline(always)]
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
         (**self).collision(collision)
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        (**self).looks()
     }
 }

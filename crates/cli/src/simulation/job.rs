@@ -2,12 +2,13 @@
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::Ordering;
-use std::sync::mpsc::SyncSender;
+use std::sync::mpsc::{Receiver, SyncSender};
 use std::time::{Duration, Instant};
 
 use billiards::{Orbit, Stop, Timed};
 use lanes::{Double, two_prod};
 
+use super::desk::Desk;
 use super::engine::{Bare, Engine, Portraits, Trail, Until, Watch, Watched};
 use super::scale::Scale;
 use super::schedule::{Ended, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, Results, STEPS, Work};
@@ -20,7 +21,9 @@ pub(super) const BLOCK: u64 = 4096;
 pub(super) struct Job<'a, const N: usize, const S: usize, T: Trail<N, S>> {
     pub(super) engine: &'a dyn Engine<N, S, T>,
     pub(super) work: &'a Work<'a>,
-    pub(super) out: SyncSender<Results>,
+    /// What formats rows of the record, and where the results go.
+    pub(super) desk: &'a Desk<'a>,
+    pub(super) out: SyncSender<Receiver<Results>>,
     pub(super) results: Results,
     /// What this thread counts for portraits.
     pub(super) portraits: Option<T::Portraits>,
@@ -36,9 +39,6 @@ struct Course {
     collisions: u64,
     drift: f64,
 }
-
-/// A row of a record seldom takes more.
-const BYTES_OF_ROW: usize = 192;
 
 /// An orbit that nobody watches any more.
 fn bare<const N: usize, const S: usize, T>(orbit: &Watched<N, S, T>) -> Bare<N, S> {
@@ -222,24 +222,12 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         self.results.ends.push((self.results.events.len(), ended));
     }
 
-    /// Hands over the results so far; rows of the record are written here, on this thread.
+    /// Hands over the results so far.
     pub(super) fn send(&mut self) -> ControlFlow<()> {
-        let mut results = core::mem::take(&mut self.results);
-        if let Some(recorder) = &self.work.recorder {
-            results.rows = results.events.len() as u64;
-            results.formatted.reserve(results.events.len() * BYTES_OF_ROW);
-            results.events.iter().for_each(|event| recorder.write(event, &mut results.formatted));
-            if !self.work.drawn {
-                // nobody else wants them: their place is used again
-                results.events.clear();
-                results.ends.iter_mut().for_each(|(before, _)| *before = 0);
-                core::mem::swap(&mut results.events, &mut self.results.events);
-            }
-        }
-        match self.out.send(results) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(_) => ControlFlow::Break(()),
-        }
+        let results = core::mem::take(&mut self.results);
+        let Some(place) = self.desk.send(results, &self.out) else { return ControlFlow::Break(()) };
+        self.results.events = place;
+        ControlFlow::Continue(())
     }
 }
 

@@ -191,7 +191,7 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
     type View<F: Lane> = View<F>;
 
     fn nobody<F: Lane>(&self, zero: F) -> View<F> {
-        View { here: zero.lt(zero), unit: zero, layers: [zero; 2] }
+        View { here: zero.never(), unit: zero, layers: [zero; 2] }
     }
     fn begin<F: Lane>(
         &mut self,

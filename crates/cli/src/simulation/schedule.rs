@@ -10,6 +10,7 @@ use std::time::Duration;
 
 use billiards::{Merge, Stop};
 
+use super::desk::Desk;
 use super::engine::{Engine, Trail, Watched};
 use super::event::Event;
 use super::job::{BLOCK, Job};
@@ -28,6 +29,8 @@ const MOST_SIDE_BY_SIDE: u64 = 512;
 /// stays there for as long as its orbits run.
 const MOST_COUNTED: u64 = 1 << 16;
 const COUNTED: u64 = 1 << 25;
+/// So many blocks of a job wait to be consumed, or to be formatted by other threads.
+const BLOCKS: usize = 4;
 /// Steps in which the progress of an orbit is counted.
 pub(crate) const STEPS: u64 = 1 << 20;
 
@@ -126,20 +129,25 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
     // threads take jobs in order, and what comes of them is consumed in that order
     let (queue, jobs) = sync_channel(4 * threads);
     let jobs_left = Mutex::new(JobsLeft { next: 0, queue: Some(queue) });
+    let desk = Desk::new(work.recorder, work.drawn, threads);
     std::thread::scope(|scope| {
         let one = || {
             let _over = Over(&jobs_left);
             let (mut busy, mut portraits) = (Duration::ZERO, portraits.map(|new| new()));
-            while let Some((orbits, out)) = take(&jobs_left, work) {
-                let mut job = Job { engine, work, out, results: Results::default(), portraits, busy };
+            loop {
+                let _at_work = desk.busy();
+                let Some((orbits, out)) = take(&jobs_left, work) else { break };
+                let results = Results::default();
+                let mut job = Job { engine, work, desk: &desk, out, results, portraits, busy };
                 // a job ends early if nobody wants its results any more
                 let _ = job.run_all(orbits, launch).is_continue() && job.send().is_continue();
                 (busy, portraits) = (job.busy, job.portraits);
             }
+            desk.help_on();
             (busy, portraits)
         };
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(one)).collect();
-        let outcome = jobs.into_iter().flatten().try_for_each(consume);
+        let outcome = jobs.into_iter().flatten().flatten().try_for_each(consume);
         let of_all = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
         let (busy, portraits) = of_all.fold((Duration::ZERO, None), |(longest, all), (busy, portraits)| {
             let portraits = match (all, portraits) {
@@ -185,7 +193,7 @@ impl Work<'_> {
 /// Orbits that no thread has taken yet, and where those that take them say so.
 struct JobsLeft {
     next: u64,
-    queue: Option<SyncSender<Receiver<Results>>>,
+    queue: Option<SyncSender<Receiver<Receiver<Results>>>>,
 }
 
 /// Ends the work when a thread ends, be it by a panic: nobody waits for ever.
@@ -198,11 +206,11 @@ impl Drop for Over<'_> {
 }
 
 /// The next job, and where its results go.
-fn take(left: &Mutex<JobsLeft>, work: &Work<'_>) -> Option<(Range<u64>, SyncSender<Results>)> {
+fn take(left: &Mutex<JobsLeft>, work: &Work<'_>) -> Option<(Range<u64>, SyncSender<Receiver<Results>>)> {
     let mut left = left.lock().unwrap_or_else(PoisonError::into_inner);
     let JobsLeft { next, queue } = &mut *left;
     let orbits = work.together(*next);
-    let (out, results) = sync_channel(2);
+    let (out, results) = sync_channel(BLOCKS);
     let wanted = !orbits.is_empty() && !work.interrupted.load(Ordering::Relaxed);
     if wanted && queue.as_ref().is_some_and(|queue| queue.send(results).is_ok()) {
         *next = orbits.end;

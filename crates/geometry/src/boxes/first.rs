@@ -1,5 +1,5 @@
 //! The first thing on a path, made so that rounding never loses one.
-use super::{BoxTree, Eight, OPEN, WIDTH};
+use super::{BoxTree, Eight, WIDTH, stack::Stack};
 use crate::{Crossing, Line};
 use lanes::{Kernel, Lane, Mask};
 
@@ -160,12 +160,8 @@ impl<const N: usize> BoxTree<N> {
             return first;
         }
         let slab = Slab::new(path, self.size);
-        let mut open = [Open(0); OPEN];
-        let mut count = 1;
-        open[0] = Open::new(0.0, (root as u64) << PLACE);
-        while count > 0 {
-            count -= 1;
-            let node = open[count];
+        let mut open = Stack::of(Open::new(0.0, (root as u64) << PLACE));
+        while let Some(node) = open.pop(0) {
             if !node.is_before(first.time) {
                 continue;
             }
@@ -174,24 +170,17 @@ impl<const N: usize> BoxTree<N> {
             let (enter, mut hit) = slab.enters(zero, boxes, first.time.min(f64::MAX));
             let below = if level == 0 { 0 } else { (level as u64 - 1) << PLACE };
             // the nearest on top
-            let bottom = count;
+            let bottom = open.count();
             while hit != 0 {
                 let k = hit.trailing_zeros() as usize;
                 hit &= hit - 1;
                 let child = Open::new(enter[k], below | (WIDTH * place + k) as u64);
-                let mut at = count;
-                while at > bottom && open[at - 1].0 < child.0 {
-                    open[at] = open[at - 1];
-                    at -= 1;
-                }
-                open[at] = child;
-                count += 1;
+                open.insert(bottom, child, |other| other.0 < child.0);
             }
             if level == 0 {
-                while count > bottom {
-                    count -= 1;
-                    if open[count].is_before(first.time) {
-                        inside.offer(zero, open[count].what(), &mut first);
+                while let Some(here) = open.pop(bottom) {
+                    if here.is_before(first.time) {
+                        inside.offer(zero, here.what(), &mut first);
                     }
                 }
             }

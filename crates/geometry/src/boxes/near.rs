@@ -1,5 +1,5 @@
 //! What is near a place, or in any boxes that are wanted.
-use super::{BoxTree, OPEN, WIDTH};
+use super::{BoxTree, WIDTH, stack::Stack};
 use crate::Extent;
 use nalgebra::SVector;
 
@@ -7,12 +7,8 @@ impl<const N: usize> BoxTree<N> {
     /// Visits every box that is `wanted`, and so lies in boxes that are, in the order of the tree.
     pub(crate) fn search(&self, wanted: impl Fn(&Extent<N>) -> bool, mut visit: impl FnMut(usize)) {
         let Some(root) = self.levels.len().checked_sub(1) else { return };
-        let mut open = [(0, 0); OPEN];
-        let mut count = 1;
-        open[0] = (root, 0);
-        while count > 0 {
-            count -= 1;
-            let (level, place) = open[count];
+        let mut open = Stack::of((root, 0));
+        while let Some((level, place)) = open.pop(0) {
             let node = &self.nodes[self.levels[level].start + place];
             let last = WIDTH.min(self.levels[level].boxes - WIDTH * place);
             if level == 0 {
@@ -21,8 +17,7 @@ impl<const N: usize> BoxTree<N> {
                 }
             } else {
                 for k in (0..last).rev().filter(|&k| wanted(&node.extent(k))) {
-                    open[count] = (level - 1, WIDTH * place + k);
-                    count += 1;
+                    open.push((level - 1, WIDTH * place + k));
                 }
             }
         }
@@ -38,12 +33,8 @@ impl<const N: usize> BoxTree<N> {
     ) -> Option<(f64, usize)> {
         let mut best = (bound, None);
         let root = self.levels.len().checked_sub(1)?;
-        let mut open = [(0.0, 0, 0); OPEN];
-        let mut count = 1;
-        open[0] = (0.0, root + 1, 0);
-        while count > 0 {
-            count -= 1;
-            let (lower, above, place) = open[count];
+        let mut open = Stack::of((0.0, root + 1, 0));
+        while let Some((lower, above, place)) = open.pop(0) {
             if lower > best.0 {
                 continue;
             }
@@ -57,17 +48,11 @@ impl<const N: usize> BoxTree<N> {
             };
             let node = &self.nodes[self.levels[level].start + place];
             // the nearest on top
-            let bottom = count;
+            let bottom = open.count();
             for k in 0..WIDTH.min(self.levels[level].boxes - WIDTH * place) {
                 let child = (node.extent(k).distance(point), level, WIDTH * place + k);
                 if child.0 <= best.0 {
-                    let mut at = count;
-                    while at > bottom && open[at - 1].0 < child.0 {
-                        open[at] = open[at - 1];
-                        at -= 1;
-                    }
-                    open[at] = child;
-                    count += 1;
+                    open.insert(bottom, child, |other| other.0 < child.0);
                 }
             }
         }

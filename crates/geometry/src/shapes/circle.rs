@@ -68,7 +68,8 @@ impl Circle {
     /// The quadratic of the meeting times.
     #[inline(always)]
     pub(crate) fn roots<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Roots<F> {
-        let y = from(x, self.center).map(|d| -d);
+        let [y0, y1] = from(x, self.center);
+        let y = [-y0, -y1];
         let (a, b) = (dot(v, v), dot(y, v));
         let c = dot(y, y) - self.square;
         // b² − a c = |v|² r² − (y × v)², in which the distance of a far start does not cancel
@@ -114,7 +115,8 @@ impl Circle {
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
-        let y = from(p, self.center).map(|d| -d);
+        let [y0, y1] = from(p, self.center);
+        let y = [-y0, -y1];
         // one Newton step towards |y| = r. What |y|² lacks is not taken from a sum near r², which rounds to even numbers and
         // so on one side more often than on the other: along an ellipse that adds up
         let change = ((y[0].same(self.square) - y[0] * y[0]) - y[1] * y[1]) * self.half;

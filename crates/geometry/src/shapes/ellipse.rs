@@ -88,9 +88,8 @@ impl Ellipse {
     /// The path `(x, v)` as seen in the picture where the ellipse is the unit circle.
     #[inline(always)]
     pub(crate) fn affine<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> ([F; 2], [F; 2]) {
-        let d = from(x, self.center).map(|d| -d);
-        let map = |d: [F; 2]| self.to_unit.map(|row| d[0] * row[0] + d[1] * row[1]);
-        (map(d), map(v))
+        let [d0, d1] = from(x, self.center);
+        (rows(self.to_unit, [-d0, -d1]), rows(self.to_unit, v))
     }
 
     /// The unit circle.
@@ -119,7 +118,7 @@ impl Ellipse {
         let p = combine(self.from_unit, y);
         let n = combine(self.to_normal, y);
         let length = dot(n, n).sqrt();
-        ([p[0] + self.center[0], p[1] + self.center[1]], n.map(|n| n / length))
+        ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
     }
 
     /// Where a point of the plane is in the picture of the unit circle.
@@ -245,6 +244,12 @@ impl Ellipse {
         });
         [x, x.map(|x| -x), y, y.map(|y| -y)].map(|e| self.at(e).point)
     }
+}
+
+/// The products of `y` with the rows of a matrix.
+#[inline(always)]
+fn rows<F: Lane>([a, b]: [[f64; 2]; 2], y: [F; 2]) -> [F; 2] {
+    [y[0] * a[0] + y[1] * a[1], y[0] * b[0] + y[1] * b[1]]
 }
 
 /// `y₁ c₁ + y₂ c₂` for the columns `c` of a matrix.

@@ -93,7 +93,7 @@ impl Walls<2> for Capsule {
             normal: [n1, n2],
             inverse,
             piece,
-            corner: zero.lt(zero),
+            corner: zero.never(),
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Convex polygons: an intersection of half-planes.
-use super::{CORNER, WallHit, Walls, normal::most_unit};
+use super::{CORNER, WallHit, Walls, normal::most_unit, sooner};
 use crate::{Error, shapes::Segment};
 use lanes::{Lane, Mask};
 
@@ -77,9 +77,7 @@ impl Walls<2> for ConvexPolygon {
         for side in &self.sides {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let distance = zero.same(side.distance) - (x[0] * side.normal[0] + x[1] * side.normal[1]);
-            // no side is reached backwards or along itself: nothing is less than 0, nor than ∞·0
-            let sooner = (distance.max(zero) * den).lt(num * speed);
-            [num, den, n[0], n[1], start, end, piece] = sooner.choose(
+            [num, den, n[0], n[1], start, end, piece] = sooner([distance, speed], [num, den]).choose(
                 [
                     distance,
                     speed,

@@ -1,5 +1,5 @@
 //! A box with sides along the axes: rectangle and cuboid.
-use super::{CORNER, WallHit, Walls};
+use super::{CORNER, WallHit, Walls, sooner};
 use crate::Error;
 use lanes::{Lane, Mask};
 
@@ -39,7 +39,7 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
-        let never = zero.lt(zero);
+        let never = zero.never();
         // per axis: the wall ahead, the distance to it and the speed towards it
         let (mut num, mut den, mut piece) = (zero.same(f64::INFINITY), one, zero);
         let mut first = [never; N];
@@ -52,8 +52,13 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
             [ahead[i], distance, inward[i], number] =
                 zero.lt(v[i]).choose([high, high - x[i], -one, above], [low, x[i] - low, one, below]);
             let speed = v[i].abs();
-            // a component of 0 never arrives, even from the wall itself: nothing is less than 0, nor than ∞·0
-            let sooner = (distance.max(zero) * den).lt(num * speed);
+            if i == 0 {
+                [num] = zero.lt(speed).choose([distance], [num]);
+                [den, piece] = [speed, number];
+                first[0] = !never;
+                continue;
+            }
+            let sooner = sooner([distance, speed], [num, den]);
             [num, den, piece] = sooner.choose([distance, speed, number], [num, den, piece]);
             for j in 0..i {
                 first[j] = sooner.either(never, first[j]);

@@ -132,7 +132,7 @@ impl Few {
     }
 
     /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
-    pub(super) const PER_LANE: usize = 24;
+    pub(super) const PER_LANE: usize = 12;
 
     /// How many there are.
     #[inline(always)]
@@ -260,7 +260,7 @@ impl Walls<2> for Few {
             }
         }
         let point = [p1, p2];
-        let mut corner = zero.lt(zero);
+        let mut corner = zero.never();
         let reach = (x[0].abs() + x[1].abs()) + self.size;
         let clear = (reach * (NEAR * CORNER) * (v[0].abs() + v[1].abs())).lt(eye.aside);
         if (!clear).any() {

@@ -353,7 +353,7 @@ impl Walls<2> for Graphs {
         let time = zero.load(&hits.time);
         let [point, normal] = [&hits.point, &hits.normal].map(|a| [zero.load(&a[0]), zero.load(&a[1])]);
         let piece = zero.each(|lane| f64::from(all.numbers[hits.graph[lane]]));
-        let mut corner = zero.lt(zero);
+        let mut corner = zero.never();
         if !all.corners.is_empty() {
             let is = |lane: usize| {
                 let at = |a: [F; 2]| a.map(|a| a.lane(lane));

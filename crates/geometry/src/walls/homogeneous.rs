@@ -38,7 +38,8 @@ impl<F: Lane> Swing<F> {
     pub fn apply(&self, place: &[F; 2]) -> [F; 2] {
         let [u1, u2] = self.direction;
         let turned = |[e1, e2]: [F; 2]| [e1 * u1 - e2 * u2, e1 * u2 + e2 * u1];
-        let [e1, e2] = turned(turned(*place)).map(|e| e * self.inverse);
+        let [e1, e2] = turned(turned(*place));
+        let (e1, e2) = (e1 * self.inverse, e2 * self.inverse);
         // one Newton step keeps the length at 1
         let scale = (e1 * e1 + e2 * e2) * -0.5 + 1.5;
         [e1 * scale, e2 * scale]

@@ -68,7 +68,11 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
     /// The unit normal into the table.
     #[inline(always)]
     pub fn unit_normal(&self) -> [F; N] {
-        self.normal.map(|n| n * self.inverse)
+        let mut unit = self.normal;
+        for n in &mut unit {
+            *n = *n * self.inverse;
+        }
+        unit
     }
 
     /// No hit, in lanes like those of `x`.
@@ -81,7 +85,7 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
             normal: x,
             inverse: one,
             piece: x[0].same(0.0),
-            corner: one.lt(one),
+            corner: one.never(),
         }
     }
 
@@ -158,6 +162,14 @@ pub trait WithWalls<const N: usize> {
 ///
 /// A landing point is right to about 2 ulp of the size along the wall; 8 covers it with a factor of four.
 pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
+
+/// Whether a wall at this distance is reached with this speed before another one.
+///
+/// One that is not moved towards is never reached, even from the wall itself: nothing is less than 0, nor than ∞·0.
+#[inline(always)]
+fn sooner<F: Lane>([distance, speed]: [F; 2], [other_distance, other_speed]: [F; 2]) -> F::Mask {
+    (distance.max(speed.same(0.0)) * other_speed).lt(other_distance * speed)
+}
 
 /// `a · b`
 #[inline(always)]

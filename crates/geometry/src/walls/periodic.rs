@@ -45,7 +45,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
         let mut x = *x;
         let mut flown = zero;
         let mut best = WallHit::never(x);
-        let mut flying = !zero.lt(zero);
+        let mut flying = !zero.never();
         let mut mark = x;
         for cells in 1..MOST_CELLS {
             let hit = self.walls.first_hit(&x, v);

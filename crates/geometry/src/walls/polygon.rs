@@ -25,7 +25,7 @@ const MANY: usize = 24;
 
 /// Up to so many sides per lane, each of them is asked for all lanes at once: 0.8 ns per side in eight lanes, where eight sides
 /// for one lane after another take 60 ns at 64.
-const PER_LANE: usize = 8;
+const PER_LANE: usize = 4;
 
 /// Eight sides, coordinate by coordinate; what is not there is not a number, and hit by nothing.
 #[derive(Clone, Copy, Debug)]

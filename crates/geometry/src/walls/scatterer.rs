@@ -85,7 +85,7 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
             normal: y,
             inverse: change * self.inverse + self.inverse,
             piece: zero.same(self.piece),
-            corner: zero.lt(zero),
+            corner: zero.never(),
         }
     }
 }

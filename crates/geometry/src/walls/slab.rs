@@ -50,7 +50,7 @@ impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
             normal,
             inverse: one,
             piece: up.select(zero.same(self.pieces[1]), zero.same(self.pieces[0])),
-            corner: zero.lt(zero),
+            corner: zero.never(),
         }
     }
 }
@@ -90,7 +90,7 @@ impl<const AXIS: usize> Homogeneous for Slab<2, AXIS> {
             normal,
             inverse: zero.same(1.0),
             piece: up.select(zero.same(self.pieces[1]), zero.same(self.pieces[0])),
-            corner: zero.lt(zero),
+            corner: zero.never(),
         }
     }
 }

@@ -59,17 +59,18 @@ impl<const N: usize> Walls<N> for Sphere<N> {
         }
         // |y|² is r² up to rounding: one Newton step each for y on the sphere and 1/|y|
         let change = lacks * self.half;
-        let mut point = y;
+        let (mut point, mut normal) = (y, y);
         for i in 0..N {
             point[i] = y[i] + y[i] * change + self.center[i];
+            normal[i] = -y[i];
         }
         WallHit {
             time,
             point,
-            normal: y.map(|y| -y),
+            normal,
             inverse: change * self.inverse + self.inverse,
             piece: zero.same(self.piece),
-            corner: zero.lt(zero),
+            corner: zero.never(),
         }
     }
 }
@@ -111,7 +112,7 @@ impl Homogeneous for Sphere<2> {
             normal: [-e1, -e2],
             inverse: one,
             piece: one.same(self.piece),
-            corner: one.lt(one),
+            corner: one.never(),
         }
     }
 }

@@ -1,5 +1,5 @@
 //! The wedge between two rays from one point.
-use super::{CORNER, WallHit, Walls, normal::of_known_length};
+use super::{CORNER, WallHit, Walls, normal::of_known_length, sooner};
 use crate::{Error, Figure};
 use lanes::{Lane, Mask};
 
@@ -63,9 +63,7 @@ impl Walls<2> for Wedge {
         for side in &self.sides {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let distance = -(y[0] * side.normal[0] + y[1] * side.normal[1]);
-            // no side is reached backwards or along itself: nothing is less than 0, nor than ∞·0
-            let sooner = (distance.max(zero) * den).lt(num * speed);
-            [num, den, n[0], n[1], inverse, piece] = sooner.choose(
+            [num, den, n[0], n[1], inverse, piece] = sooner([distance, speed], [num, den]).choose(
                 [
                     distance,
                     speed,

@@ -1,5 +1,5 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, dot, normal::most_unit};
+use super::{CORNER, WallHit, Walls, dot, normal::most_unit, sooner};
 use crate::{Error, shapes::Segment};
 use lanes::{Lane, Mask};
 
@@ -24,6 +24,8 @@ struct Pair {
 #[derive(Clone, Debug)]
 pub struct Zonogon<const K: usize> {
     center: [f64; 2],
+    /// Within the square root of this of the centre there are no corners: one comparison tells of most points that they are none.
+    clear: f64,
     pairs: [Pair; K],
 }
 
@@ -55,12 +57,16 @@ impl<const K: usize> Zonogon<K> {
         if !super::convex::turns_left(sides) {
             return Err(Error::NotConvex);
         }
+        let away = |p: [f64; 2]| [p[0] - center[0], p[1] - center[1]];
+        let nearest = (0..2 * K).map(vertex).map(away).map(|p| dot(&p, &p)).fold(f64::INFINITY, f64::min);
+        // a point counts as a corner within `CORNER`, and is off by less than twice that
+        let clear = (libm::sqrt(nearest) - 3.0 * CORNER * size).max(0.0);
+        let clear = clear * clear;
         let pairs = core::array::from_fn(|i| {
             let inward = sides[i].inward_normal();
             let n = [-inward[0], -inward[1]];
             let (a, b) = (vertex(i), vertex(i + 1));
-            let rel = |p: [f64; 2]| [p[0] - center[0], p[1] - center[1]];
-            let (a, b) = (rel(a), rel(b));
+            let (a, b) = (away(a), away(b));
             let along = |p: [f64; 2]| p[1] * n[0] - p[0] * n[1];
             Pair {
                 normal: n,
@@ -71,7 +77,7 @@ impl<const K: usize> Zonogon<K> {
                 pieces: [(first + i) as f64, (first + i + K) as f64],
             }
         });
-        Ok(Zonogon { center, pairs })
+        Ok(Zonogon { center, clear, pairs })
     }
 }
 
@@ -83,30 +89,36 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
         let y = [x[0] - self.center[0], x[1] - self.center[1]];
         let (mut num, mut den) = (zero.same(f64::INFINITY), one);
         let (mut n, mut middle, mut half, mut piece) = ([zero; 2], zero, zero, zero);
-        for side in &self.pairs {
+        for (i, side) in self.pairs.iter().enumerate() {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let height = y[0] * side.normal[0] + y[1] * side.normal[1];
-            let [wall, u1, u2] = [side.distance, side.unit[0], side.unit[1]].map(|a| zero.same(a));
-            let [first, second] = side.pieces.map(|p| zero.same(p));
-            let [distance, m1, m2, number] =
-                zero.lt(speed).choose([wall - height, u1, u2, first], [wall + height, -u1, -u2, second]);
-            // a speed of 0 never arrives: nothing is less than 0, nor than ∞·0
-            let sooner = (distance.max(zero) * den).lt(num * speed.abs());
-            [num, den, n[0], n[1], middle, half, piece] = sooner.choose(
-                [distance, speed.abs(), m1, m2, zero.same(side.middle), zero.same(side.half), number],
-                [num, den, n[0], n[1], middle, half, piece],
-            );
+            // the side ahead: the first one, or its opposite
+            let [height, m1, m2] = speed.towards([height, zero.same(side.unit[0]), zero.same(side.unit[1])]);
+            let distance = zero.same(side.distance) - height;
+            let number = zero.lt(speed).select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
+            let (speed, along, most) = (speed.abs(), zero.same(side.middle), zero.same(side.half));
+            if i == 0 {
+                [num] = zero.lt(speed).choose([distance], [num]);
+                [den, n[0], n[1]] = [speed, m1, m2];
+                [middle, half, piece] = [along, most, number];
+                continue;
+            }
+            [num, den, n[0], n[1], middle, half, piece] = sooner([distance, speed], [num, den])
+                .choose([distance, speed, m1, m2, along, most, number], [num, den, n[0], n[1], middle, half, piece]);
         }
         let time = num / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
-        let along = p[1] * n[0] - p[0] * n[1] - middle;
+        let mut corner = zero.never();
+        if zero.same(self.clear).lt(dot(&p, &p)).any() {
+            corner = half.lt((p[1] * n[0] - p[0] * n[1] - middle).abs());
+        }
         WallHit {
             time,
             point: [p[0] + self.center[0], p[1] + self.center[1]],
             normal: [-n[0], -n[1]],
             inverse: one,
             piece,
-            corner: half.lt(along.abs()),
+            corner,
         }
     }
 }
