@@ -232,3 +232,26 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_normal_too_long_does_to_the_energy_is_taken_back() {
+        for stretch in [1e-9, -1e-9, 3e-12] {
+            let normal = [0.6 * (1.0 + stretch), -0.8 * (1.0 + stretch)];
+            let before = [-0.3, 0.9];
+            let keeper = <Conserved<f64, 2> as EnergyKeeper<f64, 2, 0>>::new(&before, &[]);
+            let arrival = before[0] * normal[0] + before[1] * normal[1];
+            let mut velocity = [0, 1].map(|i| before[i] - 2.0 * arrival * normal[i]);
+            let square = |v: [f64; 2]| v[0] * v[0] + v[1] * v[1];
+            let off = (square(velocity) - square(before)).abs();
+            assert!(off > 2.0 * stretch.abs(), "{off:e}");
+            let hit = WallHit { normal, ..WallHit::never([0.0; 2]) };
+            EnergyKeeper::<f64, 2, 0>::straighten(&mut { keeper }, &mut velocity, arrival, &hit);
+            let off = (square(velocity) - square(before)).abs();
+            assert!(off < 1e-15, "{off:e}");
+        }
+    }
+}

@@ -64,3 +64,43 @@ impl<F: Lane> InLanes<F> for Recurring<F> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known() -> Recurring {
+        let digits = |high: f64, low: f64| Double { high, low };
+        Recurring { normal: digits(0.5, 1e-18), spin: digits(-0.25, 3e-18), tangential: digits(0.75, -2e-18) }
+    }
+
+    fn off(a: Recurring, b: Recurring) -> f64 {
+        [(a.normal, b.normal), (a.spin, b.spin), (a.tangential, b.tangential)]
+            .map(|(a, b)| a.plus(-b).value().abs())
+            .into_iter()
+            .fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn a_velocity_that_was_rounded_is_recalled_in_all_digits_before_and_after_a_collision() {
+        let mirror = Mirror::no_slip(0.6);
+        let [spin, tangential] = mirror.apply([known().spin, known().tangential]);
+        for all in [known(), Recurring { spin, tangential, ..known() }] {
+            let rounded = |x: Double, ulp: f64| Double::new(x.high + ulp * f64::EPSILON);
+            let seen = Recurring {
+                normal: rounded(all.normal, 2.0),
+                spin: rounded(all.spin, -1.0),
+                tangential: rounded(all.tangential, 2.0),
+            };
+            assert!(off(known().recall(seen, &mirror), all) < 1e-30);
+        }
+    }
+
+    #[test]
+    fn another_motion_is_taken_as_it_is() {
+        let mirror = Mirror::specular();
+        let other = Recurring { spin: Double::new(-0.25 + 1e-14), ..known() };
+        assert_eq!(off(known().recall(other, &mirror), other), 0.0);
+        assert_eq!(off(Recurring::nothing(0.0).recall(other, &mirror), other), 0.0);
+    }
+}
