@@ -7,7 +7,7 @@ use billiards::geometry::{
 };
 use billiards::laws::{Disk, RoughBall};
 use billiards::{
-    Billiard, Clock, Collisions, Conserved, Horizon, Moving, Orbit, Outcome, Planar, Spatial, Starts, Timed,
+    Billiard, Clock, Collisions, Conserved, Horizon, Orbit, Outcome, Planar, Spatial, Start, Starts, Timed,
 };
 use billiards::{Canonical, CanonicalSpatial};
 
@@ -18,12 +18,12 @@ fn laws() -> [Disk; 2] {
 }
 
 /// The place, velocity, spin and time after so many collisions, and how the run ended.
-fn play(table: &Table, law: Disk, start: &Moving<2, 1>, collisions: u64) -> (Moving<2, 1>, f64, Outcome) {
+fn play(table: &Table, law: Disk, start: &Start<2, 1>, collisions: u64) -> (Start<2, 1>, f64, Outcome) {
     let planar = Planar { table: table.clone(), law };
     let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> =
         Orbit::new(start.position, start.velocity, start.spin, Clock::new(0.0));
     let outcome = planar.run(&mut orbit, &Collisions(collisions), &mut ());
-    (Moving { position: orbit.position, velocity: orbit.velocity, spin: orbit.spin }, orbit.track.time(), outcome)
+    (Start { position: orbit.position, velocity: orbit.velocity, spin: orbit.spin }, orbit.track.time(), outcome)
 }
 
 /// Powers of two by which lengths and speeds are multiplied: near one, and as large as squares of squares allow.
@@ -35,17 +35,17 @@ fn every_planar_table_scaled_by_a_power_of_two_gives_the_same_bits() {
         let values = entry.typical();
         let table = entry.planar(&values).unwrap();
         // inside every table, in different directions; infinite tables have no canonical measure
-        let starts: Vec<Moving<2, 1>> = match Canonical::new(&table, 1.0, 7) {
-            Ok(canonical) => (0..5).map(|i| canonical.start(i)).map(moving).collect(),
+        let starts: Vec<Start<2, 1>> = match Canonical::new(&table, 1.0, 7) {
+            Ok(canonical) => (0..5).map(|i| canonical.start(i)).collect(),
             Err(_) => [[0.3, -0.8], [-0.6, -0.5], [0.9, 0.7]]
-                .map(|velocity| Moving { position: [0.03, 0.5], velocity, spin: [0.25] })
+                .map(|velocity| Start { position: [0.03, 0.5], velocity, spin: [0.25] })
                 .to_vec(),
         };
         for (length, speed) in SCALES.map(|(l, s)| (2.0_f64.powi(l), 2.0_f64.powi(s))) {
             let large = entry.planar(&entry.scaled(&values, length)).unwrap();
             for (law, start) in laws().into_iter().flat_map(|law| starts.iter().map(move |start| (law, start))) {
                 let (at, time, outcome) = play(&table, law, start, 60);
-                let scaled = |m: &Moving<2, 1>| Moving {
+                let scaled = |m: &Start<2, 1>| Start {
                     position: m.position.map(|x| x * length),
                     velocity: m.velocity.map(|v| v * speed),
                     spin: m.spin.map(|w| w * speed),
@@ -58,10 +58,6 @@ fn every_planar_table_scaled_by_a_power_of_two_gives_the_same_bits() {
     }
 }
 
-fn moving<const N: usize, const S: usize>(start: billiards::Start<N, S>) -> Moving<N, S> {
-    Moving { position: start.position, velocity: start.velocity, spin: start.spin }
-}
-
 #[test]
 fn every_table_in_space_scaled_by_a_power_of_two_gives_the_same_bits() {
     let law = RoughBall::no_slip(0.4_f64.sqrt());
@@ -71,7 +67,7 @@ fn every_table_in_space_scaled_by_a_power_of_two_gives_the_same_bits() {
         let canonical = CanonicalSpatial::new(&table, 1.0, 7).unwrap();
         for (length, speed) in SCALES.map(|(l, s)| (2.0_f64.powi(l), 2.0_f64.powi(s))) {
             let large = entry.spatial(&entry.scaled(&values, length)).unwrap();
-            for start in (0..5).map(|i| moving(canonical.start(i))) {
+            for start in (0..5).map(|i| canonical.start(i)) {
                 let run = |table: &tables::SpatialTable, [length, speed]: [f64; 2]| {
                     let spatial = Spatial { table: table.clone(), law };
                     let [v, w] = [start.velocity, start.spin].map(|a| a.map(|x| x * speed));
@@ -107,7 +103,7 @@ fn moved_piece(figure: &Figure) -> Result<Box<dyn Piece>, Error> {
     })
 }
 
-struct Look<'a>(&'a Table, Disk, Moving<2, 1>, u64);
+struct Look<'a>(&'a Table, Disk, Start<2, 1>, u64);
 
 impl WithWalls<2> for Look<'_> {
     type Output = Horizon;
@@ -125,13 +121,13 @@ fn moved_and_turned_tables_have_the_same_orbits_within_their_horizon() {
         let other = Table::new(pieces).unwrap();
         let canonical = Canonical::new(&table, 1.0, 3).unwrap();
         let mut compared = 0;
-        for start in (0..20).map(|i| moving(canonical.start(i))) {
+        for start in (0..20).map(|i| canonical.start(i)) {
             // from the middle of the first flight: a start on a wall might be moved out of it
             let (first, ..) = play(&table, laws()[0], &start, 1);
             let middle = [0, 1].map(|i| 0.5 * (start.position[i] + first.position[i]));
-            let start = Moving { position: middle, ..start };
+            let start = Start { position: middle, ..start };
             let [x, v] = [start.position, start.velocity].map(Vector2::from);
-            let there = Moving { position: moved(&x).into(), velocity: turned(&v).into(), ..start };
+            let there = Start { position: moved(&x).into(), velocity: turned(&v).into(), ..start };
             for law in laws() {
                 let horizon = other.with_walls(Look(&other, law, there, 20));
                 if horizon.collisions < 20 {

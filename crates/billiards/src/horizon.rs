@@ -9,6 +9,7 @@
 use crate::{
     billiard::{BallLaw, Billiard},
     rolling::Rolling,
+    start::Start,
 };
 use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
 
@@ -77,10 +78,10 @@ impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
 /// Up to where an orbit is the one that was asked for, and not one of the many that rounding makes of it.
 ///
 /// ```
-/// use billiards::{Billiard, Felt, Horizon, Moving, laws::Specular};
+/// use billiards::{Billiard, Felt, Horizon, Start, laws::Specular};
 /// use billiards::geometry::{Vector2, walls::{Around, Cuboid, Scatterer, Sphere}};
 ///
-/// let start = Moving { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [] };
+/// let start = Start { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [] };
 /// // in a circle, most of the digits are left after a thousand collisions
 /// let circle = Sphere::new(Vector2::zeros(), 1.0, 0)?;
 /// let billiard = Billiard { walls: &circle, law: &Specular };
@@ -107,17 +108,6 @@ pub struct Horizon {
     pub lost: bool,
 }
 
-/// Where a ball is, and how it moves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moving<const N: usize, const S: usize> {
-    /// Position of the centre \[L\].
-    pub position: [f64; N],
-    /// Velocity of the centre [L T⁻¹].
-    pub velocity: [f64; N],
-    /// Scaled spin [L T⁻¹].
-    pub spin: [f64; S],
-}
-
 /// Rounding moves a coordinate by so much of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
@@ -139,7 +129,7 @@ impl Horizon {
     pub fn of<const N: usize, const S: usize>(
         billiard: &dyn Bounce<N, S>,
         walls: &dyn Bend<N>,
-        start: Moving<N, S>,
+        start: Start<N, S>,
         size: f64,
         limit: [f64; 2],
     ) -> Horizon {
@@ -176,8 +166,8 @@ fn norm<const N: usize>(a: &[f64; N]) -> f64 {
     libm::sqrt(dot(a, a))
 }
 
-impl<const N: usize, const S: usize> Moving<N, S> {
-    const ZERO: Self = Moving { position: [0.0; N], velocity: [0.0; N], spin: [0.0; S] };
+impl<const N: usize, const S: usize> Start<N, S> {
+    const ZERO: Self = Start { position: [0.0; N], velocity: [0.0; N], spin: [0.0; S] };
     /// The number of coordinates.
     const COORDINATES: usize = N + N + S;
 
@@ -206,12 +196,12 @@ impl<const N: usize, const S: usize> Moving<N, S> {
 
 /// The covariance of the errors, by columns.
 #[derive(Clone, Debug)]
-struct Spread<const N: usize, const S: usize>(Vec<Moving<N, S>>);
+struct Spread<const N: usize, const S: usize>(Vec<Start<N, S>>);
 
 impl<const N: usize, const S: usize> Spread<N, S> {
     /// Of a start whose numbers are rounded.
-    fn new(start: &Moving<N, S>) -> Self {
-        let mut spread = Spread(vec![Moving::ZERO; Moving::<N, S>::COORDINATES]);
+    fn new(start: &Start<N, S>) -> Self {
+        let mut spread = Spread(vec![Start::ZERO; Start::<N, S>::COORDINATES]);
         spread.round(norm(&start.position), start.speed(), 1.0);
         spread
     }
@@ -227,14 +217,14 @@ impl<const N: usize, const S: usize> Spread<N, S> {
     /// `(1 + 1/n) P`
     fn widen(&mut self, n: f64) {
         for column in &mut self.0 {
-            for i in 0..Moving::<N, S>::COORDINATES {
+            for i in 0..Start::<N, S>::COORDINATES {
                 column.set(i, column.get(i) * (1.0 + 1.0 / n));
             }
         }
     }
 
     /// `M P Mᵀ`
-    fn carry(&mut self, derivative: impl Fn(&Moving<N, S>) -> Moving<N, S>) {
+    fn carry(&mut self, derivative: impl Fn(&Start<N, S>) -> Start<N, S>) {
         for _ in 0..2 {
             let moved: Vec<_> = self.0.iter().map(&derivative).collect();
             for (i, column) in self.0.iter_mut().enumerate() {
@@ -246,7 +236,7 @@ impl<const N: usize, const S: usize> Spread<N, S> {
     }
 
     /// The root of the mean square error, relative.
-    fn error(&self, at: &Moving<N, S>, size: f64) -> f64 {
+    fn error(&self, at: &Start<N, S>, size: f64) -> f64 {
         let [mut place, mut motion] = [0.0, 0.0];
         for (i, column) in self.0.iter().enumerate() {
             if i < N {
@@ -263,7 +253,7 @@ impl<const N: usize, const S: usize> Spread<N, S> {
 /// The derivative of flight and collision at a hit.
 struct Derivative<'a, const N: usize, const S: usize> {
     billiard: &'a dyn Bounce<N, S>,
-    before: Moving<N, S>,
+    before: Start<N, S>,
     hit: WallHit<f64, N>,
     normal: [f64; N],
     /// Unit vectors along the wall, and the derivatives of the normal along them \[L⁻¹\].
@@ -275,11 +265,11 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
     fn step(
         billiard: &'a dyn Bounce<N, S>,
         walls: &dyn Bend<N>,
-        at: &Moving<N, S>,
+        at: &Start<N, S>,
         hit: &WallHit<f64, N>,
         spread: &mut Spread<N, S>,
         n: f64,
-    ) -> Moving<N, S> {
+    ) -> Start<N, S> {
         let flight = hit.time * norm(&at.velocity);
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
@@ -288,15 +278,15 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         spread.widen(n);
         spread.round(length, 0.0, 1.0 + n);
         spread.carry(|d| derivative.apply(d));
-        let mut next = Moving { position: hit.point, ..*at };
+        let mut next = Start { position: hit.point, ..*at };
         billiard.collide(hit, &mut next.velocity, &mut next.spin);
         spread.round(0.0, next.speed(), 1.0 + n);
         next
     }
 
     /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.
-    fn apply(&self, d: &Moving<N, S>) -> Moving<N, S> {
-        let Derivative { before: Moving { velocity: v, spin: w, .. }, hit, normal: n, .. } = self;
+    fn apply(&self, d: &Start<N, S>) -> Start<N, S> {
+        let Derivative { before: Start { velocity: v, spin: w, .. }, hit, normal: n, .. } = self;
         let moved = plus(&d.position, hit.time, &d.velocity);
         let position = plus(&moved, -dot(&moved, n) / dot(v, n), v);
         let mut turned = [0.0; N];
@@ -308,11 +298,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let change = libm::sqrt(dot(&d.velocity, &d.velocity) + dot(&d.spin, &d.spin)) / speed;
         let by_motion = quotient(change, |step| self.collide(n, plus(v, step, &d.velocity), plus(w, step, &d.spin)));
         let by_normal = quotient(norm(&turned), |step| self.collide(&plus(n, step, &turned), *v, *w));
-        Moving {
-            position,
-            velocity: plus(&by_motion.0, 1.0, &by_normal.0),
-            spin: plus(&by_motion.1, 1.0, &by_normal.1),
-        }
+        Start { position, velocity: plus(&by_motion.0, 1.0, &by_normal.0), spin: plus(&by_motion.1, 1.0, &by_normal.1) }
     }
 
     /// What the hit does to a velocity and a spin if its normal is another one, of about unit length.

@@ -43,7 +43,7 @@ pub use energy::{BEAT, Conserved, EnergyKeeper, Free};
 pub use ensemble::Ensemble;
 pub use error::Error;
 pub use geometry;
-pub use horizon::{Bend, Bounce, Felt, Horizon, Moving};
+pub use horizon::{Bend, Bounce, Felt, Horizon};
 pub use merge::Merge;
 pub use observe::Observer;
 pub use orbit::Orbit;

@@ -6,7 +6,7 @@ use rand_chacha::{
     rand_core::{Rng, SeedableRng},
 };
 
-/// Where an orbit starts.
+/// Where an orbit starts, or has come to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Start<const N: usize, const S: usize> {
     /// Position of the centre \[L\].

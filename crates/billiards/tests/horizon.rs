@@ -1,6 +1,6 @@
 //! The horizon is where an orbit's digits really end.
 use billiards::{
-    Billiard, Bounce, Clock, Collisions, Conserved, Felt, Horizon, Moving, Orbit, Planar, Spatial,
+    Billiard, Bounce, Clock, Collisions, Conserved, Felt, Horizon, Orbit, Planar, Spatial, Start,
     laws::{Disk, RoughBall},
     reverse,
 };
@@ -17,7 +17,7 @@ impl<R> WithWalls<2> for With<'_, R> {
     }
 }
 
-fn horizon(table: &Table, law: &Disk, start: Moving<2, 1>, size: f64, collisions: u32) -> Horizon {
+fn horizon(table: &Table, law: &Disk, start: Start<2, 1>, size: f64, collisions: u32) -> Horizon {
     let limit = [f64::from(collisions), f64::INFINITY];
     let look = |billiard: &dyn Bounce<2, 1>| Horizon::of(billiard, table, start, size, limit);
     table.with_walls(With(law, &look))
@@ -28,10 +28,10 @@ fn laws() -> [Disk; 2] {
 }
 
 /// Starts in every table used here, off the scatterer.
-fn starts() -> impl Iterator<Item = Moving<2, 1>> {
+fn starts() -> impl Iterator<Item = Start<2, 1>> {
     (0..24).map(|k| {
         let k = f64::from(k);
-        Moving {
+        Start {
             position: [0.11 + 0.003 * k, 0.13],
             velocity: [libm::cos(0.7 + 1.7 * k), libm::sin(0.7 + 1.7 * k)],
             spin: [0.4 * libm::sin(k)],
@@ -39,12 +39,12 @@ fn starts() -> impl Iterator<Item = Moving<2, 1>> {
     })
 }
 
-fn orbit(m: &Moving<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> {
+fn orbit(m: &Start<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> {
     Orbit::new(m.position, m.velocity, m.spin, Clock::new(0.0))
 }
 
 /// The collision at which two orbits are a quarter of a table apart that start an ulp of the table from each other.
-fn parting(billiard: &Planar<Disk>, start: &Moving<2, 1>, size: f64) -> Option<u64> {
+fn parting(billiard: &Planar<Disk>, start: &Start<2, 1>, size: f64) -> Option<u64> {
     let mut other = *start;
     other.position[0] += 2.0 * f64::EPSILON;
     let (mut a, mut b) = (orbit(start), orbit(&other));
@@ -113,7 +113,7 @@ fn on_integrable_tables_the_error_grows_like_a_power() {
 }
 
 /// Goes forward and back again; the distance from the first collision, and the horizon's error of an orbit of that length.
-fn there_and_back(billiard: &Planar<Disk>, start: &Moving<2, 1>, collisions: u32) -> Option<[f64; 2]> {
+fn there_and_back(billiard: &Planar<Disk>, start: &Start<2, 1>, collisions: u32) -> Option<[f64; 2]> {
     let mut o = orbit(start);
     let mut last = None;
     let mut first = None;
@@ -170,7 +170,7 @@ fn orbits_that_turn_around_come_back_within_the_horizon() {
 
 #[test]
 fn in_space_the_curvature_of_walls_counts() {
-    struct Look<'a>(&'a RoughBall, &'a SpatialTable, Moving<3, 3>);
+    struct Look<'a>(&'a RoughBall, &'a SpatialTable, Start<3, 3>);
     impl WithWalls<3> for Look<'_> {
         type Output = Horizon;
         fn run<W: Walls<3>>(self, walls: &W) -> Horizon {
@@ -185,7 +185,7 @@ fn in_space_the_curvature_of_walls_counts() {
         }
     }
     let law = RoughBall::no_slip(0.4_f64.sqrt());
-    let start = Moving { position: [0.1, 0.2, 0.3], velocity: [0.5, 0.4, 0.6], spin: [0.1, 0.2, 0.3] };
+    let start = Start { position: [0.1, 0.2, 0.3], velocity: [0.5, 0.4, 0.6], spin: [0.1, 0.2, 0.3] };
     for table in [tables::slab(1.0).unwrap(), tables::ball(1.0).unwrap()] {
         let billiard = Spatial { table, law };
         let horizon = billiard.table.with_walls(Look(&law, &billiard.table, start));
@@ -196,7 +196,7 @@ fn in_space_the_curvature_of_walls_counts() {
         container: geometry::walls::Cuboid::new([-1.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap(),
         obstacles: geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
     };
-    let start = Moving { position: [0.9, 0.8, 0.3], ..start };
+    let start = Start { position: [0.9, 0.8, 0.3], ..start };
     let specular = billiards::laws::Specular;
     let billiard = Billiard { walls: &walls, law: &specular };
     let chaotic = Horizon::of(&billiard, &Felt::<3, 3>(&billiard), start, 1.0, [400.0, f64::INFINITY]);

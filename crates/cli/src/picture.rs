@@ -81,6 +81,8 @@ pub struct Path {
     pub chains: Vec<Vec<[f64; 2]>>,
     /// Last point and direction of an orbit that leaves for ever.
     pub escape: Option<[[f64; 2]; 2]>,
+    /// The last collision whose place is known, where the lines go on beyond it.
+    pub horizon: Option<[f64; 2]>,
 }
 
 /// A file of a picture.

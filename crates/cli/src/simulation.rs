@@ -21,6 +21,7 @@ mod start;
 pub(crate) mod strokes;
 mod summary;
 mod unrolled;
+mod words;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -47,9 +48,9 @@ use schedule::{Launch, Work, run_all};
 use spatial::Spatial;
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
-pub(crate) use describe::{point, short};
 pub use horizon::{Horizons, OfOrbit};
 pub use summary::Summary;
+pub(crate) use words::{point, short};
 
 /// A scene whose table is built and whose starts are checked.
 #[derive(Debug)]
@@ -160,19 +161,19 @@ impl Simulation {
         let pictures: Vec<&Picture> =
             PICTURES.iter().filter(|known| asked.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
-        let kept = Kept { folder, needs: &needs };
-        // better now than after hours
-        std::fs::create_dir_all(folder)?;
-        let (material, totals, busy) = match &self.body {
-            Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
-            Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
-        };
         let limit = self.limit();
         let horizons = match &self.body {
             Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1]),
             Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1]),
         }
         .map_err(io::Error::other)?;
+        let kept = Kept { folder, needs: &needs, horizons: &horizons };
+        // better now than after hours
+        std::fs::create_dir_all(folder)?;
+        let (material, totals, busy) = match &self.body {
+            Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
+            Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
+        };
         let record = self.scene.output.collisions.map(|format| record::path(folder, format));
         let mut files: Vec<PathBuf> = record.into_iter().collect();
         for file in pictures.iter().flat_map(|picture| (picture.draw)(&material)) {
@@ -255,7 +256,7 @@ impl Simulation {
 
     fn harvest<'a>(
         &self,
-        kept: &Kept<'_>,
+        kept: &Kept<'a>,
         format: Option<&'a (Box<dyn record::Format>, Columns)>,
         lattice: Option<Lattice>,
         seen: &'a dyn Seen,
@@ -263,7 +264,7 @@ impl Simulation {
     ) -> io::Result<Harvest<'a>> {
         let path = self.scene.output.collisions.map(|format| record::path(kept.folder, format));
         let record = format.zip(path).map(|((format, columns), path)| RecordFile::create(&path, &**format, *columns));
-        Ok(Harvest::new(record.transpose()?, kept.needs, lattice, self.orbits(), seen, crowded))
+        Ok(Harvest::new(record.transpose()?, kept.needs, lattice, self.orbits(), seen, kept.horizons, crowded))
     }
 
     /// Most collisions and the longest time of an orbit.
@@ -305,6 +306,7 @@ impl Simulation {
 struct Kept<'a> {
     folder: &'a Path,
     needs: &'a [Needs],
+    horizons: &'a Horizons,
 }
 
 #[cfg(test)]

@@ -2,13 +2,13 @@
 
 use std::collections::HashMap;
 
-use super::{Expression, Function, Node, Operation};
+use super::{Expression, Function, Node, Operation, number::Number};
 
 impl Expression {
     /// The partial derivative with respect to the variable with this index.
     ///
-    /// Common parts are shared, so the result has a length proportional to the formula's. `|f|' = f' f/|f|` is not
-    /// defined (NaN) where `f = 0`.
+    /// Common parts are shared, so the result has a length proportional to the formula's. Where `f = 0`, `|f|' = ±f'` is one of
+    /// the two slopes on either side, and so is what derives from it.
     #[must_use]
     pub fn derivative(&self, variable: usize) -> Self {
         let mut arena = Arena::default();
@@ -28,6 +28,14 @@ impl Expression {
                 }
                 Node::Binary(f, a, b) => {
                     let value = arena.binary(f, values[a], values[b]);
+                    if let (Operation::Power, Node::Unary(Function::Abs, inner)) = (f, self.nodes[a])
+                        && arena.is(slopes[b], 0.0)
+                    {
+                        let slope = arena.slope_of_power(Operation::SignedPower, values[inner], values[b]);
+                        values.push(value);
+                        slopes.push(arena.multiply(slope, slopes[inner]));
+                        continue;
+                    }
                     (value, arena.binary_slope(f, [values[a], values[b], value], [slopes[a], slopes[b]]))
                 }
             };
@@ -99,12 +107,15 @@ impl Arena {
     }
 
     fn binary(&mut self, f: Operation, a: usize, b: usize) -> usize {
+        if let (Some(x), Some(y)) = (self.known(a), self.known(b)) {
+            return self.constant(x.operation(f, y));
+        }
         match f {
             Operation::Add => self.add(a, b),
             Operation::Subtract => self.subtract(a, b),
             Operation::Multiply => self.multiply(a, b),
             Operation::Divide => self.divide(a, b),
-            Operation::Power if self.is(b, 1.0) => a,
+            Operation::Power | Operation::SignedPower if self.is(b, 1.0) => a,
             Operation::Power if self.is(b, 0.0) => self.constant(1.0),
             _ => self.push(Node::Binary(f, a, b)),
         }
@@ -158,8 +169,11 @@ impl Arena {
                 let half = self.constant(0.5);
                 self.divide(half, value)
             }
-            Function::Abs => self.divide(a, value),
-            Function::Exp => value,
+            Function::Abs => {
+                let zero = self.constant(0.0);
+                self.binary(Operation::SignedPower, a, zero)
+            }
+            Function::Exp | Function::Jump => value,
             Function::Ln => self.divide(one, a),
             Function::Sin => self.unary(Function::Cos, a),
             Function::Cos => {
@@ -201,13 +215,16 @@ impl Arena {
                 self.divide(numerator, b)
             }
             Operation::Power if self.is(db, 0.0) => {
-                let one = self.constant(1.0);
-                let lower = match self.known(b) {
-                    Some(n) => self.constant(n - 1.0),
-                    None => self.subtract(b, one),
+                let slope = self.slope_of_power(Operation::Power, a, b);
+                self.multiply(slope, da)
+            }
+            Operation::SignedPower => {
+                let slope = if self.is(b, 0.0) {
+                    self.unary(Function::Jump, a)
+                } else {
+                    let size = self.unary(Function::Abs, a);
+                    self.slope_of_power(Operation::Power, size, b)
                 };
-                let power = self.binary(Operation::Power, a, lower);
-                let slope = self.multiply(b, power);
                 self.multiply(slope, da)
             }
             Operation::Power => {
@@ -227,6 +244,14 @@ impl Arena {
                 self.divide(numerator, sum)
             }
         }
+    }
+
+    /// `b a^(b−1)` for a power of either kind.
+    fn slope_of_power(&mut self, power: Operation, a: usize, b: usize) -> usize {
+        let one = self.constant(1.0);
+        let lower = self.binary(Operation::Subtract, b, one);
+        let power = self.binary(power, a, lower);
+        self.multiply(b, power)
     }
 
     /// Takes in the nodes of an expression; the place of its value.
@@ -279,6 +304,8 @@ impl Node {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::expression::Program;
+    use billiards::geometry::shapes::curve::Interval;
 
     /// Central difference with step h = 1e-5: truncation ~ h² f''' ≈ 1e-9 for the functions below, rounding ~ ε/h ≈ 2e-11.
     const TOLERANCE: f64 = 1e-8;
@@ -296,6 +323,9 @@ mod tests {
             "t^t",
             "2^t",
             "abs(t-2)",
+            "abs(t-2)^3",
+            "abs(t-2)^2.5",
+            "abs(sin(t)-2)^(7/2)",
             "ln(1+t^4)",
             "-t^-2",
             "7",
@@ -317,6 +347,16 @@ mod tests {
                     "{text}'' at {t}: {slope} {difference}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn powers_of_absolute_values_have_bounded_second_derivatives_where_they_have_them() {
+        for (text, bounded) in [("abs(t)^3", true), ("abs(t)^2.5", true), ("abs(t)^2", true), ("abs(t)", false)] {
+            let second = Expression::parse(text, &["t"]).unwrap().derivative(0).derivative(0);
+            let [over] = Program::new([&second]).evaluate(&[Interval::new(-0.5, 0.25)]);
+            assert_eq!(over.magnitude() < 10.0, bounded, "{text}: {over:?}");
+            assert!(second.evaluate(&[0.0]).abs() <= 2.0, "{text}");
         }
     }
 

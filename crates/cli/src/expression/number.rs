@@ -37,6 +37,7 @@ impl Number for f64 {
             Function::Asin => libm::asin(self),
             Function::Acos => libm::acos(self),
             Function::Atan => libm::atan(self),
+            Function::Jump => 0.0,
         }
     }
 
@@ -47,6 +48,7 @@ impl Number for f64 {
             Operation::Multiply => self * other,
             Operation::Divide => self / other,
             Operation::Power => power(self, other),
+            Operation::SignedPower => power(self.abs(), other).copysign(self),
             Operation::Atan2 => libm::atan2(self, other),
         }
     }
@@ -82,6 +84,13 @@ impl Number for Interval {
             Function::Asin => self.asin(),
             Function::Acos => self.acos(),
             Function::Atan => self.atan(),
+            Function::Jump => {
+                if self.contains(0.0) {
+                    Self::ENTIRE
+                } else {
+                    Self::from(0.0)
+                }
+            }
         }
     }
 
@@ -95,8 +104,23 @@ impl Number for Interval {
                 Some(n) => self.powi(n),
                 None => self.powf(other),
             },
+            Operation::SignedPower => signed_power(self, other),
             Operation::Atan2 => self.atan2(other),
         }
+    }
+}
+
+/// `sign(x) |x|ʸ`, which rises with `x` for `y ≥ 0`.
+fn signed_power(x: Interval, y: Interval) -> Interval {
+    let of_size = |x: Interval| x.abs().operation(Operation::Power, y);
+    if x.low > 0.0 {
+        of_size(x)
+    } else if x.high < 0.0 {
+        -of_size(x)
+    } else if y.low < 0.0 {
+        Interval::ENTIRE
+    } else {
+        (-of_size(Interval::new(x.low, 0.0))).union(of_size(Interval::new(0.0, x.high)))
     }
 }
 

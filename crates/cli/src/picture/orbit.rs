@@ -11,8 +11,8 @@ const WALL: f64 = 0.8;
 const MARGIN: f64 = 3.0;
 /// Width of lines that are no walls.
 const THIN: f64 = 0.4;
-/// Most orbits whose starts are marked.
-const MOST_STARTS: usize = 50;
+/// Most orbits whose starts and horizons are marked.
+const MOST_MARKED: usize = 50;
 /// Legs drawn by one element.
 const PART: usize = 50;
 
@@ -27,7 +27,7 @@ pub(super) const PICTURE: Picture = Picture {
 const LONGEST: f64 = 5.0;
 
 /// Draws walls and orbits in true proportions, without axes; each start is marked by a dot, or by the particle itself if
-/// it has a radius.
+/// it has a radius, and the last collision whose place is known by an open dot.
 pub fn draw(material: &Material) -> Svg {
     let window = material.window.unwrap_or_else(|| window(material));
     let inner = COLUMN - 2.0 * MARGIN;
@@ -46,8 +46,9 @@ pub fn draw(material: &Material) -> Svg {
         for stroke in &material.outline {
             svg.path(&stroke.outline(&view), Style::line(Colour::BLACK, WALL));
         }
-        starts(svg, &view, material);
     });
+    // a dot on a wall at the edge is seen whole
+    ends(&mut svg, &view, material);
     svg
 }
 
@@ -92,12 +93,15 @@ fn orbits(svg: &mut Svg, view: &View, material: &Material) {
     }
 }
 
-/// Where each orbit starts, unless they are too many to be told apart.
-fn starts(svg: &mut Svg, view: &View, material: &Material) {
-    if material.paths.len() > MOST_STARTS {
+/// Where each orbit starts and where its horizon is, unless they are too many to be told apart.
+fn ends(svg: &mut Svg, view: &View, material: &Material) {
+    if material.paths.len() > MOST_MARKED {
         return;
     }
     for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
+        if let Some(horizon) = path.horizon {
+            svg.circle(view.place(horizon), 1.5, Style::line(colour, 0.5).filled(Colour::WHITE));
+        }
         let Some(&start) = path.chains.first().and_then(|chain| chain.first()) else { continue };
         if material.radius > 0.0 {
             svg.circle(view.place(start), material.radius * view.scale(), Style::line(colour, 0.6));
@@ -137,8 +141,12 @@ mod tests {
                 Stroke::Chain { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], solid: true },
             ],
             paths: vec![
-                Path { chains: vec![vec![[0.0, 0.0], [2.0, 2.0]], vec![]], escape: Some([[2.0, 2.0], [1.0, 1.0]]) },
-                Path { chains: vec![vec![[f64::NAN, 0.0]]], escape: None },
+                Path {
+                    chains: vec![vec![[0.0, 0.0], [2.0, 2.0]], vec![]],
+                    escape: Some([[2.0, 2.0], [1.0, 1.0]]),
+                    horizon: Some([2.0, 2.0]),
+                },
+                Path { chains: vec![vec![[f64::NAN, 0.0]]], ..Path::default() },
             ],
             ..Material::default()
         };

@@ -14,8 +14,8 @@ use crate::scene::{
     self, Arguments, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, TableShape, Turn,
 };
 
-use super::describe::short;
 use super::scale;
+use super::words::short;
 
 /// A planar table as drawn, all lengths multiplied by a factor.
 #[derive(Clone, Debug)]
@@ -295,14 +295,11 @@ impl Collected<'_> {
                 Ray::new(self.at(&from.value), unit(&direction.value), *domain == Side::Left).map(|r| Box::new(r) as _)
             }
             Border::Curve { curve, formula, domain } => {
-                let piece = self.curve(curve, *domain == Domain::Inside);
-                return match piece {
-                    Ok(piece) => {
-                        self.push(piece, entry.span, law);
-                        Ok(())
-                    }
-                    Err(error) => Err(self.wrong(formula.span, &error)),
-                };
+                let pieces = self.curve(curve, *domain == Domain::Inside);
+                for piece in pieces.map_err(|error| self.wrong(formula.span, &error))? {
+                    self.push(piece, entry.span, law);
+                }
+                return Ok(());
             }
             Border::Shape { shape: scene::Shape::Planar { placed, .. }, domain, .. } => {
                 let side = if *domain == Domain::Inside { parry::Side::Inside } else { parry::Side::Outside };
@@ -328,15 +325,15 @@ impl Collected<'_> {
         Ok(())
     }
 
-    fn curve(&self, curve: &Curve, inside: bool) -> Result<Box<dyn Piece>, Error> {
+    fn curve(&self, curve: &Curve, inside: bool) -> Result<Vec<Box<dyn Piece>>, Error> {
         Ok(match curve {
             Curve::Polar { radius, center } => {
                 let formula = Scaled { formula: PolarCurve::new(radius), factor: self.factor };
-                Box::new(Polar::new(self.at(&center.value), formula, inside)?)
+                Polar::new(self.at(&center.value), formula, inside)?.pieces()
             }
             Curve::Implicit { function, within } => {
                 let formula = Scaled { formula: ImplicitCurve::new(function, within.value), factor: self.factor };
-                Box::new(Implicit::new(formula, inside)?)
+                vec![Box::new(Implicit::new(formula, inside)?)]
             }
         })
     }

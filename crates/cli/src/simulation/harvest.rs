@@ -8,6 +8,7 @@ use billiards::Stop;
 use billiards::geometry::Lattice;
 
 use super::event::Event;
+use super::horizon::Horizons;
 use super::paths::Paths;
 use super::portraits::Clouds;
 use super::schedule::{Ended, Extent, Results};
@@ -42,6 +43,7 @@ pub(crate) struct Harvest<'a> {
     /// Set once points need no longer be handed on one by one.
     crowded: &'a AtomicBool,
     seen: &'a dyn Seen,
+    horizons: &'a Horizons,
     /// Legs shown of each orbit.
     legs: u64,
     /// Where the orbit at hand is, in lattice cells.
@@ -69,6 +71,7 @@ impl<'a> Harvest<'a> {
         lattice: Option<Lattice>,
         orbits: u64,
         seen: &'a dyn Seen,
+        horizons: &'a Horizons,
         crowded: &'a AtomicBool,
     ) -> Self {
         Harvest {
@@ -80,6 +83,7 @@ impl<'a> Harvest<'a> {
             },
             crowded,
             seen,
+            horizons,
             legs: (picture::MOST_LEGS as u64 / orbits.clamp(1, MOST_PATHS)).max(1),
             cell: [0.0; 2],
             totals: Totals::default(),
@@ -135,6 +139,9 @@ impl<'a> Harvest<'a> {
         {
             paths.fly(self.seen.point(event.position), [event.cell[0] - self.cell[0], event.cell[1] - self.cell[1]]);
             self.cell = event.cell;
+            if self.horizons.last_known(event.orbit) == Some(event.n) {
+                paths.mark_horizon();
+            }
         }
     }
 

@@ -1,11 +1,11 @@
 //! Up to where the digits of the orbits last.
 
 use billiards::geometry::{Lattice, Vector2};
-use billiards::{Bend, Bounce, Horizon, Moving};
+use billiards::{Bend, Bounce, Horizon};
 use serde::Serialize;
 
-use super::describe::short;
 use super::start::Start;
+use super::words::short;
 
 /// Orbits that are looked at: the first so many.
 const MOST_ORBITS: u64 = 16;
@@ -53,13 +53,19 @@ impl Horizons {
         let horizon = |orbit| {
             let Start { position, velocity, spin, scale, .. } = start(orbit);
             let limit = [each, scale.time_in(time)];
-            let found = Horizon::of(billiard, walls, Moving { position, velocity, spin }, size, limit);
+            let found = Horizon::of(billiard, walls, billiards::Start { position, velocity, spin }, size, limit);
             let Horizon { collisions, time, error, lost } = found;
             OfOrbit { orbit, collisions, time: scale.time_out(time), error, lost }
         };
         let orbits: Vec<OfOrbit> = (0..looked_at).map(horizon).collect();
         let first = orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions).copied();
         Horizons { collisions: first.map(|first| first.collisions), time: first.map(|first| first.time), orbits }
+    }
+
+    /// The number of the last collision of an orbit whose place is known, if the orbit goes on and was looked at.
+    pub(crate) fn last_known(&self, orbit: u64) -> Option<u64> {
+        let found = self.orbits.get(usize::try_from(orbit).ok()?)?;
+        found.lost.then_some(found.collisions)
     }
 
     /// The same in words.

@@ -24,7 +24,7 @@ impl Paths {
     pub(crate) fn start(&mut self, at: [f64; 2]) -> [f64; 2] {
         let nowhere = (at.into(), [0.0; 2]);
         let (home, cell) = self.lattice.as_ref().map_or(nowhere, |lattice| lattice.reduce(&at.into()));
-        self.drawn.push(Path { chains: vec![vec![home.into()]], escape: None });
+        self.drawn.push(Path { chains: vec![vec![home.into()]], ..Path::default() });
         cell
     }
 
@@ -60,6 +60,13 @@ impl Paths {
             && let Some(&point) = path.chains.last().and_then(|chain| chain.last())
         {
             path.escape = Some([point, direction]);
+        }
+    }
+
+    /// Marks where the orbit is as the last place that is known.
+    pub(crate) fn mark_horizon(&mut self) {
+        if let Some(path) = self.drawn.last_mut() {
+            path.horizon = path.chains.last().and_then(|chain| chain.last()).copied();
         }
     }
 

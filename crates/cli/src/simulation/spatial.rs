@@ -6,13 +6,13 @@ use billiards::geometry::{Error, Vector3, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
-use super::describe::short;
 use super::engine::{Engine, Keeper, Watched};
 use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, is_strict};
 use super::room::Room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
+use super::words::short;
 use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
 

@@ -5,9 +5,9 @@ use billiards::geometry::{Table, Vector2, Vector3};
 use crate::document::Diagnostic;
 use crate::scene::{Orbit, Scene};
 
-use super::describe::short;
 use super::scale::{Scale, to_unity};
 use super::spatial::Space;
+use super::words::short;
 
 /// A start, scaled to the size of the engine.
 #[derive(Clone, Copy, Debug)]

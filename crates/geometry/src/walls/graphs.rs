@@ -5,7 +5,7 @@ use crate::{
     boxes::{First, Inside, WIDTH},
     crossing::Crossing,
     plane::slack,
-    shapes::curve::{Graph, Local, Meeting, Ray},
+    shapes::curve::{Graph, Local, Meeting, Ray, at_least, grazes, turn},
 };
 use core::cell::Cell;
 use lanes::{Kernel, Lane, MOST_LANES, Mask, stored};
@@ -87,25 +87,6 @@ impl Graphs {
         }
         Graphs(ByLane(all))
     }
-}
-
-/// `v × (p − x)`, of which the sign tells on which side of a path `p` lies.
-#[inline(always)]
-fn turn<F: Lane>(x: [F; 2], v: [F; 2], p: [F; 2]) -> F {
-    // as cross(v, p − x), but that p is in memory
-    v[1] * (x[0] - p[0]) - v[0] * (x[1] - p[1])
-}
-
-/// Whether a path may cross a graph twice, on the sides of whose ends it passes so; `speed` is at least `|v|`.
-#[inline(always)]
-fn grazes<F: Lane>(turns: [F; 2], near: F, speed: F) -> F::Mask {
-    (turns[0] + turns[1]).abs().lt(near * speed)
-}
-
-/// At least the length of a vector.
-#[inline(always)]
-fn at_least<F: Lane>(v: [F; 2]) -> F {
-    v[0].abs() + v[1].abs()
 }
 
 /// A whole number below 2⁵².

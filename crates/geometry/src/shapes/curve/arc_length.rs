@@ -130,7 +130,9 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let rate = |u: f64| speed(curve, u);
     let (left, right) = (integral(rate, from, middle), integral(rate, middle, u));
     let difference = (integral(rate, from, u) / (left + right) - 1.0).abs();
-    if difference <= 8.0 * f64::EPSILON || difference > 0.7 * last || halvings == 0 {
+    // a difference that is no number is none that halving mends
+    let mends = difference > 8.0 * f64::EPSILON && difference <= 0.7 * last && halvings > 0;
+    if !mends {
         let s = nodes.last().map_or(0.0, |node| node.s);
         // the halves are there: they make the search for closest points safer
         nodes.push(Node { u: middle, s: s + left, at: curve.at(middle) });
@@ -209,6 +211,18 @@ mod tests {
             assert!((4.0 * (1.0 - libm::cos(0.5 * u)) - s).abs() < 1e-14); // its closed form
             assert!((table.at_parameter(&Cycloid, u) - s).abs() < 1e-14);
         }
+    }
+
+    #[test]
+    fn a_speed_that_is_no_number_is_not_halved_without_end() {
+        struct Nowhere;
+        impl Parametric for Nowhere {
+            fn at(&self, _: f64) -> [Vector2<f64>; 2] {
+                [Vector2::repeat(f64::NAN); 2]
+            }
+        }
+        let table = ArcLength::new(&Nowhere, [0.0, 1.0]);
+        assert!(table.length().is_nan() && table.points().count() == 3);
     }
 
     #[test]

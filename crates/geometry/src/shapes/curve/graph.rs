@@ -77,6 +77,25 @@ impl<F: Lane> Ray<F> {
     }
 }
 
+/// `v × (p − x)`, of which the sign tells on which side of a path `p` lies.
+#[inline(always)]
+pub(crate) fn turn<F: Lane>(x: [F; 2], v: [F; 2], p: [F; 2]) -> F {
+    // as cross(v, p − x), but that p is in memory
+    v[1] * (x[0] - p[0]) - v[0] * (x[1] - p[1])
+}
+
+/// Whether a path may cross a graph twice, on the sides of whose ends it passes so; `speed` is at least `|v|`.
+#[inline(always)]
+pub(crate) fn grazes<F: Lane>(turns: [F; 2], near: F, speed: F) -> F::Mask {
+    (turns[0] + turns[1]).abs().lt(near * speed)
+}
+
+/// At least the length of a vector.
+#[inline(always)]
+pub(crate) fn at_least<F: Lane>(v: [F; 2]) -> F {
+    v[0].abs() + v[1].abs()
+}
+
 /// The powers that are enough to come near.
 const LOW: usize = 11;
 
@@ -95,6 +114,18 @@ impl Graph {
         // the height is at most `near`
         let Extent { min, max } = Extent::of(self.ends.map(Into::into));
         Extent { min: min.add_scalar(-self.near), max: max.add_scalar(self.near) }
+    }
+
+    /// When a path crosses it outwards; infinite if it does not.
+    pub(super) fn time(&self, ray: &Ray<f64>, slack: f64) -> f64 {
+        let turns = self.ends.map(|end| turn(ray.x, ray.v, end));
+        let [start, end] = turns.map(|turn| 0.0 < turn);
+        let through = !start && end;
+        let backwards = start && !end;
+        if !through && (backwards || !grazes(turns, self.near, at_least(ray.v))) {
+            return f64::INFINITY;
+        }
+        self.local.meet(ray, through, true, slack).time
     }
 
     /// The same moved by a vector \[L\].

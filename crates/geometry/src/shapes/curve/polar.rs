@@ -1,5 +1,5 @@
 //! A closed curve given as a radius for every direction.
-use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, graphs};
+use super::{ArcLength, Graph, Interval, Parametric, PolarArc, Smooth, first_rise, graphs, kinks::kinks};
 use crate::{
     Error,
     crossing::Crossing,
@@ -11,7 +11,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use core::fmt::Debug;
 use nalgebra::Vector2;
 
-/// A radius `r(φ) > 0` as a function of the polar angle: twice differentiable, with period 2π.
+/// A radius `r(φ) > 0` as a function of the polar angle: twice differentiable but for kinks, with period 2π.
+///
+/// At a kink `r′` is either slope, and over angles that contain one `r″` has no bound: [`Interval::ENTIRE`].
 ///
 /// Both functions are required. `jet_over` is what makes the first hit certain: write the same three formulas with
 /// [`Interval`]s.
@@ -60,8 +62,8 @@ pub struct Polar<F> {
     inside: bool,
     slack: f64,
     ranges: Ranges,
-    /// Whether nothing can hide between points of the curve.
-    calm: bool,
+    /// Where nothing else can hide between points of the curve, its kinks.
+    kinks: Option<Vec<Interval>>,
     table: ArcLength,
     area: f64,
     extent: Extent,
@@ -101,10 +103,55 @@ impl<F: PolarFormula> Polar<F> {
         let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
         let area = table.enclosed_area(&about);
         let extent = table.extent(&about);
-        // in no sector can the second derivative differ much from what it is in its middle
-        let bend = jets.iter().fold(0.0_f64, |m, [r, _, second]| m.max(second.magnitude()).max(r.magnitude()));
-        let calm = jets.iter().all(|[.., second]| second.width() <= 0.25 * bend);
-        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), calm, table, area, extent })
+        // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
+        let bends = jets.iter().map(|[r, _, second]| second.magnitude().max(r.magnitude()));
+        let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        let calm = |[.., second]: &[Interval; 3]| second.width() <= varies;
+        let rough = (0..SECTORS).zip(&jets).filter(|(_, jet)| !calm(jet));
+        let kinks =
+            kinks(rough.map(|(k, _)| Interval::new(whole(k), whole(k + 1))), |part| calm(&formula.jet_over(part)));
+        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), kinks, table, area, extent })
+    }
+
+    /// The curve as pieces of a table: itself if it is smooth, or else the arcs between its kinks, in the order of traversal.
+    ///
+    /// ```
+    /// use geometry::{Piece, Vector2, shapes::curve::{Interval, Polar, PolarFormula}};
+    ///
+    /// /// `r = 2 − |cos φ|`, two arcs of limaçons
+    /// #[derive(Clone, Debug)]
+    /// struct Limacons;
+    /// impl PolarFormula for Limacons {
+    ///     fn jet(&self, angle: f64) -> [f64; 3] {
+    ///         let (sin, cos) = libm::sincos(angle);
+    ///         [2.0 - cos.abs(), sin.copysign(sin * cos), cos.abs()]
+    ///     }
+    ///     fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+    ///         let [sin, cos] = angle.sin_cos();
+    ///         if cos.contains(0.0) {
+    ///             // the slope jumps: of its derivative there is no bound
+    ///             return [-cos.abs() + 2.0, sin.union(-sin), Interval::ENTIRE];
+    ///         }
+    ///         let sign = libm::copysign(1.0, cos.low);
+    ///         [-cos.abs() + 2.0, sin * sign, cos.abs()]
+    ///     }
+    /// }
+    /// let arcs = Polar::new(Vector2::zeros(), Limacons, true)?.pieces();
+    /// assert_eq!(arcs.len(), 2);
+    /// assert!((arcs[0].point_at(0.0) - Vector2::new(0.0, 2.0)).norm() < 1e-15);
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn pieces(self) -> Vec<Box<dyn Piece>>
+    where
+        F: Clone + 'static,
+    {
+        match self.kinks.as_deref() {
+            Some(kinks) if !kinks.is_empty() => {
+                let kinks = kinks.to_vec();
+                PolarArc::between(self, &kinks)
+            }
+            _ => vec![Box::new(self)],
+        }
     }
 
     /// The formula.
@@ -112,24 +159,48 @@ impl<F: PolarFormula> Polar<F> {
         &self.formula
     }
 
-    fn about(&self) -> About<'_, F> {
+    /// Whether the table lies inside.
+    pub(super) fn is_inside(&self) -> bool {
+        self.inside
+    }
+
+    /// Something of two angles, the lower first, in the order of traversal.
+    pub(super) fn in_sense<T>(&self, [low, high]: [T; 2]) -> [T; 2] {
+        if self.inside { [low, high] } else { [high, low] }
+    }
+
+    pub(super) fn about(&self) -> About<'_, F> {
         About { center: self.center, formula: &self.formula }
     }
 
-    fn angle(&self, point: &Vector2<f64>) -> f64 {
+    /// The polar angle of a point.
+    pub(super) fn angle(&self, point: &Vector2<f64>) -> f64 {
         let y = point - self.center;
         libm::atan2(y.y, y.x)
     }
 
-    /// The point in the direction `y` from the centre, and the normal there.
-    fn towards(&self, y: Vector2<f64>) -> Landing {
-        let [r, slope, _] = self.formula.jet(libm::atan2(y.y, y.x));
-        let distance = libm::hypot(y.x, y.y);
-        let radial = if distance > 0.0 { y / distance } else { Vector2::x() };
+    /// The point at an angle, and the normal there.
+    pub(super) fn at_angle(&self, angle: f64) -> Landing {
+        let (sin, cos) = libm::sincos(angle);
+        self.towards(angle, Vector2::new(cos, sin))
+    }
+
+    /// The point at an angle, which is that of the unit vector `radial`, and the normal there.
+    fn towards(&self, angle: f64, radial: Vector2<f64>) -> Landing {
+        let [r, slope, _] = self.formula.jet(angle);
         // the tangent is r′ e_r + r e_φ, counter-clockwise; the table lies on the left of it if it lies inside
         let tangent = radial * slope + Vector2::new(-radial.y, radial.x) * r;
         let speed = libm::hypot(slope, r) * if self.inside { 1.0 } else { -1.0 };
         Landing { point: self.center + radial * r, normal: Vector2::new(-tangent.y, tangent.x) / speed }
+    }
+
+    /// The curvature at an angle, as [`Piece::curvature`].
+    pub(super) fn curvature_at(&self, angle: f64) -> f64 {
+        let [r, slope, second] = self.formula.jet(angle);
+        let speed = libm::hypot(r, slope);
+        // (r² + 2 r′² − r r″) / (r² + r′²)^{3/2}
+        let curvature = ((r / speed) * ((r - second) / speed) + 2.0 * (slope / speed) * (slope / speed)) / speed;
+        if self.inside { curvature } else { -curvature }
     }
 
     /// From arc length counter-clockwise to arc length in the sense of traversal, and back.
@@ -188,12 +259,14 @@ impl Ranges {
         let level = count.ilog2() as usize;
         let run = &self.runs[level];
         let (a, b) = (&run[start % PARTS], &run[(start + count - (1 << level)) % PARTS]);
-        [0, 1, 2].map(|i| a[i].union(b[i]))
+        let union = [0, 1, 2].map(|i| a[i].union(b[i]));
+        // a part may have a kink where these angles have none
+        if union[2].magnitude().is_finite() { union } else { formula.jet_over(angles) }
     }
 }
 
 /// The curve by its angle.
-struct About<'a, F> {
+pub(super) struct About<'a, F> {
     center: Vector2<f64>,
     formula: &'a F,
 }
@@ -281,14 +354,12 @@ impl<F: PolarFormula> Piece for Polar<F> {
         Crossing { num: way.max(0.0), den: square }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
-        self.towards(path.at(time) - self.center)
+        let y = path.at(time) - self.center;
+        let distance = libm::hypot(y.x, y.y);
+        self.towards(libm::atan2(y.y, y.x), if distance > 0.0 { y / distance } else { Vector2::x() })
     }
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
-        let [r, slope, second] = self.formula.jet(self.angle(point));
-        let speed = libm::hypot(r, slope);
-        // (r² + 2 r′² − r r″) / (r² + r′²)^{3/2}
-        let curvature = ((r / speed) * ((r - second) / speed) + 2.0 * (slope / speed) * (slope / speed)) / speed;
-        if self.inside { curvature } else { -curvature }
+        self.curvature_at(self.angle(point))
     }
     fn length(&self) -> f64 {
         self.table.length()
@@ -302,8 +373,7 @@ impl<F: PolarFormula> Piece for Polar<F> {
         self.traversed(self.table.at_parameter(&self.about(), angle))
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        let angle = self.table.closest(&self.about(), point);
-        self.towards(Vector2::new(libm::cos(angle), libm::sin(angle)))
+        self.at_angle(self.table.closest(&self.about(), point))
     }
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {
         None
@@ -312,13 +382,12 @@ impl<F: PolarFormula> Piece for Polar<F> {
         self.extent
     }
     fn graphs(&self) -> Option<Vec<Graph>> {
-        if !self.calm {
+        if self.kinks.as_ref().is_none_or(|kinks| !kinks.is_empty()) {
             return None;
         }
-        let angles = if self.inside { [0.0, 2.0 * PI] } else { [2.0 * PI, 0.0] };
         let about = self.about();
         let start = about.at(0.0)[0];
-        graphs(&about, angles, [start; 2], self.extent.size())
+        graphs(&about, self.in_sense([0.0, 2.0 * PI]), [start; 2], self.extent.size())
     }
     fn area(&self) -> f64 {
         if self.inside { self.area } else { -self.area }

@@ -1,0 +1,16 @@
+//! Numbers and points as people read them.
+
+use crate::document::spell;
+
+/// A number to six digits.
+pub(crate) fn short(x: f64) -> String {
+    let rounded: f64 = format!("{x:.5e}").parse().unwrap_or(x);
+    spell(rounded)
+}
+
+/// A point or vector; a coordinate that is nothing beside the others and beside some length, by more than the digits shown, is 0.
+pub(crate) fn point(p: &[f64], beside: f64) -> String {
+    let size = p.iter().fold(beside, |m: f64, x| m.max(x.abs()));
+    let clean = |x: &f64| if x.abs() < 1e-12 * size { 0.0 } else { *x };
+    format!("({})", p.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
+}

@@ -1,0 +1,97 @@
+//! What does not change a result, and what does.
+
+use super::{Folder, SQUARE};
+
+#[test]
+fn the_command_line_overrides_law_and_limit_and_nothing_else() {
+    let folder = Folder::new("override");
+    folder.done(SQUARE, &["--law", "no-slip", "-n", "1"]);
+    let rows = folder.rows();
+    assert_eq!(rows.len(), 2);
+    // a uniform disk: v0+ = -v0/3 + (2 sqrt 2/3) vt with vt = v2 on the right wall (t = J nu points down: vt = -v2)
+    let s = 2.0 * 2.0_f64.sqrt() / 3.0;
+    let expected = -0.125 / 3.0 + s * -0.25;
+    assert!((rows[0][7] - expected).abs() <= 4.0 * f64::EPSILON, "{} {expected}", rows[0][7]);
+    assert_eq!(rows[0][8], -0.5);
+}
+
+pub(super) const CHAOS: &str = r#"
+law = "no-slip"
+[table]
+name = "sinai"
+[[orbit]]
+position = [0.1, 0.15]
+velocity = [0.6, 0.8]
+spin = 0.1
+[[orbit]]
+position = [0.2, 0.15]
+velocity = [-0.6, 0.5]
+[run]
+collisions = 20000
+"#;
+
+#[test]
+fn an_orbit_is_the_same_whether_or_not_anybody_watches() {
+    let folder = Folder::new("watched");
+    let kept = |output: &str, arguments: &[&str]| {
+        let summary = folder.done(&format!("{CHAOS}\n[output]\n{output}"), arguments);
+        ["collisions", "time", "energy_drift", "stops"].map(|key| summary[key].clone())
+    };
+    // after twenty thousand collisions in a dispersing table, one different bit would have changed everything
+    let bare = kept("", &[]);
+    assert_eq!(kept("collisions = \"csv\"", &["--threads", "1"]), bare);
+    assert_eq!(kept("pictures = [\"orbit\"]", &["--threads", "2"]), bare);
+    assert_eq!(kept("pictures = [\"velocity-portrait\", \"phase-portrait\"]", &[]), bare);
+}
+
+#[test]
+fn results_do_not_depend_on_the_number_of_threads() {
+    let folder = Folder::new("threads");
+    let scene = r#"
+law = "no-slip"
+table = { name = "stadium" }
+ensemble = { count = 300, seed = 7 }
+run = { time = 40 }
+output = { collisions = "csv" }
+"#;
+    let records: Vec<String> = ["1", "2", "5"]
+        .map(|threads| {
+            folder.done(scene, &["--threads", threads]);
+            folder.read("out/collisions.csv")
+        })
+        .into();
+    assert!(records[0].lines().count() > 3000);
+    assert!(records.windows(2).all(|pair| pair[0] == pair[1]));
+    // the start of an orbit depends on the seed and its own number: fewer orbits are the first of many
+    folder.done(&scene.replace("count = 300", "count = 3"), &[]);
+    assert!(records[0].starts_with(&folder.read("out/collisions.csv")));
+    folder.done(&scene.replace("seed = 7", "seed = 8"), &[]);
+    assert_ne!(records[0], folder.read("out/collisions.csv"));
+}
+
+#[test]
+fn portraits_do_not_depend_on_who_counts_the_points() {
+    let folder = Folder::new("portraits");
+    // enough points that they are counted, and as few that they are dots; laws that keep the speed and one that does not
+    for (law, collisions) in
+        [("no-slip", 250), ("no-slip", 30), ("{ name = \"restitution\", normal = 0.99, tangential = 0 }", 250)]
+    {
+        let pictures = "pictures = [\"velocity-portrait\", \"phase-portrait\"]";
+        let scene = format!(
+            "law = {}\n[table]\nname = \"stadium\"\n[ensemble]\ncount = 301\nseed = 5\n[run]\n\
+             collisions = {collisions}\n[output]\n{pictures}\n",
+            if law.starts_with('{') { law.into() } else { format!("\"{law}\"") }
+        );
+        let drawn = |scene: &str, threads: &str| {
+            folder.done(scene, &["--threads", threads]);
+            let files = ["velocity-portrait.svg", "phase-portrait.svg"];
+            files.map(|file| folder.read(&format!("out/{file}")))
+        };
+        let one = drawn(&scene, "1");
+        assert_eq!(one[0].contains("<image"), collisions == 250);
+        assert!(drawn(&scene, "2") == one);
+        assert!(drawn(&scene, "5") == one);
+        // with a record, every orbit runs on its own
+        assert!(drawn(&format!("{scene}collisions = \"npy\"\n"), "2") == one);
+    }
+}

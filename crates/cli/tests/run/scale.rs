@@ -1,0 +1,92 @@
+//! Scenes of any size.
+
+use super::Folder;
+
+/// A stadium of radius `length` with speeds near `speed`, both powers of two or decimal powers.
+pub(super) fn stadium(length: f64, speed: f64) -> String {
+    format!(
+        "law = \"no-slip\"\n[table]\nname = \"stadium\"\nhalf_length = {length:e}\nradius = {length:e}\n\
+         [[orbit]]\nposition = [{:e}, {:e}]\nvelocity = [{:e}, {:e}]\nspin = {:e}\nangle = {:e}\n\
+         [run]\ncollisions = 300\n[output]\ncollisions = \"csv\"\npictures = [\"orbit\", \"phase-portrait\"]\n",
+        0.125 * length,
+        0.25 * length,
+        0.5 * speed,
+        0.75 * speed,
+        0.25 * speed,
+        0.5 * length
+    )
+}
+
+#[test]
+fn scenes_of_any_size_run_and_scale_to_the_last_digit() {
+    let folder = Folder::new("scale");
+    folder.done(&stadium(1.0, 1.0), &[]);
+    let unit = folder.rows();
+    for (a, b) in [(480, 480), (-480, 480), (480, -480), (-490, -490)] {
+        let (length, speed) = (2.0_f64.powi(a), 2.0_f64.powi(b));
+        folder.done(&stadium(length, speed), &[]);
+        for (row, one) in folder.rows().iter().zip(&unit) {
+            let back: Vec<f64> = (0..10)
+                .map(|i| match i {
+                    2 => row[i] / length * speed,
+                    4..=6 => row[i] / length,
+                    7..=9 => row[i] / speed,
+                    _ => row[i],
+                })
+                .collect();
+            assert_eq!(&back, one, "lengths 2^{a}, speeds 2^{b}");
+        }
+    }
+    for (length, speed) in [(1e150, 2e-150), (2e-150, 1e150), (2e-150, 2e-150), (1e150, 1e150)] {
+        let summary = folder.done(&stadium(length, speed), &[]);
+        assert!(summary["energy_drift"].as_f64().unwrap() < 1e-14, "{length:e} {speed:e}");
+        assert_eq!(summary["stops"]["finished"], 1);
+    }
+}
+
+#[test]
+fn other_tables_run_at_any_size_too() {
+    let folder = Folder::new("sizes");
+    let tables = [
+        "[[table.boundary]]\ncurve = { polar = \"LENGTH*(1 + 0.1*cos(3*t))\" }",
+        "[[table.boundary]]\ncurve = { implicit = \"(x/LENGTH)^2/4 + (y/LENGTH)^2 - 1\", within = [[-3*L, -2*L], [3*L, 2*L]] }",
+        "[[table.boundary]]\nshape = { name = \"cuboid\", size = [2*L, 2*L], rounding = 0.25*L, domain = \"inside\" }",
+        "[table]\nname = \"wedge\"\nangle = 1",
+        "[table]\nname = \"sinai-torus\"\nradius = 0.25*L\nside = 2*L",
+        "[table]\nname = \"box\"\ndimension = 3\nsize = [1*L, 2*L, 1*L]",
+    ];
+    for length in ["1e-140", "1", "1e140"] {
+        for table in tables {
+            let mut text = String::new();
+            // 3*L as TOML has it: a formula
+            for (i, part) in table.replace("LENGTH", length).split('*').enumerate() {
+                if i > 0 {
+                    text.push('*');
+                }
+                text += part;
+            }
+            let text = expressions(&text, length);
+            let space = table.contains("dimension");
+            let third = if space { format!(", \"0.3*{length}\"") } else { String::new() };
+            let velocity = if space { "[0.5, 0.25, 0.7]" } else { "[0.5, 0.25]" };
+            let scene = format!(
+                "law = \"no-slip\"\n{text}\n[[orbit]]\nposition = [\"0.1*{length}\", \"0.3*{length}\"{third}]\n\
+                 velocity = {velocity}\n[run]\ncollisions = 50\n[output]\npictures = [\"orbit\"]\n"
+            );
+            let summary = folder.done(&scene, &[]);
+            assert!(summary["energy_drift"].as_f64().unwrap() < 1e-14, "{scene}");
+        }
+    }
+}
+
+/// Numbers like `3*L` as strings that hold formulas.
+fn expressions(text: &str, length: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some(at) = rest.find("*L") {
+        let start = rest[..at].rfind(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-')).map_or(0, |i| i + 1);
+        out.extend([&rest[..start], "\"", &rest[start..at], "*", length, "\""]);
+        rest = &rest[at + 2..];
+    }
+    out + rest
+}

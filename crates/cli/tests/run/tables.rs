@@ -1,0 +1,183 @@
+//! Tables and starts of every kind.
+
+use super::{Folder, SQUARE};
+
+#[test]
+fn a_time_limit_ends_orbits_at_that_time() {
+    let folder = Folder::new("time");
+    let summary = folder.done(&SQUARE.replace("collisions = 3", "time = 2.25"), &[]);
+    assert_eq!((summary["time"].as_f64(), summary["collisions"].as_u64()), (Some(4.5), Some(4)));
+    assert!(folder.rows().iter().all(|row| row[2] <= 2.25));
+}
+
+#[test]
+fn positions_on_a_lattice_stay_in_the_unit_cell_and_cells_add_up() {
+    let folder = Folder::new("lattice");
+    let scene = |position: &str| {
+        format!(
+            "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 0.25\n[[orbit]]\nposition = {position}\n\
+             velocity = [1, 0.125]\n[run]\ncollisions = 20\n[output]\ncollisions = \"csv\"\n"
+        )
+    };
+    folder.done(&scene("[0.125, 0.25]"), &[]);
+    let header = folder.read("out/collisions.csv").lines().next().unwrap().to_owned();
+    assert_eq!(header, "orbit,n,t,piece,x0,x1,x2,v0,v1,v2,cell1,cell2");
+    let home = folder.rows();
+    assert!(home.iter().all(|row| (0.0..1.0).contains(&row[5]) && (0.0..1.0).contains(&row[6])));
+    // the first flight: position + cell is where the straight line from the start leads
+    let lifted = [home[0][5] + home[0][10], home[0][6] + home[0][11]];
+    assert!(
+        (lifted[0] - (0.125 + home[0][2])).abs() < 1e-14 && (lifted[1] - (0.25 + 0.125 * home[0][2])).abs() < 1e-14
+    );
+    // the same start three cells on and two down: the same orbit there
+    folder.done(&scene("[3.125, -1.75]"), &[]);
+    for (there, here) in folder.rows().iter().zip(&home) {
+        assert_eq!(there[..10], here[..10]);
+        assert_eq!([there[10], there[11]], [here[10] + 3.0, here[11] - 2.0]);
+    }
+}
+
+#[test]
+fn a_piece_may_have_a_law_of_its_own() {
+    let folder = Folder::new("laws");
+    let scene = r#"
+law = "no-slip"
+[[table.boundary]]
+loop = { from = [0, 0], edges = [
+  { line_to = [1, 0], law = "specular" },
+  { line_to = [1, 1] },
+  { line_to = [0, 1] },
+  { line_to = [0, 0] },
+] }
+[[orbit]]
+position = [0.25, 0.5]
+velocity = [0.25, -1]
+spin = 0.5
+[run]
+collisions = 2
+[output]
+collisions = "csv"
+"#;
+    folder.done(scene, &[]);
+    let rows = folder.rows();
+    assert_eq!((rows[0][3], &rows[0][7..]), (0.0, &[0.5, 0.25, 1.0][..]), "smooth floor");
+    assert_eq!(rows[1][3], 2.0);
+    assert!(rows[1][7] != 0.5, "rough ceiling");
+    // the law of the command line takes the place of the scene's, not of the piece's
+    folder.done(&scene.replace("law = \"specular\"", "law = \"no-slip\""), &["--law", "specular"]);
+    let rows = folder.rows();
+    assert!(rows[0][7] != 0.5);
+    assert_eq!(rows[1][7], rows[0][7]);
+}
+
+#[test]
+fn a_disk_of_positive_radius_moves_within_the_walls_that_are_drawn() {
+    let folder = Folder::new("disk");
+    let scene = SQUARE.replace("[table]", "[particle]\nradius = 0.125\n[table]");
+    folder.done(&scene, &[]);
+    let rows = folder.rows();
+    assert_eq!((rows[0][3], rows[0][5]), (1.0, 0.875), "the centre is a radius away from the wall it touches");
+    assert_eq!(&rows[3][..7], &[1.0, 1.0, 0.375, 0.0, 0.0, 0.5, 0.125]);
+}
+
+#[test]
+fn orbits_that_all_escape_are_no_failure() {
+    let folder = Folder::new("escape");
+    let scene = "law = \"no-slip\"\ntable = { boundary = [{ circle = { center = [0, 0], radius = 1, domain = \"outside\" } }] }\n\
+                 orbit = [{ position = [2, 0], velocity = [1, 0] }, { position = [3, 0], velocity = [-1, 0] }]\n\
+                 run = { collisions = 10 }\noutput = { pictures = [\"orbit\"] }";
+    let summary = folder.done(scene, &[]);
+    assert_eq!((summary["stops"]["escaped"].as_u64(), summary["collisions"].as_u64()), (Some(2), Some(1)));
+}
+
+#[test]
+fn a_start_on_a_wall_is_accepted_if_it_moves_inwards() {
+    let folder = Folder::new("wall");
+    let start = |position: &str, velocity: &str| {
+        SQUARE
+            .replace("[0.25, 0.5]", position)
+            .replace("[0.5, 0.25]", velocity)
+            .replace("name = \"square\"", "name = \"mushroom\"")
+            .replace("[0.5, 0.5]", "[0, 0.5]")
+    };
+    let refused = |position: &str, velocity: &str| {
+        let output = folder.run(&start(position, velocity), &[]);
+        assert_eq!(output.status.code(), Some(2), "{position} {velocity}");
+        String::from_utf8(output.stderr).unwrap()
+    };
+    folder.done(&start("[0.5, 0]", "[0.5, 0.25]"), &[]);
+    assert!(refused("[0.5, 0]", "[0.5, -0.25]").contains("does not move into the table"));
+    assert!(refused("[0.5, 0]", "[0.5, 0]").contains("does not move into the table"));
+    // at a corner that points out of the table, into it for both walls; at a re-entrant one, for either
+    folder.done(&start("[1, 0]", "[-0.5, 0.25]"), &[]);
+    assert!(refused("[1, 0]", "[0.5, 0.25]").contains("does not move into the table"));
+    folder.done(&start("[0.25, 0]", "[0.5, 0.25]"), &[]);
+    folder.done(&start("[0.25, 0]", "[-0.5, -0.25]"), &[]);
+    assert!(refused("[0.25, 0]", "[0.5, -0.25]").contains("does not move into the table"));
+    // within rounding of a wall is on it, whichever side
+    folder.done(&start("[0.5, 1e-17]", "[0.5, 0.25]"), &[]);
+    folder.done(&start("[0.5, -1e-17]", "[0.5, 0.25]"), &[]);
+    assert!(refused("[0.5, -1e-9]", "[0.5, 0.25]").contains("outside the table"));
+}
+
+#[test]
+fn every_shape_bounds_a_table_from_outside() {
+    let folder = Folder::new("shapes");
+    let planar = [
+        ("ball", "radius = 1"),
+        ("cuboid", "size = [2, 1], angle = 0.3"),
+        ("cuboid", "size = [2, 1], rounding = 0.25"),
+        ("capsule", "from = [-1, 0], to = [1, 0.5], radius = 0.5"),
+        ("segment", "from = [-1, 0], to = [1, 0.5]"),
+        ("triangle", "points = [[-1, 0], [1, 0], [0, 1]]"),
+        ("triangle", "points = [[-1, 0], [1, 0], [0, 1]], rounding = 0.25"),
+        ("convex-polygon", "points = [[-1, 0], [0, -1], [1, 0], [0, 1]]"),
+        ("convex-polygon", "points = [[-1, 0], [0, -1], [1, 0], [0, 1]], rounding = 0.25"),
+        ("polygon", "points = [[-1, 0], [1, 0], [0, 0.25], [0, 1]]"),
+        ("polygon", "points = [[-1, 0], [1, 0], [0, 0.25], [0, 1]], rounding = 0.125"),
+        ("polyline", "points = [[-1, 0], [0, 0.25], [1, 0]]"),
+        ("polyline", "points = [[-1, 0], [0, 0.25], [1, 0]], rounding = 0.125"),
+        ("trimesh", "points = [[-1, 0], [1, 0], [0, 1], [0, -1]], triangles = [[0, 1, 2], [0, 3, 1]]"),
+        (
+            "compound",
+            "shapes = [{ name = \"ball\", radius = 1 }, { name = \"cuboid\", size = [3, 0.5], center = [0, 0.5] }]",
+        ),
+    ];
+    let solid = [
+        ("ball", "radius = 1"),
+        ("cuboid", "size = [2, 1, 1]"),
+        ("cuboid", "size = [2, 1, 1], rounding = 0.25"),
+        ("capsule", "from = [-1, 0, 0], to = [1, 0, 0], radius = 0.5"),
+        ("cylinder", "radius = 1, height = 1"),
+        ("cylinder", "radius = 1, height = 1, rounding = 0.125"),
+        ("cone", "radius = 1, height = 1"),
+        ("convex-hull", "points = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, 0, 1]]"),
+        ("half-space", "normal = [0, 0, -1], center = [0, 0, 2]"),
+        (
+            "trimesh",
+            "points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], \
+             triangles = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]",
+        ),
+    ];
+    let scene = |n: usize, name: &str, parameters: &str| {
+        let (dimension, around, position, velocity) = if n == 2 {
+            ("", "circle = { center = [0, 0], radius = 4 }", "[-2.5, -1.5]", "[0.8, 0.61]")
+        } else {
+            ("dimension = 3", "sphere = { center = [0, 0, 0], radius = 4 }", "[-2, -1, -1]", "[0.8, 0.41, 0.43]")
+        };
+        format!(
+            "law = \"no-slip\"\n[table]\n{dimension}\n[[table.boundary]]\n{around}\n[[table.boundary]]\n\
+             shape = {{ name = \"{name}\", {parameters} }}\n[[orbit]]\nposition = {position}\nvelocity = {velocity}\n\
+             [run]\ncollisions = 200\n[output]\ncollisions = \"csv\"\npictures = [\"orbit\"]\n"
+        )
+    };
+    for (n, shapes) in [(2, &planar[..]), (3, &solid[..])] {
+        for (name, parameters) in shapes {
+            let summary = folder.done(&scene(n, name, parameters), &[]);
+            assert_eq!(summary["stops"]["finished"], 1, "{name} {parameters}: {}", summary["stops"]);
+            assert!(summary["energy_drift"].as_f64().unwrap() < 1e-14, "{name} {parameters}");
+            let pieces: Vec<f64> = folder.rows().iter().map(|row| row[3]).collect();
+            assert!(pieces.contains(&0.0) && pieces.iter().any(|piece| *piece > 0.0), "{name} {parameters}: never hit");
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! What a run writes: record, summary, pictures.
+
+use std::fs;
+use std::path::Path;
+
+use assert_cmd::Command;
+use serde_json::Value;
+
+use super::{Folder, SQUARE, same::CHAOS};
+
+#[test]
+fn the_record_has_one_row_per_collision_in_the_order_of_the_orbits() {
+    let folder = Folder::new("record");
+    folder.done(SQUARE, &[]);
+    // every number is dyadic, so the rows are exact: time since the start, x0 = angle + spin · time, velocity after
+    assert_eq!(
+        folder.read("out/collisions.csv"),
+        "orbit,n,t,piece,x0,x1,x2,v0,v1,v2\n\
+         0,1,1.5,1,1.1875,1,0.875,0.125,-0.5,0.25\n\
+         0,2,2,2,1.25,0.75,1,0.125,-0.5,-0.25\n\
+         0,3,3.5,3,1.4375,0,0.625,0.125,0.5,-0.25\n\
+         1,1,0.5,0,0,0.5,0,0,0,1\n\
+         1,2,1.5,2,0,0.5,1,0,0,-1\n\
+         1,3,2.5,0,0,0.5,0,0,0,1\n"
+    );
+}
+
+#[test]
+fn the_summary_tells_after_how_many_collisions_the_digits_are_gone() {
+    let folder = Folder::new("horizon");
+    let orbit = "[[orbit]]\nposition = [0.1, 0.2]\nvelocity = [0.6, 0.8]\nspin = 0.25\n[run]\ncollisions = 1000\n\
+                 [output]\npictures = [\"orbit\"]\n";
+    let scene = |law: &str, table: &str| format!("law = \"{law}\"\n[table]\nname = \"{table}\"\n{orbit}");
+    // the start is a filled dot, the last place that is known an open one
+    let dots =
+        || ["#144a87", "#ffffff"].map(|fill| folder.read("out/orbit.svg").matches(&format!("fill=\"{fill}\"")).count());
+    // the stadium's exponent is 0.94 per collision: 36 of them make a table of an ulp
+    let chaotic = folder.done(&scene("specular", "stadium"), &[])["horizon"].clone();
+    let collisions = chaotic["collisions"].as_u64().unwrap();
+    assert!((25..50).contains(&collisions), "{chaotic}");
+    assert_eq!((&chaotic["orbits"][0]["lost"], &chaotic["orbits"][0]["time"]), (&Value::Bool(true), &chaotic["time"]));
+    assert_eq!(dots(), [1, 1]);
+    // in a circle errors grow like the square of the number of collisions
+    let regular = folder.done(&scene("no-slip", "circle"), &[])["horizon"].clone();
+    assert!(regular["collisions"].is_null() && regular["time"].is_null(), "{regular}");
+    assert_eq!(regular["orbits"][0]["collisions"].as_u64(), Some(1000));
+    assert!(regular["orbits"][0]["error"].as_f64().unwrap() < 1e-8, "{regular}");
+    assert_eq!(dots(), [1, 0]);
+}
+
+#[test]
+fn the_summary_has_every_promised_key() {
+    let folder = Folder::new("summary");
+    let summary = folder.done(SQUARE, &["--threads", "1"]);
+    for key in
+        ["scene", "version", "seed", "collisions", "seconds", "ns_per_collision", "energy_drift", "horizon", "stops"]
+    {
+        assert!(!summary[key].is_null(), "{key}");
+    }
+    assert_eq!((summary["collisions"].as_u64(), summary["stops"]["finished"].as_u64()), (Some(6), Some(2)));
+    assert_eq!(summary["energy_drift"].as_f64(), Some(0.0));
+    assert_eq!(summary["version"], env!("CARGO_PKG_VERSION"));
+    // the hash of the file as it is, whatever the command line says beside it
+    let hash = summary["scene"].clone();
+    assert_eq!(hash.as_str().unwrap().len(), 64);
+    assert_eq!(folder.done(SQUARE, &["--law", "no-slip", "-n", "2"])["scene"], hash);
+    assert_ne!(folder.done(&SQUARE.replace("0.125", "0.25"), &[])["scene"], hash);
+}
+
+#[test]
+fn output_goes_to_a_folder_named_after_the_scene() {
+    let folder = Folder::new("default");
+    fs::write(folder.0.join("my-scene.toml"), SQUARE).unwrap();
+    let mut command = Command::cargo_bin("billiards").unwrap();
+    let output = command.current_dir(&folder.0).args(["run", "my-scene.toml"]).output().unwrap();
+    assert!(output.status.success());
+    assert!(folder.0.join("out/my-scene/summary.json").exists());
+    assert!(folder.0.join("out/my-scene/collisions.csv").exists());
+}
+
+#[test]
+fn every_format_of_the_record_holds_the_same_rows() {
+    let folder = Folder::new("formats");
+    for format in ["jsonl", "npy"] {
+        folder.done(&SQUARE.replace("\"csv\"", &format!("\"{format}\"")), &[]);
+    }
+    let lines: Vec<Value> =
+        folder.read("out/collisions.jsonl").lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!((lines.len(), lines[3]["orbit"].as_u64(), lines[2]["x0"].as_f64()), (6, Some(1), Some(1.4375)));
+    let npy = fs::read(folder.0.join("out/collisions.npy")).unwrap();
+    assert!(npy.starts_with(b"\x93NUMPY"));
+    // ten columns of eight bytes after the header; x0 is the fifth
+    let data = &npy[10 + usize::from(u16::from_le_bytes([npy[8], npy[9]]))..];
+    assert_eq!(data.len(), 6 * 80);
+    assert_eq!(data[2 * 80 + 32..2 * 80 + 40], 1.4375_f64.to_le_bytes());
+}
+
+/// Sends an interrupt to a run that would take weeks.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_keeps_what_is_done() {
+    let folder = Folder::new("interrupt");
+    fs::write(folder.0.join("scene.toml"), CHAOS).unwrap();
+    let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("billiards"))
+        .current_dir(&folder.0)
+        .args(["run", "scene.toml", "-n", "1e12", "--threads", "1"])
+        .stdout(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    // only after the handler is in place: a file of another run tells nothing, so wait for the first second to pass
+    std::thread::sleep(std::time::Duration::from_millis(1500));
+    let sent = std::process::Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+    assert_eq!(run.wait().unwrap().code(), Some(0));
+    let summary = folder.summary("out/scene");
+    assert_eq!(summary["stops"]["interrupted"], 2);
+    assert!(summary["collisions"].as_u64().unwrap() > 1000);
+}
+
+#[test]
+fn pictures_are_well_formed_and_dense_ones_come_as_pixels_too() {
+    let folder = Folder::new("pictures");
+    let scene = format!("{CHAOS}\n[output]\npictures = [\"orbit\", \"velocity-portrait\", \"phase-portrait\"]\n");
+    folder.done(&scene, &[]);
+    for name in ["orbit", "velocity-portrait", "phase-portrait"] {
+        let svg = folder.read(&format!("out/{name}.svg"));
+        let options = roxmltree::ParsingOptions { allow_dtd: false, ..roxmltree::ParsingOptions::default() };
+        let document = roxmltree::Document::parse_with_options(&svg, options).unwrap();
+        assert_eq!(document.root_element().tag_name().name(), "svg");
+        let png: &Path = &folder.0.join(format!("out/{name}.png"));
+        assert_eq!(png.exists(), name != "orbit", "{name}");
+    }
+}

@@ -1,0 +1,145 @@
+//! Chains of pieces that one composite wall can answer for.
+use crate::{
+    Figure,
+    shapes::Segment,
+    walls::{Capsule, ConvexPolygon, Cuboid, Rotated, Slab, Sphere, Wedge, Zonogon},
+};
+use nalgebra::Vector2;
+
+/// A composite wall that encloses the particle.
+pub(super) enum Container {
+    Level(Slab<2, 1>),
+    Upright(Slab<2, 0>),
+    Rectangle(Cuboid<2>),
+    Hexagon(Zonogon<3>),
+    Convex(ConvexPolygon),
+    Wedge(Wedge),
+    Capsule(Capsule),
+    RotatedCapsule(Rotated<Capsule>),
+    Disk(Sphere<2>),
+}
+
+/// Polygons with more sides than this are better served piece by piece.
+pub(super) const MOST_SIDES: usize = 16;
+
+impl Container {
+    /// The wall that answers for a chain of pieces, if there is one.
+    pub(super) fn of(chain: &[usize], figures: &[Figure]) -> Option<Container> {
+        if let [Figure::Circle { center, radius, inside: true }] = figures {
+            return Sphere::new(*center, *radius, chain[0]).ok().map(Container::Disk);
+        }
+        if let (&[i, j], &[arriving, leaving]) = (chain, figures)
+            && let Ok(wedge) = Wedge::new([arriving, leaving], [i, j])
+        {
+            return Some(Container::Wedge(wedge));
+        }
+        if chain.windows(2).any(|w| w[1] != w[0] + 1) {
+            return None; // composite walls number their pieces consecutively
+        }
+        Container::polygon(chain[0], figures).or_else(|| Container::capsule(chain, figures))
+    }
+
+    fn polygon(first: usize, figures: &[Figure]) -> Option<Container> {
+        if figures.len() > MOST_SIDES {
+            return None;
+        }
+        let side = |f: &Figure| match f {
+            Figure::Segment { ends: [a, b] } => Segment::new(*a, *b).ok(),
+            _ => None,
+        };
+        let sides: Vec<Segment> = figures.iter().map(side).collect::<Option<_>>()?;
+        Container::rectangle(first, &sides)
+            .or_else(|| Zonogon::new(&sides, first).ok().map(Container::Hexagon))
+            .or_else(|| ConvexPolygon::new(&sides, first).ok().map(Container::Convex))
+    }
+
+    fn rectangle(first: usize, sides: &[Segment]) -> Option<Container> {
+        if sides.len() != 4 {
+            return None;
+        }
+        let all: Vec<[f64; 2]> = sides.iter().map(Segment::start).collect();
+        let bound = |i: usize, pick: fn(f64, f64) -> f64| all.iter().map(|p| p[i]).reduce(pick).unwrap_or(0.0);
+        let (low, high) = ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
+        // the walls in the order of axes: lower and upper
+        let mut pieces = [[usize::MAX; 2]; 2];
+        for (k, s) in sides.iter().enumerate() {
+            let n = s.inward_normal();
+            let axis = usize::from(n[0] == 0.0);
+            if n[1 - axis] != 0.0 || s.start()[axis] != s.end()[axis] {
+                return None;
+            }
+            pieces[axis][usize::from(n[axis] < 0.0)] = first + k;
+        }
+        if pieces.iter().flatten().any(|&p| p == usize::MAX) {
+            return None;
+        }
+        Cuboid::new(low, high, pieces).ok().map(Container::Rectangle)
+    }
+
+    fn capsule(chain: &[usize], figures: &[Figure]) -> Option<Container> {
+        // in whatever order the loop starts: side, cap, side, cap
+        let k = figures.iter().position(|f| matches!(f, Figure::Segment { .. }))?;
+        let at = |i: usize| figures[(k + i) % figures.len()];
+        if figures.len() != 4 {
+            return None;
+        }
+        let (
+            Figure::Segment { ends: [a, b] },
+            Figure::Arc { center: head, radius, ends: [b1, c0], inside: true },
+            Figure::Segment { ends: [c, d] },
+            Figure::Arc { center: tail, radius: r2, ends: [d1, a1], inside: true },
+        ) = (at(0), at(1), at(2), at(3))
+        else {
+            return None;
+        };
+        let size = [a, b, c, d].iter().flat_map(|p| p.iter()).fold(0.0, |m: f64, x| m.max(x.abs()));
+        let near = |p: Vector2<f64>, q: Vector2<f64>| (p - q).amax() <= 16.0 * f64::EPSILON * size;
+        let axis = head - tail;
+        let length = libm::hypot(axis.x, axis.y);
+        let across = Vector2::new(axis.y, -axis.x) * (radius / length);
+        let fits = (radius - r2).abs() <= 16.0 * f64::EPSILON * size
+            && near(a, tail + across)
+            && near(b, head + across)
+            && near(c, head - across)
+            && near(d, tail - across)
+            && b == b1
+            && c == c0
+            && d == d1
+            && a == a1;
+        let pieces = [0, 1, 2, 3].map(|i| chain[(k + i) % 4]);
+        if !fits {
+            return None;
+        }
+        // in the capsule's own frame, along whose first axis the centres lie
+        let [c, s] = [axis.x / length, axis.y / length];
+        let middle = (head + tail) * 0.5;
+        let center = Vector2::new(middle.x * c + middle.y * s, middle.y * c - middle.x * s);
+        let capsule = Capsule::new(center, 0.5 * length, radius, pieces).ok()?;
+        if axis.y == 0.0 && axis.x > 0.0 {
+            return Some(Container::Capsule(capsule));
+        }
+        Rotated::new(capsule, axis).ok().map(Container::RotatedCapsule)
+    }
+
+    /// The room between two parallel lines along an axis.
+    pub(super) fn slab(figures: &[Figure]) -> Option<Container> {
+        let [Figure::Line { through: p, direction: d }, Figure::Line { through: q, direction: e }] = figures else {
+            return None;
+        };
+        for axis in 0..2 {
+            let across = 1 - axis;
+            // along the axis `across`, opposite to one another; the table on the left of each
+            if d[axis] == 0.0 && e[axis] == 0.0 && d[across] == -e[across] {
+                let first_is_low = if axis == 1 { d.x > 0.0 } else { d.y < 0.0 };
+                let (low, high, pieces) =
+                    if first_is_low { (p[axis], q[axis], [0, 1]) } else { (q[axis], p[axis], [1, 0]) };
+                return if axis == 1 {
+                    Slab::new(low, high, pieces).ok().map(Container::Level)
+                } else {
+                    Slab::new(low, high, pieces).ok().map(Container::Upright)
+                };
+            }
+        }
+        None
+    }
+}

@@ -1,0 +1,154 @@
+//! The fastest walls for a table.
+use super::{
+    Table, closest_of,
+    container::{Container, MOST_SIDES},
+    translates,
+};
+use crate::{
+    Figure, Lattice, Piece,
+    walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
+};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+impl Table {
+    /// Runs a computation with the best walls for this table.
+    pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
+        if let Some(lattice) = &self.lattice {
+            return match self.figures().as_slice() {
+                [Figure::Circle { center, radius, inside: false }] if inside_cell(*center, *radius, lattice) => {
+                    match Scatterer::new(*center, *radius, 0) {
+                        Ok(disk) => visit.run(&Periodic::new(disk, lattice)),
+                        Err(_) => visit.run(&Periodic::new(self.translates(lattice), lattice)),
+                    }
+                }
+                _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
+            };
+        }
+        // obstacles of straight sides in a rectangle, too, are asked faster together with it
+        if self.polygon.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
+            return self.with_general_walls(visit);
+        }
+        let Some((container, rest)) = self.container() else { return self.with_general_walls(visit) };
+        match (container, rest.as_slice()) {
+            (Container::Level(walls), []) => visit.run_homogeneous(&walls),
+            (Container::Upright(walls), []) => visit.run_homogeneous(&walls),
+            (Container::Rectangle(walls), []) => visit.run(&walls),
+            (Container::Hexagon(walls), []) => visit.run(&walls),
+            (Container::Convex(walls), []) => visit.run(&walls),
+            (Container::Wedge(walls), []) => visit.run(&walls),
+            (Container::Capsule(walls), []) => visit.run(&walls),
+            (Container::RotatedCapsule(walls), []) => visit.run(&walls),
+            (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
+            (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
+                Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts(&[*one]) }),
+            },
+            (Container::Disk(walls), [one]) => match self.scatterer(*one) {
+                Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
+                None => visit.run(&Around { container: walls, obstacles: self.parts(&[*one]) }),
+            },
+            (Container::Rectangle(walls), many) => visit.run(&Around { container: walls, obstacles: self.parts(many) }),
+            _ => self.with_general_walls(visit),
+        }
+    }
+
+    /// Runs a computation with walls of any form.
+    fn with_general_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
+        match self.polygon.get_or_init(|| self.polygon().map(Arc::new)) {
+            Some(walls) => visit.run(&**walls),
+            None => visit.run(self.parts(&(0..self.pieces.len()).collect::<Vec<_>>())),
+        }
+    }
+
+    /// Whether all pieces are segments.
+    fn is_straight(&self) -> bool {
+        self.pieces.iter().all(|piece| matches!(piece.figure(), Figure::Segment { .. }))
+    }
+
+    /// All pieces as the sides of a polygon, if they are straight.
+    fn polygon(&self) -> Option<Polygon> {
+        let side = |(i, piece): (usize, &Arc<dyn Piece>)| match piece.figure() {
+            Figure::Segment { ends } => Some((i, ends)),
+            _ => None,
+        };
+        let sides: Option<Vec<_>> = self.pieces.iter().enumerate().map(side).collect();
+        Polygon::new(&sides?, &self.corners).ok()
+    }
+
+    /// A piece as a scatterer, if it is one.
+    fn scatterer(&self, piece: usize) -> Option<Scatterer<2>> {
+        match self.pieces[piece].figure() {
+            Figure::Circle { center, radius, inside: false } => Scatterer::new(center, radius, piece).ok(),
+            _ => None,
+        }
+    }
+
+    /// Any table as a list of pieces, asked one by one: the reference for all other walls.
+    pub fn list(&self, numbers: impl IntoIterator<Item = usize>) -> List {
+        List::new(self.numbered(numbers), &self.corners)
+    }
+
+    /// Those pieces that no composite wall covers as walls, each asked in the best way.
+    fn parts(&self, numbers: &[usize]) -> &Pieces {
+        self.parts.get_or_init(|| Arc::new(Pieces::new(self.numbered(numbers.iter().copied()), &self.corners)))
+    }
+
+    fn numbered(&self, numbers: impl IntoIterator<Item = usize>) -> Vec<(usize, Arc<dyn Piece>)> {
+        numbers.into_iter().map(|i| (i, self.pieces[i].clone())).collect()
+    }
+
+    fn figures(&self) -> Vec<Figure> {
+        self.pieces.iter().map(|p| p.figure()).collect()
+    }
+
+    /// A chain of pieces that one composite wall can answer for, and all other pieces.
+    fn container(&self) -> Option<(Container, Vec<usize>)> {
+        let figures = self.figures();
+        let rest = |used: &[usize]| (0..self.pieces.len()).filter(|i| !used.contains(i)).collect();
+        for chain in self.chains() {
+            let of_chain: Vec<Figure> = chain.iter().map(|&i| figures[i]).collect();
+            if let Some(container) = Container::of(&chain, &of_chain) {
+                let rest: Vec<usize> = rest(&chain);
+                // what else there is must lie inside: a table may have several rooms
+                return rest.iter().all(|&i| self.inside(&chain, i)).then_some((container, rest));
+            }
+        }
+        if let [Figure::Line { .. }, Figure::Line { .. }] = figures[..]
+            && let Some(slab) = Container::slab(&figures)
+        {
+            return Some((slab, vec![]));
+        }
+        None
+    }
+
+    /// Whether a piece lies on the table's side of a chain that it does not cross.
+    fn inside(&self, chain: &[usize], piece: usize) -> bool {
+        let point = self.pieces[piece].point_at(0.5 * self.pieces[piece].length());
+        let (_, landing) = closest_of(chain.iter().map(|&i| (i, &self.pieces[i])), &point);
+        (point - landing.point).dot(&landing.normal) >= 0.0
+    }
+
+    /// Every piece that reaches into the unit cell, translated there.
+    fn translates(&self, lattice: &Lattice) -> &Pieces {
+        self.parts.get_or_init(|| {
+            let mut corners = vec![];
+            let mut pieces = vec![];
+            for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
+                let ends = self.pieces[i].ends().map_or(vec![], Vec::from);
+                corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
+                pieces.push((i, piece));
+            }
+            Arc::new(Pieces::new(pieces, &corners))
+        })
+    }
+}
+
+/// Whether a disk lies in the unit cell, so that no translate of it reaches in.
+fn inside_cell(center: Vector2<f64>, radius: f64, lattice: &Lattice) -> bool {
+    (0..lattice.vectors().len()).all(|i| {
+        let [f, g] = lattice.functional(i);
+        let (at, reach) = (f * center.x + g * center.y, radius * libm::hypot(f, g));
+        at - reach >= 0.0 && at + reach <= 1.0
+    })
+}

@@ -1,0 +1,255 @@
+//! Composite walls against the plain list of pieces, lanes against single numbers, and long orbits against leaks.
+#![allow(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
+
+mod few;
+#[path = "../formulas/mod.rs"]
+mod formulas;
+mod leaks;
+mod periodic;
+mod side_by_side;
+
+use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, Translated};
+use geometry::{
+    Interior, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
+    tables::{Build, Entry},
+    walls::{Few, List},
+};
+use lanes::{Kernel, Lane, Mask};
+
+/// Random numbers, uniform in [0, 1): a linear congruential generator with its upper bits.
+struct Random(u64);
+
+impl Random {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / 9_007_199_254_740_992.0 // 2⁵³
+    }
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.uniform()
+    }
+    /// Any direction, one in eight of them along an axis; any speed of a wide range.
+    fn velocity<const N: usize>(&mut self) -> SVector<f64, N> {
+        if self.uniform() < 0.125 {
+            let (axis, sign) = (self.uniform(), self.uniform());
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "below N")]
+            let axis = (axis * N as f64) as usize;
+            let other = if self.uniform() < 0.5 { 0.0 } else { -0.0 };
+            return SVector::from_fn(|i, _| {
+                if i != axis {
+                    other
+                } else if sign < 0.5 {
+                    -1.0
+                } else {
+                    1.0
+                }
+            });
+        }
+        loop {
+            let v = SVector::<f64, N>::from_fn(|_, _| self.between(-1.0, 1.0));
+            if v.norm_squared() > 0.01 {
+                return v * libm::exp2(self.between(-8.0, 8.0));
+            }
+        }
+    }
+}
+
+/// Planar tables without a lattice: every named one, and variations of those that have composite walls.
+fn planar() -> Vec<(String, Table)> {
+    let mut all: Vec<(String, Table)> = tables::all()
+        .iter()
+        .filter(|e| e.dimension() == 2)
+        .map(|e| (e.name.to_string(), e.planar(&e.typical()).unwrap()))
+        .filter(|(_, table)| table.lattice().is_none())
+        .collect();
+    let mut random = Random(1);
+    let r = &mut random;
+    let v = Vector2::new;
+    for k in 0..12 {
+        let size = libm::exp2(r.between(-30.0, 30.0));
+        let mut add = |name: &str, table: Table| all.push((format!("{name} {k}"), table));
+        add("stadium", tables::stadium(size * r.uniform(), size).unwrap());
+        add("hexagon", tables::hexagon(size).unwrap());
+        add("rectangle", tables::rectangle([size, size * r.uniform()]).unwrap());
+        add("polygon", tables::polygon(5 + k, size).unwrap());
+        add("sinai", tables::sinai(size, size * r.between(0.01, 0.49)).unwrap());
+        add("wedge", tables::wedge(r.between(0.05, 3.1)).unwrap());
+        add("flower", tables::flower(3 + k, size * r.between(0.5, 1.5), size).unwrap());
+        add("moon", tables::moon(size, size * r.between(0.6, 0.9), size).unwrap());
+        let apex = v(size * r.between(-2.0, 3.0), size * r.between(0.1, 2.0));
+        add("triangle", tables::triangle([v(0.0, 0.0), v(size, 0.0), apex]).unwrap());
+        // away from the origin, and turned
+        let (by, angle) = (v(size * r.between(-3.0, 3.0), size * r.between(-3.0, 3.0)), r.between(0.0, 6.3));
+        let turned = |x: f64, y: f64| {
+            let (c, s) = (libm::cos(angle), libm::sin(angle));
+            by + v(c * x - s * y, s * x + c * y) * size
+        };
+        let stadium = Outline::from(turned(-0.5, -1.0))
+            .line_to(turned(0.5, -1.0))
+            .and_then(|o| o.arc_to(turned(0.5, 1.0), turned(0.5, 0.0), Turn::CounterClockwise))
+            .and_then(|o| o.line_to(turned(-0.5, 1.0)))
+            .and_then(|o| o.arc_to(turned(-0.5, -1.0), turned(-0.5, 0.0), Turn::CounterClockwise));
+        add("turned stadium", Table::new(stadium.unwrap().close().unwrap()).unwrap());
+        let corners = [turned(1.0, 0.0), turned(0.4, 0.9), turned(-1.0, 0.0), turned(-0.4, -0.9)];
+        let side = |i: usize| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as _;
+        add("turned parallelogram", Table::new((0..4).map(side).collect()).unwrap());
+        if k < 4 {
+            for (name, table) in formulas::tables(by, size) {
+                add(name, table);
+            }
+        }
+    }
+    all
+}
+
+/// The size of a table's coordinates, infinite directions left out.
+fn size(table: &Table) -> f64 {
+    let extent = table.extent();
+    let finite = extent.min.iter().chain(extent.max.iter()).filter(|x| x.is_finite());
+    finite.fold(0.0, |m: f64, x| m.max(x.abs()))
+}
+
+/// Paths from inside the table and from its boundary, none of them parallel to where it starts.
+fn paths(table: &Table, count: usize, random: &mut Random) -> Vec<Line<2>> {
+    let list = table.list(0..table.pieces().len());
+    let interior = Interior::of(table).ok();
+    let inside = |random: &mut Random| match &interior {
+        Some(interior) => interior.point(&mut || random.uniform()).unwrap(),
+        // strip and wedge: somewhere near the origin
+        None => loop {
+            let p = Vector2::new(random.between(-3.0, 3.0), random.between(0.0, 3.0));
+            if table.contains(&p) {
+                return p;
+            }
+        },
+    };
+    let mut paths = vec![];
+    while paths.len() < count {
+        let start = Line { point: inside(random), velocity: random.velocity() };
+        paths.push(start);
+        // and on from where it ends, in some direction into the table
+        if let Some(hit) = list.hit(&start).filter(|hit| !hit.corner) {
+            let v = random.velocity::<2>();
+            let normal = v.dot(&hit.normal);
+            if normal.abs() > 1e-3 * v.norm() {
+                let velocity = if normal > 0.0 { v } else { -v };
+                paths.push(Line { point: hit.point, velocity });
+            }
+        }
+    }
+    paths
+}
+
+/// Composite walls and list, path by path.
+struct Compare<'a> {
+    name: &'a str,
+    table: &'a Table,
+    paths: &'a [Line<2>],
+}
+
+impl WithWalls<2> for Compare<'_> {
+    type Output = ();
+    fn run<W: Walls<2>>(self, walls: &W) {
+        let list = self.table.list(0..self.table.pieces().len());
+        let vertices: Vec<Vector2<f64>> = self.table.pieces().iter().filter_map(|p| p.ends()).flatten().collect();
+        for path in self.paths {
+            let context = || format!("{}: {path:?}", self.name);
+            let (Some(a), Some(b)) = (list.hit(path), walls.hit(path)) else {
+                assert_eq!(list.hit(path), walls.hit(path), "{}", context());
+                continue;
+            };
+            let speed = path.velocity.norm();
+            let reach = size(self.table).max(path.point.amax()) + speed * a.time;
+            // within 64 ulp of a vertex rounding decides which neighbour is hit
+            let near = |v: &Vector2<f64>| (v - a.point).norm().min((v - b.point).norm()) < 64.0 * f64::EPSILON * reach;
+            if vertices.iter().any(near) {
+                continue;
+            }
+            // Both evaluate a distance to a wall with a handful of roundings of numbers of size `reach`; to the time
+            // that passes on with 1/cos of the angle of incidence, 16 being the number of roundings. A hit of a circle
+            // that grazes it is the root of a number as small as cos², right to the same 16 ulp over cos.
+            let cos = path.velocity.dot(&a.normal).abs() / speed;
+            let bound = 16.0 * f64::EPSILON * reach / cos;
+            assert_eq!(a.piece, b.piece, "{}", context());
+            assert!((a.time - b.time).abs() * speed <= bound, "{}: {a:?} {b:?}, cos {cos}", context());
+            assert!((a.point - b.point).norm() <= bound, "{}: {a:?} {b:?}", context());
+            // the normal turns with the point, by its distance over the radius of curvature
+            let curvature = self.table.pieces()[a.piece].curvature(&a.point).abs();
+            assert!(
+                (a.normal - b.normal).norm() <= 8.0 * f64::EPSILON + 2.0 * bound * curvature,
+                "{}: {a:?} {b:?}",
+                context()
+            );
+            assert_eq!(a.corner, b.corner, "{}: {a:?} {b:?}", context());
+        }
+    }
+}
+
+#[test]
+fn composite_walls_agree_with_the_list_of_pieces() {
+    let mut random = Random(2);
+    for (name, table) in &planar() {
+        let paths = paths(table, 4000, &mut random);
+        table.with_walls(Compare { name, table, paths: &paths });
+    }
+}
+
+/// One path.
+struct Ask(Line<2>);
+
+impl WithWalls<2> for Ask {
+    type Output = Option<geometry::Hit<2>>;
+    fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
+        walls.hit(&self.0)
+    }
+}
+
+#[test]
+fn rooms_apart_are_one_table() {
+    // two unit squares, and a disk in the second one
+    let v = Vector2::new;
+    let square = |x: f64| {
+        let corners = [v(x, 0.0), v(x + 1.0, 0.0), v(x + 1.0, 1.0), v(x, 1.0)];
+        (0..4).map(move |i| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as Box<dyn Piece>)
+    };
+    let table = Table::new(square(0.0).chain(square(2.0)).collect()).unwrap();
+    let hit = table.with_walls(Ask(Line { point: v(2.5, 0.5), velocity: v(-1.0, 0.0) })).unwrap();
+    assert_eq!((hit.piece, hit.time, hit.point), (7, 0.5, v(2.0, 0.5)));
+    let hit = table.with_walls(Ask(Line { point: v(0.5, 0.5), velocity: v(1.0, 0.0) })).unwrap();
+    assert_eq!((hit.piece, hit.time, hit.point), (1, 0.5, v(1.0, 0.5)));
+}
+
+fn orbit_starts(table: &Table, count: usize, random: &mut Random) -> Vec<Line<2>> {
+    let interior = Interior::of(table).unwrap();
+    let mut start = || Line { point: interior.point(&mut || random.uniform()).unwrap(), velocity: random.velocity() };
+    (0..count).map(|_| start()).collect()
+}
+
+fn spatial_paths(entry: &Entry, count: usize, random: &mut Random) -> Vec<Line<3>> {
+    let table = entry.spatial(&entry.typical()).unwrap();
+    let mut paths = vec![];
+    while paths.len() < count {
+        let point = SVector::from_fn(|_, _| random.between(-1.0, 1.0));
+        if table.contains(&point) {
+            paths.push(Line { point, velocity: random.velocity() });
+        }
+    }
+    paths
+}
+
+/// Paths aimed at vertices, and one ulp beside them.
+fn aimed(table: &Table, random: &mut Random) -> Vec<Line<2>> {
+    let vertices: Vec<Vector2<f64>> = table.pieces().iter().filter_map(|p| p.ends()).map(|[a, _]| a).collect();
+    let Ok(interior) = Interior::of(table) else { return vec![] };
+    let mut paths = vec![];
+    for vertex in vertices {
+        for _ in 0..50 {
+            let point = interior.point(&mut || random.uniform()).unwrap();
+            for turn in [-1.0, 0.0, 1.0] {
+                let v = vertex - point;
+                let aside = Vector2::new(-v.y, v.x) * (turn * f64::EPSILON);
+                paths.push(Line { point, velocity: v + aside });
+            }
+        }
+    }
+    paths
+}

@@ -1,0 +1,78 @@
+//! Lanes have the bits of single numbers.
+
+use super::*;
+
+/// The bits of a hit.
+fn bits<F: Lane, const N: usize>(hit: &WallHit<F, N>, lane: usize) -> Vec<u64> {
+    let time = hit.time.lane(lane);
+    if time == f64::INFINITY {
+        return vec![time.to_bits()]; // nothing else means anything
+    }
+    let corner = f64::from(u8::from(hit.corner.at(lane)));
+    let rest = hit.point.iter().chain(&hit.unit_normal()).map(|c| c.lane(lane)).collect::<Vec<_>>();
+    [time, hit.piece.lane(lane), corner].into_iter().chain(rest).map(f64::to_bits).collect()
+}
+
+/// First hits in lanes.
+struct InLanes<'a, W, const N: usize> {
+    walls: &'a W,
+    paths: &'a [Line<N>],
+}
+
+/// Lanes and single numbers, path by path.
+pub(super) struct SameBits<'a, const N: usize> {
+    pub(super) name: &'a str,
+    pub(super) paths: &'a [Line<N>],
+}
+
+impl<const N: usize> WithWalls<N> for SameBits<'_, N> {
+    type Output = ();
+    fn run<W: Walls<N>>(self, walls: &W) {
+        let in_lanes = lanes::dispatch(InLanes { walls, paths: self.paths });
+        assert!(in_lanes.len() + 64 > self.paths.len());
+        for (path, in_lanes) in self.paths.iter().zip(in_lanes) {
+            let single = walls.first_hit::<f64>(&path.point.into(), &path.velocity.into());
+            assert_eq!(bits(&single, 0), in_lanes, "{}: {path:?}", self.name);
+        }
+    }
+}
+
+impl<W: Walls<N>, const N: usize> Kernel for InLanes<'_, W, N> {
+    type Output = Vec<Vec<u64>>;
+    fn run<F: Lane>(self, zero: F) -> Vec<Vec<u64>> {
+        let mut all = vec![];
+        for block in self.paths.chunks_exact(F::LANES) {
+            let x = core::array::from_fn(|i| zero.each(|lane| block[lane].point[i]));
+            let v = core::array::from_fn(|i| zero.each(|lane| block[lane].velocity[i]));
+            let hit = self.walls.first_hit(&x, &v);
+            all.extend((0..F::LANES).map(|lane| bits(&hit, lane)));
+        }
+        all
+    }
+}
+
+#[test]
+fn lanes_have_the_bits_of_single_numbers() {
+    let mut random = Random(3);
+    for (name, table) in &planar() {
+        let paths = paths(table, 512, &mut random);
+        table.with_walls(SameBits { name, paths: &paths });
+        SameBits { name, paths: &paths }.run(&table.list(0..table.pieces().len()));
+    }
+    for entry in tables::all() {
+        match entry.build {
+            Build::Planar(_) => {
+                let table = entry.planar(&entry.typical()).unwrap();
+                if table.lattice().is_some() {
+                    let paths = orbit_starts(&table, 512, &mut random);
+                    table.with_walls(SameBits { name: entry.name, paths: &paths });
+                }
+            }
+            Build::Spatial(_) => {
+                let paths = spatial_paths(entry, 512, &mut random);
+                let table = entry.spatial(&entry.typical()).unwrap();
+                table.with_walls(SameBits { name: entry.name, paths: &paths });
+            }
+        }
+    }
+}
