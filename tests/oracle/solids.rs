@@ -189,8 +189,7 @@ struct Sample {
 /// Faces of the box with these half edges.
 fn box_faces(half: [f64; 3]) -> Vec<Face> {
     let face = |k: usize| {
-        let mut normal = [0.0; 3];
-        normal[k / 2] = if k % 2 == 0 { -1.0 } else { 1.0 };
+        let normal = outward(k);
         Face::plane(core::array::from_fn(|i| normal[i] * half[i]), normal)
     };
     (0..6).map(face).collect()
@@ -302,6 +301,18 @@ fn shapes(scale: f64) -> Option<Vec<Sample>> {
 /// What a turned shape is turned by, of any length.
 const TURN: [f64; 4] = [0.8, 0.3, -0.2, 0.4];
 
+/// Walls as they answer for one path.
+fn ask(walls: &impl Walls<3>) -> impl Fn(&Line<3>) -> WallHit<f64, 3> {
+    |path| walls.first_hit::<f64>(&path.point.into(), &path.velocity.into())
+}
+
+/// The axis of face `k` of a box, outwards.
+fn outward(k: usize) -> [f64; 3] {
+    let mut normal = [0.0; 3];
+    normal[k / 2] = [-1.0, 1.0][k % 2];
+    normal
+}
+
 /// Shows every subject in a frame.
 ///
 /// # Errors
@@ -311,9 +322,6 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
     let center = [frame.shift[0], frame.shift[1], 0.625 * frame.shift[0]];
     let straight = [1.0, 0.0, 0.0, 0.0];
     let (size, extent) = (frame.size(1.0), frame.scale);
-    fn ask<'a>(walls: &'a impl Walls<3>) -> impl Fn(&Line<3>) -> WallHit<f64, 3> + 'a {
-        |path| walls.first_hit::<f64>(&path.point.into(), &path.velocity.into())
-    }
     // the sums may round; the differences do not
     let (low, high) = (center[2], center[2] + by(1.0));
     let slab: Slab<3, 2> = Slab::new(low, high, [0, 1])?;
@@ -336,10 +344,8 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
     let corners = [-1.0, 1.0].map(|sign| core::array::from_fn(|i| center[i] + sign * half[i]));
     let cuboid = Cuboid::<3>::new(corners[0], corners[1], [[0, 1], [2, 3], [4, 5]])?;
     let face = |k: usize| {
-        let mut normal = [0.0; 3];
-        normal[k / 2] = if k % 2 == 0 { -1.0 } else { 1.0 };
         let from_center = core::array::from_fn(|i| corners[k % 2][i] - center[i]);
-        Face::plane(from_center, normal)
+        Face::plane(from_center, outward(k))
     };
     let truth = Body::new((0..6).map(face).collect(), straight, center, true);
     show(&Room {

@@ -97,7 +97,7 @@ impl Face {
             Face::Round { core, .. } => unit(&sub(p, &core.closest(p))),
             Face::Cone { slope, .. } => {
                 let mut across = unit(&[p[0].clone(), big(0.0), p[2].clone()]);
-                across[1] = slope.clone();
+                across[1].clone_from(slope);
                 unit(&across)
             }
         }

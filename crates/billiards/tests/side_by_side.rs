@@ -39,17 +39,17 @@ fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<En
     let orbits: Vec<Disks> = starts.iter().map(|start| start.orbit(Clock::new(0.0))).collect();
     let ended = agree_from(name, &billiard, &orbits);
     // and when they go on
-    agree_from(name, &billiard, &ended.iter().map(|ended| ended.orbit.clone()).collect::<Vec<_>>());
+    agree_from(name, &billiard, &ended.iter().map(|ended| ended.orbit).collect::<Vec<_>>());
     ended
 }
 
 fn agree_from(name: &str, billiard: &Planar<Disk>, orbits: &[Disks]) -> Vec<Ended> {
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut orbits.iter().cloned(), 300, &mut (), &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut orbits.iter().copied(), 300, &mut (), &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
     assert_eq!(ended.len(), orbits.len(), "{name}");
     for (k, (orbit, lane)) in orbits.iter().zip(&ended).enumerate() {
-        let mut orbit = orbit.clone();
+        let mut orbit = *orbit;
         let outcome = billiard.run(&mut orbit, &Collisions(300), &mut ());
         assert_eq!(lane.index, k as u64);
         assert_eq!(lane.outcome, outcome, "{name} {k}");
@@ -68,7 +68,7 @@ fn orbits_on_a_circle_that_go_on_are_where_they_would_be_at_once() {
     let mut in_parts = at_once.clone();
     for _ in 0..1000 {
         let mut ended: Vec<Ended> = vec![];
-        billiard.run_side_by_side(&mut in_parts.iter().cloned(), 20, &mut (), &mut |f| ended.push(f));
+        billiard.run_side_by_side(&mut in_parts.iter().copied(), 20, &mut (), &mut |f| ended.push(f));
         ended.sort_by_key(|f| f.index);
         in_parts = ended.into_iter().map(|ended| ended.orbit).collect();
     }
