@@ -34,7 +34,7 @@ pub(crate) fn moved(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
 pub(crate) fn direction(a: [f64; 2], b: [f64; 2]) -> Option<([f64; 2], f64)> {
     let d = [0, 1].map(|i| two_sum(b[i], -a[i]));
     let size = d[0].0.abs().max(d[1].0.abs());
-    if !(size > 0.0 && size.is_finite()) {
+    if !(size > 0.0 && d.iter().all(|d| d.0.is_finite())) {
         return None;
     }
     // of size 1, so that no square over- or underflows
