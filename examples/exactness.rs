@@ -1,7 +1,7 @@
 //! How exact is one collision?
 //!
 //! Hit time, position, normal and outgoing velocity of every kind of piece and of composite walls, against an oracle that knows
-//! each piece as a parametrised curve and brackets its roots in 200 bits. Errors are in units of rounding (ulp of the table's
+//! each piece as a parametrised curve, each body in space as an intersection of convex functions, and brackets roots in 200 bits. Errors are in units of rounding (ulp of the table's
 //! size). Expected: median ½ and worst 8 away from grazing, twice that for velocities; at grazing no more than that times the
 //! conditioning, 1/sin of the angle to the wall; and never a wrong piece away from a vertex.
 //!
@@ -12,6 +12,7 @@ mod oracle;
 use billiards::geometry::Error;
 use oracle::errors::{Errors, QUANTITIES, STEEP, measure};
 use oracle::rays::{Kind, Random};
+use oracle::solids::{self, each_room};
 use oracle::subjects::{FRAMES, each};
 
 /// How many errors are at most ½, then 1, 2, 4, 8, and more than 8.
@@ -23,31 +24,39 @@ fn classes(values: &[f64]) -> [usize; 6] {
     classes
 }
 
+/// Prints the errors of a subject.
+fn print(name: &str, errors: &Errors) {
+    println!("{name}");
+    for (class, histograms) in [(">", &errors.steep), ("<", &errors.grazing)] {
+        for (quantity, histogram) in QUANTITIES.iter().zip(histograms).filter(|(_, h)| h.count() > 0) {
+            let (median, worst) = (histogram.median(), histogram.worst());
+            let conditioned = if class == "<" { "× sin " } else { "" };
+            let name = format!("{conditioned}{quantity}, sin {class} {STEEP}");
+            println!("  {name:<42}{median:>7.2} {worst:>9.2}  | {:?}", classes(&histogram.values));
+        }
+    }
+}
+
 fn main() -> Result<(), Error> {
     let argument = std::env::args().nth(1);
     let count = argument.and_then(|count| count.parse().ok()).unwrap_or(50);
     let mut random = Random(4);
     let (mut rays, mut broken) = (0, vec![]);
-    println!("ulp                              median   worst  | rays with an error ≤ ½, 1, 2, 4, 8, more");
+    println!("ulp                                    median   worst  | rays with an error ≤ ½, 1, 2, 4, 8, more");
     for frame in &FRAMES {
         let kinds = if frame.name == "plain" { &[Kind::Any, Kind::Grazing, Kind::Vertex][..] } else { &[Kind::Any] };
-        each(frame, |subject| {
+        let mut look = |name: &str, measured: &mut dyn FnMut(Kind, &mut Random) -> Errors| {
             let mut errors = Errors::default();
             for kind in kinds {
-                errors.merge(measure(subject, *kind, count, &mut random));
+                errors.merge(measured(*kind, &mut random));
                 rays += count;
             }
-            println!("{}, {}", subject.name, frame.name);
-            for (class, histograms) in [(">", &errors.steep), ("<", &errors.grazing)] {
-                for (quantity, histogram) in QUANTITIES.iter().zip(histograms).filter(|(_, h)| h.count() > 0) {
-                    let (median, worst) = (histogram.median(), histogram.worst());
-                    let conditioned = if class == "<" { "× sin " } else { "" };
-                    let name = format!("{conditioned}{quantity}, sin {class} {STEEP}");
-                    println!("  {name:<36}{median:>7.2} {worst:>9.2}  | {:?}", classes(&histogram.values));
-                }
-            }
-            broken.extend(errors.broken().into_iter().map(|what| format!("{}, {}: {what}", subject.name, frame.name)));
-        })?;
+            let name = format!("{name}, {}", frame.name);
+            print(&name, &errors);
+            broken.extend(errors.broken().into_iter().map(|what| format!("{name}: {what}")));
+        };
+        each(frame, |subject| look(subject.name, &mut |kind, random| measure(subject, kind, count, random)))?;
+        each_room(frame, |room| look(&room.name, &mut |kind, random| solids::measure(room, kind, count, random)))?;
     }
     println!("{rays} rays");
     assert!(broken.is_empty(), "{broken:#?}");

@@ -3,6 +3,7 @@ mod oracle;
 
 use oracle::errors::{Errors, measure};
 use oracle::rays::{Kind, Random};
+use oracle::solids::{self, each_room};
 use oracle::subjects::{FRAMES, each};
 
 /// Rays per kind at each piece: enough to find what is wrong in one case of a hundred.
@@ -27,6 +28,26 @@ fn hits_and_collisions_are_right_to_a_few_ulp_on_every_piece_and_every_wall() {
                 frame.name
             );
             broken.extend(errors.broken().into_iter().map(|what| format!("{}, {}: {what}", subject.name, frame.name)));
+        })
+        .unwrap();
+    }
+    assert!(broken.is_empty(), "{broken:#?}");
+}
+
+#[test]
+fn hits_and_collisions_in_space_are_right_to_a_few_ulp_on_every_wall() {
+    let mut random = Random(21);
+    let mut broken = vec![];
+    for frame in &FRAMES {
+        let kinds = if frame.name == "plain" { &[Kind::Any, Kind::Grazing, Kind::Vertex][..] } else { &[Kind::Any] };
+        each_room(frame, |room| {
+            let mut errors = Errors::default();
+            for kind in kinds {
+                errors.merge(solids::measure(room, *kind, RAYS, &mut random));
+            }
+            let measured = errors.steep[0].count();
+            assert!(4 * measured >= RAYS, "{}, {}: {measured} rays were measured", room.name, frame.name);
+            broken.extend(errors.broken().into_iter().map(|what| format!("{}, {}: {what}", room.name, frame.name)));
         })
         .unwrap();
     }

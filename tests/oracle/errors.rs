@@ -8,11 +8,11 @@ use billiards::geometry::{Line, Piece, Vector2, WallHit};
 use billiards::laws::{Disk, Specular};
 
 /// γ² of the disk whose no-slip collisions are checked.
-const GAMMA_SQUARED: f64 = 0.5;
+pub(crate) const GAMMA_SQUARED: f64 = 0.5;
 /// A hit steeper than this is away from grazing.
 pub(crate) const STEEP: f64 = 0.25;
 /// Within so many ulp of the size two answers are right: twice what counts as a corner.
-const NEAR: f64 = 16.0;
+pub(crate) const NEAR: f64 = 16.0;
 
 /// Whose hits are measured.
 pub(crate) struct Subject<'a> {
@@ -57,25 +57,26 @@ impl Histogram {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Errors {
     /// Time × speed and position, in ulp of the size; normal, in ulp of 1, or where that is more in the angle by which a curved
-    /// wall turns along an ulp of the size; velocity and spin after specular and no-slip collisions, in the same times the
-    /// speed.
-    pub(crate) steep: [Histogram; 5],
+    /// wall turns along an ulp of the size; velocity and spin after the collisions of some laws, in the same times the speed.
+    pub(crate) steep: [Histogram; QUANTITIES.len()],
     /// The same times the sine of the angle to the wall: what is left when the conditioning is taken off.
-    pub(crate) grazing: [Histogram; 5],
-    /// Hits on another piece than the true one, away from vertices; hits that are none; misses.
-    pub(crate) wrong: Vec<(Line<2>, String)>,
-    /// Rays that end so near a vertex that both neighbours are right.
+    pub(crate) grazing: [Histogram; QUANTITIES.len()],
+    /// Hits on another piece than the true one, away from vertices; hits that are none; misses; with the path.
+    pub(crate) wrong: Vec<String>,
+    /// Rays that end so near a vertex, in space an edge, that both neighbours are right.
     pub(crate) at_vertices: usize,
     /// Rays that start within rounding of a wall, or pass it within rounding: two answers are right.
     pub(crate) undecided: usize,
 }
 
-pub(crate) const QUANTITIES: [&str; 5] = ["time", "position", "normal", "specular velocity", "no-slip velocity"];
+/// The last one in space only.
+pub(crate) const QUANTITIES: [&str; 6] =
+    ["time", "position", "normal", "specular velocity", "no-slip velocity", "velocity, rough one way"];
 
 /// The promise, in ulp, for each kind of piece; over all kinds the medians of time, position and normal are below ½. A
 /// reflection turns the velocity by twice the error of the normal.
-pub(crate) const MEDIAN: [f64; 5] = [0.75, 0.75, 0.75, 1.75, 1.75];
-pub(crate) const WORST: [f64; 5] = [8.0, 8.0, 8.0, 16.0, 16.0];
+pub(crate) const MEDIAN: [f64; QUANTITIES.len()] = [0.75, 0.75, 0.75, 1.75, 1.75, 1.75];
+pub(crate) const WORST: [f64; QUANTITIES.len()] = [8.0, 8.0, 8.0, 16.0, 16.0, 16.0];
 
 /// Measures a subject with so many rays of a kind.
 pub(crate) fn measure(subject: &Subject<'_>, kind: Kind, count: usize, random: &mut Random) -> Errors {
@@ -123,7 +124,7 @@ impl Errors {
         if hit.corner || vertices.iter().any(near) {
             self.at_vertices += 1;
             if !(hit.time < f64::INFINITY) && subject.pieces.len() > 1 {
-                self.wrong.push((*path, "lost at a vertex".into()));
+                self.wrong(path, "lost at a vertex");
             }
             return;
         }
@@ -137,7 +138,7 @@ impl Errors {
             if along_the_wall(subject, path, [0.0, hit.time], ulp) {
                 self.undecided += 1;
             } else {
-                self.wrong.push((*path, format!("hits at {}, but there is nothing", hit.time)));
+                self.wrong(path, &format!("hits at {}, but there is nothing", hit.time));
             }
             return;
         };
@@ -149,7 +150,7 @@ impl Errors {
             return;
         }
         if !(hit.time < f64::INFINITY) {
-            self.wrong.push((*path, format!("missed: hit at {time}, sine {:e}", sine(&truth))));
+            self.wrong(path, &format!("missed: hit at {time}, sine {:e}", sine(&truth)));
             return;
         }
         if sine(&truth) < STEEP && along_the_wall(subject, path, [time, hit.time], ulp) {
@@ -157,7 +158,7 @@ impl Errors {
             return;
         }
         if hit.piece != number as f64 {
-            self.wrong.push((*path, format!("hits piece {}, not {number}", hit.piece)));
+            self.wrong(path, &format!("hits piece {}, not {number}", hit.piece));
             return;
         }
         let normal = hit.unit_normal();
@@ -183,7 +184,12 @@ impl Errors {
         };
         let all = [late / ulp, off / ulp, turned / unit, missed(0), missed(1)];
         let sine = sine(&truth);
-        for (i, error) in all.into_iter().enumerate() {
+        self.add(sine, all);
+    }
+
+    /// Adds the errors of a hit, of which there may be fewer than quantities.
+    pub(crate) fn add<const K: usize>(&mut self, sine: f64, errors: [f64; K]) {
+        for (i, error) in errors.into_iter().enumerate() {
             if sine >= STEEP {
                 self.steep[i].add(error);
             } else {
@@ -192,11 +198,16 @@ impl Errors {
         }
     }
 
+    /// Notes an answer that is none.
+    pub(crate) fn wrong<const N: usize>(&mut self, path: &Line<N>, what: &str) {
+        self.wrong.push(format!("{what}: {path:?}"));
+    }
+
     /// What of the promise is not kept.
     ///
     /// Medians need some hundred rays to mean anything.
     pub(crate) fn broken(&self) -> Vec<String> {
-        let mut broken: Vec<String> = self.wrong.iter().map(|(path, what)| format!("{what}: {path:?}")).collect();
+        let mut broken = self.wrong.clone();
         for (i, quantity) in QUANTITIES.iter().enumerate() {
             for (class, histogram) in [("steep", &self.steep[i]), ("grazing", &self.grazing[i])] {
                 if histogram.worst() > WORST[i] {
@@ -211,7 +222,7 @@ impl Errors {
     }
 
     pub(crate) fn merge(&mut self, other: Errors) {
-        for i in 0..5 {
+        for i in 0..QUANTITIES.len() {
             self.steep[i].values.extend(&other.steep[i].values);
             self.grazing[i].values.extend(&other.grazing[i].values);
         }

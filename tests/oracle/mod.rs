@@ -5,4 +5,6 @@ pub(crate) mod curve;
 pub(crate) mod errors;
 pub(crate) mod number;
 pub(crate) mod rays;
+pub(crate) mod solids;
+pub(crate) mod space;
 pub(crate) mod subjects;

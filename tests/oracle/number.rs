@@ -1,10 +1,10 @@
-//! Numbers with 200 bits, and vectors of two of them.
+//! Numbers with 200 bits, and vectors of two or three of them.
 use dashu_float::{FBig, round::mode::HalfEven};
 
 /// A number rounded to 200 bits after every operation.
 pub(crate) type Big = FBig<HalfEven, 2>;
-/// A vector of the plane.
-pub(crate) type Vector = [Big; 2];
+/// A vector of the plane, or of space.
+pub(crate) type Vector<const N: usize = 2> = [Big; N];
 
 const BITS: usize = 200;
 
@@ -18,20 +18,20 @@ pub(crate) fn small(x: &Big) -> f64 {
     x.to_f64().value()
 }
 
-pub(crate) fn vector(x: [f64; 2]) -> Vector {
+pub(crate) fn vector<const N: usize>(x: [f64; N]) -> Vector<N> {
     x.map(big)
 }
-pub(crate) fn add(a: &Vector, b: &Vector) -> Vector {
-    [&a[0] + &b[0], &a[1] + &b[1]]
+pub(crate) fn add<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+    core::array::from_fn(|i| &a[i] + &b[i])
 }
-pub(crate) fn sub(a: &Vector, b: &Vector) -> Vector {
-    [&a[0] - &b[0], &a[1] - &b[1]]
+pub(crate) fn sub<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+    core::array::from_fn(|i| &a[i] - &b[i])
 }
-pub(crate) fn scale(a: &Vector, by: &Big) -> Vector {
-    [&a[0] * by, &a[1] * by]
+pub(crate) fn scale<const N: usize>(a: &Vector<N>, by: &Big) -> Vector<N> {
+    core::array::from_fn(|i| &a[i] * by)
 }
-pub(crate) fn dot(a: &Vector, b: &Vector) -> Big {
-    &a[0] * &b[0] + &a[1] * &b[1]
+pub(crate) fn dot<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Big {
+    (1..N).fold(&a[0] * &b[0], |sum, i| sum + &a[i] * &b[i])
 }
 /// `a₁ b₂ − a₂ b₁`
 pub(crate) fn cross(a: &Vector, b: &Vector) -> Big {
@@ -41,7 +41,14 @@ pub(crate) fn cross(a: &Vector, b: &Vector) -> Big {
 pub(crate) fn left(a: &Vector) -> Vector {
     [-a[1].clone(), a[0].clone()]
 }
-pub(crate) fn norm(a: &Vector) -> Big {
+/// `a × b` in space
+pub(crate) fn vector_product(a: &Vector<3>, b: &Vector<3>) -> Vector<3> {
+    core::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        &a[j] * &b[k] - &a[k] * &b[j]
+    })
+}
+pub(crate) fn norm<const N: usize>(a: &Vector<N>) -> Big {
     root(&dot(a, a))
 }
 pub(crate) fn root(x: &Big) -> Big {

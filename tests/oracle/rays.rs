@@ -1,5 +1,5 @@
 //! Rays that a billiard meets, and rays that are meant to break it.
-use billiards::geometry::{Line, Piece, Vector2};
+use billiards::geometry::{Line, Piece, Vector2, Vector3};
 use core::f64::consts::PI;
 
 /// `SplitMix64` [Steele, Lea, Flood 2014]: the same rays on every machine.
@@ -38,7 +38,7 @@ pub(crate) enum Kind {
     Any,
     /// The angle to the wall is 10⁻¹² … 10⁻¹.
     Grazing,
-    /// The path ends within 10⁻¹⁶ … 10⁻³ of a vertex.
+    /// The path ends within 10⁻¹⁶ … 10⁻³ of a vertex, in space of an edge.
     Vertex,
 }
 
@@ -73,4 +73,30 @@ pub(crate) fn aimed(piece: &dyn Piece, size: f64, kind: Kind, random: &mut Rando
     let chord = if curvature > 0.0 { 2.0 * libm::sin(angle) / curvature } else { size };
     let way = chord.min(size) * random.uniform();
     Line { point: foot - direction * way, velocity: direction * random.decade(-1.0, 1.0) }
+}
+
+/// A ray aimed at a place of a wall in space, `size` being that of the table.
+pub(crate) fn aimed_in_space(foot: &Foot, size: f64, kind: Kind, random: &mut Random) -> Line<3> {
+    let normal = foot.normal;
+    // any direction along the wall
+    let any = Vector3::from_fn(|_, _| random.between(-1.0, 1.0));
+    let tangent = normal.cross(&any).normalize();
+    let angle = match kind {
+        Kind::Grazing => random.decade(-12.0, -1.0),
+        _ => random.between(0.01, PI - 0.01),
+    };
+    let direction = tangent * libm::cos(angle) - normal * libm::sin(angle);
+    let chord = if foot.curvature > 0.0 { 2.0 * libm::sin(angle) / foot.curvature } else { size };
+    let way = chord.min(size) * random.uniform();
+    Line { point: foot.point - direction * way, velocity: direction * random.decade(-1.0, 1.0) }
+}
+
+/// A place of a wall in space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Foot {
+    pub(crate) point: Vector3<f64>,
+    /// Unit normal into the table.
+    pub(crate) normal: Vector3<f64>,
+    /// The greatest curvature, positive where focusing.
+    pub(crate) curvature: f64,
 }

@@ -32,7 +32,7 @@ impl Frame {
     fn point(&self, x: f64, y: f64) -> Vector2<f64> {
         Vector2::new(x * self.scale + self.shift[0], y * self.scale + self.shift[1])
     }
-    fn size(&self, extent: f64) -> f64 {
+    pub(crate) fn size(&self, extent: f64) -> f64 {
         (extent * self.scale).max(self.shift[0].abs())
     }
 }

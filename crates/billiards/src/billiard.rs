@@ -62,12 +62,12 @@ pub trait Motion<const N: usize, const S: usize> {
     }
     /// Orbits that start from anywhere, as many as `zero` has lanes.
     fn start<F: Lane>(&self, zero: F) -> Self::Carried<F>;
-    /// Another orbit starts in the lanes `new`.
+    /// Another orbit starts, or goes on, in the lanes `new`.
     fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(
         &self,
         carried: &mut Self::Carried<F>,
         new: F::Mask,
-        orbit: &Orbit<f64, N, S, K, T>,
+        orbit: &mut Orbit<f64, N, S, K, T>,
     );
     /// The flight from where the orbit is to its next hit.
     fn flight<F: Lane, K, T>(
@@ -98,7 +98,8 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
     }
     fn start<F: Lane>(&self, _: F) {}
     #[inline(always)]
-    fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, (): &mut (), _: F::Mask, _: &Orbit<f64, N, S, K, T>) {}
+    fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, (): &mut (), _: F::Mask, _: &mut Orbit<f64, N, S, K, T>) {
+    }
     #[inline(always)]
     fn flight<F: Lane, K, T>(&self, orbit: &Orbit<F, N, S, K, T>, (): &()) -> (WallHit<F, N>, ()) {
         (self.walls.first_hit(&orbit.position, &orbit.velocity), ())
@@ -118,6 +119,9 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             normal_speed = normal_speed + orbit.velocity[i] * hit.normal[i];
         }
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
+        if self.walls.rounds_normals() {
+            orbit.keeper.straighten(&mut orbit.velocity, normal_speed, hit);
+        }
         orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, self.beat());
         let normal_speed = normal_speed * hit.inverse;
         normal_speed * normal_speed

@@ -5,7 +5,7 @@
 //! [delicate](Walls::is_delicate), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
 //! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
 //! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.
-use crate::{orbit::square_speed, side_by_side::InLanes};
+use crate::{orbit::square_speed, recurring::Recurring, side_by_side::InLanes};
 use geometry::WallHit;
 #[cfg(doc)]
 use geometry::Walls;
@@ -17,19 +17,30 @@ use lanes::{Double, Lane, Mask};
 /// of collisions.
 pub const BEAT: u32 = 16;
 
+/// What has less than this part of the energy is not corrected by what the energy lacks. So no correction of a velocity is more
+/// than ½/√10⁻³ = 16 times the lack.
+pub(crate) const LITTLE: f64 = 1e-3;
+
 /// What happens to the energy of an orbit besides the law.
 pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// For an orbit that starts with this velocity and spin.
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self;
     /// Sees the velocity and the spin that leave a collision, and may correct the velocity at every `beat`th.
     fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32);
-    /// The same for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
+    /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision; before it
+    /// the component along the normal was `arrival`.
+    fn straighten(&mut self, _velocity: &mut [F; N], _arrival: F, _hit: &WallHit<F, N>) {}
+    /// The same as [`leave`](EnergyKeeper::leave) for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
     /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32);
     /// `|v|² + |w|²` as it should be, in one lane.
     fn square(&self, lane: usize) -> Option<Double>;
     /// Counts a collision that rounds nothing.
     fn pass(&mut self, beat: u32);
+    /// What is known of the velocity between round walls besides its energy.
+    fn recurring(&mut self) -> Option<&mut Recurring<F>> {
+        None
+    }
 }
 
 /// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
@@ -61,6 +72,8 @@ pub struct Conserved<F, const N: usize> {
     grazing: F,
     /// Collisions since the energy was restored, in all lanes alike.
     beat: u32,
+    /// Between round walls, what each run after the first goes on with.
+    recurring: Recurring<F>,
 }
 
 /// `|v|² + |w|²` as an exact sum of rounded squares and a small rest.
@@ -94,7 +107,8 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             libm::ldexp(3.0, exponent + 25)
         });
         let (high, low) = precise_square(grid, velocity, spin);
-        Conserved { grid, high, low, grazing: square * 1e-3, beat: 0 }
+        let recurring = Recurring::nothing(square.same(0.0));
+        Conserved { grid, high, low, grazing: square * LITTLE, beat: 0, recurring }
     }
     #[inline(always)]
     fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
@@ -102,6 +116,17 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         if self.beat >= beat {
             self.beat = 0;
             self.restore(velocity, spin, hit);
+        }
+    }
+    /// `v − 2 (v·n) n/|n|²` is `v − 2 (v·n) n` less `2 (v·n) (1 − |n|²) n`.
+    #[inline(always)]
+    fn straighten(&mut self, velocity: &mut [F; N], arrival: F, hit: &WallHit<F, N>) {
+        let n = &hit.normal;
+        // not from a sum near 1, which rounds to even numbers and so on one side more often than on the other
+        let lacks = n.iter().fold(arrival.same(1.0), |rest, n| rest - *n * *n);
+        let twice = (arrival + arrival) * lacks;
+        for i in 0..N {
+            velocity[i] = velocity[i] - twice * n[i];
         }
     }
     #[inline(always)]
@@ -122,6 +147,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             self.beat = 0;
         }
     }
+    fn recurring(&mut self) -> Option<&mut Recurring<F>> {
+        Some(&mut self.recurring)
+    }
 }
 
 impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
@@ -133,6 +161,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             low: self.low.lane(lane),
             grazing: self.grazing.lane(lane),
             beat: self.beat,
+            recurring: self.recurring.one(lane),
         }
     }
     fn all(one: &Conserved<f64, N>, zero: F) -> Self {
@@ -142,6 +171,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             low: zero.same(one.low),
             grazing: zero.same(one.grazing),
             beat: one.beat,
+            recurring: Recurring::all(&one.recurring, zero),
         }
     }
     fn put(&mut self, lane: usize, one: &Conserved<f64, N>) {
@@ -149,6 +179,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
         self.high.put(lane, one.high);
         self.low.put(lane, one.low);
         self.grazing.put(lane, one.grazing);
+        self.recurring.put(lane, &one.recurring);
     }
     fn wait(&self, one: &Conserved<f64, N>, beat: u32) -> u64 {
         // an orbit that comes from slower walls may have counted further
@@ -198,6 +229,29 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         }
         for w in spin {
             *w = *w + *w * add;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_normal_too_long_does_to_the_energy_is_taken_back() {
+        for stretch in [1e-9, -1e-9, 3e-12] {
+            let normal = [0.6 * (1.0 + stretch), -0.8 * (1.0 + stretch)];
+            let before = [-0.3, 0.9];
+            let keeper = <Conserved<f64, 2> as EnergyKeeper<f64, 2, 0>>::new(&before, &[]);
+            let arrival = before[0] * normal[0] + before[1] * normal[1];
+            let mut velocity = [0, 1].map(|i| before[i] - 2.0 * arrival * normal[i]);
+            let square = |v: [f64; 2]| v[0] * v[0] + v[1] * v[1];
+            let off = (square(velocity) - square(before)).abs();
+            assert!(off > 2.0 * stretch.abs(), "{off:e}");
+            let hit = WallHit { normal, ..WallHit::never([0.0; 2]) };
+            EnergyKeeper::<f64, 2, 0>::straighten(&mut { keeper }, &mut velocity, arrival, &hit);
+            let off = (square(velocity) - square(before)).abs();
+            assert!(off < 1e-15, "{off:e}");
         }
     }
 }

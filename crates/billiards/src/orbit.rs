@@ -14,7 +14,8 @@ pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
     pub velocity: [F; N],
     /// Scaled spin `γ R ω` [L T⁻¹]: kinetic energy is `(m/2)(|velocity|² + |spin|²)`.
     pub spin: [F; S],
-    /// Keeps the energy where the law conserves it.
+    /// Keeps the energy where the law conserves it, and between round walls the [digits](crate::Recurring) of the velocity that
+    /// are rounded off here. It belongs to this motion: whoever changes position, velocity or spin makes a new orbit.
     pub keeper: K,
     /// What is tracked along the path.
     pub track: T,

@@ -1,9 +1,10 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
     billiard::{BallLaw, Motion},
-    energy::EnergyKeeper,
+    energy::{EnergyKeeper, LITTLE},
     laws::Mirror,
     orbit::Orbit,
+    recurring::Recurring,
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};
@@ -16,7 +17,8 @@ use lanes::{Double, Lane, Mask};
 /// for no search: faster, and without the drift of the phase that a rounded chord has.
 ///
 /// A law that undoes itself returns in a circle after two collisions to the same velocity in the frame. Both are found before
-/// the first collision, in twice the digits, and change places at each one: nothing is rounded any more but the place.
+/// the first collision, in twice the digits, and change places at each one: nothing is rounded any more but the place. A keeper
+/// of the energy keeps these digits too, so that an orbit may be run bit by bit.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling<'a, W, L> {
     /// What can be hit.
@@ -82,22 +84,29 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
     }
 
     /// The frame of the first hit, with the velocity in the frame from which the path would have come.
-    fn before<K: EnergyKeeper<f64, 2, 1>, T>(&self, orbit: &Orbit<f64, 2, 1, K, T>) -> Frame<f64> {
+    fn before<K: EnergyKeeper<f64, 2, 1>, T>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>) -> Frame<f64> {
         let hit = self.walls.first_hit(&orbit.position, &orbit.velocity);
         let velocity = self.walls.arrival(&orbit.position, &orbit.velocity, &hit.normal);
-        let [normal, tangential] = with_energy(velocity, orbit.spin[0], orbit.keeper.square(0));
-        let (normal, place) = (-normal, self.walls.place(&hit));
-        let now = [Double::new(orbit.spin[0]), if W::ROUND { tangential } else { -tangential }];
         let square = orbit.keeper.square(0);
+        let [normal, tangential] = with_energy(velocity, orbit.spin[0], square);
+        let tangential = if W::ROUND { tangential } else { -tangential };
+        let mut now = Recurring { normal: -normal, spin: Double::new(orbit.spin[0]), tangential };
+        if let (Some(mirror), Some(known)) = (&self.mirror, orbit.keeper.recurring()) {
+            now = known.recall(now, mirror);
+            *known = now;
+        }
+        let Recurring { normal, spin, tangential } = now;
+        let place = self.walls.place(&hit);
         let along = |along: [Double; 2]| {
             let swing = Swing::recurring(normal, along[1]);
             let [spin, tangential] = rounded(normal.high, along, square);
             let time = self.walls.chord(&place, normal.high, tangential).time;
             Along { tangential, spin, time, swing }
         };
+        let now = [spin, tangential];
         let [even, odd] = match &self.mirror {
             Some(mirror) => [along(now), along(mirror.apply(now))],
-            None => [Along { tangential: now[1].high, ..Along::at_rest(0.0) }; 2],
+            None => [Along { tangential: tangential.high, ..Along::at_rest(0.0) }; 2],
         };
         Frame { place, normal: normal.high, even, odd, is_odd: false, on_wall: false, first: hit.time }
     }
@@ -108,7 +117,7 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
 fn with_energy(velocity: [Double; 2], spin: f64, square: Option<Double>) -> [Double; 2] {
     let own = velocity[0].times(velocity[0]).plus(velocity[1].times(velocity[1]));
     match square {
-        Some(all) if own.high > 1e-3 * all.high => {
+        Some(all) if own.high > LITTLE * all.high => {
             let lacks = all.plus(-own).plus(-Double::product(spin, spin)).value();
             velocity.map(|x| x.plus(Double::new(x.high * (0.5 * lacks / own.high))))
         }
@@ -149,7 +158,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         &self,
         carried: &mut Frame<F>,
         new: F::Mask,
-        orbit: &Orbit<f64, 2, 1, K, T>,
+        orbit: &mut Orbit<f64, 2, 1, K, T>,
     ) {
         let from = self.before(orbit);
         let put = |to: F, from: f64| new.select(to.same(from), to);

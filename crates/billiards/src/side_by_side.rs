@@ -184,7 +184,7 @@ where
             idle[lane] = true;
             let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, self.billiard.beat()));
             match (wait, self.upcoming.take()) {
-                (Some(0), Some(orbit)) => {
+                (Some(0), Some(mut orbit)) => {
                     let index = *next;
                     (seat.index, seat.until) = (Some(index), step + self.collisions);
                     *next += 1;
@@ -192,8 +192,8 @@ where
                     self.upcoming = self.orbits.next();
                     let mut here = [false; MOST_LANES];
                     here[lane] = true;
+                    self.billiard.restart(&mut group.carried, mask(&here), &mut orbit);
                     Self::seat(group, lane, &orbit);
-                    self.billiard.restart(&mut group.carried, mask(&here), &orbit);
                     self.observer.begin(&mut group.view, mask(&here), index, &orbit);
                 }
                 (Some(wait), orbit) => {
@@ -211,7 +211,7 @@ where
         let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
         if let (true, Some(model)) = (idle.contains(&true), model) {
             let o = &group.orbit;
-            let orbit = Orbit {
+            let mut orbit = Orbit {
                 position: o.position.map(|x| x.lane(model)),
                 velocity: o.velocity.map(|x| x.lane(model)),
                 spin: o.spin.map(|x| x.lane(model)),
@@ -221,7 +221,7 @@ where
             for lane in (0..F::LANES).filter(|lane| idle[*lane]) {
                 Self::seat(group, lane, &orbit);
             }
-            self.billiard.restart(&mut group.carried, mask(&idle), &orbit);
+            self.billiard.restart(&mut group.carried, mask(&idle), &mut orbit);
         }
     }
 

@@ -173,6 +173,7 @@ fn push_orthonormal(basis: &mut Vec<DVector<f64>>, others: &[DVector<f64>], x: D
         for b in others.iter().chain(basis.iter()) {
             x -= b * b.dot(&x);
         }
+        // a rounding for each coordinate of each of the others, of which there are some dozens
         if x.norm() <= 1e3 * f64::EPSILON {
             return; // a turn that moves nothing, such as that of two points about their contact
         }

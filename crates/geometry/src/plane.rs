@@ -1,5 +1,5 @@
 //! Products in the plane, in lanes.
-use lanes::Lane;
+use lanes::{Double, Lane, two_sum};
 
 /// `a · b`
 #[inline(always)]
@@ -30,10 +30,51 @@ pub(crate) fn moved(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
     [p[0] + by[0], p[1] + by[1]]
 }
 
+/// The unit vector from `a` to `b`, each component right to its last digit, and the distance; `None` where there is no direction.
+pub(crate) fn direction(a: [f64; 2], b: [f64; 2]) -> Option<([f64; 2], f64)> {
+    let d = [0, 1].map(|i| two_sum(b[i], -a[i]));
+    let size = d[0].0.abs().max(d[1].0.abs());
+    if !(size > 0.0 && d.iter().all(|d| d.0.is_finite())) {
+        return None;
+    }
+    // of size 1, so that no square over- or underflows
+    let (_, exponent) = libm::frexp(size);
+    let one = |x: f64| libm::ldexp(x, -exponent);
+    let d = d.map(|(high, low)| Double { high: one(high), low: one(low) });
+    let length = d[0].times(d[0]).plus(d[1].times(d[1])).root();
+    let distance = libm::ldexp(length.value(), exponent);
+    distance.is_finite().then(|| (d.map(|d| d.over(length).value()), distance))
+}
+
 /// How far outside a start may lie and still count as on the boundary: rounding of coordinates of this size.
 ///
 /// A projected point is off by at most 2 ulp per coordinate, and evaluating its distance adds as much again; 16 leaves
 /// a factor of two on each. Relative, so a scene scaled by a power of two behaves alike to the last bit.
 pub(crate) fn slack(coordinates: impl IntoIterator<Item = f64>) -> f64 {
     16.0 * f64::EPSILON * coordinates.into_iter().fold(0.0, |m: f64, c| m.max(c.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_has_the_nearest_numbers_at_any_scale() {
+        // of 5, 12 and 13: exact but for the division
+        for scale in [1.0, 2.0_f64.powi(1000), 2.0_f64.powi(-1060)] {
+            let far = [7.0 * scale, -3.0 * scale];
+            let (unit, length) = direction(far, moved(far, [5.0 * scale, -12.0 * scale])).unwrap();
+            assert_eq!((unit, length), ([5.0 / 13.0, -12.0 / 13.0], 13.0 * scale));
+        }
+        // the difference of the first coordinates, 1 − 2⁻⁶⁰, is no f64
+        let (unit, _) = direction([2.0_f64.powi(-60), 0.0], [1.0, 2.0_f64.powi(-30)]).unwrap();
+        assert_eq!(unit, [1.0, 2.0_f64.powi(-30)]);
+    }
+
+    #[test]
+    fn equal_points_and_infinite_ones_have_no_direction() {
+        for b in [[0.5, -0.25], [f64::INFINITY, 0.0], [f64::NAN, 0.0], [f64::MAX, f64::MAX]] {
+            assert_eq!(direction([0.5, -0.25], b), None);
+        }
+    }
 }

@@ -36,6 +36,7 @@ impl Slip {
         } else {
             [map.tangent_spin, map.tangent_tangent - 1.0]
         };
+        // the coefficients of a law come from a few operations each
         let reflects = defect(push, pull) <= 16.0 * f64::EPSILON;
         if reflects { lanes::dispatch(Reflection { direction: even(push) }) } else { Slip { push, pull, reflects } }
     }

@@ -107,6 +107,7 @@ pub fn ticks(low: f64, high: f64, many: usize) -> Vec<f64> {
     let lead = rough / up * down;
     let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|f| lead <= f * 1.0001).unwrap_or(10.0);
     let step = |i: f64| i * factor * up / down;
+    // a tick at the very end is shown though the quotient is rounded, and one that nobody could see beyond it is no harm
     let slack = 1e-9;
     let first = libm::ceil(low / step(1.0) - slack);
     let count = libm::floor(high / step(1.0) + slack) - first;

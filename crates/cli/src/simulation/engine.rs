@@ -6,7 +6,7 @@ use billiards::geometry::WallHit;
 use billiards::observe::LaneObserver;
 use billiards::{
     Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, InLanes, Keeping, Limit, Merge, Motion, Observer,
-    Orbit, Outcome, Stop, Timed, Track, run, run_side_by_side,
+    Orbit, Outcome, Recurring, Stop, Timed, Track, run, run_side_by_side,
 };
 use lanes::{Double, Lane};
 
@@ -40,6 +40,12 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         }
     }
     #[inline(always)]
+    fn straighten(&mut self, velocity: &mut [F; N], arrival: F, hit: &WallHit<F, N>) {
+        if self.strict {
+            EnergyKeeper::<F, N, S>::straighten(&mut self.conserved, velocity, arrival, hit);
+        }
+    }
+    #[inline(always)]
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
         if self.strict {
             self.conserved.leave_in_frame(velocity, spin, beat);
@@ -53,6 +59,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         if self.strict {
             EnergyKeeper::<F, N, S>::pass(&mut self.conserved, beat);
         }
+    }
+    fn recurring(&mut self) -> Option<&mut Recurring<F>> {
+        if self.strict { EnergyKeeper::<F, N, S>::recurring(&mut self.conserved) } else { None }
     }
 }
 

@@ -8,7 +8,7 @@ pub(crate) fn short(x: f64) -> String {
     spell(rounded)
 }
 
-/// A point or vector; a coordinate that is nothing beside the others and beside some length is 0.
+/// A point or vector; a coordinate that is nothing beside the others and beside some length, by more than the digits shown, is 0.
 pub(crate) fn point(p: &[f64], beside: f64) -> String {
     let size = p.iter().fold(beside, |m: f64, x| m.max(x.abs()));
     let clean = |x: &f64| if x.abs() < 1e-12 * size { 0.0 } else { *x };

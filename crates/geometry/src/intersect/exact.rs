@@ -183,6 +183,7 @@ fn lines(p: &Straight, q: &Straight, tolerance: f64, found: &mut Vec<Meeting>) {
     }
     let sine = p.direction.perp(&q.direction);
     let between = q.origin - p.origin;
+    // each direction is rounded to half an ulp per component, and so is the product
     if sine.abs() <= 4.0 * f64::EPSILON {
         // parallel: an infinite stretch in common, if any, reaches from one end (or from anywhere) to infinity
         if p.direction.perp(&between).abs() > tolerance {

@@ -58,6 +58,7 @@ impl<const N: usize> Distance<N> {
     pub(crate) fn new(field: Box<dyn Field<N>>, frame: Frame<N>, scale: f64, side: Side) -> Self {
         let extent = field.extent();
         let size = 0.5 * (extent[1] - extent[0]).norm();
+        // what is infinite looks the same at every scale but for its own curvature, of which nothing is known
         let size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
         let far = extent[0].amax().max(extent[1].amax()).min(1e3 * size) + scale * frame.translation.amax();
         Distance {
@@ -312,7 +313,7 @@ impl<const N: usize> Distance<N> {
 /// The power of two that brings a length to about 1; 1 for zero and what is not finite.
 ///
 /// Multiplying by it is exact, so a shape of any size behaves alike to the last bit.
-fn to_unit(size: f64) -> f64 {
+pub(crate) fn to_unit(size: f64) -> f64 {
     if size > 0.0 && size.is_finite() { libm::ldexp(1.0, -libm::frexp(size).1) } else { 1.0 }
 }
 

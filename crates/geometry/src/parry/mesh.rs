@@ -1,4 +1,5 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+use super::distance::to_unit;
 use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
 use nalgebra::Vector3;
 use std::collections::HashMap;
@@ -54,6 +55,14 @@ fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
     points.iter().enumerate().map(|(i, p)| *known.entry(key(p)).or_insert(i)).collect()
 }
 
+/// `(b − a) × (c − a)` in units of the longest edge, and that length, rounded up to a power of two: so no product over- or
+/// underflows.
+pub(crate) fn across([a, b, c]: [Vector3<f64>; 3]) -> (Vector3<f64>, f64) {
+    let edges = [b - a, c - a];
+    let unit = to_unit(edges[0].amax().max(edges[1].amax()));
+    ((edges[0] * unit).cross(&(edges[1] * unit)), 1.0 / unit)
+}
+
 impl Mesh {
     /// Triangles with their counter-clockwise sides outwards; a closed mesh inside out is turned round.
     ///
@@ -69,12 +78,9 @@ impl Mesh {
             return error("a vertex is not finite");
         }
         let id = merged(&vertices);
-        let across = |t: &[usize; 3]| {
-            let [a, b, c] = t.map(|v| vertices[v]);
-            (b - a).cross(&(c - a))
-        };
+        let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
-        triangles.retain(|t| across(t).norm_squared() > 0.0);
+        triangles.retain(|t| across(t).0.norm_squared() > 0.0);
         if triangles.is_empty() {
             return error("it has no triangle of positive area");
         }
@@ -89,16 +95,23 @@ impl Mesh {
         }
         let closed = at.keys().all(|&[a, b]| at.contains_key(&[b, a]));
         let origin = vertices[triangles[0][0]];
-        let volume: f64 = triangles.iter().map(|t| (vertices[t[0]] - origin).dot(&across(t))).sum();
+        let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
+        let volume = |t: &[usize; 3]| {
+            let (n, edge) = across(t);
+            let part = edge / size;
+            ((vertices[t[0]] - origin) / size).dot(&n) * part * part
+        };
+        let volume: f64 = triangles.iter().map(volume).sum();
         let turned = (closed && volume < 0.0) == outside;
         let normals: Vec<Vector3<f64>> = triangles
             .iter()
             .map(|t| {
-                let n = across(t);
+                let (n, _) = across(t);
                 n / if turned { -n.norm() } else { n.norm() }
             })
             .collect();
-        // neighbours whose normals agree to rounding continue one another
+        // neighbours whose normals agree to rounding continue one another: that of vertices turns short sides by more than an
+        // ulp, and no angle that anybody means is this small
         let smooth = |k: usize, j: usize| (normals[k] - normals[j]).norm() <= 1e-9;
         let edge = |k: usize, [a, b]: [usize; 2]| !at.get(&[b, a]).is_some_and(|&j| smooth(k, j));
         let mut edges: Vec<[bool; 3]> =
@@ -111,7 +124,6 @@ impl Mesh {
                 e.swap(0, 2);
             }
         }
-        let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
         let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
         Ok(Mesh { vertices, triangles, normals, edges, tree, slack: slack([size]), near: CORNER * size })
     }
@@ -145,7 +157,7 @@ impl Mesh {
         let on_edge = |i: usize| {
             let (a, b) = (corners[i], corners[(i + 1) % 3]);
             let along = b - a;
-            self.edges[k][i] && along.cross(&(point - a)).norm() <= self.near * along.norm()
+            self.edges[k][i] && (along / along.norm()).cross(&(point - a)).norm() <= self.near
         };
         (point, (0..3).any(on_edge))
     }

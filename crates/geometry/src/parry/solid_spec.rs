@@ -1,5 +1,5 @@
 //! Shapes in space as plain data, as scene files have them.
-use super::{Side, Solid, convert::to_glam3};
+use super::{Side, Solid, convert::to_glam3, distance::to_unit};
 use crate::Error;
 use core::f64::consts::FRAC_1_SQRT_2;
 use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
@@ -150,7 +150,13 @@ impl SolidSpec {
             SolidSpec::ConvexHull { points, rounding } => {
                 points.iter().try_for_each(|p| finite("points", p))?;
                 let points: Vec<Glam> = points.iter().map(glam).collect();
+                // at size 1, since parry knows no smaller polyhedra than some 10⁻⁸
+                let low = points.iter().fold(Glam::INFINITY, |m, p| m.min(*p));
+                let high = points.iter().fold(Glam::NEG_INFINITY, |m, p| m.max(*p));
+                let unit = to_unit(0.5 * (high - low).max_element());
+                let points: Vec<Glam> = points.iter().map(|p| *p * unit).collect();
                 let hull = ConvexPolyhedron::from_convex_hull(&points)
+                    .and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)))
                     .ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))?;
                 round(hull, *rounding)?
             }

@@ -23,7 +23,7 @@ fn carlson_f(mut x: f64, mut y: f64, mut z: f64) -> f64 {
     loop {
         let mean = (x + y + z) / 3.0;
         let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / mean);
-        // the series is cut at the sixth order
+        // the series is cut at the sixth order: 0.002⁶/4 is a tenth of rounding
         if dx.abs().max(dy.abs()).max(dz.abs()) < 0.002 {
             let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
             return (1.0 + (e2 / 24.0 - 0.1 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / mean.sqrt();
@@ -41,6 +41,7 @@ fn carlson_d(mut x: f64, mut y: f64, mut z: f64) -> f64 {
     loop {
         let mean = (x + y + 3.0 * z) / 5.0;
         let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / mean);
+        // again at the sixth order: 3 · 0.0015⁶
         if dx.abs().max(dy.abs()).max(dz.abs()) < 0.0015 {
             let (a, b) = (dx * dy, dz * dz);
             let (c, d) = (a - b, a - 6.0 * b);

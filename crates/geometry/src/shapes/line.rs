@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, dot, from, moved, slack},
+    plane::{self, along, dot, from, moved, slack},
     shapes::Shape,
 };
 use lanes::Lane;
@@ -24,11 +24,8 @@ impl FullLine {
     /// # Errors
     /// [`Error::ZeroLength`] if `direction` is zero.
     pub fn new(through: Vector2<f64>, direction: Vector2<f64>) -> Result<FullLine, Error> {
-        let length = libm::hypot(direction.x, direction.y);
-        if !(length > 0.0 && length.is_finite()) {
-            return Err(Error::ZeroLength);
-        }
-        let normal = [-direction.y / length, direction.x / length];
+        let ([along_x, along_y], _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
+        let normal = [-along_y, along_x];
         Ok(FullLine { through: through.into(), normal, slack: slack([through.x, through.y]) })
     }
 

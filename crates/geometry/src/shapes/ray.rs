@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, cross, dot, from, moved, slack},
+    plane::{self, along, cross, dot, from, moved, slack},
     shapes::Shape,
 };
 use lanes::Lane;
@@ -26,16 +26,8 @@ impl Ray {
     /// # Errors
     /// [`Error::ZeroLength`] if `direction` is zero.
     pub fn new(from: Vector2<f64>, direction: Vector2<f64>, left: bool) -> Result<Ray, Error> {
-        let length = libm::hypot(direction.x, direction.y);
-        if !(length > 0.0 && length.is_finite()) {
-            return Err(Error::ZeroLength);
-        }
-        Ok(Ray {
-            from: from.into(),
-            direction: [direction.x / length, direction.y / length],
-            side: if left { 1.0 } else { -1.0 },
-            slack: slack([from.x, from.y]),
-        })
+        let (direction, _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
+        Ok(Ray { from: from.into(), direction, side: if left { 1.0 } else { -1.0 }, slack: slack([from.x, from.y]) })
     }
 
     /// Its end.

@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{along, cross, dot, from, moved, slack},
+    plane::{along, cross, direction, dot, from, moved, slack},
     shapes::Shape,
 };
 use lanes::Lane;
@@ -59,12 +59,8 @@ impl Segment {
     /// # Errors
     /// [`Error::ZeroLength`] if the ends coincide.
     pub fn new(a: Vector2<f64>, b: Vector2<f64>) -> Result<Segment, Error> {
-        let d = b - a;
-        let length = libm::hypot(d.x, d.y);
-        if !(length > 0.0 && length.is_finite()) {
-            return Err(Error::ZeroLength);
-        }
-        let normal = [-d.y / length, d.x / length];
+        let ([along_x, along_y], length) = direction(a.into(), b.into()).ok_or(Error::ZeroLength)?;
+        let normal = [-along_y, along_x];
         let behind = -slack([a.x, a.y, b.x, b.y]);
         Ok(Segment { a: a.into(), b: b.into(), normal, length, behind })
     }

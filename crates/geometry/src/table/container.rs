@@ -15,7 +15,7 @@ pub(super) enum Container {
     Convex(ConvexPolygon),
     Wedge(Wedge),
     Capsule(Capsule),
-    RotatedCapsule(Rotated<Capsule>),
+    RotatedCapsule(Rotated),
     Disk(Sphere<2>),
 }
 
@@ -110,11 +110,7 @@ impl Container {
         if !fits {
             return None;
         }
-        // in the capsule's own frame, along whose first axis the centres lie
-        let [c, s] = [axis.x / length, axis.y / length];
-        let middle = (head + tail) * 0.5;
-        let center = Vector2::new(middle.x * c + middle.y * s, middle.y * c - middle.x * s);
-        let capsule = Capsule::new(center, 0.5 * length, radius, pieces).ok()?;
+        let capsule = Capsule::new((head + tail) * 0.5, 0.5 * length, radius, pieces).ok()?;
         if axis.y == 0.0 && axis.x > 0.0 {
             return Some(Container::Capsule(capsule));
         }

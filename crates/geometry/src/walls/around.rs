@@ -17,6 +17,10 @@ impl<A: Walls<N>, B: Walls<N>, const N: usize> Walls<N> for Around<A, B> {
         self.container.is_delicate() || self.obstacles.is_delicate()
     }
 
+    fn rounds_normals(&self) -> bool {
+        self.container.rounds_normals() || self.obstacles.rounds_normals()
+    }
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let inner = self.obstacles.first_hit(x, v);

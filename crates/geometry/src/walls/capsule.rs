@@ -44,12 +44,17 @@ impl Capsule {
     }
 }
 
-impl Walls<2> for Capsule {
+impl Capsule {
+    /// Its centre.
+    pub(super) fn center(&self) -> [f64; 2] {
+        self.center
+    }
+
+    /// The first hit of a path, both seen from the centre.
     #[inline(always)]
-    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+    pub(super) fn first_hit_from_center<F: Lane>(&self, y: [F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
-        let y = [x[0] - self.center[0], x[1] - self.center[1]];
         let [lower, head, upper, tail] = self.pieces.map(|p| zero.same(p));
         // where the path meets the line of the side ahead, times |v₂|: no division yet
         let up = zero.lt(v[1]);
@@ -87,13 +92,16 @@ impl Walls<2> for Capsule {
                 zero.lt(meet).select(head, tail),
             ],
         );
-        WallHit {
-            time,
-            point: [p1 + self.center[0], p2 + self.center[1]],
-            normal: [n1, n2],
-            inverse,
-            piece,
-            corner: zero.never(),
-        }
+        WallHit { time, point: [p1, p2], normal: [n1, n2], inverse, piece, corner: zero.never() }
+    }
+}
+
+impl Walls<2> for Capsule {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        let [c1, c2] = self.center;
+        let mut hit = self.first_hit_from_center([x[0] - c1, x[1] - c2], v);
+        hit.point = [hit.point[0] + c1, hit.point[1] + c2];
+        hit
     }
 }

@@ -198,8 +198,7 @@ impl<F: Lane> First<F> {
 }
 
 impl Walls<2> for Few {
-    /// On an ellipse the error of the energy is one of the product of the momenta about the foci.
-    fn is_delicate(&self) -> bool {
+    fn rounds_normals(&self) -> bool {
         !self.ovals.is_empty()
     }
 

@@ -113,8 +113,14 @@ pub trait Walls<const N: usize>: Sync {
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
 
     /// Whether what a collision rounds off the energy is worth restoring at once: where a hit takes so long that it makes no
-    /// difference, and on an ellipse, where the product of the momenta about the foci is conserved as well.
+    /// difference.
     fn is_delicate(&self) -> bool {
+        false
+    }
+
+    /// Whether normals have length 1, but for a rounding that is another at each hit and worth taking back: on an ellipse, where
+    /// the product of the momenta about the foci is conserved as well as the energy.
+    fn rounds_normals(&self) -> bool {
         false
     }
 
@@ -140,6 +146,10 @@ impl<W: Walls<N>, const N: usize> Walls<N> for &W {
 
     fn is_delicate(&self) -> bool {
         (**self).is_delicate()
+    }
+
+    fn rounds_normals(&self) -> bool {
+        (**self).rounds_normals()
     }
 }
 

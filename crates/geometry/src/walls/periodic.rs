@@ -37,6 +37,10 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
         self.walls.is_delicate()
     }
 
+    fn rounds_normals(&self) -> bool {
+        self.walls.rounds_normals()
+    }
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);

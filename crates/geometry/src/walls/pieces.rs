@@ -55,7 +55,11 @@ impl Pieces {
 
 impl Walls<2> for Pieces {
     fn is_delicate(&self) -> bool {
-        self.list.is_some() || self.graphs.is_some() || self.few.is_delicate()
+        self.list.is_some() || self.graphs.is_some()
+    }
+
+    fn rounds_normals(&self) -> bool {
+        self.few.rounds_normals()
     }
 
     #[inline(always)]

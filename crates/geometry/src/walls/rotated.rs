@@ -1,43 +1,36 @@
-//! Walls in a frame of their own.
-use super::{WallHit, Walls};
-use crate::Error;
+//! A stadium that lies askew.
+use super::{Capsule, WallHit, Walls};
+use crate::{Error, plane};
 use lanes::Lane;
 use nalgebra::Vector2;
 
-/// Walls described in a frame that is turned about the origin.
+/// A capsule turned about its centre: far from the origin, too, coordinates are rounded once.
 #[derive(Clone, Debug)]
-pub struct Rotated<W> {
-    walls: W,
-    /// The first axis of the walls' frame, of unit length.
+pub struct Rotated {
+    capsule: Capsule,
+    /// Along the capsule, of unit length.
     axis: [f64; 2],
 }
 
-impl<W> Rotated<W> {
-    /// `walls` with their first axis along `axis`, of any length but 0.
+impl Rotated {
+    /// `capsule`, whose centre stays where it is, along `axis`, of any length but 0.
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if `axis` is zero.
-    pub fn new(walls: W, axis: Vector2<f64>) -> Result<Self, Error> {
-        let length = libm::hypot(axis.x, axis.y);
-        if length > 0.0 && length.is_finite() {
-            Ok(Rotated { walls, axis: [axis.x / length, axis.y / length] })
-        } else {
-            Err(Error::ZeroLength)
-        }
+    pub fn new(capsule: Capsule, axis: Vector2<f64>) -> Result<Self, Error> {
+        let (axis, _) = plane::direction([0.0; 2], axis.into()).ok_or(Error::ZeroLength)?;
+        Ok(Rotated { capsule, axis })
     }
 }
 
-impl<W: Walls<2>> Walls<2> for Rotated<W> {
-    fn is_delicate(&self) -> bool {
-        self.walls.is_delicate()
-    }
-
+impl Walls<2> for Rotated {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        let [c, s] = self.axis;
+        let ([c, s], [c1, c2]) = (self.axis, self.capsule.center());
         let into = |a: &[F; 2]| [a[0] * c + a[1] * s, a[1] * c - a[0] * s];
         let back = |a: &[F; 2]| [a[0] * c - a[1] * s, a[0] * s + a[1] * c];
-        let hit = self.walls.first_hit(&into(x), &into(v));
-        WallHit { point: back(&hit.point), normal: back(&hit.normal), ..hit }
+        let hit = self.capsule.first_hit_from_center(into(&[x[0] - c1, x[1] - c2]), &into(v));
+        let [p1, p2] = back(&hit.point);
+        WallHit { point: [p1 + c1, p2 + c2], normal: back(&hit.normal), ..hit }
     }
 }

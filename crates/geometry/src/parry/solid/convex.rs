@@ -1,5 +1,8 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
-use super::super::convert::{Frame, from_glam3};
+use super::super::{
+    convert::{Frame, from_glam3},
+    distance::to_unit,
+};
 use super::positive;
 use crate::{Error, Line, plane::slack, walls::CORNER};
 use nalgebra::Vector3;
@@ -280,9 +283,9 @@ impl Convex {
                 hull.vertices_adj_to_face()[first..first + count].iter().map(|&v| points[v as usize]).collect();
             // Newell: the mean over the corners, accurate for slender faces too
             let origin = ring[0];
-            let area = (1..count.saturating_sub(1))
-                .map(|k| (ring[k] - origin).cross(&(ring[k + 1] - origin)))
-                .sum::<Vector3<f64>>();
+            let unit = to_unit(ring.iter().map(|p| (p - origin).amax()).fold(0.0, f64::max));
+            let from = |k: usize| (ring[k] - origin) * unit;
+            let area = (1..count.saturating_sub(1)).map(|k| from(k).cross(&from(k + 1))).sum::<Vector3<f64>>();
             let known: Glam = face.normal;
             let outward = frame.direction(&from_glam3(known));
             let normal = if area.dot(&outward) < 0.0 { -area } else { area };

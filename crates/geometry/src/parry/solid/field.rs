@@ -86,14 +86,24 @@ fn oriented(vertices: Vec<Glam>, triangles: Vec<[u32; 3]>) -> Result<TriMesh, Er
     TriMesh::with_flags(vertices, triangles, flags).map_err(|_| unsupported("triangle mesh", "it has no triangles"))
 }
 
+impl Scaled {
+    /// Triangles brought to size 1 before parry makes its normals of them.
+    fn of_triangles(points: &[Glam], triangles: &[[u32; 3]]) -> Result<Scaled, Error> {
+        let [low, high] = points.iter().fold([Glam::INFINITY, Glam::NEG_INFINITY], |[a, b], p| [a.min(*p), b.max(*p)]);
+        let scale = Distance::<3>::unit(&[low, high].map(from_glam3));
+        let points = points.iter().map(|p| *p * scale).collect();
+        Ok(Scaled { field: Box::new(Spatial { shape: Box::new(oriented(points, triangles.to_vec())?) }), scale })
+    }
+}
+
 /// The distance from a convex polyhedron through its faces: parry's own goes through an iteration good to 10⁻⁸.
 pub(super) fn hull(points: &[Glam], triangles: &[[u32; 3]]) -> Result<Scaled, Error> {
-    Ok(Scaled::new(&oriented(points.to_vec(), triangles.to_vec())?))
+    Scaled::of_triangles(points, triangles)
 }
 
 /// The distance from a mesh that stands where it is.
 pub(super) fn mesh_distance(mesh: &Mesh, side: Side) -> Result<Distance<3>, Error> {
-    let vertices = mesh.vertices.iter().map(to_glam3).collect();
+    let vertices: Vec<Glam> = mesh.vertices.iter().map(to_glam3).collect();
     let number = |v: usize| u32::try_from(v).map_err(|_| unsupported("triangle mesh", "it has too many vertices"));
     let mut triangles = vec![];
     for &[a, b, c] in &mesh.triangles {
@@ -102,7 +112,7 @@ pub(super) fn mesh_distance(mesh: &Mesh, side: Side) -> Result<Distance<3>, Erro
         triangles.push([number(a)?, number(b)?, number(c)?]);
     }
     let whole = Frame { rotation: Matrix3::identity(), translation: Vector3::zeros() };
-    Ok(Scaled::new(&oriented(vertices, triangles)?).placed(&whole, side))
+    Ok(Scaled::of_triangles(&vertices, &triangles)?.placed(&whole, side))
 }
 
 /// A shape with a border around it.

@@ -132,14 +132,14 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let difference = (integral(rate, from, u) / (left + right) - 1.0).abs();
     // a difference that is no number is none that halving mends
     let mends = difference > 8.0 * f64::EPSILON && difference <= 0.7 * last && halvings > 0;
-    if !mends {
+    if mends {
+        extend(curve, nodes, [from, middle], difference, halvings - 1);
+        extend(curve, nodes, [middle, u], difference, halvings - 1);
+    } else {
         let s = nodes.last().map_or(0.0, |node| node.s);
         // the halves are there: they make the search for closest points safer
         nodes.push(Node { u: middle, s: s + left, at: curve.at(middle) });
         nodes.push(Node { u, s: s + (left + right), at: curve.at(u) });
-    } else {
-        extend(curve, nodes, [from, middle], difference, halvings - 1);
-        extend(curve, nodes, [middle, u], difference, halvings - 1);
     }
 }
 
