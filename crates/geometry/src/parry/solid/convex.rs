@@ -157,7 +157,8 @@ impl Face {
                 let (m, turn) = (k * (v * g - w * down).norm(), w.cross(&v).norm());
                 let discriminant = (m - turn) * (m + turn);
                 if a > 0.0 {
-                    let chord = between(a, b, c, discriminant, touches)?;
+                    let Chord { enter, exit } = between(a, b, c, discriminant, touches)?;
+                    let chord = Chord { enter: self.nearer(path, enter, slack), exit: self.nearer(path, exit, slack) };
                     return (g - b / a * down >= 0.0).then_some(chord);
                 }
                 // steeper than the cone: one end lies at infinity, in the direction of the axis
@@ -171,12 +172,20 @@ impl Face {
                     [q / a, c / q]
                 };
                 Some(if down > 0.0 {
-                    Chord { enter: roots[0].max(roots[1]), ..WHOLE }
+                    Chord { enter: self.nearer(path, roots[0].max(roots[1]), slack), ..WHOLE }
                 } else {
-                    Chord { exit: roots[0].min(roots[1]), ..WHOLE }
+                    Chord { exit: self.nearer(path, roots[0].min(roots[1]), slack), ..WHOLE }
                 })
             }
         }
+    }
+
+    /// A time at which the path crosses the face within rounding, after one step of Newton's method: coefficients of a quadratic
+    /// that are differences lose some digits.
+    fn nearer(&self, path: &Line<3>, time: f64, slack: f64) -> f64 {
+        let point = path.at(time);
+        let step = self.off(&point) / self.project(&point).1.dot(&path.velocity);
+        if step.abs() * path.velocity.norm() <= slack { time - step } else { time }
     }
 }
 
