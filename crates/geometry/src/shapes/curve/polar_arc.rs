@@ -283,4 +283,18 @@ mod tests {
         assert!((after.normal - expected).norm() < 2e-15, "{after:?}");
         assert!((before.normal - Vector2::new(-expected.x, expected.y)).norm() < 2e-15, "{before:?}");
     }
+
+    #[test]
+    fn a_point_that_rounding_puts_beyond_an_end_lands_there() {
+        let arcs = arcs(Waves { count: 2.0, sign: 1.0 }, true);
+        // the first arc is the left half: beyond its ends is to the right
+        for (arc, beyond) in arcs.iter().zip([1e-12, -1e-12]) {
+            for end in arc.ends().unwrap() {
+                let place = end + Vector2::new(beyond, 0.0);
+                let path = Line { point: Vector2::zeros(), velocity: place };
+                let Landing { point, normal } = arc.landing(&path, 1.0);
+                assert_eq!((point, normal), (end, arc.closest(&end).normal));
+            }
+        }
+    }
 }
