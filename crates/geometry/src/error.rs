@@ -32,6 +32,14 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
+    /// A formula that does not bound a table.
+    #[error("the curve of the formula must {must}; it does not near ({}, {})", at[0], at[1])]
+    Curve {
+        /// What the curve must do.
+        must: &'static str,
+        /// About where it does not.
+        at: [f64; 2],
+    },
     /// Sides that do not bound a convex (and, where asked for, centrally symmetric) polygon.
     #[error("the sides do not bound a convex polygon of the kind asked for")]
     NotConvex,

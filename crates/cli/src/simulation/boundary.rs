@@ -87,6 +87,7 @@ fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
+        Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
         Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },

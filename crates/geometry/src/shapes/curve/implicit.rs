@@ -99,8 +99,9 @@ impl<F: ImplicitFormula> Implicit<F> {
     /// The curve `f = 0`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the box is empty or infinite, holds no curve, cuts it, or holds more than one (as far as
-    /// a grid of 48 × 48 points can tell); if the curve is not smooth; if `f` is positive inside.
+    /// [`Error::Parameter`] if the box is empty or infinite, or holds no curve, or if `f` is positive inside;
+    /// [`Error::Curve`] if the box cuts the curve or holds more than one (as far as a grid of 48 × 48 points can tell),
+    /// or if the curve is not smooth.
     pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
         let given = formula.extent();
         let size = (given.max - given.min).amax();
@@ -252,11 +253,7 @@ fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>) -> Option<[Vector2
 
 /// Vertices along the curve, counter-clockwise, the last equal to the first.
 fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) -> Result<Vec<Vector2<f64>>, Error> {
-    let rough = |p: Vector2<f64>| Error::Parameter {
-        name: "formula",
-        must: "smooth along the curve: its gradient vanishes there, or turns without end",
-        value: formula.value(p.into()),
-    };
+    let rough = |p: Vector2<f64>| Error::Curve { must: "be smooth, with a gradient that is not 0", at: p.into() };
     let size = (region.max - region.min).amax();
     let straight = |[p, t]: [Vector2<f64>; 2], [q, u]: [Vector2<f64>; 2]| {
         let chord = q - p;
@@ -278,12 +275,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
                 let [p, _] = next;
                 let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
                 if !(inside(0) && inside(1)) {
-                    let value = formula.value(p.into());
-                    return Err(Error::Parameter {
-                        name: "extent",
-                        must: "a box that contains the whole curve",
-                        value,
-                    });
+                    return Err(Error::Curve { must: "stay in its extent", at: p.into() });
                 }
                 here = next;
                 vertices.push(p);
@@ -312,14 +304,9 @@ fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -
                 (side > 0.0) == (w[0].y < w[1].y)
             }
         });
-        let value = formula.value(p.into());
-        let agree = (crossings.count() % 2 == 1) == (value < 0.0);
+        let agree = (crossings.count() % 2 == 1) == (formula.value(p.into()) < 0.0);
         if !agree && points.iter().all(|q| (q - p).norm() > longest) {
-            return Err(Error::Parameter {
-                name: "formula",
-                must: "zero on a single closed curve in its extent",
-                value,
-            });
+            return Err(Error::Curve { must: "be the only one in its extent", at: p.into() });
         }
     }
     Ok(())
