@@ -8,12 +8,14 @@ mod event;
 mod harvest;
 mod horizon;
 mod job;
+mod keeper;
 mod law;
 mod look;
 mod paths;
 mod planar;
 mod portraits;
 mod recorder;
+mod results;
 mod room;
 mod scale;
 mod schedule;
@@ -21,8 +23,10 @@ mod spatial;
 mod start;
 pub(crate) mod strokes;
 mod summary;
+mod trail;
 mod unrolled;
 mod words;
+mod work;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -37,16 +41,18 @@ use crate::record::{self, Columns, RecordFile};
 use crate::scene::{Limit, Scene};
 use crate::whole_file::WholeFile;
 
-pub(crate) use engine::{Bare, Engine, PlanarTrail, Trail, Until};
+pub(crate) use engine::{Bare, Engine, Until};
 pub(crate) use law::{PlanarLaw, SpatialLaw};
 pub(crate) use summary::host;
+pub(crate) use trail::{PlanarTrail, Trail};
 
 use harvest::{Harvest, Seen, Totals};
 use look::{Flat, Solid};
 use planar::Planar;
 use recorder::Recorder;
-use schedule::{Launch, Work, run_all};
+use schedule::run_all;
 use spatial::Spatial;
+use work::{Launch, Work};
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub use horizon::{Horizons, OfOrbit};
@@ -150,7 +156,7 @@ impl Simulation {
 
     /// What [`Control::steps_done`] will be at the end.
     pub fn steps(&self) -> u64 {
-        self.orbits().saturating_mul(schedule::STEPS)
+        self.orbits().saturating_mul(work::STEPS)
     }
 
     /// Runs all orbits and writes what the scene asks for into a folder.
@@ -312,11 +318,7 @@ struct Kept<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::{
-        Bare, Body, Engine, Simulation, Until,
-        engine::{Keeper, Trail},
-        start::Start,
-    };
+    use super::{Bare, Body, Engine, Simulation, Until, keeper::Keeper, start::Start, trail::Trail};
     use crate::document::Source;
     use crate::scene::{Request, Scene};
     use billiards::{Clock, Orbit, Timed};

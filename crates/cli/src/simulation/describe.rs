@@ -6,11 +6,12 @@ use billiards::Stop;
 use billiards::geometry::{self, Figure, Piece, Vector2, Walls, WithWalls};
 use serde::Serialize;
 
-use super::engine::{Engine, Trail, Until, Watch};
+use super::engine::{Engine, Until, Watch};
 use super::planar::Planar;
-use super::schedule::Launch;
 use super::spatial::{Space, Spatial};
+use super::trail::Trail;
 use super::words::{point, short};
+use super::work::Launch;
 use super::{Body, Simulation};
 
 use crate::scene::{Scene, TableShape};

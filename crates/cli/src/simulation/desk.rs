@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use super::event::Event;
 use super::recorder::Recorder;
-use super::schedule::Results;
+use super::results::Results;
 
 /// A row of a record seldom takes more.
 const BYTES_OF_ROW: usize = 192;

@@ -2,88 +2,16 @@
 
 use std::ops::ControlFlow;
 
-use billiards::geometry::WallHit;
 use billiards::observe::LaneObserver;
 use billiards::{
-    Angle, Bounce, Cell, Clock, Collision, Conserved, EnergyKeeper, InLanes, Keeping, Limit, Merge, Motion, Observer,
-    Orbit, Outcome, Recurring, Stop, Timed, Track, run, run_side_by_side,
+    Bounce, Clock, Collision, Limit, Motion, Observer, Orbit, Outcome, Stop, Timed, run, run_side_by_side,
 };
-use lanes::{Double, Lane};
 
 use super::event::Event;
-use super::portraits::{PlanarPortraits, Point};
+use super::keeper::Keeper;
+use super::portraits::{Point, Portraits};
 use super::scale::Scale;
-
-/// Keeps the energy where the law does, in lanes of `F`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Keeper<const N: usize, F = f64> {
-    conserved: Conserved<F, N>,
-    strict: bool,
-}
-
-impl<const N: usize> Keeper<N> {
-    /// For an orbit that starts like this, under a law that is `strict` or not.
-    pub(crate) fn for_law<const S: usize>(strict: bool, velocity: &[f64; N], spin: &[f64; S]) -> Self {
-        Keeper { strict, ..EnergyKeeper::<f64, N, S>::new(velocity, spin) }
-    }
-}
-
-impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N, F> {
-    #[inline(always)]
-    fn new(velocity: &[F; N], spin: &[F; S]) -> Self {
-        Keeper { conserved: EnergyKeeper::<F, N, S>::new(velocity, spin), strict: true }
-    }
-    #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
-        if self.strict {
-            self.conserved.leave(velocity, spin, hit, beat);
-        }
-    }
-    #[inline(always)]
-    fn straighten(&mut self, velocity: &mut [F; N], arrival: F, hit: &WallHit<F, N>) {
-        if self.strict {
-            EnergyKeeper::<F, N, S>::straighten(&mut self.conserved, velocity, arrival, hit);
-        }
-    }
-    #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
-        if self.strict {
-            self.conserved.leave_in_frame(velocity, spin, beat);
-        }
-    }
-    fn square(&self, lane: usize) -> Option<Double> {
-        if self.strict { EnergyKeeper::<F, N, S>::square(&self.conserved, lane) } else { None }
-    }
-    #[inline(always)]
-    fn pass(&mut self, beat: u32) {
-        if self.strict {
-            EnergyKeeper::<F, N, S>::pass(&mut self.conserved, beat);
-        }
-    }
-    fn recurring(&mut self) -> Option<&mut Recurring<F>> {
-        if self.strict { EnergyKeeper::<F, N, S>::recurring(&mut self.conserved) } else { None }
-    }
-}
-
-impl<F: Lane, const N: usize> InLanes<F> for Keeper<N, F> {
-    type One = Keeper<N>;
-    fn one(&self, lane: usize) -> Keeper<N> {
-        Keeper { conserved: self.conserved.one(lane), strict: self.strict }
-    }
-    fn all(one: &Keeper<N>, zero: F) -> Self {
-        Keeper { conserved: Conserved::all(&one.conserved, zero), strict: one.strict }
-    }
-    fn put(&mut self, lane: usize, one: &Keeper<N>) {
-        self.conserved.put(lane, &one.conserved);
-    }
-    fn wait(&self, one: &Keeper<N>, beat: u32) -> u64 {
-        self.conserved.wait(&one.conserved, beat)
-    }
-}
-
-impl<const N: usize, const S: usize> Keeping<N, S> for Keeper<N> {
-    type In<F: Lane> = Keeper<N, F>;
-}
+use super::trail::Trail;
 
 /// So many collisions or so much time, whichever comes first.
 #[derive(Clone, Copy, Debug)]
@@ -99,83 +27,10 @@ impl<T: Timed<f64>> Limit<T> for Until {
     }
 }
 
-/// What a watched orbit tracks besides the time: in the plane x0 and the lattice cell, in space nothing.
-pub(crate) trait Trail<const N: usize, const S: usize>: Track<f64, N, S> + Clone + Send {
-    /// The portraits that there are of such orbits.
-    type Portraits: Portraits<N, S>;
-    /// The spin position x0.
-    fn angle(&self) -> f64;
-    /// The accumulated translation.
-    fn cell(&self) -> [f64; 2];
-}
-
-/// The trail of a disk in the plane.
-#[derive(Clone, Debug)]
-pub(crate) struct PlanarTrail {
-    pub(crate) angle: Angle,
-    pub(crate) cell: Option<Cell>,
-}
-
-impl Track<f64, 2, 1> for PlanarTrail {
-    #[inline(always)]
-    fn fly(&mut self, from: &[f64; 2], velocity: &[f64; 2], spin: &[f64; 1], hit: &WallHit<f64, 2>) {
-        self.angle.fly(from, velocity, spin, hit);
-        if let Some(cell) = &mut self.cell {
-            cell.fly(from, velocity, spin, hit);
-        }
-    }
-}
-
-impl Trail<2, 1> for PlanarTrail {
-    type Portraits = PlanarPortraits;
-    fn angle(&self) -> f64 {
-        self.angle.0.value()
-    }
-    fn cell(&self) -> [f64; 2] {
-        self.cell.as_ref().map_or([0.0; 2], |cell| cell.cell)
-    }
-}
-
-impl Trail<3, 3> for () {
-    type Portraits = ();
-    fn angle(&self) -> f64 {
-        0.0
-    }
-    fn cell(&self) -> [f64; 2] {
-        [0.0; 2]
-    }
-}
-
 /// An orbit of which only the time is tracked.
 pub(crate) type Bare<const N: usize, const S: usize> = Orbit<f64, N, S, Keeper<N>, Clock>;
 /// An orbit that is watched.
 pub(crate) type Watched<const N: usize, const S: usize, T> = Orbit<f64, N, S, Keeper<N>, (Clock, T)>;
-
-/// Counts collisions for density portraits.
-pub(crate) trait Portraits<const N: usize, const S: usize>:
-    LaneObserver<N, S, Keeper<N>, Clock> + Merge + Send
-{
-    /// By what an orbit is scaled that goes on like this.
-    fn unit(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
-    /// A collision of an orbit with this unit.
-    fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, N>, velocity: &[f64; N], spin: &[f64; S]) -> Point;
-    /// Counts a collision.
-    fn count(&mut self, point: &Point);
-    /// These orbits are about to run side by side.
-    fn side_by_side(&mut self, orbits: impl Iterator<Item = u64>);
-}
-
-/// There are none in space.
-impl<const N: usize, const S: usize> Portraits<N, S> for () {
-    fn unit(&self, _: &[f64; N], _: &[f64; S]) -> f64 {
-        1.0
-    }
-    fn point(&self, orbit: u64, _: f64, _: &WallHit<f64, N>, _: &[f64; N], _: &[f64; S]) -> Point {
-        Point { orbit, velocity: [0.0; 2], reduced: [0.0; 2] }
-    }
-    fn count(&mut self, _: &Point) {}
-    fn side_by_side(&mut self, _: impl Iterator<Item = u64>) {}
-}
 
 /// Sees every collision of a watched orbit.
 #[derive(Debug)]

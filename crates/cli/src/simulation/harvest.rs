@@ -11,7 +11,8 @@ use super::event::Event;
 use super::horizon::Horizons;
 use super::paths::Paths;
 use super::portraits::Clouds;
-use super::schedule::{Ended, Extent, Results};
+use super::results::{Ended, Results};
+use super::work::Extent;
 use crate::picture::{self, Material, Needs, Reduced};
 use crate::record::RecordFile;
 

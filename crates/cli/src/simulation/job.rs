@@ -9,13 +9,13 @@ use billiards::{Orbit, Stop, Timed};
 use lanes::{Double, two_prod};
 
 use super::desk::Desk;
-use super::engine::{Bare, Engine, Portraits, Trail, Until, Watch, Watched};
+use super::engine::{Bare, Engine, Until, Watch, Watched};
+use super::portraits::Portraits;
+use super::results::{Ended, Results};
 use super::scale::Scale;
-use super::schedule::{Ended, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, Results, STEPS, Work};
+use super::trail::Trail;
+use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work};
 use crate::picture::{MOST_DOTS, layer};
-
-/// Collisions between two looks at the clock, the energy and the user.
-pub(super) const BLOCK: u64 = 4096;
 
 /// A few orbits on one thread.
 pub(super) struct Job<'a, const N: usize, const S: usize, T: Trail<N, S>> {

@@ -6,12 +6,14 @@ use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
 use billiards::{Angle, Billiard, Bounce, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
-use super::engine::{Engine, Keeper, PlanarTrail, Watched};
+use super::engine::{Engine, Watched};
 use super::horizon::{self, Horizons};
+use super::keeper::Keeper;
 use super::law::{PlanarLaw, is_strict};
 use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
+use super::trail::PlanarTrail;
 use super::unrolled::Unrolled;
 use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Ensemble, LawKind, Scene};

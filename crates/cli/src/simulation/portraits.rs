@@ -10,7 +10,7 @@ use billiards::observe::{Density, LaneObserver, Noted};
 use billiards::{Clock, Merge, Orbit};
 use lanes::{Lane, Mask};
 
-use super::engine::{Keeper, Portraits};
+use super::keeper::Keeper;
 use super::unrolled::Unrolled;
 use crate::picture::{self, Cloud, Reduced};
 
@@ -165,6 +165,32 @@ impl Merge for PlanarPortraits {
         add(self.reduced.as_mut().map(|(mine, _)| mine), other.reduced.map(|(other, _)| other));
         self
     }
+}
+
+/// Counts collisions for density portraits.
+pub(crate) trait Portraits<const N: usize, const S: usize>:
+    LaneObserver<N, S, Keeper<N>, Clock> + Merge + Send
+{
+    /// By what an orbit is scaled that goes on like this.
+    fn unit(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
+    /// A collision of an orbit with this unit.
+    fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, N>, velocity: &[f64; N], spin: &[f64; S]) -> Point;
+    /// Counts a collision.
+    fn count(&mut self, point: &Point);
+    /// These orbits are about to run side by side.
+    fn side_by_side(&mut self, orbits: impl Iterator<Item = u64>);
+}
+
+/// There are none in space.
+impl<const N: usize, const S: usize> Portraits<N, S> for () {
+    fn unit(&self, _: &[f64; N], _: &[f64; S]) -> f64 {
+        1.0
+    }
+    fn point(&self, orbit: u64, _: f64, _: &WallHit<f64, N>, _: &[f64; N], _: &[f64; S]) -> Point {
+        Point { orbit, velocity: [0.0; 2], reduced: [0.0; 2] }
+    }
+    fn count(&mut self, _: &Point) {}
+    fn side_by_side(&mut self, _: impl Iterator<Item = u64>) {}
 }
 
 impl Portraits<2, 1> for PlanarPortraits {

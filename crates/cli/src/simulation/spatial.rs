@@ -6,8 +6,9 @@ use billiards::geometry::{Error, Vector3, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
-use super::engine::{Engine, Keeper, Watched};
+use super::engine::{Engine, Watched};
 use super::horizon::{self, Horizons};
+use super::keeper::Keeper;
 use super::law::{SpatialLaw, is_strict};
 use super::room::Room;
 use super::scale::{Scale, to_unity};
@@ -138,7 +139,7 @@ impl Spatial {
         let strict = kinds.iter().all(|kind| is_strict(kind));
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => {
-                Starts::Given(start::all(orbits, |orbit| start::spatial(scene, &centres, &shift, orbit, factor))?)
+                Starts::Given(start::all(orbits, |orbit| checked(scene, &centres, &shift, orbit, factor))?)
             }
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
@@ -254,6 +255,33 @@ fn named(
         _ => (tables::ball(high.x - radius), Vector3::zeros()),
     };
     Ok((smaller.map_err(|error| wrong(&error))?, shift))
+}
+
+/// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.
+fn checked(
+    scene: &Scene,
+    centres: &Space,
+    shift: &Vector3<f64>,
+    orbit: &scene::Orbit,
+    length: f64,
+) -> Result<Start<3, 3>, Box<Diagnostic>> {
+    let mut start: Start<3, 3> = start::scaled(orbit, length);
+    let point = Vector3::from(start.position) - shift;
+    start.position = point.into();
+    let touched = centres.touched(&point);
+    let at = orbit.position.span;
+    if let Some(distance) = touched.outside {
+        let what = format!("the start lies {} outside the region of centres", short(distance / length));
+        return Err(Box::new(scene.source.diagnostic(at, what)));
+    }
+    let velocity = Vector3::from(start.velocity);
+    if touched.normals.iter().any(|normal| velocity.dot(normal) <= 0.0) {
+        let what = "the start lies on a wall and does not move into the table";
+        return Err(Box::new(
+            scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall"),
+        ));
+    }
+    Ok(start)
 }
 
 struct On<'a, A> {

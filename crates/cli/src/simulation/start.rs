@@ -1,12 +1,11 @@
 //! Starts of orbits, checked against the table.
 
-use billiards::geometry::{Table, Vector2, Vector3};
+use billiards::geometry::{Table, Vector2};
 
 use crate::document::Diagnostic;
 use crate::scene::{Orbit, Scene};
 
 use super::scale::{Scale, to_unity};
-use super::spatial::Space;
 use super::words::short;
 
 /// A start, scaled to the size of the engine.
@@ -94,33 +93,6 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
     }
     let what = format!("the start lies on piece {piece} and does not move into the table");
     Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
-}
-
-/// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.
-pub(crate) fn spatial(
-    scene: &Scene,
-    centres: &Space,
-    shift: &Vector3<f64>,
-    orbit: &Orbit,
-    length: f64,
-) -> Result<Start<3, 3>, Box<Diagnostic>> {
-    let mut start: Start<3, 3> = scaled(orbit, length);
-    let point = Vector3::from(start.position) - shift;
-    start.position = point.into();
-    let touched = centres.touched(&point);
-    let at = orbit.position.span;
-    if let Some(distance) = touched.outside {
-        let what = format!("the start lies {} outside the region of centres", short(distance / length));
-        return Err(Box::new(scene.source.diagnostic(at, what)));
-    }
-    let velocity = Vector3::from(start.velocity);
-    if touched.normals.iter().any(|normal| velocity.dot(normal) <= 0.0) {
-        let what = "the start lies on a wall and does not move into the table";
-        return Err(Box::new(
-            scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall"),
-        ));
-    }
-    Ok(start)
 }
 
 /// Whether a path from a point of the boundary enters the table.

@@ -1,0 +1,76 @@
+//! The energy, kept where the law keeps it.
+
+use billiards::geometry::WallHit;
+use billiards::{Conserved, EnergyKeeper, InLanes, Keeping, Recurring};
+use lanes::{Double, Lane};
+
+/// Keeps the energy where the law does, in lanes of `F`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Keeper<const N: usize, F = f64> {
+    conserved: Conserved<F, N>,
+    strict: bool,
+}
+
+impl<const N: usize> Keeper<N> {
+    /// For an orbit that starts like this, under a law that is `strict` or not.
+    pub(crate) fn for_law<const S: usize>(strict: bool, velocity: &[f64; N], spin: &[f64; S]) -> Self {
+        Keeper { strict, ..EnergyKeeper::<f64, N, S>::new(velocity, spin) }
+    }
+}
+
+impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N, F> {
+    #[inline(always)]
+    fn new(velocity: &[F; N], spin: &[F; S]) -> Self {
+        Keeper { conserved: EnergyKeeper::<F, N, S>::new(velocity, spin), strict: true }
+    }
+    #[inline(always)]
+    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
+        if self.strict {
+            self.conserved.leave(velocity, spin, hit, beat);
+        }
+    }
+    #[inline(always)]
+    fn straighten(&mut self, velocity: &mut [F; N], arrival: F, hit: &WallHit<F, N>) {
+        if self.strict {
+            EnergyKeeper::<F, N, S>::straighten(&mut self.conserved, velocity, arrival, hit);
+        }
+    }
+    #[inline(always)]
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
+        if self.strict {
+            self.conserved.leave_in_frame(velocity, spin, beat);
+        }
+    }
+    fn square(&self, lane: usize) -> Option<Double> {
+        if self.strict { EnergyKeeper::<F, N, S>::square(&self.conserved, lane) } else { None }
+    }
+    #[inline(always)]
+    fn pass(&mut self, beat: u32) {
+        if self.strict {
+            EnergyKeeper::<F, N, S>::pass(&mut self.conserved, beat);
+        }
+    }
+    fn recurring(&mut self) -> Option<&mut Recurring<F>> {
+        if self.strict { EnergyKeeper::<F, N, S>::recurring(&mut self.conserved) } else { None }
+    }
+}
+
+impl<F: Lane, const N: usize> InLanes<F> for Keeper<N, F> {
+    type One = Keeper<N>;
+    fn one(&self, lane: usize) -> Keeper<N> {
+        Keeper { conserved: self.conserved.one(lane), strict: self.strict }
+    }
+    fn all(one: &Keeper<N>, zero: F) -> Self {
+        Keeper { conserved: Conserved::all(&one.conserved, zero), strict: one.strict }
+    }
+    fn put(&mut self, lane: usize, one: &Keeper<N>) {
+        self.conserved.put(lane, &one.conserved);
+    }
+    fn wait(&self, one: &Keeper<N>, beat: u32) -> u64 {
+        self.conserved.wait(&one.conserved, beat)
+    }
+}
+
+impl<const N: usize, const S: usize> Keeping<N, S> for Keeper<N> {
+    type In<F: Lane> = Keeper<N, F>;
+}

@@ -1,0 +1,39 @@
+//! What comes of orbits, on its way from the threads that run them to the one that keeps it.
+
+use billiards::Stop;
+
+use super::event::Event;
+use super::portraits::Point;
+
+/// How an orbit ended, in the user's units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Ended {
+    /// Number of the orbit.
+    pub(crate) orbit: u64,
+    /// Why; nothing if the user interrupted it.
+    pub(crate) stop: Option<Stop>,
+    /// Collisions made.
+    pub(crate) collisions: u64,
+    /// Time passed.
+    pub(crate) time: f64,
+    /// Largest relative deviation of the energy from that of the start.
+    pub(crate) drift: f64,
+    /// Position at the end.
+    pub(crate) position: [f64; 3],
+    /// Velocity at the end.
+    pub(crate) velocity: [f64; 3],
+}
+
+/// Results of consecutive orbits, or of a part of one.
+#[derive(Debug, Default)]
+pub(crate) struct Results {
+    /// Collisions, orbit after orbit, if somebody draws them.
+    pub(crate) events: Vec<Event>,
+    /// The same as so many rows of the record.
+    pub(crate) rows: u64,
+    pub(crate) formatted: Vec<u8>,
+    /// The same as points of portraits, as long as they are few.
+    pub(crate) points: Vec<Point>,
+    /// Ends of orbits, and how many of the events come before each.
+    pub(crate) ends: Vec<(usize, Ended)>,
+}

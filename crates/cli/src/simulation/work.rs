@@ -1,0 +1,100 @@
+//! What is to be done, and how much of it a thread takes on at a time.
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, AtomicU64};
+
+use super::engine::Watched;
+use super::recorder::Recorder;
+use super::scale::Scale;
+
+/// Collisions between two looks at the clock, the energy and the user.
+pub(super) const BLOCK: u64 = 4096;
+/// Most orbits that one thread takes on at a time.
+const MOST_TOGETHER: u64 = 1024;
+/// Side by side, one orbit takes as long as all that the lanes hold: three to four times as long as alone.
+pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
+/// Fewest and most orbits that one thread takes on to run them side by side.
+pub(super) const LEAST_SIDE_BY_SIDE: u64 = 64;
+const MOST_SIDE_BY_SIDE: u64 = 512;
+/// The same where they are counted for portraits, and their collisions: each layer of a portrait goes through the cache, and
+/// stays there for as long as its orbits run.
+const MOST_COUNTED: u64 = 1 << 16;
+const COUNTED: u64 = 1 << 25;
+/// Steps in which the progress of an orbit is counted.
+pub(super) const STEPS: u64 = 1 << 20;
+
+/// An orbit at its start.
+#[derive(Clone, Debug)]
+pub(crate) struct Launch<const N: usize, const S: usize, T> {
+    pub(crate) orbit: Watched<N, S, T>,
+    pub(crate) scale: Scale,
+}
+
+/// What is to be done.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Work<'a> {
+    /// Number of orbits.
+    pub(crate) orbits: u64,
+    /// Collisions per orbit, at most.
+    pub(crate) collisions: u64,
+    /// Time per orbit, in the user's unit, at most.
+    pub(crate) time: f64,
+    /// How much of an orbit is watched.
+    pub(crate) watch: Extent,
+    /// What writes watched collisions into the record, and whether they are drawn as well.
+    pub(crate) recorder: Option<Recorder<'a>>,
+    pub(crate) drawn: bool,
+    /// Whether collisions are counted for portraits.
+    pub(crate) counted: bool,
+    /// Whether points of portraits are too many to be shown one by one, and only counted.
+    pub(crate) crowded: &'a AtomicBool,
+    /// For the user, what number a piece of the table has.
+    pub(crate) pieces: &'a [u64],
+    /// Where the engine's origin lies, in its unit.
+    pub(crate) shift: [f64; 3],
+    /// Number of threads.
+    pub(crate) threads: usize,
+    /// Set when the user has had enough.
+    pub(crate) interrupted: &'a AtomicBool,
+    /// Counts work done, [`STEPS`] per orbit.
+    pub(crate) progress: &'a AtomicU64,
+}
+
+/// How much of the orbits is watched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Extent {
+    /// The first so many orbits …
+    pub(crate) orbits: u64,
+    /// … for at least so many collisions.
+    pub(crate) collisions: u64,
+}
+
+impl Work<'_> {
+    /// Whether nobody watches these orbits and all that ends them is a number of collisions: then they run side by side.
+    pub(super) fn is_bare(&self, orbits: &Range<u64>) -> bool {
+        orbits.start >= self.watched_orbits() && self.time == f64::INFINITY
+    }
+
+    fn watched_orbits(&self) -> u64 {
+        if self.watch.collisions > 0 { self.watch.orbits } else { 0 }
+    }
+
+    /// The next few orbits from the given one, for one thread.
+    pub(super) fn together(&self, first: u64) -> Range<u64> {
+        let (together, end) = if self.is_bare(&(first..first)) {
+            // enough to fill the lanes again and again, and something for everybody
+            let share = self.orbits / (4 * self.threads.max(1) as u64);
+            let most = if self.counted {
+                (COUNTED / self.collisions.max(1)).clamp(MOST_SIDE_BY_SIDE, MOST_COUNTED)
+            } else {
+                MOST_SIDE_BY_SIDE
+            };
+            (share.clamp(LEAST_SIDE_BY_SIDE, most), self.orbits)
+        } else {
+            // so many orbits make a block
+            let end = if self.time == f64::INFINITY { self.watched_orbits() } else { self.orbits };
+            ((BLOCK / self.collisions.max(1)).clamp(1, MOST_TOGETHER), end.min(self.orbits))
+        };
+        first..end.min(first.saturating_add(together))
+    }
+}
