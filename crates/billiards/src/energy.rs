@@ -5,7 +5,7 @@
 //! [delicate](Walls::is_delicate), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
 //! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
 //! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.
-use crate::{orbit::square_speed, recurring::Recurring, side_by_side::InLanes};
+use crate::{in_lanes::InLanes, recurring::Recurring};
 use geometry::WallHit;
 #[cfg(doc)]
 use geometry::Walls;
@@ -43,6 +43,25 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     }
 }
 
+/// How the energy of an orbit is kept, with a type for every lane width: [`Conserved`] or [`Free`].
+pub trait Keeping<const N: usize, const S: usize>: EnergyKeeper<f64, N, S> {
+    /// The keeper in lanes of `F`.
+    type In<F: Lane>: EnergyKeeper<F, N, S> + InLanes<F, One = Self>;
+}
+
+/// `|velocity|² + |spin|²`: twice the energy per mass [L² T⁻²].
+#[inline(always)]
+pub(crate) fn square_speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
+    let mut sum = velocity[0] * velocity[0];
+    for v in &velocity[1..] {
+        sum = sum + *v * *v;
+    }
+    for w in spin {
+        sum = sum + *w * *w;
+    }
+    sum
+}
+
 /// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
 pub type Free = ();
 
@@ -58,6 +77,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     }
     #[inline(always)]
     fn pass(&mut self, _: u32) {}
+}
+
+impl<const N: usize, const S: usize> Keeping<N, S> for Free {
+    type In<F: Lane> = ();
 }
 
 /// The energy of the start, kept.
@@ -186,6 +209,10 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
         let counted = |beats: u32| beats.min(beat - 1);
         u64::from((counted(one.beat) + beat - counted(self.beat)) % beat)
     }
+}
+
+impl<const N: usize, const S: usize> Keeping<N, S> for Conserved<f64, N> {
+    type In<F: Lane> = Conserved<F, N>;
 }
 
 impl<F: Lane, const N: usize> Conserved<F, N> {

@@ -21,6 +21,7 @@ mod energy;
 mod ensemble;
 mod error;
 mod horizon;
+mod in_lanes;
 pub mod laws;
 mod merge;
 pub mod observe;
@@ -39,24 +40,25 @@ mod tracked;
 
 pub use billiard::{BallLaw, Billiard, Motion};
 pub use collision_laws;
-pub use energy::{BEAT, Conserved, EnergyKeeper, Free};
+pub use energy::{BEAT, Conserved, EnergyKeeper, Free, Keeping};
 pub use ensemble::Ensemble;
 pub use error::Error;
 pub use geometry;
 pub use horizon::{Bend, Bounce, Felt, Horizon};
+pub use in_lanes::InLanes;
 pub use merge::Merge;
-pub use observe::Observer;
+pub use observe::{Collision, Observer};
 pub use orbit::Orbit;
 pub use planar::Planar;
 pub use recurring::Recurring;
 pub use reduced::ReducedState;
 pub use reverse::reverse;
 pub use rolling::{Frame, Rolling};
-pub use run::{Collision, Collisions, Limit, Outcome, Stop, Time, run};
-pub use side_by_side::{Finished, InLanes, Keeping, Tracking, run_side_by_side};
+pub use run::{Collisions, Limit, Outcome, Stop, Time, run};
+pub use side_by_side::{Finished, run_side_by_side};
 pub use spatial::Spatial;
 pub use start::{Canonical, CanonicalSpatial, Grid, Start, Starts};
-pub use track::{Angle, Cell, Clock, Timed, Track};
+pub use track::{Angle, Cell, Clock, Timed, Track, Tracking};
 pub use tracked::{InCell, Turned};
 
 #[cfg(doctest)]

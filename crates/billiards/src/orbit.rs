@@ -28,16 +28,3 @@ impl<F: Lane, const N: usize, const S: usize, K: EnergyKeeper<F, N, S>, T: Track
         Orbit { position, velocity, spin, keeper: K::new(&velocity, &spin), track }
     }
 }
-
-/// `|velocity|² + |spin|²`: twice the energy per mass [L² T⁻²].
-#[inline(always)]
-pub(crate) fn square_speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
-    let mut sum = velocity[0] * velocity[0];
-    for v in &velocity[1..] {
-        sum = sum + *v * *v;
-    }
-    for w in spin {
-        sum = sum + *w * *w;
-    }
-    sum
-}

@@ -1,13 +1,13 @@
 //! A disk on a planar table: the billiard of the paper, ready to run.
 use crate::{
     billiard::{BallLaw, Billiard},
-    energy::EnergyKeeper,
+    energy::{EnergyKeeper, Keeping},
     observe::{LaneObserver, Observer},
     orbit::Orbit,
     rolling::Rolling,
     run::{Limit, Outcome, run},
-    side_by_side::{Finished, Keeping, Tracking, run_side_by_side},
-    track::Track,
+    side_by_side::{Finished, run_side_by_side},
+    track::{Track, Tracking},
 };
 use geometry::{Homogeneous, Table, Walls, WithWalls};
 

@@ -1,5 +1,5 @@
 //! What an orbit knows for ever of its velocity between round walls.
-use crate::{laws::Mirror, side_by_side::InLanes};
+use crate::{in_lanes::InLanes, laws::Mirror};
 use lanes::{Double, Lane};
 
 /// Spin and velocity in the frame of a round wall, right after a collision, under a law that [undoes itself](Mirror): they come

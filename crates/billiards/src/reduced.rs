@@ -2,9 +2,9 @@
 use crate::{
     Error,
     billiard::BallLaw,
-    energy::EnergyKeeper,
+    energy::{EnergyKeeper, square_speed},
     observe::ReducedPortrait,
-    orbit::{Orbit, square_speed},
+    orbit::Orbit,
     planar::Planar,
     reverse::reverse,
     run::Collisions,

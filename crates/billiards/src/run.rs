@@ -1,13 +1,12 @@
 //! The engine's loop.
 use crate::{
     billiard::Motion,
-    energy::EnergyKeeper,
-    observe::Observer,
-    orbit::{Orbit, square_speed},
+    energy::{EnergyKeeper, square_speed},
+    observe::{Collision, Observer},
+    orbit::Orbit,
     track::{Timed, Track},
 };
 use core::ops::ControlFlow;
-use geometry::WallHit;
 use lanes::Task;
 
 /// How long an orbit runs.
@@ -76,25 +75,6 @@ pub struct Outcome {
     pub stop: Stop,
     /// Collisions made.
     pub collisions: u64,
-}
-
-/// A collision that has just happened, as an observer sees it.
-#[derive(Debug)]
-pub struct Collision<'a, const N: usize, const S: usize, K, T> {
-    /// Its number, from 1.
-    pub n: u64,
-    /// Where it was.
-    pub hit: &'a WallHit<f64, N>,
-    /// The state right after it.
-    pub orbit: &'a Orbit<f64, N, S, K, T>,
-}
-
-impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
-    /// Number of the piece hit.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-    pub fn piece(&self) -> usize {
-        self.hit.piece as usize
-    }
 }
 
 /// So many flights of no length in a row are no motion: two curves that touch can hold a particle for ever.

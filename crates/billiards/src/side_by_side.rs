@@ -1,62 +1,14 @@
 //! Many orbits side by side: the lanes of vector registers, refilled as orbits end.
 use crate::{
     billiard::Motion,
-    energy::{Conserved, EnergyKeeper},
+    energy::{Keeping, square_speed},
+    in_lanes::InLanes,
     observe::LaneObserver,
-    orbit::{Orbit, square_speed},
+    orbit::Orbit,
     run::{GRAZING, MOST_IDLE, Outcome, Stop},
-    track::{Clock, Track},
+    track::{Track, Tracking},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
-
-/// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
-pub trait InLanes<F: Lane>: Clone {
-    /// What belongs to a single orbit.
-    type One: Clone;
-    /// What belongs to the orbit in one lane.
-    fn one(&self, lane: usize) -> Self::One;
-    /// The same in every lane, as many as `zero` has.
-    fn all(one: &Self::One, zero: F) -> Self;
-    /// Puts what belongs to an orbit into one lane.
-    fn put(&mut self, lane: usize, one: &Self::One);
-    /// After how many collisions an orbit can join these, because all of them count to `beat`.
-    fn wait(&self, _: &Self::One, _beat: u32) -> u64 {
-        0
-    }
-}
-
-impl<F: Lane> InLanes<F> for () {
-    type One = ();
-    fn one(&self, _: usize) {}
-    fn all((): &(), _: F) {}
-    fn put(&mut self, _: usize, (): &()) {}
-}
-
-/// How the energy of an orbit is kept, with a type for every lane width: [`Conserved`] or [`Free`](crate::Free).
-pub trait Keeping<const N: usize, const S: usize>: EnergyKeeper<f64, N, S> {
-    /// The keeper in lanes of `F`.
-    type In<F: Lane>: EnergyKeeper<F, N, S> + InLanes<F, One = Self>;
-}
-
-impl<const N: usize, const S: usize> Keeping<N, S> for Conserved<f64, N> {
-    type In<F: Lane> = Conserved<F, N>;
-}
-impl<const N: usize, const S: usize> Keeping<N, S> for () {
-    type In<F: Lane> = ();
-}
-
-/// What is tracked along the path of an orbit, with a type for every lane width.
-pub trait Tracking<const N: usize, const S: usize>: Clone {
-    /// The track in lanes of `F`.
-    type In<F: Lane>: Track<F, N, S> + InLanes<F, One = Self>;
-}
-
-impl<const N: usize, const S: usize> Tracking<N, S> for () {
-    type In<F: Lane> = ();
-}
-impl<const N: usize, const S: usize> Tracking<N, S> for Clock {
-    type In<F: Lane> = Clock<F>;
-}
 
 /// An orbit that has ended.
 #[derive(Clone, Debug)]
@@ -157,14 +109,14 @@ where
         group: &mut GroupOf<F, N, S, B, K, T, O>,
         next: &mut u64,
         step: u64,
-        ended: impl Fn(usize) -> Option<Stop>,
+        ended: &[Option<Stop>; MOST_LANES],
     ) {
         let zero = group.slow.same(0.0);
         let mask = |of: &[bool; MOST_LANES]| zero.lt(zero.each(|k| if of[k % MOST_LANES] { 1.0 } else { 0.0 }));
         let mut idle = [false; MOST_LANES];
         self.billiard.settle(&mut group.orbit, &group.carried);
         for lane in 0..F::LANES {
-            let Some(stop) = ended(lane) else { continue };
+            let Some(stop) = ended[lane] else { continue };
             let seat = &mut group.lanes[lane];
             if let Some(index) = seat.index {
                 let o = &group.orbit;
@@ -254,10 +206,18 @@ where
             self.observer.collision(&mut group.view, &hit, &group.orbit);
             let slides = !group.slow.lt(square);
             if slides.any() {
-                self.change(group, next, step + 1, |lane| slides.at(lane).then_some(Stop::Grazing));
+                self.slide(group, slides, next, step + 1);
             }
             return;
         }
+    }
+
+    /// Orbits along the boundary, along which they stay, end.
+    #[cold]
+    #[inline(never)]
+    fn slide<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, slides: F::Mask, next: &mut u64, step: u64) {
+        let ended = core::array::from_fn(|lane| (lane < F::LANES && slides.at(lane)).then_some(Stop::Grazing));
+        self.change(group, next, step, &ended);
     }
 
     /// Looks at a hit that is a corner, out of reach or without motion somewhere; whether an orbit ended.
@@ -292,7 +252,7 @@ where
         }
         let any = stops.iter().any(Option::is_some);
         if any {
-            self.change(group, next, step, |lane| stops[lane]);
+            self.change(group, next, step, &stops);
         }
         any
     }
@@ -318,7 +278,7 @@ where
             lanes: [seat; MOST_LANES],
         });
         for group in &mut groups {
-            self.change(group, &mut next, 0, |_| Some(Stop::Finished));
+            self.change(group, &mut next, 0, &[Some(Stop::Finished); MOST_LANES]);
         }
         let mut step = 0;
         loop {
@@ -334,8 +294,8 @@ where
             }
             for group in &mut groups {
                 if group.lanes[..F::LANES].iter().any(|s| s.until == step) {
-                    let until = group.lanes.map(|s| s.until);
-                    self.change(group, &mut next, step, |k| (until[k] == step).then_some(Stop::Finished));
+                    let ended = group.lanes.map(|s| (s.until == step).then_some(Stop::Finished));
+                    self.change(group, &mut next, step, &ended);
                 }
             }
         }

@@ -1,5 +1,5 @@
 //! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
-use crate::side_by_side::InLanes;
+use crate::in_lanes::InLanes;
 use geometry::{Lattice, Vector2, WallHit};
 use lanes::{Double, Lane};
 use std::sync::Arc;
@@ -15,18 +15,10 @@ pub trait Track<F: Lane, const N: usize, const S: usize> {
     }
 }
 
-impl<F: Lane> InLanes<F> for Clock<F> {
-    type One = Clock;
-    fn one(&self, lane: usize) -> Clock {
-        Clock(Double { high: self.0.high.lane(lane), low: self.0.low.lane(lane) })
-    }
-    fn all(one: &Clock, zero: F) -> Self {
-        Clock(Double { high: zero.same(one.0.high), low: zero.same(one.0.low) })
-    }
-    fn put(&mut self, lane: usize, one: &Clock) {
-        self.0.high.put(lane, one.0.high);
-        self.0.low.put(lane, one.0.low);
-    }
+/// What is tracked along the path of an orbit, with a type for every lane width.
+pub trait Tracking<const N: usize, const S: usize>: Clone {
+    /// The track in lanes of `F`.
+    type In<F: Lane>: Track<F, N, S> + InLanes<F, One = Self>;
 }
 
 /// A track that knows the time.
@@ -42,6 +34,10 @@ impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for () {
     fn looks(&self) -> bool {
         false
     }
+}
+
+impl<const N: usize, const S: usize> Tracking<N, S> for () {
+    type In<F: Lane> = ();
 }
 
 impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, S>> Track<F, N, S> for (A, B) {
@@ -90,6 +86,24 @@ impl<F: Lane, B> Timed<F> for (Clock<F>, B) {
     fn time(&self) -> F {
         self.0.time()
     }
+}
+
+impl<F: Lane> InLanes<F> for Clock<F> {
+    type One = Clock;
+    fn one(&self, lane: usize) -> Clock {
+        Clock(Double { high: self.0.high.lane(lane), low: self.0.low.lane(lane) })
+    }
+    fn all(one: &Clock, zero: F) -> Self {
+        Clock(Double { high: zero.same(one.0.high), low: zero.same(one.0.low) })
+    }
+    fn put(&mut self, lane: usize, one: &Clock) {
+        self.0.high.put(lane, one.0.high);
+        self.0.low.put(lane, one.0.low);
+    }
+}
+
+impl<const N: usize, const S: usize> Tracking<N, S> for Clock {
+    type In<F: Lane> = Clock<F>;
 }
 
 /// The scaled spin position `x₀ = γ R θ` of a disk \[L\], not reduced modulo a turn, as a compensated sum.

@@ -1,6 +1,6 @@
 //! How well energy is kept.
-use super::Observer;
-use crate::{merge::Merge, orbit::Orbit, run::Collision};
+use super::{Collision, Observer};
+use crate::{merge::Merge, orbit::Orbit};
 use core::ops::ControlFlow;
 use lanes::{Double, two_prod};
 

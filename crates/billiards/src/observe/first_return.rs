@@ -1,6 +1,5 @@
 //! When an orbit first enters a set.
-use super::Observer;
-use crate::run::Collision;
+use super::{Collision, Observer};
 use core::{fmt, ops::ControlFlow};
 use lanes::Double;
 

@@ -1,6 +1,6 @@
 //! Mean free time and mean free path.
-use super::{Observer, flight::Flight};
-use crate::{merge::Merge, orbit::Orbit, run::Collision};
+use super::{Collision, Observer, flight::Flight};
+use crate::{merge::Merge, orbit::Orbit};
 use core::ops::ControlFlow;
 use lanes::Double;
 

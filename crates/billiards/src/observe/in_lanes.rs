@@ -1,8 +1,5 @@
 //! Watching many orbits side by side.
-use crate::{
-    orbit::Orbit,
-    side_by_side::{Keeping, Tracking},
-};
+use crate::{energy::Keeping, orbit::Orbit, track::Tracking};
 use geometry::WallHit;
 use lanes::Lane;
 

@@ -1,6 +1,6 @@
 //! Whether a quantity is conserved.
-use super::{Observer, energy_drift::larger};
-use crate::{merge::Merge, run::Collision};
+use super::{Collision, Observer, energy_drift::larger};
+use crate::merge::Merge;
 use core::{fmt, ops::ControlFlow};
 
 /// How far a quantity of your own strays from its value at the first collision: the largest and the mean square drift.

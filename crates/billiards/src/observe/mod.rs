@@ -28,8 +28,28 @@ pub use survival::Survival;
 pub use velocity_portrait::VelocityPortrait;
 pub use watch::Watch;
 
-use crate::run::Collision;
+use crate::orbit::Orbit;
 use core::ops::ControlFlow;
+use geometry::WallHit;
+
+/// A collision that has just happened, as an observer sees it.
+#[derive(Debug)]
+pub struct Collision<'a, const N: usize, const S: usize, K, T> {
+    /// Its number, from 1.
+    pub n: u64,
+    /// Where it was.
+    pub hit: &'a WallHit<f64, N>,
+    /// The state right after it.
+    pub orbit: &'a Orbit<f64, N, S, K, T>,
+}
+
+impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
+    /// Number of the piece hit.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+    pub fn piece(&self) -> usize {
+        self.hit.piece as usize
+    }
+}
 
 /// Watches a run.
 pub trait Observer<const N: usize, const S: usize, K, T> {

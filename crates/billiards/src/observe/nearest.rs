@@ -1,6 +1,6 @@
 //! How near the flights of an orbit come to a point: the radius of a caustic.
-use super::{Observer, flight::Flight};
-use crate::{merge::Merge, orbit::Orbit, run::Collision};
+use super::{Collision, Observer, flight::Flight};
+use crate::{merge::Merge, orbit::Orbit};
 use core::ops::ControlFlow;
 
 /// The smallest distance \[L\] between the path of the centre and a point.

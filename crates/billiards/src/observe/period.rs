@@ -1,6 +1,5 @@
 //! Whether an orbit is periodic.
-use super::{Observer, flight::Flight};
-use crate::run::Collision;
+use super::{Collision, Observer, flight::Flight};
 use core::ops::ControlFlow;
 use geometry::{Lattice, Vector2};
 use lanes::Double;

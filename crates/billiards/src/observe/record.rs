@@ -1,7 +1,6 @@
 //! The raw record: every collision as a row of plain numbers.
-use super::Observer;
+use super::{Collision, Observer};
 use crate::{
-    run::Collision,
     track::Timed,
     tracked::{InCell, Turned},
 };

@@ -1,6 +1,6 @@
 //! The reduced phase portrait: where and how each collision leaves the wall.
-use super::Observer;
-use crate::{merge::Merge, reduced::ReducedState, run::Collision};
+use super::{Collision, Observer};
+use crate::{merge::Merge, reduced::ReducedState};
 use core::ops::ControlFlow;
 use geometry::Table;
 

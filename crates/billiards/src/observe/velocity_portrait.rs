@@ -1,6 +1,6 @@
 //! The velocity phase portrait: the reduced phase space without the position.
-use super::Observer;
-use crate::{merge::Merge, orbit::square_speed, run::Collision};
+use super::{Collision, Observer};
+use crate::{energy::square_speed, merge::Merge};
 use core::ops::ControlFlow;
 
 /// A point `(v₀, v·t)/|(v₀, v)|` of the unit disk per collision, with `t = J ν` and the velocities after it.

@@ -1,6 +1,5 @@
 //! A function as an observer.
-use super::Observer;
-use crate::run::Collision;
+use super::{Collision, Observer};
 use core::{fmt, ops::ControlFlow};
 
 /// Calls a function for each collision: the shortest way to a measurement of your own.

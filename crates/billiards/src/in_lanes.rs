@@ -1,0 +1,25 @@
+//! What belongs to one orbit, in lanes of many.
+use lanes::Lane;
+
+/// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
+pub trait InLanes<F: Lane>: Clone {
+    /// What belongs to a single orbit.
+    type One: Clone;
+    /// What belongs to the orbit in one lane.
+    fn one(&self, lane: usize) -> Self::One;
+    /// The same in every lane, as many as `zero` has.
+    fn all(one: &Self::One, zero: F) -> Self;
+    /// Puts what belongs to an orbit into one lane.
+    fn put(&mut self, lane: usize, one: &Self::One);
+    /// After how many collisions an orbit can join these, because all of them count to `beat`.
+    fn wait(&self, _: &Self::One, _beat: u32) -> u64 {
+        0
+    }
+}
+
+impl<F: Lane> InLanes<F> for () {
+    type One = ();
+    fn one(&self, _: usize) {}
+    fn all((): &(), _: F) {}
+    fn put(&mut self, _: usize, (): &()) {}
+}
