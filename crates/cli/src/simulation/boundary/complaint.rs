@@ -1,0 +1,59 @@
+//! What is wrong with a boundary, in the user's words and units.
+
+use billiards::geometry::{Error, tables};
+
+use crate::document::Diagnostic;
+use crate::scene::{Arguments, Scene, TableShape};
+
+/// An error whose lengths are those of the user.
+pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
+    let back = |x: f64| x / factor;
+    match error.clone() {
+        Error::Radius { radius } => Error::Radius { radius: back(radius) },
+        Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
+        Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
+        Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
+        Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
+        Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
+        Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
+        Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
+        Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },
+        other => other,
+    }
+}
+
+/// Adds how to mend an error of the geometry, where its words do not say so.
+pub(super) fn with_advice(diagnostic: Diagnostic, error: &Error) -> Diagnostic {
+    let advice = match error {
+        Error::ZeroLength => "leave it out, or move one of its ends",
+        Error::TooShort { .. } => "leave it out, or move its ends apart",
+        Error::OffCircle { .. } => "put the center on the perpendicular bisector of the two ends",
+        Error::Crossing { first, second, .. } if first == second => {
+            "it crosses its own translate in the next cell of the lattice: make it smaller, or the cell larger"
+        }
+        Error::Crossing { .. } => "pieces may touch but not cross: move one of them, or make one loop of both",
+        Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
+        Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
+        Error::Orientation { .. } => "list the vertices in the opposite order, or exchange inside and outside",
+        _ => return diagnostic,
+    };
+    diagnostic.with_help(advice)
+}
+
+/// What is wrong with the parameters of a built-in table, at the parameter's place.
+#[allow(clippy::unnecessary_box_returns, reason = "it goes into a Result, where a large error costs every success")]
+pub(crate) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error, factor: f64) -> Box<Diagnostic> {
+    let TableShape::Named { model, span, .. } = &scene.table.shape else {
+        return Box::new(scene.source.diagnostic(scene.table.span, error.to_string()));
+    };
+    Box::new(match error {
+        Error::Parameter { name, must, value } => {
+            let entry = tables::find(model.name);
+            let is_length =
+                entry.is_some_and(|entry| entry.parameters.iter().any(|p| p.name == *name && p.kind.is_length()));
+            let value = if is_length { value / factor } else { *value };
+            scene.source.diagnostic(arguments.span(name), Error::Parameter { name, must, value }.to_string())
+        }
+        other => scene.source.diagnostic(*span, in_user_units(other, factor).to_string()),
+    })
+}
