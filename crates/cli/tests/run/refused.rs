@@ -69,6 +69,13 @@ collisions = 1
             "scene.toml:10:10",
             "table on its",
         ),
+        (
+            hand,
+            "circle = { center = [0.5, 0.5], radius = 0.25, domain = \"outside\" }",
+            "curve = { implicit = \"abs(x-1)+abs(y)-1\", within = [[-1, -2], [3, 2]] }",
+            "scene.toml:10:22",
+            "be smooth",
+        ),
         (hand, "[0.125, 0.125]", "[0.5, 0.5]", "scene.toml:12:12", "outside the table"),
         (hand, "[run]", "[output]\npictures = [\"orbits\"]\n[run]", "scene.toml:15:13", "did you mean \"orbit\"?"),
         (hand, "velocity = [1, 0]", "velocity = [0, 0]", "scene.toml:13:12", "zero vector"),
