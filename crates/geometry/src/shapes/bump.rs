@@ -1,5 +1,5 @@
 //! A straight side with a smooth bump: the pieces of a C²-perturbed polygon.
-use super::curve::{ArcLength, Interval, Parametric, Smooth, first_rise};
+use super::curve::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -46,7 +46,7 @@ impl Bump {
             return Err(Error::Parameter { name: "height", must: "finite", value: height });
         }
         let outward = Vector2::new(d.y, -d.x) / length;
-        let graph = Graph { a, along: d, outward, height };
+        let graph = Raised { a, along: d, outward, height };
         let table = ArcLength::new(&graph, (0..=16).map(|k| f64::from(k) / 16.0));
         let extent = table.extent(&graph);
         Ok(Bump { a, b, outward, length, height, slack: slack([a.x, a.y, b.x, b.y, height]), table, extent })
@@ -57,8 +57,8 @@ impl Bump {
         self.height
     }
 
-    fn graph(&self) -> Graph {
-        Graph { a: self.a, along: self.b - self.a, outward: self.outward, height: self.height }
+    fn graph(&self) -> Raised {
+        Raised { a: self.a, along: self.b - self.a, outward: self.outward, height: self.height }
     }
 
     /// Fraction of the side below a point.
@@ -95,14 +95,14 @@ fn second_over(u: Interval) -> Interval {
 }
 
 /// The bump by the fraction `u`.
-struct Graph {
+struct Raised {
     a: Vector2<f64>,
     along: Vector2<f64>,
     outward: Vector2<f64>,
     height: f64,
 }
 
-impl Parametric for Graph {
+impl Parametric for Raised {
     fn at(&self, u: f64) -> [Vector2<f64>; 2] {
         let [value, slope, _] = shape(u);
         [
@@ -141,6 +141,10 @@ impl Smooth for Above {
 }
 
 impl Piece for Bump {
+    fn graphs(&self) -> Option<Vec<Graph>> {
+        let size = self.a.amax().max(self.b.amax()).max(self.height.abs());
+        graphs(&self.graph(), [0.0, 1.0], [self.a, self.b], size)
+    }
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let v = path.velocity;
         let rate = v.dot(&Vector2::new(-self.outward.y, self.outward.x)) / self.length;
@@ -261,6 +265,14 @@ mod tests {
             let path = Line { point: x, velocity: Vector2::new(1.0, 0.0) - x };
             let hits = [bump(0.1), next.clone()].iter().filter(|b| b.crossing(&path).num < f64::INFINITY).count();
             assert_eq!(hits, 1, "from {x}");
+        }
+    }
+
+    #[test]
+    fn bumps_of_any_height_are_few_graphs() {
+        for height in [0.3, 0.02, -0.02, 1e-5, -1e-9, 0.0] {
+            let graphs = bump(height).graphs().unwrap();
+            assert!((1..=12).contains(&graphs.len()), "{height}: {}", graphs.len());
         }
     }
 
