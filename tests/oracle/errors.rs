@@ -26,6 +26,8 @@ pub(crate) struct Subject<'a> {
     pub(crate) truth: Vec<Box<dyn Truth>>,
     /// Whether a point is in the table, off the boundary.
     pub(crate) inside: &'a dyn Fn(&Vector2<f64>) -> bool,
+    /// As far from its start as that the truth about a path is known.
+    pub(crate) reach: f64,
     /// The answer; infinite time for none.
     pub(crate) hit: &'a dyn Fn(&Line<2>) -> WallHit<f64, 2>,
 }
@@ -135,7 +137,7 @@ impl Errors {
             if !(hit.time < f64::INFINITY) {
                 return;
             }
-            if along_the_wall(subject, path, [0.0, hit.time], ulp) {
+            if hit.time * speed > subject.reach || along_the_wall(subject, path, [0.0, hit.time], ulp) {
                 self.undecided += 1;
             } else {
                 self.wrong(path, &format!("hits at {}, but there is nothing", hit.time));
@@ -143,6 +145,10 @@ impl Errors {
             return;
         };
         let time = small(&truth.time);
+        if time * speed > subject.reach {
+            self.undecided += 1;
+            return;
+        }
         let on_the_wall = time * speed * sine(&truth) <= NEAR * ulp;
         // a path may start beyond the vertices of a single piece, and behind it
         if on_the_wall || inward.iter().any(|&t| 0.0 < t && t < time) {

@@ -3,6 +3,7 @@
 //! Shared by `tests/exactness.rs` and `examples/exactness.rs`.
 pub(crate) mod convex;
 pub(crate) mod curve;
+pub(crate) mod curves;
 pub(crate) mod errors;
 pub(crate) mod number;
 pub(crate) mod rays;
@@ -10,3 +11,4 @@ pub(crate) mod samples;
 pub(crate) mod solids;
 pub(crate) mod space;
 pub(crate) mod subjects;
+pub(crate) mod tables;

@@ -281,7 +281,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         TypedShape::RoundCylinder(r) => members.push(round(Rounded::cylinder(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundCone(r) => members.push(round(Rounded::cone(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundConvexPolyhedron(r) => {
-            members.push(round(Rounded::polyhedron(&r.inner_shape, r.border_radius, frame))?)
+            members.push(round(Rounded::polyhedron(&r.inner_shape, r.border_radius, frame))?);
         }
         TypedShape::Segment(_) => return Err(unsupported("segment", "a curve is no wall in space: use a capsule")),
         TypedShape::Polyline(_) => return Err(unsupported("polyline", "a curve is no wall in space: use capsules")),

@@ -34,9 +34,9 @@ impl View {
 /// A convex set.
 trait Core: Debug + Send + Sync {
     /// Its surface, seen from outside.
-    fn from_outside(&self, x: &Vector3<f64>) -> View;
+    fn outer(&self, x: &Vector3<f64>) -> View;
     /// Its surface, seen from inside, if that is where the point is.
-    fn from_inside(&self, x: &Vector3<f64>) -> Option<View>;
+    fn inner(&self, x: &Vector3<f64>) -> Option<View>;
     /// A box around it.
     fn extent(&self) -> [Vector3<f64>; 2];
 }
@@ -87,7 +87,7 @@ impl Rounded {
 
     /// The surface, seen from outside of the core.
     fn view(&self, x: &Vector3<f64>) -> View {
-        let View { height, normal } = self.core.from_outside(x);
+        let View { height, normal } = self.core.outer(x);
         View { height: height - self.radius, normal }
     }
 
@@ -144,7 +144,7 @@ impl Rounded {
 
     /// The surface as seen from anywhere.
     pub(super) fn closest(&self, x: &Vector3<f64>, side: Side) -> Closest {
-        let View { height, normal } = self.core.from_inside(x).unwrap_or_else(|| self.core.from_outside(x));
+        let View { height, normal } = self.core.inner(x).unwrap_or_else(|| self.core.outer(x));
         let height = height - self.radius;
         let sign = if side == Side::Outside { 1.0 } else { -1.0 };
         Closest { distance: sign * height, point: x - normal * height, normal: normal * sign }

@@ -44,7 +44,7 @@ impl Brick {
 }
 
 impl Core for Brick {
-    fn from_outside(&self, x: &Vector3<f64>) -> View {
+    fn outer(&self, x: &Vector3<f64>) -> View {
         let beyond = self.beyond(x);
         let outside = beyond.iter().filter(|(by, _)| *by > 0.0);
         // beyond one side only it is flat
@@ -55,7 +55,7 @@ impl Core for Brick {
         View::around(away).unwrap_or_else(|| Brick::outmost(beyond))
     }
 
-    fn from_inside(&self, x: &Vector3<f64>) -> Option<View> {
+    fn inner(&self, x: &Vector3<f64>) -> Option<View> {
         let side = Brick::outmost(self.beyond(x));
         (side.height <= 0.0).then_some(side)
     }

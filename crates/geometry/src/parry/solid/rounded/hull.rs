@@ -99,12 +99,12 @@ impl Hull {
 }
 
 impl Core for Hull {
-    fn from_outside(&self, x: &Vector3<f64>) -> View {
+    fn outer(&self, x: &Vector3<f64>) -> View {
         let nearest = self.tree.nearest(x, f64::INFINITY, |k| self.triangles[k].view(x).height);
         nearest.map_or(View { height: f64::NAN, normal: Vector3::zeros() }, |(_, k)| self.triangles[k].view(x))
     }
 
-    fn from_inside(&self, x: &Vector3<f64>) -> Option<View> {
+    fn inner(&self, x: &Vector3<f64>) -> Option<View> {
         let outmost = self.triangles.iter().max_by(|a, b| a.above(x).total_cmp(&b.above(x)))?;
         let height = outmost.above(x);
         (height <= 0.0).then_some(View { height, normal: outmost.normal })

@@ -75,7 +75,7 @@ impl Lathe {
 }
 
 impl Core for Lathe {
-    fn from_outside(&self, x: &Vector3<f64>) -> View {
+    fn outer(&self, x: &Vector3<f64>) -> View {
         let (p, out) = self.section(x);
         let above = |side: &&Side| {
             let s = side.along.dot(&(p - side.ends[0]));
@@ -94,7 +94,7 @@ impl Core for Lathe {
         }
     }
 
-    fn from_inside(&self, x: &Vector3<f64>) -> Option<View> {
+    fn inner(&self, x: &Vector3<f64>) -> Option<View> {
         let (p, out) = self.section(x);
         let outmost = self.sides.iter().max_by(|a, b| a.beyond(&p).total_cmp(&b.beyond(&p)))?;
         let height = outmost.beyond(&p);
