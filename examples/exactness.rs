@@ -2,9 +2,9 @@
 //!
 //! Hit time, position, normal and outgoing velocity of every kind of piece and of composite walls, against an oracle that knows
 //! each piece as a parametrised curve, each body in space as an intersection of convex functions, and brackets roots in 200 bits.
-//! Errors are in units of rounding (ulp of the table's size). Expected: median ½ and worst 8 away from grazing, twice that for
-//! velocities; at grazing no more than that times the conditioning, 1/sin of the angle to the wall; and never a wrong piece away
-//! from a vertex.
+//! Errors are in units of rounding (ulp of the table's size). Expected: median ½, of velocities 1½, and worst 8 away from grazing;
+//! at grazing no more than that times the conditioning, 1/sin of the angle to the wall; and never a wrong piece away from a
+//! vertex.
 //!
 //! `cargo run --release --example exactness -- 3000` for three thousand rays of each kind at each piece; the default is fifty.
 //! `-- 3000 cone` for those of them whose names have a cone in them.

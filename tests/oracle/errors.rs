@@ -75,10 +75,23 @@ pub(crate) struct Errors {
 pub(crate) const QUANTITIES: [&str; 6] =
     ["time", "position", "normal", "specular velocity", "no-slip velocity", "velocity, rough one way"];
 
-/// The promise, in ulp, for each kind of piece; over all kinds the medians of time, position and normal are below ½. A
-/// reflection turns the velocity by twice the error of the normal.
-pub(crate) const MEDIAN: [f64; QUANTITIES.len()] = [0.75, 0.75, 0.75, 1.75, 1.75, 1.75];
-pub(crate) const WORST: [f64; QUANTITIES.len()] = [8.0, 8.0, 8.0, 16.0, 16.0, 16.0];
+/// The promise, in ulp, for each kind of piece; over all kinds the medians of time, position and normal are below ½.
+///
+/// Those of velocities cannot be, in plain doubles. A reflection `v − 2 (v·n) n` turns the velocity by twice the error of the
+/// normal, and rounds. Of 20 000 random directions and angles steeper than [`STEEP`]:
+///
+/// | | median | worst |
+/// |---|---|---|
+/// | the exact velocity, rounded | 0.18 | 0.5 |
+/// | reflected exactly in the nearest unit normal that doubles have | 0.34 | 1.4 |
+/// | the same in doubles | 0.51 | 3.1 |
+/// | the same with what the length of the normal lacks taken back | 0.49 | 3.0 |
+/// | in doubles, in an exact normal of another length with the inverse of that rounded | 0.64 | 4.5 |
+///
+/// To that comes twice what the normal is off because the place is, which is 0.3 to 0.5 in the median where the wall's radius of
+/// curvature is the size of the table, and up to 3 at sin = ¼.
+pub(crate) const MEDIAN: [f64; QUANTITIES.len()] = [0.75, 0.75, 0.75, 1.5, 1.5, 1.5];
+pub(crate) const WORST: [f64; QUANTITIES.len()] = [8.0; QUANTITIES.len()];
 
 /// Measures a subject with so many rays of a kind.
 pub(crate) fn measure(subject: &Subject<'_>, kind: Kind, count: usize, random: &mut Random) -> Errors {

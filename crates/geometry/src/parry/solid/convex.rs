@@ -177,8 +177,9 @@ impl Face {
     /// A time at which the path crosses the face within rounding, after one step of Newton's method: coefficients of a quadratic
     /// that are differences lose some digits.
     fn nearer(&self, path: &Line<3>, time: f64, slack: f64) -> f64 {
-        let point = path.at(time);
-        let step = self.off(&point) / self.project(&point).1.dot(&path.velocity);
+        let [point, rest] = path.at_exactly(time);
+        let (_, normal) = self.project(&point);
+        let step = (self.off(&point) + normal.dot(&rest)) / normal.dot(&path.velocity);
         if step.abs() * path.velocity.norm() <= slack { time - step } else { time }
     }
 }

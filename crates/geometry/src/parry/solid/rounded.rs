@@ -91,6 +91,13 @@ impl Rounded {
         View { height: height - self.radius, normal }
     }
 
+    /// The same from where a path is at a time, with what that place lacks for rounding.
+    fn on_path(&self, path: &Line<3>, time: f64) -> View {
+        let [x, rest] = path.at_exactly(time);
+        let View { height, normal } = self.view(&x);
+        View { height: height + normal.dot(&rest), normal }
+    }
+
     /// When the path crosses the surface out of the table.
     pub(super) fn first(&self, path: &Line<3>, side: Side) -> Option<f64> {
         match side {
@@ -102,7 +109,7 @@ impl Rounded {
     fn enters(&self, path: &Line<3>) -> Option<f64> {
         let mut time = 0.0;
         for _ in 0..MOST_STEPS {
-            let View { height, normal } = self.view(&path.at(time));
+            let View { height, normal } = self.on_path(path, time);
             let speed = -normal.dot(&path.velocity);
             if !(speed > 0.0) {
                 return None;
@@ -121,7 +128,7 @@ impl Rounded {
         let [low, high] = &self.extent;
         let mut time = 2.0 * (high - low).norm() / path.velocity.norm();
         for _ in 0..MOST_STEPS {
-            let View { height, normal } = self.view(&path.at(time));
+            let View { height, normal } = self.on_path(path, time);
             let speed = normal.dot(&path.velocity);
             // beside the shape: it starts on the surface and touches it there
             if !(speed > 0.0) {
