@@ -40,14 +40,13 @@ impl Source {
     /// By which quaternion, of any length, the body is turned.
     pub(crate) fn turn(&self) -> [f64; 4] {
         match self {
-            Source::Straight(_) => STRAIGHT,
             // the truth is about the rounded one
             Source::Turned(_) => {
                 let q = Source::rotation(TURN).into_inner();
                 [q.w, q.i, q.j, q.k]
             }
             Source::Spec(SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. }) => UPRIGHT,
-            Source::Spec(_) => STRAIGHT,
+            Source::Straight(_) | Source::Spec(_) => STRAIGHT,
         }
     }
     fn rotation([w, i, j, k]: [f64; 4]) -> UnitQuaternion<f64> {

@@ -222,9 +222,10 @@ fn of_curves(frame: &Frame) -> Result<Vec<Known>, Error> {
 
     let lens = Polar::new(Vector2::zeros(), Lens(0.25), true)?.pieces();
     // the arc from one kink to the other lies on the left
-    let half = |piece: &Box<dyn Piece>| usize::from(piece.point_at(0.5 * piece.length()).x < 0.0);
-    let truths =
-        lens.iter().map(|piece| -> Box<dyn Truth> { Box::new(Cut::new(Kinked { amount: 0.25, half: half(piece) })) });
+    let half = |piece: &dyn Piece| usize::from(piece.point_at(0.5 * piece.length()).x < 0.0);
+    let truths = lens
+        .iter()
+        .map(|piece| -> Box<dyn Truth> { Box::new(Cut::new(Kinked { amount: 0.25, half: half(&**piece) })) });
     let truths = truths.collect();
     all.push(("formula 1 + ¼ |cos φ| (Graphs)", 1.25, Table::new(lens)?, truths));
     Ok(all)
