@@ -2,7 +2,7 @@
 mod long;
 mod phase;
 
-use long::{cases, drifts, energies, energy_drift, exponent, unfolding_error};
+use long::{cases, drifts, energies, energy_drift, exponent, restored_drift, unfolding_error};
 
 /// 10³ … 10⁵ collisions, four per decade.
 const CHECKPOINTS: [u64; 9] = [1000, 1778, 3162, 5624, 10_000, 17_782, 31_622, 56_234, 100_000];
@@ -25,6 +25,14 @@ fn energy_is_kept_to_the_last_digit() {
         // in between, that and what sixteen collisions round: about 4·10⁻¹⁶ each, at worst all alike
         let anywhere = energy_drift(&billiard, 100_000, 100_000);
         assert!(anywhere <= 1e-14, "{name}: {anywhere:e}");
+    }
+}
+
+#[test]
+fn a_restored_state_has_the_energy_of_the_start_wherever_it_is_asked_for() {
+    for (name, billiard) in energies().unwrap() {
+        let drift = restored_drift(&billiard, 10_000);
+        assert!(drift <= 4e-16, "{name}: {drift:e}");
     }
 }
 

@@ -214,6 +214,21 @@ pub(crate) fn energy_drift(billiard: &Planar<Disk>, collisions: u64, looks: u64)
     worst
 }
 
+/// The largest relative change of the energy of restored states, at every one of so many collisions.
+pub(crate) fn restored_drift(billiard: &Planar<Disk>, collisions: u64) -> f64 {
+    let (v, w) = heading(3);
+    let mut orbit = start([0.13, 0.11], v, w);
+    let first = EnergyDrift::of(&orbit);
+    let mut worst: f64 = 0.0;
+    for _ in 0..collisions {
+        billiard.run(&mut orbit, &Collisions(1), &mut ());
+        let mut seen = orbit;
+        (seen.velocity, seen.spin) = orbit.restored();
+        worst = worst.max(first.now(&seen));
+    }
+    worst
+}
+
 /// The error of the position in the unit square at a time, against unfolding in exact arithmetic.
 pub(crate) fn unfolding_error(time: u32) -> Result<f64, Error> {
     let square = Planar { table: tables::square(1.0)?, law: specular() };

@@ -4,7 +4,7 @@
 //! changes its sign. Between two points where the tangent is parallel to the path `h` is monotone; so the parameter is cut
 //! there, each part has at most one root, and a bracket that is never left closes in on it.
 use super::number::{
-    Big, Vector, add, big, cross, direction, dot, is_positive, left, norm, root, scale, sign_change, small, sub, vector,
+    Big, Vector, add, big, cross, direction, dot, is_positive, left, norm, scale, sign_change, small, sub, vector,
 };
 use billiards::geometry::{Figure, Piece, Vector2};
 
@@ -144,6 +144,13 @@ pub(crate) struct Straight {
     end: Option<f64>,
 }
 
+impl Straight {
+    pub(super) fn segment(a: [f64; 2], b: [f64; 2]) -> Straight {
+        let a = vector(a);
+        Straight { along: sub(&vector(b), &a), a, begin: Some(0.0), end: Some(1.0) }
+    }
+}
+
 impl Truth for Straight {
     fn meet(&self, x: &Vector, v: &Vector) -> Meeting {
         let mut meeting = Meeting::default();
@@ -172,8 +179,28 @@ impl Truth for Straight {
     }
 }
 
+/// A straight wall with two sides.
+#[derive(Clone, Debug)]
+pub(crate) struct Both(pub [Straight; 2]);
+
+impl Both {
+    pub(crate) fn new(a: [f64; 2], b: [f64; 2]) -> Both {
+        Both([Straight::segment(a, b), Straight::segment(b, a)])
+    }
+}
+
+impl Truth for Both {
+    fn meet(&self, x: &Vector, v: &Vector) -> Meeting {
+        let crossings = self.0.iter().flat_map(|side| side.meet(x, v).crossings).collect();
+        Meeting { crossings, ..Meeting::default() }
+    }
+    fn vertices(&self) -> Vec<Vector> {
+        self.0[0].vertices()
+    }
+}
+
 /// A point of the unit circle on its right (part 0) or left half, and its derivative.
-fn round(part: usize, u: &Big) -> [Vector; 2] {
+pub(super) fn round(part: usize, u: &Big) -> [Vector; 2] {
     let side = big(if part == 0 { 1.0 } else { -1.0 });
     let one = big(1.0);
     let square = u * u;
@@ -234,102 +261,10 @@ impl Curve for Oval {
     }
 }
 
-/// `x⁴ + y⁴ = 1`, table inside: in the direction `d` it is `d / (d₁⁴ + d₂⁴)^¼`.
-#[derive(Clone, Debug)]
-pub(crate) struct Quartic;
-
-impl Curve for Quartic {
-    fn parts(&self) -> usize {
-        2
-    }
-    fn steps(&self) -> u32 {
-        4
-    }
-    fn at(&self, part: usize, u: &Big) -> [Vector; 2] {
-        let [d, _] = round(part, u);
-        let square = [&d[0] * &d[0], &d[1] * &d[1]];
-        let p = scale(&d, &(big(1.0) / root(&root(&dot(&square, &square)))));
-        let cubes = [&p[0] * &p[0] * &p[0], &p[1] * &p[1] * &p[1]];
-        [p, left(&cubes)]
-    }
-}
-
-/// `r = 1 + a cos 2φ`, table inside.
-#[derive(Clone, Debug)]
-pub(crate) struct Peanut(pub f64);
-
-impl Curve for Peanut {
-    fn parts(&self) -> usize {
-        2
-    }
-    fn steps(&self) -> u32 {
-        16
-    }
-    fn at(&self, part: usize, u: &Big) -> [Vector; 2] {
-        let [d, t] = round(part, u);
-        let a = big(self.0);
-        let r = big(1.0) + &a * (&d[0] * &d[0] - &d[1] * &d[1]);
-        let rate = big(-4.0) * a * &d[0] * &d[1];
-        [scale(&d, &r), add(&scale(&d, &rate), &scale(&t, &r))]
-    }
-}
-
-/// The side from `a` to `b` displaced outwards by `64 A w³ (1−w)³`, `w = (1+u)/2`.
-#[derive(Clone, Debug)]
-pub(crate) struct Bulge {
-    pub(crate) a: Vector,
-    pub(crate) b: Vector,
-    pub(crate) height: f64,
-}
-
-impl Curve for Bulge {
-    fn parts(&self) -> usize {
-        1
-    }
-    fn steps(&self) -> u32 {
-        8
-    }
-    fn at(&self, _: usize, u: &Big) -> [Vector; 2] {
-        let along = sub(&self.b, &self.a);
-        let outward = scale(&left(&along), &(big(-self.height) / norm(&along)));
-        let w = (big(1.0) + u) * big(0.5);
-        let q = &w * (big(1.0) - &w);
-        let shape = big(64.0) * &q * &q * &q;
-        let rate = big(192.0) * &q * &q * (big(1.0) - big(2.0) * &w);
-        let point = add(&add(&self.a, &scale(&along, &w)), &scale(&outward, &shape));
-        [point, add(&along, &scale(&outward, &rate))]
-    }
-    fn vertices(&self) -> Vec<Vector> {
-        vec![self.a.clone(), self.b.clone()]
-    }
-}
-
-/// The curve at a distance from an ellipse, on its table side; regular.
-#[derive(Clone, Debug)]
-pub(crate) struct Offset {
-    pub(crate) base: Oval,
-    pub(crate) distance: f64,
-}
-
-impl Curve for Offset {
-    fn parts(&self) -> usize {
-        2
-    }
-    fn at(&self, part: usize, u: &Big) -> [Vector; 2] {
-        let [point, tangent] = self.base.at(part, u);
-        let by = big(self.distance) / norm(&tangent);
-        [add(&point, &scale(&left(&tangent), &by)), tangent]
-    }
-}
-
 /// The truth about a piece of one of the common figures.
 pub(crate) fn truth_of(piece: &dyn Piece) -> Box<dyn Truth> {
     match piece.figure() {
-        Figure::Segment { ends: [a, b] } => {
-            let a = vector(a.into());
-            let along = sub(&vector(b.into()), &a);
-            Box::new(Straight { a, along, begin: Some(0.0), end: Some(1.0) })
-        }
+        Figure::Segment { ends: [a, b] } => Box::new(Straight::segment(a.into(), b.into())),
         Figure::Ray { from, direction, left } => {
             let a = vector(from.into());
             let straight = |along: Vector2<f64>, begin, end| Straight { a, along: vector(along.into()), begin, end };

@@ -1,24 +1,18 @@
 //! Walls in space whose hits are measured.
+use super::convex::Core;
 use super::errors::{Errors, GAMMA_SQUARED, NEAR};
 use super::number::{Big, Vector, add, big, dot, norm, scale, small, sub, vector, vector_product};
 use super::rays::{Foot, Kind, Random, aimed_in_space};
-use super::space::{Body, Core, Face, Meeting};
+use super::samples::{Sample, box_edge, samples};
+use super::space::{Body, Face, Meeting};
 use super::subjects::Frame;
 use billiards::BallLaw;
 use billiards::geometry::{
     Boundary, Error, Line, Vector3, WallHit, Walls,
-    parry::{
-        Side, Solid,
-        parry3d_f64::{
-            math::Vector as Glam,
-            shape::{Ball, Capsule, Cone, ConvexPolyhedron, Cuboid as Brick, Cylinder, Shape, TriMesh},
-        },
-    },
+    parry::Side,
     walls::{Cuboid, Slab, Sphere},
 };
 use billiards::laws::{RoughBall, Specular};
-use core::f64::consts::PI;
-use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion};
 
 /// Whose hits are measured.
 pub(crate) struct Room<'a> {
@@ -36,7 +30,7 @@ pub(crate) struct Room<'a> {
     hit: &'a dyn Fn(&Line<3>) -> WallHit<f64, 3>,
 }
 
-type Edge = fn(&mut Random) -> [f64; 3];
+pub(crate) type Edge = fn(&mut Random) -> [f64; 3];
 
 /// Measures with so many rays of a kind.
 pub(crate) fn measure(room: &Room<'_>, kind: Kind, count: usize, random: &mut Random) -> Errors {
@@ -175,139 +169,13 @@ fn bounced(v: &Vector<3>, spin: &Vector<3>, n: &Vector<3>, gamma: f64, roughness
     after
 }
 
-/// A body in the unit of length of a frame, as a shape of the library.
-struct Sample {
-    name: &'static str,
-    shape: Box<dyn Shape>,
-    faces: Vec<Face>,
-    middle: [f64; 3],
-    edge: Option<Edge>,
-    numbered: bool,
-    turned: bool,
-}
-
-/// Faces of the box with these half edges.
-fn box_faces(half: [f64; 3]) -> Vec<Face> {
-    let face = |k: usize| {
-        let normal = outward(k);
-        Face::plane(core::array::from_fn(|i| normal[i] * half[i]), normal)
-    };
-    (0..6).map(face).collect()
-}
-
-fn box_edge(random: &mut Random) -> [f64; 3] {
-    let mut place = [0.5, 0.375, 0.25].map(|half| half * random.sign());
-    place[random.below(3)] *= random.uniform();
-    place
-}
-
-fn rim(random: &mut Random, [radius, height]: [f64; 2]) -> [f64; 3] {
-    let angle = random.between(-PI, PI);
-    [radius * libm::cos(angle), height, radius * libm::sin(angle)]
-}
-
-/// The corners and the faces of a tetrahedron, counter-clockwise as seen from outside.
-const CORNERS: [[f64; 3]; 4] = [[-0.3, -0.2, -0.4], [0.9, 0.1, -0.3], [-0.1, 0.8, -0.2], [0.1, 0.2, 0.7]];
-const TRIANGLES: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
-
-fn tetrahedron_edge(random: &mut Random) -> [f64; 3] {
-    let [a, b] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]][random.below(6)];
-    let s = random.uniform();
-    core::array::from_fn(|i| CORNERS[a][i] + s * (CORNERS[b][i] - CORNERS[a][i]))
-}
-
-/// Shapes of half a unit or so.
-fn shapes(scale: f64) -> Option<Vec<Sample>> {
-    let by = |x: f64| x * scale;
-    let corners = CORNERS.map(|p| p.map(by));
-    let unit = CORNERS.map(|p| Glam::new(p[0], p[1], p[2]));
-    let glam: Vec<Glam> = corners.iter().map(|p| Glam::new(p[0], p[1], p[2])).collect();
-    let sides = || TRIANGLES.iter().map(|t| Face::through(t.map(|k| corners[k as usize]))).collect();
-    let ends = [[-0.4, 0.1, 0.2], [0.3, -0.2, 0.5]].map(|p| p.map(by));
-    let [a, b] = ends.map(|p| Glam::new(p[0], p[1], p[2]));
-    let cap = |height: f64, up: f64| Face::plane([0.0, by(height), 0.0], [0.0, up, 0.0]);
-    let middle_of_four = core::array::from_fn(|i| 0.25 * (0..4).map(|k| corners[k][i]).sum::<f64>());
-    Some(vec![
-        Sample {
-            name: "ball",
-            shape: Box::new(Ball::new(by(0.75))),
-            faces: vec![Face::Round { core: Core::Point([0.0; 3]), radius: by(0.75) }],
-            middle: [0.0; 3],
-            edge: None,
-            numbered: true,
-            turned: false,
-        },
-        Sample {
-            name: "box",
-            shape: Box::new(Brick::new(Glam::new(by(0.5), by(0.375), by(0.25)))),
-            faces: box_faces([0.5, 0.375, 0.25].map(by)),
-            middle: [0.0; 3],
-            edge: Some(box_edge),
-            numbered: true,
-            turned: true,
-        },
-        Sample {
-            name: "cylinder",
-            shape: Box::new(Cylinder::new(by(0.5), by(0.75))),
-            faces: vec![Face::Round { core: Core::Axis, radius: by(0.75) }, cap(-0.5, -1.0), cap(0.5, 1.0)],
-            middle: [0.0; 3],
-            edge: Some(|random| {
-                let height = 0.5 * random.sign();
-                rim(random, [0.75, height])
-            }),
-            numbered: true,
-            turned: true,
-        },
-        Sample {
-            name: "cone",
-            shape: Box::new(Cone::new(by(0.5), by(0.75))),
-            faces: vec![Face::Cone { apex: by(0.5), slope: big(by(0.75)) / big(by(1.0)) }, cap(-0.5, -1.0)],
-            middle: [0.0, by(-0.25), 0.0],
-            edge: Some(|random| rim(random, [0.75, -0.5])),
-            numbered: true,
-            turned: true,
-        },
-        Sample {
-            name: "capsule",
-            shape: Box::new(Capsule::new(a, b, by(0.5))),
-            faces: vec![Face::Round { core: Core::Segment(ends), radius: by(0.5) }],
-            middle: ends[0],
-            edge: None,
-            numbered: true,
-            turned: false,
-        },
-        Sample {
-            name: "convex hull",
-            shape: Box::new(ConvexPolyhedron::from_convex_hull(&unit)?.scaled(Glam::splat(scale))?),
-            faces: sides(),
-            middle: middle_of_four,
-            edge: Some(tetrahedron_edge),
-            numbered: false,
-            turned: false,
-        },
-        Sample {
-            name: "mesh",
-            shape: Box::new(TriMesh::new(glam, TRIANGLES.to_vec()).ok()?),
-            faces: sides(),
-            middle: middle_of_four,
-            edge: Some(tetrahedron_edge),
-            numbered: true,
-            // its vertices would be rounded where they come to lie
-            turned: false,
-        },
-    ])
-}
-
-/// What a turned shape is turned by, of any length.
-const TURN: [f64; 4] = [0.8, 0.3, -0.2, 0.4];
-
 /// Walls as they answer for one path.
 fn ask(walls: &impl Walls<3>) -> impl Fn(&Line<3>) -> WallHit<f64, 3> {
     |path| walls.first_hit::<f64>(&path.point.into(), &path.velocity.into())
 }
 
 /// The axis of face `k` of a box, outwards.
-fn outward(k: usize) -> [f64; 3] {
+pub(super) fn outward(k: usize) -> [f64; 3] {
     let mut normal = [0.0; 3];
     normal[k / 2] = [-1.0, 1.0][k % 2];
     normal
@@ -362,15 +230,9 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
     let truth = Body::new(vec![round], straight, center, true);
     show(&Room { name: "ball (Sphere)".into(), truth: &truth, middle: [0.0; 3], hit: &ask(&sphere), ..room });
 
-    for kind in &shapes(frame.scale).ok_or(Error::Empty)? {
-        let [w, i, j, k] = if kind.turned { TURN } else { straight };
-        let rotation = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
-        // the truth is about the rounded one
-        let q = rotation.quaternion();
-        let turn = [q.w, q.i, q.j, q.k];
-        let pose = Isometry3::from_parts(Translation3::from(Vector3::from(center)), rotation);
+    for sample in &samples(frame.scale).ok_or(Error::Empty)? {
         for (side, place) in [(Side::Inside, "inside"), (Side::Outside, "outside")] {
-            let solid = Solid::new(&*kind.shape, &pose, side)?;
+            let solid = sample.source.solid(center, side)?;
             let hit = |path: &Line<3>| {
                 let mut found = WallHit::never(path.point.into());
                 if let Some(hit) = solid.first_hit(path) {
@@ -382,9 +244,9 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
                 }
                 found
             };
-            let truth = Body::new(kind.faces.clone(), turn, center, side == Side::Inside);
-            let name = format!("{}, {place} (Solid)", kind.name);
-            let &Sample { numbered, middle, edge, .. } = kind;
+            let truth = Body::new(sample.faces.clone(), sample.source.turn(), center, side == Side::Inside);
+            let name = format!("{}, {place} (Solid)", sample.name);
+            let &Sample { numbered, middle, edge, .. } = sample;
             show(&Room { name, size, extent, truth: &truth, numbered, middle, edge, hit: &hit });
         }
     }

@@ -2,6 +2,7 @@
 //!
 //! A body is where some functions are negative that are convex along every line. Each is followed down to its least value
 //! along the path by a bracket of the sign of its slope, and from there to its roots by brackets of its own sign.
+use super::convex::{Core, unit};
 use super::number::{
     Big, Vector, add, big, dot, is_positive, norm, root, scale, sign_change, small, sub, vector, vector_product,
 };
@@ -18,43 +19,6 @@ pub(crate) enum Face {
     Round { core: Core, radius: f64 },
     /// A cone about the second axis with its apex on top: the height of the apex, the tangent of half its angle.
     Cone { apex: f64, slope: Big },
-}
-
-/// What a round face is about.
-#[derive(Clone, Debug)]
-pub(crate) enum Core {
-    Point([f64; 3]),
-    Segment([[f64; 3]; 2]),
-    /// The second axis.
-    Axis,
-}
-
-impl Core {
-    /// Its point closest to `p`.
-    fn closest(&self, p: &Vector<3>) -> Vector<3> {
-        match self {
-            Core::Point(c) => vector(*c),
-            Core::Segment(ends) => {
-                let [a, b] = ends.map(vector);
-                let along = sub(&b, &a);
-                let s = dot(&sub(p, &a), &along) / dot(&along, &along);
-                if !is_positive(&s) {
-                    a
-                } else if s > big(1.0) {
-                    b
-                } else {
-                    add(&a, &scale(&along, &s))
-                }
-            }
-            Core::Axis => [big(0.0), p[1].clone(), big(0.0)],
-        }
-    }
-}
-
-/// `a` with length 1; 0 remains 0.
-fn unit(a: &Vector<3>) -> Vector<3> {
-    let length = norm(a);
-    if is_positive(&length) { scale(a, &(big(1.0) / length)) } else { a.clone() }
 }
 
 /// A place at the distance `time` along a path.
@@ -107,7 +71,8 @@ impl Face {
     fn curvature(&self, p: &Vector<3>) -> f64 {
         match self {
             Face::Plane { .. } => 0.0,
-            Face::Round { radius, .. } => 1.0 / radius,
+            Face::Round { core: Core::Point(_) | Core::Segment(_) | Core::Axis, radius } => 1.0 / radius,
+            Face::Round { core, .. } => core.turn(p),
             Face::Cone { slope, .. } => {
                 let slope = small(slope);
                 1.0 / (small(&norm(&[p[0].clone(), p[2].clone()])) * libm::sqrt(1.0 + slope * slope))

@@ -1,14 +1,16 @@
 //! Pieces and tables whose hits are measured.
-use super::curve::{Bulge, Cut, Offset, Oval, Peanut, Quartic, Truth, truth_of};
+use super::curve::{Both, Cut, Oval, Truth, truth_of};
+use super::curves::{Bulge, Offset, Peanut, Quartic};
 use super::errors::Subject;
 use super::number::vector;
+use super::tables::each_table;
 use billiards::geometry::{
-    Error, Extent, Figure, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
+    Error, Extent, Line, Piece, Vector2, WallHit,
+    parry::Screen,
     shapes::{
         Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Parallel, Ray, Segment,
         curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
     },
-    tables,
 };
 use std::sync::Arc as Shared;
 
@@ -29,7 +31,7 @@ pub(crate) const FRAMES: [Frame; 4] = [
 ];
 
 impl Frame {
-    fn point(&self, x: f64, y: f64) -> Vector2<f64> {
+    pub(crate) fn point(&self, x: f64, y: f64) -> Vector2<f64> {
         Vector2::new(x * self.scale + self.shift[0], y * self.scale + self.shift[1])
     }
     pub(crate) fn size(&self, extent: f64) -> f64 {
@@ -95,6 +97,8 @@ fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
         let truth = truth_of(&*piece);
         all.push((name, extent, piece, truth));
     }
+    let [a, b] = [at(0.3, -0.7), at(1.1, 0.9)];
+    all.push(("screen", 1.1, Box::new(Screen::new(a, b)?), Box::new(Both::new(a.into(), b.into()))));
     let center = at(0.3, -0.2);
     let axes = [by(2.0), by(0.75)];
     let oval = |inside, arc| Oval::new(center.into(), axes, 0.7, inside, arc);
@@ -112,7 +116,7 @@ fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
     all.push((
         "bump",
         1.0,
-        Box::new(bump),
+        Box::new(bump.clone()),
         Box::new(Cut::new(Bulge { a: vector(a.into()), b: vector(b.into()), height })),
     ));
     let base = Ellipse::new(center, axes, 0.7, true)?;
@@ -124,6 +128,9 @@ fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
         Box::new(parallel),
         Box::new(Cut::new(Offset { base: oval(true, None), distance })),
     ));
+    let moved = Parallel::new(Shared::new(bump.clone()), distance, [0.0, bump.length()], None)?;
+    let base = Bulge { a: vector(a.into()), b: vector(b.into()), height };
+    all.push(("parallel of a bump", 1.0, Box::new(moved), Box::new(Cut::new(Offset { base, distance }))));
     if frame.name == "plain" {
         let [quartic, peanut] = formulas()?;
         all.push(("formula x⁴ + y⁴ = 1", 1.0, quartic, Box::new(Cut::new(Quartic))));
@@ -132,70 +139,9 @@ fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
     Ok(all)
 }
 
-fn formulas() -> Result<[Box<dyn Piece>; 2], Error> {
+pub(crate) fn formulas() -> Result<[Box<dyn Piece>; 2], Error> {
     let polar = Polar::new(Vector2::zeros(), Waist(0.25), true)?;
     Ok([Box::new(Implicit::new(Fermat, true)?), Box::new(polar)])
-}
-
-/// The piece of a figure in a frame.
-fn framed(figure: &Figure, frame: &Frame) -> Result<Box<dyn Piece>, Error> {
-    let at = |p: &Vector2<f64>| frame.point(p.x, p.y);
-    Ok(match figure {
-        Figure::Segment { ends: [a, b] } => Box::new(Segment::new(at(a), at(b))?),
-        Figure::Ray { from, direction, left } => Box::new(Ray::new(at(from), *direction, *left)?),
-        Figure::Line { through, direction } => Box::new(FullLine::new(at(through), *direction)?),
-        Figure::Arc { center, radius, ends: [a, b], inside } => {
-            Box::new(Arc::with_radius(at(center), radius * frame.scale, at(a), at(b), *inside)?)
-        }
-        Figure::Circle { center, radius, inside } => Box::new(Circle::new(at(center), radius * frame.scale, *inside)?),
-        Figure::Other => return Err(Error::Empty),
-    })
-}
-
-/// Tables whose walls are of every kind.
-fn all_tables() -> Result<Vec<(&'static str, f64, Table)>, Error> {
-    // a stadium lying askew
-    let turned = |p: &Vector2<f64>| Vector2::new(0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y);
-    let askew: Vec<Box<dyn Piece>> = tables::stadium(1.0, 1.0)?
-        .pieces()
-        .iter()
-        .map(|piece| -> Result<Box<dyn Piece>, Error> {
-            Ok(match piece.figure() {
-                Figure::Arc { center, radius, ends: [a, b], inside } => {
-                    Box::new(Arc::with_radius(turned(&center), radius, turned(&a), turned(&b), inside)?)
-                }
-                Figure::Segment { ends: [a, b] } => Box::new(Segment::new(turned(&a), turned(&b))?),
-                _ => return Err(Error::Empty),
-            })
-        })
-        .collect::<Result<_, _>>()?;
-    Ok(vec![
-        ("strip (Slab)", 1.0, tables::strip(1.0)?),
-        ("rectangle (Cuboid)", 2.0, tables::rectangle([2.0, 1.0])?),
-        ("hexagon (Zonogon)", 1.0, tables::hexagon(1.0)?),
-        ("pentagon (ConvexPolygon)", 1.0, tables::polygon(5, 1.0)?),
-        ("wedge (ConvexPolygon)", 1.0, tables::wedge(1.0)?),
-        ("stadium (Capsule)", 2.0, tables::stadium(1.0, 1.0)?),
-        ("stadium askew (Rotated)", 2.0, Table::new(askew)?),
-        ("circle (Sphere)", 1.0, tables::circle(1.0)?),
-        ("sinai (Cuboid, Scatterer)", 1.0, tables::sinai(1.0, 0.25)?),
-        ("sinai, radius 1/100", 1.0, tables::sinai(1.0, 0.01)?),
-        ("moon (Pieces)", 1.0, tables::moon(1.0, 0.75, 1.0)?),
-        ("mushroom (Pieces)", 1.0, tables::mushroom(1.0, 0.5, 0.75)?),
-        ("flower (Pieces)", 1.5, tables::flower(4, 1.25, 2.0)?),
-    ])
-}
-
-/// What answers for walls.
-type Answer<'a> = &'a dyn Fn(&Line<2>) -> WallHit<f64, 2>;
-
-struct Ask<'a>(&'a mut dyn FnMut(Answer<'_>));
-
-impl WithWalls<2> for Ask<'_> {
-    type Output = ();
-    fn run<W: Walls<2>>(self, walls: &W) {
-        (self.0)(&|path| walls.first_hit::<f64>(&path.point.into(), &path.velocity.into()));
-    }
 }
 
 /// Shows every subject in a frame.
@@ -223,31 +169,16 @@ pub(crate) fn each(frame: &Frame, mut show: impl FnMut(&Subject<'_>)) -> Result<
             let beyond = piece.ends().is_some_and(|ends| ends.contains(&closest.point));
             beyond || (x - closest.point).dot(&closest.normal) > 0.0
         };
-        show(&Subject { name, size, extent, pieces: vec![&*piece], truth: vec![truth], inside: &inside, hit: &hit });
+        show(&Subject {
+            name,
+            size,
+            extent,
+            pieces: vec![&*piece],
+            truth: vec![truth],
+            inside: &inside,
+            reach: f64::INFINITY,
+            hit: &hit,
+        });
     }
-    if frame.name == "plain" {
-        let truths: [Box<dyn Truth>; 2] = [Box::new(Cut::new(Quartic)), Box::new(Cut::new(Peanut(0.25)))];
-        let named = [("formula x⁴ + y⁴ = 1 (Graphs)", 1.0), ("formula 1 + ¼ cos 2φ (Graphs)", 1.25)];
-        for ((piece, truth), (name, extent)) in formulas()?.into_iter().zip(truths).zip(named) {
-            let table = Table::new(vec![piece])?;
-            let mut truth = Some(truth);
-            table.with_walls(Ask(&mut |hit| {
-                let (pieces, truth) = (vec![&*table.pieces()[0] as &dyn Piece], truth.take().into_iter().collect());
-                let (size, inside) = (frame.size(extent), &|x: &Vector2<f64>| table.contains(x));
-                show(&Subject { name, size, extent, pieces, truth, inside, hit });
-            }));
-        }
-    }
-    for (name, extent, table) in all_tables()? {
-        let pieces = table.pieces().iter().map(|piece| framed(&piece.figure(), frame)).collect::<Result<_, _>>()?;
-        let table = Table::new(pieces)?;
-        table.with_walls(Ask(&mut |hit| {
-            let pieces: Vec<&dyn Piece> = table.pieces().iter().map(|piece| &**piece).collect();
-            let truth = pieces.iter().map(|piece| truth_of(*piece)).collect();
-            let (size, extent, inside) =
-                (frame.size(extent), extent * frame.scale, &|x: &Vector2<f64>| table.contains(x));
-            show(&Subject { name, size, extent, pieces, truth, inside, hit });
-        }));
-    }
-    Ok(())
+    each_table(frame, show)
 }

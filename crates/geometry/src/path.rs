@@ -1,4 +1,5 @@
 //! Paths: how a free particle moves between collisions.
+use lanes::{two_prod, two_sum};
 use nalgebra::SVector;
 
 /// Uniform straight motion `x(t) = point + t·velocity`, `t ≥ 0`.
@@ -17,5 +18,20 @@ impl<const N: usize> Line<N> {
     #[inline]
     pub fn at(&self, t: f64) -> SVector<f64, N> {
         self.point + self.velocity * t
+    }
+
+    /// The same, and what rounding left over.
+    ///
+    /// A place that is rounded lies off the path by half an ulp, and so sees a wall too early or too late by that over the sine of the
+    /// angle to it.
+    pub(crate) fn at_exactly(&self, t: f64) -> [SVector<f64, N>; 2] {
+        let mut rest = SVector::zeros();
+        let rounded = SVector::from_fn(|i, _| {
+            let (way, of_way) = two_prod(self.velocity[i], t);
+            let (place, of_place) = two_sum(self.point[i], way);
+            rest[i] = of_way + of_place;
+            place
+        });
+        [rounded, rest]
     }
 }

@@ -22,6 +22,7 @@ use geometry::{
         },
     },
 };
+use lanes::Double;
 use nalgebra::Isometry3;
 use random::Random;
 
@@ -289,6 +290,30 @@ fn grazing_chords_of_a_ball_come_back_within_conditioning() {
         let hit = ball.first_hit(&path).unwrap();
         assert!((hit.time - 2.0 * libm::sin(theta)).abs() < 8.0 * f64::EPSILON * (1.0 + 1.0 / theta), "{theta:e}");
     }
+}
+
+#[test]
+fn a_path_hits_a_cone_where_that_is_at_every_angle() {
+    // half the height is the apex's, and the slope is exact
+    let cone = Solid::new(&Cone::new(0.5, 0.75), &here(), Side::Outside).unwrap();
+    let slope = 0.75;
+    let mut random = Random(17);
+    let (mut hits, mut worst) = (0, 0.0_f64);
+    while hits < 3000 {
+        let from = direction(&mut random) * 2.0;
+        let aim = Vector3::from_fn(|_, _| random.between(-0.5, 0.5));
+        let path = Line { point: from, velocity: aim - from };
+        let Some(hit) = cone.first_hit(&path).filter(|hit| hit.piece == 0) else { continue };
+        hits += 1;
+        // |x − a axis|² − slope² g² at the very time of the hit, of which the distance is a part
+        let at = |i: usize| Double::new(path.point[i]).plus(Double::product(path.velocity[i], hit.time));
+        let below = Double::new(0.5).plus(-at(1));
+        let steep = below.times(Double::new(slope));
+        let off = at(0).times(at(0)).plus(at(2).times(at(2))).plus(-steep.times(steep)).value();
+        worst = worst.max((off / (2.0 * steep.value() * libm::hypot(1.0, slope))).abs());
+    }
+    // half an ulp of the time and about two of the distance, at coordinates of order 2
+    assert!(worst <= 2.5 * f64::EPSILON, "{:.2} ulp", worst / f64::EPSILON);
 }
 
 #[test]

@@ -7,7 +7,8 @@ use lanes::{Double, two_prod};
 /// The largest relative change of the energy since the start.
 ///
 /// The energy is computed in twice the digits of an `f64`, so that the drift is that of the orbit and not of the
-/// measurement.
+/// measurement. In between the collisions at which the energy is restored it is that of what these round; see
+/// [`Orbit::restored`].
 #[derive(Clone, Copy, Debug)]
 pub struct EnergyDrift {
     /// A power of two near 1/speed: squares neither over- nor underflow.
@@ -46,14 +47,19 @@ impl EnergyDrift {
     pub fn largest(&self) -> f64 {
         self.largest
     }
+
+    /// `|E − E₀| / E₀` of an orbit as it is.
+    pub fn now<K, T, const N: usize, const S: usize>(&self, orbit: &Orbit<f64, N, S, K, T>) -> f64 {
+        let now = square(self.scale, &orbit.velocity, &orbit.spin);
+        let change = (now.high - self.start.high) + (now.low - self.start.low);
+        (change / self.start.high).abs()
+    }
 }
 
 impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for EnergyDrift {
     #[inline]
     fn collision(&mut self, c: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
-        let now = square(self.scale, &c.orbit.velocity, &c.orbit.spin);
-        let change = (now.high - self.start.high) + (now.low - self.start.low);
-        self.largest = larger(self.largest, (change / self.start.high).abs());
+        self.largest = larger(self.largest, self.now(c.orbit));
         ControlFlow::Continue(())
     }
 }

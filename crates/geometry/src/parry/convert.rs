@@ -1,5 +1,6 @@
 //! Between nalgebra, which everything else speaks, and glam, which parry speaks.
-use nalgebra::{Isometry2, Isometry3, SMatrix, SVector, Vector2, Vector3};
+use lanes::Double;
+use nalgebra::{Isometry2, Isometry3, Matrix3, SMatrix, SVector, Vector2, Vector3};
 use parry2d_f64::math::{Pose as Pose2, Vector as Glam2};
 use parry3d_f64::math::{Pose as Pose3, Vector as Glam3};
 
@@ -51,9 +52,23 @@ impl From<&Isometry2<f64>> for Frame<2> {
         Frame { rotation: pose.rotation.to_rotation_matrix().into_inner(), translation: pose.translation.vector }
     }
 }
+/// `((w² − |q|²) 1 + 2 q qᵀ + 2 w [q×]) / (w² + |q|²)`, each entry right to half an ulp: a unit quaternion is off by some roundings,
+/// and what they do to the direction of an axis is done to every hit.
 impl From<&Isometry3<f64>> for Frame<3> {
     fn from(pose: &Isometry3<f64>) -> Self {
-        Frame { rotation: pose.rotation.to_rotation_matrix().into_inner(), translation: pose.translation.vector }
+        let quaternion = pose.rotation.quaternion();
+        let (w, q) = (quaternion.w, quaternion.imag());
+        let part = Double::product(q.x, q.x).plus(Double::product(q.y, q.y)).plus(Double::product(q.z, q.z));
+        let real = Double::product(w, w);
+        let square = real.plus(part);
+        let cross = q.cross_matrix();
+        let rotation = Matrix3::from_fn(|i, k| {
+            let pair = Double::product(q[i], q[k]).plus(Double::product(w, cross[(i, k)]));
+            let twice = pair.plus(pair);
+            let entry = if i == k { real.plus(-part).plus(twice) } else { twice };
+            entry.over(square).value()
+        });
+        Frame { rotation, translation: pose.translation.vector }
     }
 }
 impl From<&Pose2> for Frame<2> {

@@ -1,18 +1,21 @@
 //! Tables inside or outside of any shape in space.
 mod convex;
 mod field;
+mod polyhedron;
+mod rounded;
 
 use super::{Side, convert::Frame, distance::Distance, mesh::Mesh};
 use crate::{Boundary, Error, Hit, Line};
 use convex::Convex;
-use field::{Offset, Spatial};
+use field::Spatial;
 use nalgebra::{Isometry3, Vector3};
 use parry3d_f64::shape::{Shape, SharedShape, TypedShape};
+use rounded::Rounded;
 
 /// The table inside or outside of a shape in space.
 ///
-/// Exact rays for ball, cuboid, half-space, capsule, cylinder, cone, convex polyhedron, triangle mesh, height field and
-/// voxels, and for compounds of convex shapes (as unions; members may overlap). Rounded shapes and shapes of your own go
+/// Exact rays for ball, cuboid, half-space, capsule, cylinder, cone, convex polyhedron, the rounded ones of these, triangle
+/// mesh, height field and voxels, and for compounds of convex shapes (as unions; members may overlap). Shapes of your own go
 /// through distance queries: a certified march to the first hit, accurate like the shape's own projection.
 ///
 /// A triangle mesh must be oriented consistently; closed ones may be inside out. An open one is a wall on one side: the
@@ -33,22 +36,17 @@ use parry3d_f64::shape::{Shape, SharedShape, TypedShape};
 /// ```
 #[derive(Debug)]
 pub struct Solid {
-    members: Vec<Member>,
+    members: Vec<Body>,
     side: Side,
 }
 
-#[derive(Debug)]
-struct Member {
-    body: Body,
-    distance: Distance<3>,
-}
-
-/// Who finds the first hit.
+/// Who finds the first hit, and what knows the distance where that does not.
 #[derive(Debug)]
 enum Body {
-    Convex(Convex),
-    Mesh(Mesh),
-    Distance,
+    Convex(Convex, Distance<3>),
+    Rounded(Rounded),
+    Mesh(Mesh, Distance<3>),
+    Distance(Distance<3>),
 }
 
 /// The boundary as seen from a point.
@@ -74,9 +72,14 @@ impl Solid {
     /// that are not oriented, and the inside of a compound with members that are not convex;
     /// [`Error::Parameter`] for sizes that are not positive and finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
+        Solid::placed(shape, &Frame::from(pose), side)
+    }
+
+    /// The boundary of a shape in a frame.
+    pub(super) fn placed(shape: &dyn Shape, frame: &Frame<3>, side: Side) -> Result<Solid, Error> {
         let mut members = vec![];
-        add(shape, &Frame::from(pose), side, &mut members)?;
-        if side == Side::Inside && members.len() > 1 && members.iter().any(|m| !matches!(m.body, Body::Convex(_))) {
+        add(shape, frame, side, &mut members)?;
+        if side == Side::Inside && members.len() > 1 && members.iter().any(|m| !matches!(m, Body::Convex(..))) {
             return Err(unsupported("compound", "the inside of a union is known for convex members only"));
         }
         Ok(Solid { members, side })
@@ -92,7 +95,7 @@ impl Solid {
     /// Inside a union of overlapping shapes the distance is a lower bound: that from the farthest wall among the
     /// members that contain the point.
     pub fn closest(&self, point: &Vector3<f64>) -> Closest {
-        let of = |m: &Member| m.closest(point, self.side);
+        let of = |m: &Body| m.closest(point, self.side);
         // both for the table outside (nearest obstacle) and inside (deepest of the members around the point)
         let better = |a: &Closest, b: &Closest| match self.side {
             Side::Outside => a.distance < b.distance,
@@ -120,7 +123,7 @@ impl Solid {
 
     /// A box around the boundary: least and greatest coordinates, infinite for a half-space.
     pub fn extent(&self) -> [Vector3<f64>; 2] {
-        let boxes = self.members.iter().map(|m| m.distance.extent());
+        let boxes = self.members.iter().map(Body::extent);
         boxes.fold([Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)], |[a, b], [c, d]| {
             [a.inf(&c), b.sup(&d)]
         })
@@ -129,8 +132,8 @@ impl Solid {
     /// Out of a union of convex shapes: through each shape entered on the way, until one is left for nothing.
     fn leave(&self, path: &Line<3>) -> Option<Hit<3>> {
         let convex = || {
-            self.members.iter().enumerate().filter_map(|(i, m)| match &m.body {
-                Body::Convex(convex) => Some((i, convex)),
+            self.members.iter().enumerate().filter_map(|(i, m)| match m {
+                Body::Convex(convex, _) => Some((i, convex)),
                 _ => None,
             })
         };
@@ -149,7 +152,7 @@ impl Solid {
             }
         }
         let (member, time, face) = best?;
-        let Body::Convex(convex) = &self.members[member].body else { return None };
+        let Body::Convex(convex, _) = &self.members[member] else { return None };
         Some(self.hit_convex(member, convex, path, time, face))
     }
 
@@ -167,22 +170,27 @@ impl Solid {
 
 impl Boundary<3> for Solid {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
-        if self.side == Side::Inside && matches!(self.members[0].body, Body::Convex(_)) {
+        if self.side == Side::Inside && matches!(self.members[0], Body::Convex(..)) {
             return self.leave(path);
         }
         let mut first: Option<Hit<3>> = None;
         for (i, member) in self.members.iter().enumerate() {
-            let hit = match &member.body {
-                Body::Convex(convex) => {
+            let hit = match member {
+                Body::Convex(convex, _) => {
                     convex.entry(path).map(|(time, face)| self.hit_convex(i, convex, path, time, face))
                 }
-                Body::Mesh(mesh) => mesh.first(path).map(|(k, time)| {
+                Body::Rounded(rounded) => rounded.first(path, self.side).map(|time| {
+                    let (point, outward) = rounded.land(&path.at(time));
+                    let normal = if self.side == Side::Outside { outward } else { -outward };
+                    Hit { time, point, normal, piece: i, corner: false }
+                }),
+                Body::Mesh(mesh, _) => mesh.first(path).map(|(k, time)| {
                     let (point, corner) = mesh.land(k, &path.at(time));
                     let piece = if self.members.len() > 1 { i } else { k };
                     Hit { time, point, normal: mesh.normals[k], piece, corner }
                 }),
-                Body::Distance => member.distance.first(path).map(|time| {
-                    let (point, normal, _) = member.distance.closest(&path.at(time));
+                Body::Distance(distance) => distance.first(path).map(|time| {
+                    let (point, normal, _) = distance.closest(&path.at(time));
                     Hit { time, point, normal, piece: i, corner: false }
                 }),
             };
@@ -196,35 +204,44 @@ impl Boundary<3> for Solid {
     }
 }
 
-impl Member {
+impl Body {
     fn closest(&self, point: &Vector3<f64>, side: Side) -> Closest {
-        if let Body::Convex(convex) = &self.body
-            && let Some((foot, outward, off)) = convex.nearest_face(point)
-        {
-            let sign = if side == Side::Outside { 1.0 } else { -1.0 };
-            return Closest { distance: sign * off, point: foot, normal: outward * sign };
-        }
-        let (foot, normal, distance) = self.distance.closest(point);
+        let distance = match self {
+            Body::Convex(convex, distance) => {
+                if let Some((foot, outward, off)) = convex.nearest_face(point) {
+                    let sign = if side == Side::Outside { 1.0 } else { -1.0 };
+                    return Closest { distance: sign * off, point: foot, normal: outward * sign };
+                }
+                distance
+            }
+            Body::Rounded(rounded) => return rounded.closest(point, side),
+            Body::Mesh(_, distance) | Body::Distance(distance) => distance,
+        };
+        let (foot, normal, distance) = distance.closest(point);
         Closest { distance, point: foot, normal }
+    }
+
+    fn extent(&self) -> [Vector3<f64>; 2] {
+        match self {
+            Body::Rounded(rounded) => rounded.extent(),
+            Body::Convex(_, distance) | Body::Mesh(_, distance) | Body::Distance(distance) => distance.extent(),
+        }
     }
 }
 
 /// Adds the simple members of a shape.
-fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Member>) -> Result<(), Error> {
+fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>) -> Result<(), Error> {
     let outside = side == Side::Outside;
-    let exact = |convex: Convex, members: &mut Vec<Member>| {
-        members.push(Member { body: Body::Convex(convex), distance: field::distance(shape, frame, side) });
+    let exact = |convex: Convex, members: &mut Vec<Body>| {
+        members.push(Body::Convex(convex, field::distance(shape, frame, side)));
     };
     let mesh = |vertices: Vec<Vector3<f64>>, triangles: &[[usize; 3]], loose| {
         let vertices = vertices.iter().map(|y| frame.point(y)).collect();
         let mesh = Mesh::new(vertices, triangles, outside, loose)?;
         let distance = field::mesh_distance(&mesh, side)?;
-        Ok::<Member, Error>(Member { body: Body::Mesh(mesh), distance })
+        Ok::<Body, Error>(Body::Mesh(mesh, distance))
     };
-    let round = |inner: &dyn Shape, radius: f64| {
-        positive("the border radius", radius)?;
-        Ok::<Member, Error>(Member { body: Body::Distance, distance: Offset::distance(inner, radius, frame, side)? })
-    };
+    let round = |rounded: Result<Rounded, Error>| rounded.map(Body::Rounded);
     match shape.as_typed_shape() {
         TypedShape::Ball(ball) => {
             positive("the radius", ball.radius)?;
@@ -238,10 +255,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Member
         TypedShape::ConvexPolyhedron(hull) => {
             let (points, triangles) = hull.to_trimesh();
             let inner = field::hull(&points, &triangles)?;
-            members.push(Member {
-                body: Body::Convex(Convex::polyhedron(hull, frame)),
-                distance: inner.placed(frame, side),
-            });
+            members.push(Body::Convex(Convex::polyhedron(hull, frame), inner.placed(frame, side)));
         }
         TypedShape::TriMesh(m) => {
             let vertices = m.vertices().iter().map(|&v| super::convert::from_glam3(v)).collect();
@@ -262,11 +276,13 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Member
                 add(&**member, &frame.after(&Frame::from(pose)), side, members)?;
             }
         }
-        TypedShape::RoundCuboid(r) => members.push(round(&r.inner_shape, r.border_radius)?),
-        TypedShape::RoundTriangle(r) => members.push(round(&r.inner_shape, r.border_radius)?),
-        TypedShape::RoundCylinder(r) => members.push(round(&r.inner_shape, r.border_radius)?),
-        TypedShape::RoundCone(r) => members.push(round(&r.inner_shape, r.border_radius)?),
-        TypedShape::RoundConvexPolyhedron(r) => members.push(round(&r.inner_shape, r.border_radius)?),
+        TypedShape::RoundCuboid(r) => members.push(round(Rounded::cuboid(&r.inner_shape, r.border_radius, frame))?),
+        TypedShape::RoundTriangle(r) => members.push(round(Rounded::triangle(&r.inner_shape, r.border_radius, frame))?),
+        TypedShape::RoundCylinder(r) => members.push(round(Rounded::cylinder(&r.inner_shape, r.border_radius, frame))?),
+        TypedShape::RoundCone(r) => members.push(round(Rounded::cone(&r.inner_shape, r.border_radius, frame))?),
+        TypedShape::RoundConvexPolyhedron(r) => {
+            members.push(round(Rounded::polyhedron(&r.inner_shape, r.border_radius, frame))?);
+        }
         TypedShape::Segment(_) => return Err(unsupported("segment", "a curve is no wall in space: use a capsule")),
         TypedShape::Polyline(_) => return Err(unsupported("polyline", "a curve is no wall in space: use capsules")),
         TypedShape::Triangle(_) => {
@@ -276,7 +292,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Member
             ));
         }
         TypedShape::Custom(_) => {
-            members.push(Member { body: Body::Distance, distance: Spatial::distance(shape, frame, side) });
+            members.push(Body::Distance(Spatial::distance(shape, frame, side)));
         }
     }
     Ok(())

@@ -1,8 +1,11 @@
 //! Shapes in space as plain data, as scene files have them.
-use super::{Side, Solid, convert::to_glam3, distance::to_unit};
+use super::{
+    Side, Solid,
+    convert::{Frame, to_glam3},
+    distance::to_unit,
+};
 use crate::Error;
-use core::f64::consts::FRAC_1_SQRT_2;
-use nalgebra::{Isometry3, Quaternion, Translation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use parry3d_f64::{
     math::Vector as Glam,
     shape::{Ball, Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh},
@@ -89,14 +92,13 @@ impl SolidSpec {
     /// ```
     pub fn solid(&self, center: [f64; 3], side: Side) -> Result<Solid, Error> {
         finite("center", &center)?;
-        let translation = Translation3::from(Vector3::from(center));
-        // parry's axes of revolution lie along x₂
-        let upright = UnitQuaternion::new_unchecked(Quaternion::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0, 0.0));
+        // parry's axes of revolution lie along x₂; a quaternion for the quarter turn would be rounded
+        let upright = Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0);
         let rotation = match self {
             SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. } => upright,
-            _ => UnitQuaternion::identity(),
+            _ => Matrix3::identity(),
         };
-        Solid::new(&*self.shape()?, &Isometry3::from_parts(translation, rotation), side)
+        Solid::placed(&*self.shape()?, &Frame { rotation, translation: center.into() }, side)
     }
 
     /// The same shape, `factor` times as large.

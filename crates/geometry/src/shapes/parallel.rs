@@ -177,10 +177,11 @@ impl Parallel {
         let chord = libm::hypot(b.point.x - a.point.x, b.point.y - a.point.y);
         let mut last = f64::INFINITY;
         for _ in 0..24 {
-            let p = path.at(t);
+            let [p, rest] = path.at_exactly(t);
             let landing = self.base.closest(&p);
             let slope = v.dot(&landing.normal);
-            let step = ((p - landing.point).dot(&landing.normal) - self.distance) / -slope;
+            let height = (p - landing.point).dot(&landing.normal) - self.distance + rest.dot(&landing.normal);
+            let step = height / -slope;
             let strayed = libm::hypot(p.x - guess.x, p.y - guess.y) > chord;
             if strayed || !(slope < 0.0 && step.abs() < 0.5 * last) {
                 break;

@@ -1,15 +1,9 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
-use super::super::{
-    convert::{Frame, from_glam3},
-    distance::to_unit,
-};
-use super::positive;
+use super::super::convert::{Frame, from_glam3};
+use super::{polyhedron::faces, positive};
 use crate::{Error, Line, plane::slack, walls::CORNER};
 use nalgebra::Vector3;
-use parry3d_f64::{
-    math::Vector as Glam,
-    shape::{Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace},
-};
+use parry3d_f64::shape::{Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace};
 
 /// A convex solid.
 #[derive(Clone, Debug)]
@@ -183,8 +177,9 @@ impl Face {
     /// A time at which the path crosses the face within rounding, after one step of Newton's method: coefficients of a quadratic
     /// that are differences lose some digits.
     fn nearer(&self, path: &Line<3>, time: f64, slack: f64) -> f64 {
-        let point = path.at(time);
-        let step = self.off(&point) / self.project(&point).1.dot(&path.velocity);
+        let [point, rest] = path.at_exactly(time);
+        let (_, normal) = self.project(&point);
+        let step = (self.off(&point) + normal.dot(&rest)) / normal.dot(&path.velocity);
         if step.abs() * path.velocity.norm() <= slack { time - step } else { time }
     }
 }
@@ -206,7 +201,7 @@ fn across(w: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
 }
 
 /// Some unit vector perpendicular to another.
-fn any_across(axis: &Vector3<f64>) -> Vector3<f64> {
+pub(super) fn any_across(axis: &Vector3<f64>) -> Vector3<f64> {
     let least = Vector3::from_fn(|i, _| if i == axis.iamin() { 1.0 } else { 0.0 });
     let w = across(&least, axis);
     w / w.norm()
@@ -284,25 +279,10 @@ impl Convex {
     }
 
     pub(super) fn polyhedron(hull: &ConvexPolyhedron, frame: &Frame<3>) -> Convex {
-        let points: Vec<Vector3<f64>> = hull.points().iter().map(|&p| frame.point(&from_glam3(p))).collect();
-        let faces = hull.faces().iter().map(|face| {
-            let first = face.first_vertex_or_edge as usize;
-            let count = face.num_vertices_or_edges as usize;
-            let ring: Vec<Vector3<f64>> =
-                hull.vertices_adj_to_face()[first..first + count].iter().map(|&v| points[v as usize]).collect();
-            // Newell: the mean over the corners, accurate for slender faces too
-            let origin = ring[0];
-            let unit = to_unit(ring.iter().map(|p| (p - origin).amax()).fold(0.0, f64::max));
-            let from = |k: usize| (ring[k] - origin) * unit;
-            let area = (1..count.saturating_sub(1)).map(|k| from(k).cross(&from(k + 1))).sum::<Vector3<f64>>();
-            let known: Glam = face.normal;
-            let outward = frame.direction(&from_glam3(known));
-            let normal = if area.dot(&outward) < 0.0 { -area } else { area };
-            let length = normal.norm();
-            Face::Plane { through: origin, normal: if length > 0.0 { normal / length } else { outward } }
-        });
-        let size = points.iter().map(Vector3::amax).fold(0.0, f64::max);
-        Convex::of(Kind::Intersection(faces.collect()), size)
+        let face = |(ring, normal): (Vec<Vector3<f64>>, Vector3<f64>)| Face::Plane { through: ring[0], normal };
+        let points = hull.points().iter().map(|&p| frame.point(&from_glam3(p)));
+        let size = points.map(|p| p.amax()).fold(0.0, f64::max);
+        Convex::of(Kind::Intersection(faces(hull, frame).map(face).collect()), size)
     }
 
     /// How far a point may be off a face and still count as on it, given where the path starts.

@@ -12,7 +12,7 @@ use core::fmt;
 use nalgebra::{Matrix3, Vector3};
 use parry3d_f64::{
     math::Vector as Glam,
-    shape::{ConvexPolyhedron, HeightField, Shape, TriMesh, TriMeshFlags, TypedShape, Voxels},
+    shape::{HeightField, Shape, TriMesh, TriMeshFlags, TypedShape, Voxels},
 };
 use std::collections::{HashMap, HashSet};
 
@@ -113,46 +113,6 @@ pub(super) fn mesh_distance(mesh: &Mesh, side: Side) -> Result<Distance<3>, Erro
     }
     let whole = Frame { rotation: Matrix3::identity(), translation: Vector3::zeros() };
     Ok(Scaled::of_triangles(&vertices, &triangles)?.placed(&whole, side))
-}
-
-/// A shape with a border around it.
-#[derive(Debug)]
-pub(super) struct Offset {
-    inner: Box<dyn Field<3>>,
-    radius: f64,
-}
-
-impl Offset {
-    pub(super) fn distance(inner: &dyn Shape, radius: f64, frame: &Frame<3>, side: Side) -> Result<Distance<3>, Error> {
-        let Scaled { field, scale } = match inner.as_typed_shape() {
-            TypedShape::ConvexPolyhedron(polyhedron) => {
-                let (points, triangles) = ConvexPolyhedron::to_trimesh(polyhedron);
-                hull(&points, &triangles)?
-            }
-            _ => Scaled::new(inner),
-        };
-        Ok(Distance::new(Box::new(Offset { inner: field, radius: radius * scale }), *frame, scale, side))
-    }
-}
-
-impl Field<3> for Offset {
-    fn project(&self, x: &Vector3<f64>) -> (Vector3<f64>, bool) {
-        let (foot, inside) = self.inner.project(x);
-        let to = if inside { foot - x } else { x - foot };
-        let distance = to.norm();
-        // on the inner surface any direction serves: the border is equally wide in each that leads out
-        let out = if distance > 0.0 { to / distance } else { x / x.norm().max(f64::MIN_POSITIVE) };
-        (foot + out * self.radius, inside || distance <= self.radius)
-    }
-    fn extent(&self) -> [Vector3<f64>; 2] {
-        let [min, max] = self.inner.extent();
-        let border = Vector3::repeat(self.radius);
-        [min - border, max + border]
-    }
-    /// As all of parry's rounded shapes are.
-    fn is_convex(&self) -> bool {
-        true
-    }
 }
 
 /// Vertices and triangles of a height field, counter-clockwise as seen from above (+y).
