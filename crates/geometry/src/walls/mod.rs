@@ -13,6 +13,7 @@ mod cuboid;
 mod few;
 mod graphs;
 mod homogeneous;
+mod lines;
 mod list;
 mod normal;
 mod periodic;

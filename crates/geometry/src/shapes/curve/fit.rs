@@ -1,7 +1,7 @@
 //! A smooth curve cut into polynomial graphs that are right to rounding.
 use super::{
     Graph, Parametric,
-    graph::{DEGREE, Local},
+    graph::{BEYOND, DEGREE, Local},
     rising_root,
 };
 use core::f64::consts::PI;
@@ -21,10 +21,10 @@ const STEEP: f64 = 0.5;
 const PART: f64 = 0.8;
 
 /// Least part of the range: a curve that needs shorter ones has a kink.
-const LEAST: f64 = 1.0 / 65_536.0;
+const LEAST: f64 = 1.0 / 131_072.0;
 
 /// Most graphs of one curve; one that needs more is rough.
-const MOST: usize = 4096;
+const MOST: usize = 8192;
 
 /// Of a bend that changes its sign, the part of the greatest bend that does not matter, and what is rounding: the depth of what
 /// is neglected is its third power.
@@ -46,14 +46,14 @@ const FLAT: [f64; 2] = [1e-6, 1e-11];
 ///     }
 /// }
 /// let ends = [Vector2::new(-1.0, 1.0), Vector2::new(1.0, 1.0)];
-/// assert!(graphs(&Parabola, [-1.0, 1.0], ends, 1.0).is_some_and(|graphs| graphs.len() < 16));
+/// assert!(graphs(&Parabola, [-1.0, 1.0], ends, 1.0).is_some_and(|graphs| graphs.len() < 64));
 /// ```
 ///
 /// The incline of the graph is fitted to the direction of the curve, and its integral to the points, by least squares in Chebyshev
 /// polynomials. That keeps normals right to rounding, and takes the mean of the errors of the points.
 ///
 /// `None` where no polynomial is right to rounding: at kinks, and on curves that wiggle without end. What lies between the points that
-/// are compared, 38 on each graph, is left to the caller: nothing can hide there if bounds on the second derivative say so.
+/// are compared, 26 on each graph, is left to the caller: nothing can hide there if bounds on the second derivative say so.
 pub fn graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],
@@ -169,6 +169,7 @@ impl<C: Parametric> Cut<'_, C> {
             outward: outward.into(),
             inverse: 1.0 / half,
             heights: heights.map(|c| c * half),
+            third: third(&heights) * half,
         };
         Ok(Graph { ends: [from.vertex.into(), to.vertex.into()], near, local })
     }
@@ -183,7 +184,17 @@ fn horner(c: &[f64; DEGREE + 1], a: f64) -> [f64; 3] {
     [jet[0], jet[1], 2.0 * jet[2]]
 }
 
-/// The polynomial closest to the inclines of the samples, and the size of its last terms, about that of those cut off.
+/// No less than a sixth of the third derivative, wherever the graph is looked at.
+fn third(c: &[f64; DEGREE + 1]) -> f64 {
+    let (mut sum, mut power) = (0.0, 1.0);
+    for k in 3..=DEGREE {
+        sum += (k * (k - 1) * (k - 2)) as f64 / 6.0 * c[k].abs() * power;
+        power *= BEYOND;
+    }
+    sum
+}
+
+/// The polynomial closest to the inclines of the samples, and the size of the terms cut off, if they go on as the last ones do.
 fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
     let mut normal = SMatrix::<f64, DEGREE, DEGREE>::zeros();
     let mut right = SVector::<f64, DEGREE>::zeros();
@@ -212,7 +223,10 @@ fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
         }
         (before, last) = (last, next);
     }
-    Some((powers, chebyshev[DEGREE - 1].abs().max(chebyshev[DEGREE - 2].abs())))
+    // two by two, since even or odd ones may be absent
+    let size = |k: usize| chebyshev[k].abs().max(chebyshev[k - 1].abs());
+    let (last, before) = (size(DEGREE - 1), size(DEGREE - 3));
+    Some((powers, if last < before { last * (last / before) } else { last }))
 }
 
 /// Where the second derivative changes its sign, if it does.

@@ -3,7 +3,7 @@ use crate::{piece::Extent, plane::along};
 use lanes::{Lane, Mask};
 
 /// Degree of the polynomials: higher ones make fewer and longer stretches.
-pub(super) const DEGREE: usize = 17;
+pub(super) const DEGREE: usize = 11;
 
 /// A stretch of a curve that bends one way: heights over its chord, given by a polynomial.
 ///
@@ -29,6 +29,8 @@ pub(crate) struct Local<F> {
     pub(super) inverse: F,
     /// Coefficients of the height \[L\] as a polynomial in `u`, which runs from −1 to 1.
     pub(super) heights: [F; DEGREE + 1],
+    /// A sixth of the third derivative of the height \[L\] is nowhere greater.
+    pub(super) third: F,
 }
 
 /// Where a path crosses a graph outwards.
@@ -42,16 +44,6 @@ pub(crate) struct Meeting<F: Lane> {
 }
 
 impl<F: Lane> Meeting<F> {
-    /// This one, or `other` where `second`.
-    #[inline(always)]
-    pub(crate) fn or(&self, second: F::Mask, other: &Self) -> Self {
-        let [time, p0, p1, n0, n1] = second.choose(
-            [other.time, other.point[0], other.point[1], other.normal[0], other.normal[1]],
-            [self.time, self.point[0], self.point[1], self.normal[0], self.normal[1]],
-        );
-        Meeting { time, point: [p0, p1], normal: [n0, n1] }
-    }
-
     /// The unit normal into the table.
     #[inline(always)]
     pub(crate) fn unit_normal(&self) -> [F; 2] {
@@ -67,7 +59,7 @@ pub(crate) struct Ray<F> {
     pub(crate) x: [F; 2],
     pub(crate) v: [F; 2],
     /// `1/|v|²`
-    inverse: F,
+    pub(crate) inverse: F,
 }
 
 impl<F: Lane> Ray<F> {
@@ -97,18 +89,29 @@ pub(crate) fn at_least<F: Lane>(v: [F; 2]) -> F {
 }
 
 /// The powers that are enough to come near.
-const LOW: usize = 11;
+const LOW: usize = 5;
 
-/// A step (half lengths of the chord) after which the next one, of its third power, is about as small as what higher powers change.
-const NEARBY: f64 = 1.0 / 256.0;
+/// An error (half lengths of the chord) of which one step with all powers mostly leaves less than rounding.
+const NEARBY: f64 = 1.0 / 16_384.0;
 
-/// A step after which the next one is below rounding.
-const SMALL: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
+/// An error below rounding.
+const SMALL: f64 = f64::EPSILON / 4.0;
+
+/// A step after which the next one is below rounding, also where there is nothing to be met.
+const STILL: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 
 /// Steps allowed. One or two are typical, and a path that is tangent to rounding takes some more.
 const STEPS: u32 = 12;
 
+/// How far beyond its ends (half lengths of the chord) a graph is still looked at.
+pub(super) const BEYOND: f64 = 1.0625;
+
 impl Graph {
+    /// Length of the chord.
+    pub(crate) fn length(&self) -> f64 {
+        2.0 / self.local.inverse
+    }
+
     /// A box around it.
     pub(crate) fn extent(&self) -> Extent {
         // the height is at most `near`
@@ -116,8 +119,25 @@ impl Graph {
         Extent { min: min.add_scalar(-self.near), max: max.add_scalar(self.near) }
     }
 
+    /// The corners of a rectangle that it lies in.
+    pub(crate) fn hull(&self) -> [[f64; 2]; 4] {
+        let ([p, q], [n0, n1]) = (self.ends, self.local.outward);
+        let moved = |p: [f64; 2], by: f64| [p[0] + by * n0, p[1] + by * n1];
+        [moved(p, -self.near), moved(p, self.near), moved(q, -self.near), moved(q, self.near)]
+    }
+
+    /// The outward normals at its ends, not of unit length; those between them point between them.
+    pub(crate) fn normals(&self) -> [[f64; 2]; 2] {
+        let [n0, n1] = self.local.outward;
+        [-1.0, 1.0].map(|u| {
+            let [_, incline, _] = self.local.jet(u, DEGREE);
+            let incline = incline * self.local.inverse;
+            [n0 + n1 * incline, n1 - n0 * incline]
+        })
+    }
+
     /// When a path crosses it outwards; infinite if it does not.
-    pub(super) fn time(&self, ray: &Ray<f64>, slack: f64) -> f64 {
+    pub(crate) fn time(&self, ray: &Ray<f64>, slack: f64) -> f64 {
         let turns = self.ends.map(|end| turn(ray.x, ray.v, end));
         let [start, end] = turns.map(|turn| 0.0 < turn);
         let through = !start && end;
@@ -142,21 +162,20 @@ impl Local<f64> {
     /// One graph per lane.
     #[inline(always)]
     pub(crate) fn side_by_side<'a, F: Lane>(zero: F, of: impl Fn(usize) -> &'a Local<f64>) -> Local<F> {
-        let mut heights = [zero; DEGREE + 1];
-        for (i, height) in heights.iter_mut().enumerate() {
-            *height = zero.each(|lane| of(lane).heights[i]);
+        // not zeros at first, which a compiler would have written by a function
+        let mut heights = [zero.each(|lane| of(lane).heights[0]); DEGREE + 1];
+        for i in 1..=DEGREE {
+            heights[i] = zero.each(|lane| of(lane).heights[i]);
         }
         Local {
             origin: [zero.each(|lane| of(lane).origin[0]), zero.each(|lane| of(lane).origin[1])],
             outward: [zero.each(|lane| of(lane).outward[0]), zero.each(|lane| of(lane).outward[1])],
             inverse: zero.each(|lane| of(lane).inverse),
             heights,
+            third: zero.each(|lane| of(lane).third),
         }
     }
 }
-
-/// How far beyond its ends (half lengths of the chord) a graph is still looked at.
-const BEYOND: f64 = 1.0625;
 
 impl<F: Lane> Local<F> {
     /// A vector along the chord and across it.
@@ -190,9 +209,9 @@ impl<F: Lane> Local<F> {
     }
 
     /// The step in time from `u` to the root of a parabola with this value, slope and second derivative at which it rises, or to the end
-    /// of the graph before it; and the square of the slope at the root, negative where there is none.
+    /// of the graph before it; the square of the slope at the root, negative where there is none; and the root of that square.
     #[inline(always)]
-    fn step(&self, u: F, rate: F, [g, slope, bend]: [F; 3]) -> [F; 2] {
+    fn step(&self, u: F, rate: F, [g, slope, bend]: [F; 3]) -> [F; 3] {
         let [zero, one] = [g.same(0.0), g.same(1.0)];
         let square = slope * slope - (g + g) * bend;
         let root = square.max(zero).sqrt();
@@ -207,15 +226,33 @@ impl<F: Lane> Local<F> {
             let end = (one.same(BEYOND).copysign(dt * rate) - u) / rate;
             dt = beyond.select(end, dt);
         }
-        [dt, square]
+        [dt, square, root]
+    }
+
+    /// Where a path, given from the middle of the chord, is at a time: along the chord, the same in half lengths of it, height
+    /// over the graph, and the first two derivatives of that.
+    #[inline(always)]
+    fn height(&self, [from, v]: [[F; 2]; 2], [rise, rate]: [F; 2], t: F, degree: usize) -> [F; 5] {
+        let [a, b] = self.turned(along(from, v, t));
+        let u = a * self.inverse;
+        let [height, incline, bend] = self.jet(u, degree);
+        [a, u, b - height, rise - incline * rate, -bend * (rate * rate)]
+    }
+
+    /// Whether what a third derivative adds to a step of Euler's method, a sixth of it times the third power of the step over the
+    /// slope, is less than `error` half lengths of the chord.
+    #[inline(always)]
+    fn is_near(&self, dt: F, rate: F, slope: F, error: f64) -> F::Mask {
+        let step = (dt * rate).abs();
+        (self.third * rate.abs() * (step * step * step)).lt(slope * error)
     }
 
     /// The outward crossing, if there is one: for sure where `through`, that is, where the path's line passes between the
     /// ends outwards. Where not `wanted` nothing means anything.
     ///
-    /// `g(t)`, the height of the path over the chord minus that of the graph, rises through 0 there. Its second
-    /// derivative has one sign, so the root of its parabola with a slope that is not negative is the right one of two, and iterating
-    /// converges with the third power, as fast where a path nearly grazes (Euler's method).
+    /// `g(t)`, the height of the path over the graph, rises through 0 there. Its second derivative has one sign, so the root of its
+    /// parabola with a slope that is not negative is the right one of two, and iterating converges with the third power, as
+    /// fast where a path nearly grazes (Euler's method). Near a root that is not grazed a step of Chebyshev's method is as good.
     #[inline(always)]
     pub(crate) fn meet(&self, ray: &Ray<F>, through: F::Mask, wanted: F::Mask, slack: f64) -> Meeting<F> {
         let Ray { x, v, inverse } = *ray;
@@ -224,6 +261,7 @@ impl<F: Lane> Local<F> {
         let from = [x[0] - self.origin[0], x[1] - self.origin[1]];
         let [run, rise] = self.turned(v);
         let rate = run * self.inverse;
+        let (path, speeds) = ([from, v], [rise, rate]);
         // from where the path crosses the chord, or else from its point next to the middle
         let foot = -(from[0] * v[0] + from[1] * v[1]) * inverse;
         let chord = -(n0 * from[0] + n1 * from[1]) / rise;
@@ -232,31 +270,38 @@ impl<F: Lane> Local<F> {
         // towards the root of the lower powers, and on from there
         let mut going = wanted;
         for _ in 0..STEPS {
-            let [a, b] = self.turned(along(from, v, t));
-            let u = a * self.inverse;
-            let [height, incline, turn] = self.jet(u, LOW);
-            let [dt, _] = self.step(u, rate, [b - height, rise - incline * rate, -turn * (rate * rate)]);
+            let [_, u, g, slope, bend] = self.height(path, speeds, t, LOW);
+            let [dt, _, root] = self.step(u, rate, [g, slope, bend]);
             t = going.select(t + dt, t);
-            going = going & !(dt * rate).abs().lt(zero.same(NEARBY));
+            going = going & !(self.is_near(dt, rate, root, NEARBY) | (dt * rate).abs().lt(zero.same(STILL)));
             if !going.any() {
                 break;
             }
         }
-        let mut going = wanted;
-        let mut last = [zero; 6];
+        let [a, u, g, slope, bend] = self.height(path, speeds, t, DEGREE);
+        let steep = one / slope;
+        let newton = -g * steep;
+        let curved = newton * bend * steep * 0.5;
+        let dt = newton - newton * curved;
+        // what the second derivative adds to this step is less than twice the square of what it is by, times the step
+        let near = self.is_near(dt, rate, slope, SMALL) & (curved * curved * (dt * rate).abs()).lt(zero.same(SMALL));
+        let mut last = [a, u, slope, bend, dt, slope];
+        t = near.select(t + dt, t);
+        let mut going = wanted & !near;
+        if going.any() {
+            // beyond the ends, where the lower powers may have led to, the bend may have another sign: back to the middle
+            t = (going & one.lt(u.abs())).select(t - u / rate, t);
+        }
         for _ in 0..STEPS {
-            let [a, b] = self.turned(along(from, v, t));
-            let u = a * self.inverse;
-            let [height, incline, turn] = self.jet(u, DEGREE);
-            let (slope, bend) = (rise - incline * rate, -turn * (rate * rate));
-            let [dt, square] = self.step(u, rate, [b - height, slope, bend]);
-            // a lane that is done stays as it is, whatever the others need
-            last = going.choose([a, u, slope, bend, dt, square], last);
-            t = going.select(t + dt, t);
-            going = going & !(dt * rate).abs().lt(zero.same(SMALL));
             if !going.any() {
                 break;
             }
+            let [a, u, g, slope, bend] = self.height(path, speeds, t, DEGREE);
+            let [dt, square, root] = self.step(u, rate, [g, slope, bend]);
+            // a lane that is done stays as it is, whatever the others need
+            last = going.choose([a, u, slope, bend, dt, square], last);
+            t = going.select(t + dt, t);
+            going = going & !(self.is_near(dt, rate, root, SMALL) | (dt * rate).abs().lt(zero.same(STILL)));
         }
         let [a, u, slope, bend, dt, square] = last;
         let end = u + dt * rate;

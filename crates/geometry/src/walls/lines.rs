@@ -1,0 +1,285 @@
+//! Which of many graphs a line may cross, looked up by how it runs.
+use crate::{
+    Extent,
+    plane::{cross, dot},
+    shapes::curve::Graph,
+};
+use lanes::{Lane, Mask};
+
+/// Cells by direction in a quadrant, and by distance.
+const DIRECTIONS: usize = 64;
+const DISTANCES: usize = 128;
+
+/// By which part of a cell others reach into it: more than rounding does on paths from less than 2⁴⁰ sizes away.
+const MARGIN: f64 = 1.0 / 256.0;
+
+/// What lines may cross, sorted by their directions and by their distances from a middle `m`.
+///
+/// The direction of a path is `d = v/(|v₁| + |v₂|)`, which runs along the sides of a square, and its distance `(x − m) × d`.
+/// For lines through a point that is linear in `d` along each side, so which lines of a cell pass through the hull of some points is
+/// told by these points and the two ends of the cell.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lines {
+    middle: [f64; 2],
+    /// Cells by distance in a unit of length.
+    scale: f64,
+    cells: Vec<Cell>,
+    /// For cells in which lines may cross several graphs or none: how many groups of consecutive graphs, and the first of each, in order.
+    groups: Vec<u32>,
+}
+
+/// What lines of a cell may cross outwards.
+///
+/// Mostly each crosses exactly one of two consecutive graphs, and could not graze them: the cell has the number of the first.
+/// Otherwise the highest bit is set, and the others tell where its groups are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cell(u32);
+
+impl Cell {
+    const GROUPS: u32 = 1 << 31;
+
+    /// One that is never asked.
+    pub(super) const NONE: Cell = Cell(0);
+
+    /// Whether its lines may cross none, several, or one of several graphs.
+    #[inline(always)]
+    pub(super) fn is_open(self) -> bool {
+        self.0 & Cell::GROUPS != 0
+    }
+
+    /// The first of two graphs; any where there are not two.
+    #[inline(always)]
+    pub(super) fn first(self) -> usize {
+        if self.is_open() { 0 } else { self.0 as usize }
+    }
+}
+
+/// Sine of the angle at which a line may graze a graph, to more than rounding and what is neglected of bends of the other sign.
+const FLAT: f64 = 1e-5;
+
+/// A graph as lines see it.
+struct Stretch {
+    place: usize,
+    ends: [[f64; 2]; 2],
+    hull: [[f64; 2]; 4],
+    normals: [[f64; 2]; 2],
+}
+
+impl Stretch {
+    /// Whether lines with directions between two cross it outwards or inwards for sure.
+    fn is_outward(&self, directions: [[f64; 2]; 2]) -> Option<bool> {
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for n in self.normals {
+            for d in directions {
+                let speed = dot(n, d);
+                range = [range[0].min(speed), range[1].max(speed)];
+            }
+        }
+        if FLAT < range[0] { Some(true) } else { (range[1] < -FLAT).then_some(false) }
+    }
+}
+
+/// The direction at which a cell begins.
+fn direction(cell: usize, part: f64) -> [f64; 2] {
+    let within = (cell % DIRECTIONS) as f64 + part;
+    let (a, b) = (1.0 - within / DIRECTIONS as f64, within / DIRECTIONS as f64);
+    match cell / DIRECTIONS {
+        0 => [a, b],
+        1 => [-b, a],
+        2 => [-a, -b],
+        _ => [b, -a],
+    }
+}
+
+/// The whole number below `a` (or at it, up to rounding), between 0 and the last.
+#[inline(always)]
+fn floor<F: Lane>(a: F, last: usize) -> F {
+    const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²: the last bit is 1
+    ((a - 0.5) + WHOLE - WHOLE).max(a.same(0.0)).min(a.same(last as f64))
+}
+
+impl Lines {
+    /// Graphs with their places, in order, of which `width` consecutive ones are looked at in a go.
+    pub(super) fn new(graphs: &[(usize, &Graph)], width: usize) -> Lines {
+        let all = graphs.iter().fold(Extent::EMPTY, |all, (_, graph)| all.union(graph.extent()));
+        let middle = [0, 1].map(|i| 0.5 * (all.min[i] + all.max[i]));
+        let half = (0..2).map(|i| all.max[i] - middle[i]).fold(0.0, f64::max);
+        let scale = 0.5 * DISTANCES as f64 / half;
+        let stretch = |(place, graph): &(usize, &Graph)| Stretch {
+            place: *place,
+            ends: graph.ends,
+            hull: graph.hull(),
+            normals: graph.normals(),
+        };
+        let stretches: Vec<Stretch> = graphs.iter().map(stretch).collect();
+        let mut lines = Lines { middle, scale, cells: vec![], groups: vec![] };
+        let mut column: Vec<Vec<usize>> = vec![vec![]; DISTANCES];
+        for number in 0..4 * DIRECTIONS {
+            let directions = [direction(number, -MARGIN), direction(number, 1.0 + MARGIN)];
+            for (k, stretch) in stretches.iter().enumerate() {
+                if stretch.is_outward(directions) != Some(false) {
+                    let [first, last] = lines.distances(stretch, directions);
+                    column[first..=last].iter_mut().for_each(|met| met.push(k));
+                }
+            }
+            for (distance, met) in column.iter_mut().enumerate() {
+                let met: Vec<&Stretch> = met.drain(..).map(|k| &stretches[k]).collect();
+                let two = lines.two(&met, directions, distance);
+                let cell = two.unwrap_or_else(|| lines.add_groups(&met, width));
+                lines.cells.push(cell);
+            }
+        }
+        lines
+    }
+
+    /// The first and the last distance at which lines with directions between two may cross a graph.
+    fn distances(&self, stretch: &Stretch, directions: [[f64; 2]; 2]) -> [usize; 2] {
+        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
+        for p in stretch.hull {
+            for d in directions {
+                let distance = self.distance(p, d);
+                range = [range[0].min(distance), range[1].max(distance)];
+            }
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers")]
+        [range[0] - MARGIN, range[1] + MARGIN].map(|distance| floor(distance, DISTANCES - 1) as usize)
+    }
+
+    /// The cell of lines of which each crosses exactly one of two consecutive graphs: it passes between their far ends, and
+    /// outwards wherever it crosses them.
+    fn two(&self, met: &[&Stretch], directions: [[f64; 2]; 2], distance: usize) -> Option<Cell> {
+        let (first, last) = (met.first()?, met.last()?);
+        let few = last.place < first.place + 2;
+        let outwards = met.iter().all(|stretch| stretch.is_outward(directions) == Some(true));
+        let between = directions.iter().all(|d| {
+            let [right, left] = [first.ends[0], last.ends[1]].map(|p| self.distance(p, *d));
+            left < distance as f64 - MARGIN && (distance + 1) as f64 + MARGIN < right
+        });
+        #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 32 bits")]
+        (few && outwards && between).then_some(Cell(first.place as u32))
+    }
+
+    /// The cell of other lines.
+    #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 32 bits")]
+    fn add_groups(&mut self, met: &[&Stretch], width: usize) -> Cell {
+        let at = self.groups.len();
+        self.groups.push(0);
+        let mut next = 0;
+        for stretch in met {
+            if next <= stretch.place {
+                self.groups.push(stretch.place as u32);
+                self.groups[at] += 1;
+                next = stretch.place + width;
+            }
+        }
+        Cell(Cell::GROUPS | at as u32)
+    }
+
+    /// The distance of lines with this direction through a point, in cells.
+    fn distance(&self, p: [f64; 2], d: [f64; 2]) -> f64 {
+        cross([p[0] - self.middle[0], p[1] - self.middle[1]], d) * self.scale + 0.5 * DISTANCES as f64
+    }
+
+    /// The numbers of the cells of lines.
+    #[inline(always)]
+    pub(super) fn number<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> F {
+        let [zero, one] = [x[0].same(0.0), x[0].same(1.0)];
+        let inverse = one / (v[0].abs() + v[1].abs());
+        let across = v[1] * (x[0] - self.middle[0]) - v[0] * (x[1] - self.middle[1]);
+        let distance = floor(across * inverse * self.scale + 0.5 * DISTANCES as f64, DISTANCES - 1);
+        // from 0 to 4 once around
+        let along = v[0] * inverse;
+        let turned = v[1].lt(zero).select(along + 3.0, one - along);
+        floor(turned * DIRECTIONS as f64, 4 * DIRECTIONS - 1) * DISTANCES as f64 + distance
+    }
+
+    /// The cell with a number.
+    #[inline(always)]
+    pub(super) fn cell(&self, number: f64) -> Cell {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small integer")]
+        let number = number as usize;
+        self.cells[number]
+    }
+
+    /// The groups in an open cell.
+    #[inline(always)]
+    pub(super) fn groups(&self, cell: Cell) -> &[u32] {
+        let at = (cell.0 & !Cell::GROUPS) as usize;
+        &self.groups[at + 1..=at + self.groups[at] as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Graphs, Walls};
+    use crate::{
+        Piece,
+        plane::slack,
+        shapes::curve::{Interval, Polar, PolarFormula, Ray},
+    };
+    use nalgebra::Vector2;
+
+    /// `r = s + a cos nφ`
+    #[derive(Clone, Copy, Debug)]
+    struct Clover {
+        scale: f64,
+        a: f64,
+        n: f64,
+    }
+
+    impl PolarFormula for Clover {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(self.n * angle);
+            [self.scale + self.a * cos, -self.n * self.a * sin, -self.n * self.n * self.a * cos]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let [sin, cos] = (angle * self.n).sin_cos();
+            [cos * self.a + self.scale, sin * (-self.n * self.a), cos * (-self.n * self.n * self.a)]
+        }
+    }
+
+    #[test]
+    fn what_is_looked_up_is_what_trying_every_graph_finds() {
+        let mut seed = 1_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let mut cut = vec![];
+        for (number, (x, a, n, inside)) in
+            [(0.0, 0.1, 3.0, true), (0.0, 0.2, 5.0, true), (0.0, 0.05, 20.0, true), (0.25, 0.15, 4.0, false)]
+                .into_iter()
+                .enumerate()
+        {
+            let scale = if inside { 1.0 } else { 0.25 };
+            let curve = Polar::new(Vector2::new(x, 0.0), Clover { scale, a: a * scale, n }, inside).unwrap();
+            let mut graphs: Vec<_> = curve.graphs().unwrap().into_iter().map(|graph| (number, graph)).collect();
+            if number == 3 {
+                // two curves, one of them open
+                graphs.extend_from_slice(&cut);
+                graphs.pop();
+            }
+            let walls = Graphs::new(&graphs, &[]);
+            let size = graphs.iter().map(|(_, graph)| graph.extent().size()).fold(0.0, f64::max);
+            for k in 0..20_000 {
+                let mut x = [0.7 * random(), 0.7 * random()];
+                let mut v = [random(), random()];
+                // from the boundary too, and along it
+                if k % 2 == 0 {
+                    let (_, graph) = &graphs[(k / 2) % graphs.len()];
+                    let [p, q] = graph.ends;
+                    x = p;
+                    if k % 4 == 0 {
+                        v = [q[0] - p[0] + 0.01 * v[0] * (q[1] - p[1]), q[1] - p[1] - 0.01 * v[0] * (q[0] - p[0])];
+                    }
+                }
+                let ray = Ray::new(x, v);
+                let time =
+                    graphs.iter().map(|(_, graph)| graph.time(&ray, slack([size]))).fold(f64::INFINITY, f64::min);
+                let found = walls.first_hit(&x, &v).time;
+                assert_eq!(found, time, "{number} {x:?} {v:?}");
+            }
+            cut = graphs;
+        }
+    }
+}
