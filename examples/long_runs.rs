@@ -38,11 +38,12 @@ fn main() -> Result<(), Error> {
         // a random walk
         assert!(last < 2e-12 * (1e-7 * count as f64).sqrt(), "{}", case.name);
     }
-    println!("largest relative drift of the energy in {count} collisions");
+    println!("largest relative drift of the energy in {count} collisions, and of restored states in 10000");
     for (name, billiard) in long::energies()? {
-        let drift = long::energy_drift(&billiard, count, 100_000);
-        println!("  {name:<54} {drift:.1e}");
-        assert!(drift < 1e-14, "{name}");
+        let (drift, restored) =
+            (long::energy_drift(&billiard, count, 100_000), long::restored_drift(&billiard, 10_000));
+        println!("  {name:<54} {drift:.1e}, {restored:.1e}");
+        assert!(drift < 1e-14 && restored <= 4e-16, "{name}");
     }
     let error = long::unfolding_error(100_000)?;
     println!("unit square, position at t = 1e5                         {error:.1e}");

@@ -102,17 +102,35 @@ impl Core {
         }
     }
 
-    /// How much the direction from here to `p` turns at most where `p` moves across it: the greatest curvature at `p` of the
-    /// surface at this distance. It is the difference quotient of a step so small that 200 bits are enough.
+    /// How much the direction from here to `p` turns at most where `p` moves across it, there or within rounding of it: the greatest
+    /// curvature of the surface at this distance, which jumps where a border begins.
     pub(super) fn turn(&self, p: &Vector<3>) -> f64 {
-        let outward = |p: &Vector<3>| unit(&sub(p, &self.closest(p)));
-        let n = outward(p);
-        let step = norm(&sub(p, &self.closest(p))) * big(2.0_f64.powi(-60));
+        let [n, first, second] = self.frame(p);
+        let rounding = norm(p) * big(8.0 * f64::EPSILON);
+        let beside = [&first, &second].map(|t| [1.0, -1.0].map(|sign| add(p, &scale(t, &(&rounding * big(sign))))));
+        let there = self.turn_at(p, &[n, first, second]);
+        beside.iter().flatten().map(|p| self.turn_at(p, &self.frame(p))).fold(there, f64::max)
+    }
+
+    fn outward(&self, p: &Vector<3>) -> Vector<3> {
+        unit(&sub(p, &self.closest(p)))
+    }
+
+    /// The direction from here to `p`, and two across it.
+    fn frame(&self, p: &Vector<3>) -> [Vector<3>; 3] {
+        let n = self.outward(p);
         let first = unit(&vector_product(&n, &vector([0.36, 0.48, 0.8])));
         let second = vector_product(&n, &first);
-        let [along, across] = [&first, &second].map(|t| {
-            let change = scale(&sub(&outward(&add(p, &scale(t, &step))), &n), &(big(1.0) / &step));
-            [&first, &second].map(|t| small(&dot(&change, t)))
+        [n, first, second]
+    }
+
+    /// The same at `p` alone: the difference quotient of a step so small that 200 bits are enough.
+    fn turn_at(&self, p: &Vector<3>, [n, first, second]: &[Vector<3>; 3]) -> f64 {
+        let outward = |p: &Vector<3>| self.outward(p);
+        let step = norm(&sub(p, &self.closest(p))) * big(2.0_f64.powi(-60));
+        let [along, across] = [first, second].map(|t| {
+            let change = scale(&sub(&outward(&add(p, &scale(t, &step))), n), &(big(1.0) / &step));
+            [first, second].map(|t| small(&dot(&change, t)))
         });
         // the greater eigenvalue
         0.5 * (along[0] + across[1] + libm::hypot(along[0] - across[1], 2.0 * along[1]))
