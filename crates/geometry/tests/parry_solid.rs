@@ -299,10 +299,21 @@ fn a_path_hits_a_cone_where_that_is_at_every_angle() {
     let slope = 0.75;
     let mut random = Random(17);
     let (mut hits, mut worst) = (0, 0.0_f64);
-    while hits < 3000 {
-        let from = direction(&mut random) * 2.0;
-        let aim = Vector3::from_fn(|_, _| random.between(-0.5, 0.5));
-        let path = Line { point: from, velocity: aim - from };
+    while hits < 6000 {
+        let path = if hits % 2 == 0 {
+            let from = direction(&mut random) * 2.0;
+            let aim = Vector3::from_fn(|_, _| random.between(-0.5, 0.5));
+            Line { point: from, velocity: aim - from }
+        } else {
+            // through a place of the cone, almost along a tangent there
+            let (angle, height) = (random.between(-3.0, 3.0), random.between(-0.4, 0.4));
+            let out = Vector3::new(libm::cos(angle), 0.0, libm::sin(angle));
+            let place = out * (slope * (0.5 - height)) + Vector3::y() * height;
+            let generator = (Vector3::y() - out * slope) * random.between(-1.0, 1.0);
+            let inwards = out * -libm::exp2(random.between(-16.0, -2.0));
+            let velocity = Vector3::new(-out.z, 0.0, out.x) + generator + inwards;
+            Line { point: place - velocity * 1.5, velocity }
+        };
         let Some(hit) = cone.first_hit(&path).filter(|hit| hit.piece == 0) else { continue };
         hits += 1;
         // |x − a axis|² − slope² g² at the very time of the hit, of which the distance is a part

@@ -177,10 +177,16 @@ impl Face {
     /// A time at which the path crosses the face within rounding, after one step of Newton's method: coefficients of a quadratic
     /// that are differences lose some digits.
     fn nearer(&self, path: &Line<3>, time: f64, slack: f64) -> f64 {
-        let [point, rest] = path.at_exactly(time);
-        let (_, normal) = self.project(&point);
-        let step = (self.off(&point) + normal.dot(&rest)) / normal.dot(&path.velocity);
-        if step.abs() * path.velocity.norm() <= slack { time - step } else { time }
+        let view = |time: f64| {
+            let [point, rest] = path.at_exactly(time);
+            let (_, normal) = self.project(&point);
+            (self.off(&point) + normal.dot(&rest), normal.dot(&path.velocity))
+        };
+        let (height, rise) = view(time);
+        let next = time - height / rise;
+        let is_short = (height / rise).abs() * path.velocity.norm() <= slack;
+        // at grazing the way is long though the height is not, and past the middle of a chord it leads away
+        if is_short || (height.abs() <= slack && view(next).0.abs() <= 0.5 * height.abs()) { next } else { time }
     }
 }
 
