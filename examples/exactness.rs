@@ -6,7 +6,7 @@
 //! at grazing no more than that times the conditioning, 1/sin of the angle to the wall; and never a wrong piece away from a
 //! vertex.
 //!
-//! `cargo run --release --example exactness -- 3000` for three thousand rays of each kind at each piece; the default is fifty.
+//! `cargo run --release --example exactness -- 3000` for three thousand rays of each kind at each piece; the default is twenty-five.
 //! `-- 3000 cone` for those of them whose names have a cone in them.
 #[path = "../tests/oracle/mod.rs"]
 mod oracle;
@@ -41,7 +41,7 @@ fn print(name: &str, errors: &Errors) {
 
 fn main() -> Result<(), Error> {
     let mut arguments = std::env::args().skip(1);
-    let count = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(50);
+    let count = arguments.next().and_then(|count| count.parse().ok()).unwrap_or(25);
     let wanted = arguments.next().unwrap_or_default();
     let (mut rays, mut broken) = (0, vec![]);
     println!("ulp                                    median   worst  | rays with an error ≤ ½, 1, 2, 4, 8, more");
