@@ -23,7 +23,7 @@ impl Random {
     }
     /// `10^[a, b)`, uniform in the exponent.
     pub(crate) fn decade(&mut self, a: f64, b: f64) -> f64 {
-        10.0_f64.powf(self.between(a, b))
+        libm::pow(10.0, self.between(a, b))
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small index")]
     pub(crate) fn below(&mut self, count: usize) -> usize {

@@ -3,10 +3,12 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::error::{ContextKind, ContextValue};
+use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use crate::bench::law::Law;
 use crate::scene::LawKind;
+use crate::spelling::closest;
 
 /// Largest number of collisions per orbit.
 const MOST_COLLISIONS: u64 = 1_000_000_000_000;
@@ -23,6 +25,26 @@ pub struct Cli {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+}
+
+impl Cli {
+    /// Reads the arguments of the process; ends it with a message where they make no sense.
+    pub fn read() -> Self {
+        Cli::try_parse().unwrap_or_else(|error| with_nearest(error).exit())
+    }
+}
+
+/// The same error, with the command that a mistyped one comes closest to: short words need another measure than clap's.
+fn with_nearest(mut error: clap::Error) -> clap::Error {
+    if let (Some(ContextValue::String(word)), None) =
+        (error.get(ContextKind::InvalidSubcommand), error.get(ContextKind::SuggestedSubcommand))
+    {
+        let command = Cli::command();
+        if let Some(near) = closest(word, command.get_subcommands().map(clap::Command::get_name)) {
+            error.insert(ContextKind::SuggestedSubcommand, ContextValue::Strings(vec![near.into()]));
+        }
+    }
+    error
 }
 
 /// What to do.
@@ -82,8 +104,9 @@ impl Run {
 /// Arguments of `billiards check`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-Example:
-  billiards check scenes/mushroom.toml")]
+Examples:
+  billiards check scenes/mushroom.toml
+  billiards check scenes/mushroom.toml --same-bits")]
 pub struct Check {
     /// Scene file (TOML)
     #[arg(value_name = "SCENE")]
@@ -91,6 +114,9 @@ pub struct Check {
     /// Law in place of the scene's; pieces with a law of their own keep it
     #[arg(long, value_name = "LAW")]
     pub law: Option<LawKind>,
+    /// Run some orbits too, side by side and one by one: whether they are the same to the last bit
+    #[arg(long)]
+    pub same_bits: bool,
     /// Print JSON
     #[arg(long)]
     pub json: bool,
@@ -196,11 +222,21 @@ fn collisions(text: &str) -> Result<u64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_command_line_is_consistent() {
         Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn a_mistyped_command_is_told_the_nearest_one() {
+        let told =
+            |word: &str| with_nearest(Cli::try_parse_from(["billiards", word]).expect_err("not a command")).to_string();
+        for (word, near) in [("rnu", "run"), ("ru", "run"), ("benhc", "bench"), ("table", "tables"), ("law", "laws")] {
+            assert!(told(word).contains(&format!("'{near}'")), "{}", told(word));
+        }
+        assert!(told("zebra").contains("unrecognized subcommand 'zebra'"));
+        assert!(!told("zebra").contains("similar"));
     }
 
     #[test]

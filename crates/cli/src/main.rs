@@ -6,11 +6,10 @@ use std::process::ExitCode;
 use billiards_cli::args::{Cli, Command};
 use billiards_cli::commands::{Failure, bench, check, collide, laws, reproduce, run, tables};
 use billiards_cli::document::Source;
-use clap::Parser;
 
 fn main() -> ExitCode {
     let out = &mut io::stdout().lock();
-    let done = execute(Cli::parse().command, out).and_then(|()| Ok(out.flush()?));
+    let done = execute(Cli::read().command, out).and_then(|()| Ok(out.flush()?));
     match done {
         Ok(()) | Err(Failure::Closed) => ExitCode::SUCCESS,
         Err(failure) => {

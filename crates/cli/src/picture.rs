@@ -19,11 +19,11 @@ pub use cloud::{Cloud, MOST_DOTS, layer};
 pub use grid::{Grid, Shading};
 pub use ink::{Colour, ORBITS};
 pub use orbit::draw as orbit;
-pub use phase_portrait::{Reduced, WIDTH as REDUCED_WIDTH, draw as phase_portrait};
+pub use phase_portrait::{Reduced, WIDTH as REDUCED_WIDTH};
 pub use png::Raster;
 pub use stroke::Stroke;
 pub use svg::{Anchor, Outline, Style, Svg, escape};
-pub use velocity_portrait::{cloud as velocities, draw as velocity_portrait};
+pub use velocity_portrait::cloud as velocities;
 pub use view::{View, Window};
 
 /// Width of a picture in points of 1/72 inch: one column of 8 cm.

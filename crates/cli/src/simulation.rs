@@ -12,11 +12,13 @@ mod keeper;
 mod law;
 mod look;
 mod paths;
+mod places;
 mod planar;
 mod portraits;
 mod recorder;
 mod results;
 mod room;
+mod same_bits;
 mod scale;
 mod schedule;
 mod spatial;
@@ -56,6 +58,7 @@ use work::{Launch, Work};
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub use horizon::{Horizons, OfOrbit};
+pub use same_bits::{OtherBits, SameBits};
 pub use summary::Summary;
 pub(crate) use words::{point, short};
 
@@ -314,74 +317,4 @@ struct Kept<'a> {
     folder: &'a Path,
     needs: &'a [Needs],
     horizons: &'a Horizons,
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Bare, Body, Engine, Simulation, Until, keeper::Keeper, start::Start, trail::Trail};
-    use crate::document::Source;
-    use crate::scene::{Request, Scene};
-    use billiards::{Clock, Orbit, Timed};
-    use std::fs;
-    use std::path::Path;
-
-    const ORBITS: u64 = 40;
-    const COLLISIONS: u64 = 200;
-
-    /// Orbits run alone and side by side.
-    fn agree<const N: usize, const S: usize, T: Trail<N, S>>(
-        name: &str,
-        engine: &dyn Engine<N, S, T>,
-        count: u64,
-        start: &dyn Fn(u64) -> Start<N, S>,
-    ) {
-        let orbit = |i: u64| -> Bare<N, S> {
-            let Start { position, mut velocity, spin, .. } = start(i % count);
-            // in another direction each
-            let (sin, cos) = libm::sincos((i / count) as f64);
-            let [v1, v2] = [velocity[0], velocity[1]];
-            (velocity[0], velocity[1]) = (cos * v1 - sin * v2, sin * v1 + cos * v2);
-            Orbit { position, velocity, spin, keeper: Keeper::for_law(true, &velocity, &spin), track: Clock::new(0.0) }
-        };
-        let mut lanes: Vec<_> = (0..ORBITS).map(orbit).collect();
-        let outcomes = engine.side_by_side(&mut lanes, COLLISIONS);
-        let mut made = 0;
-        for (i, (lane, outcome)) in lanes.iter().zip(outcomes).enumerate() {
-            let mut alone = orbit(i as u64);
-            let until = Until { collisions: COLLISIONS, time: f64::INFINITY };
-            assert_eq!(engine.bare(&mut alone, until), outcome, "{name} {i}");
-            let bits = |o: &Bare<N, S>| {
-                let state = [&o.position[..], &o.velocity[..], &o.spin[..], &[o.track.time()]].concat();
-                state.into_iter().map(f64::to_bits).collect::<Vec<_>>()
-            };
-            assert_eq!(bits(&alone), bits(lane), "{name} {i}");
-            made += outcome.collisions;
-        }
-        assert!(made > 0, "{name}");
-    }
-
-    #[test]
-    fn the_orbits_of_every_scene_have_the_same_bits_in_lanes() {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-        let files = fs::read_dir(folder).unwrap().map(|file| file.unwrap().path());
-        let mut seen = 0;
-        for file in files.filter(|file| file.extension().is_some_and(|extension| extension == "toml")) {
-            let name = file.display().to_string();
-            let source = Source::read(&file).unwrap_or_else(|problem| panic!("{name}: {problem:?}"));
-            let scene = Scene::parse(&source, &Request::default()).unwrap_or_else(|all| panic!("{name}: {all:?}"));
-            let simulation = Simulation::new(scene).unwrap_or_else(|all| panic!("{name}: {all:?}"));
-            match &simulation.body {
-                Body::Plane(planar) => {
-                    let starts = planar.starts().unwrap();
-                    planar.with_engine(|engine| agree(&name, engine, planar.orbits(), &*starts));
-                }
-                Body::Space(spatial) => {
-                    let starts = spatial.starts().unwrap();
-                    spatial.with_engine(|engine| agree(&name, engine, spatial.orbits(), &*starts));
-                }
-            }
-            seen += 1;
-        }
-        assert!(seen >= 30, "{seen}");
-    }
 }

@@ -6,7 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
-use billiards_cli::scene::TABLES;
+use billiards_cli::document::Source;
+use billiards_cli::scene::{Request, Scene, TABLES};
+use billiards_cli::simulation::Simulation;
 use serde_json::Value;
 
 fn scenes() -> Vec<PathBuf> {
@@ -105,4 +107,23 @@ fn a_scene_has_the_same_results_twice_and_on_any_number_of_threads() {
     }
     assert!(kept.windows(2).all(|pair| pair[0] == pair[1]));
     fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn the_orbits_of_every_scene_have_the_same_bits_in_lanes() {
+    for scene in scenes() {
+        let source = Source::read(&scene).unwrap();
+        let parsed = Scene::parse(&source, &Request::default()).unwrap();
+        let same = Simulation::new(parsed).unwrap().same_bits();
+        let same = same.unwrap_or_else(|error| panic!("{}: {error}", scene.display()));
+        assert!(same.collisions > 0, "{}", scene.display());
+    }
+}
+
+#[test]
+fn check_tells_that_orbits_have_the_same_bits() {
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/mushroom.toml");
+    let output = billiards().arg("check").arg(scene).arg("--same-bits").output().unwrap();
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert!(output.status.success() && printed.contains("same bits   of 40 orbits"), "{printed}");
 }

@@ -12,9 +12,14 @@ pub struct Density {
     low: [f64; 2],
     high: [f64; 2],
     size: [usize; 2],
-    /// Cells per length.
-    scale: [f64; 2],
     layers: usize,
+    /// What takes a coordinate to the number of a cell, before that is rounded: `scale x + shift`.
+    scale: [f64; 2],
+    shift: [f64; 2],
+    /// The number of cells from one row to the next.
+    stride: f64,
+    /// The cell of nobody, as [`count`](Self::count) wants it.
+    nobody: f64,
     /// Counts modulo 256, layer by layer, each with a border of cells around the window for the points outside; at the
     /// end those of nobody.
     few: Vec<u8>,
@@ -27,17 +32,20 @@ const INTEGERS: f64 = 6_755_399_441_055_744.0;
 /// Those bits.
 const LAST_BITS: u64 = (1 << 51) - 1;
 /// Cells are counted so many points later: some vectors of any width.
-const MOST_NOTED: usize = 64;
+const MOST_NOTED: usize = 256;
 /// So many cells are carried over together.
 const MOST_FULL: usize = 256;
 
 impl Density {
     /// A grid of `size[0]` × `size[1]` empty cells (at least one each way) over the window between two corners; cells are
-    /// counted from `low`, which each of them contains, towards `high`, wherever that lies.
+    /// counted from `low` towards `high`, wherever that lies. A point on the edge between two cells belongs to one of them,
+    /// on the edge of the window to the outside perhaps.
     pub fn new(low: [f64; 2], high: [f64; 2], size: [usize; 2]) -> Self {
         let size = size.map(|n| n.max(1));
         let scale = [0, 1].map(|i| size[i] as f64 / (high[i] - low[i]));
-        Density { low, high, size, scale, layers: 0, few: vec![], many: vec![] }.in_layers(1)
+        let shift = [0, 1].map(|i| -low[i] * scale[i] - 0.5);
+        let (stride, nobody) = ((size[0] + 2) as f64, 0.0);
+        Density { low, high, size, layers: 0, scale, shift, stride, nobody, few: vec![], many: vec![] }.in_layers(1)
     }
 
     /// A square grid over the unit disk, the window of velocity portraits.
@@ -50,7 +58,8 @@ impl Density {
     pub fn in_layers(self, layers: usize) -> Self {
         let layers = layers.max(1);
         let cells = layers * self.cells_of_layer() + 1;
-        Density { layers, few: vec![0; cells], many: vec![0; cells], ..self }
+        let nobody = INTEGERS + (cells - 1) as f64;
+        Density { layers, nobody, few: vec![0; cells], many: vec![0; cells], ..self }
     }
 
     /// The corners of the window.
@@ -120,27 +129,28 @@ impl Density {
     /// Counts a point in the layer given by [`layer`](Self::layer).
     #[inline(always)]
     pub fn add_to(&mut self, point: [f64; 2], layer: f64) {
-        self.count(&[self.cells(point, layer, true)]);
+        self.count(&[self.cells(self.near(point), layer, true)]);
+    }
+
+    /// Points, those far outside the window (or nowhere) replaced by some close to it.
+    #[inline(always)]
+    pub fn near<F: Lane>(&self, point: [F; 2]) -> [F; 2] {
+        let near = |i: usize| {
+            let (low, high) = (self.low[i].min(self.high[i]), self.low[i].max(self.high[i]));
+            let beside = (0.5 / self.scale[i]).abs();
+            point[i].max(point[i].same(low - beside)).min(point[i].same(high + beside))
+        };
+        [near(0), near(1)]
     }
 
     /// The cells of a point in each lane that is `here`, in the layers given by [`layer`](Self::layer), for
-    /// [`count`](Self::count).
+    /// [`count`](Self::count): of points in the window or [`near`](Self::near) it.
     #[inline(always)]
     pub fn cells<F: Lane>(&self, point: [F; 2], layer: F, here: F::Mask) -> F {
-        let ([_, column], [row, _]) = (self.along(0, point[0]), self.along(1, point[1]));
-        let cell = column + (row * (self.size[0] + 2) as f64 + layer);
-        here.select(cell, layer.same(INTEGERS + (self.few.len() - 1) as f64))
-    }
-
-    /// The number of the cell along a coordinate, and the same and `INTEGERS`; one to either side stands for all outside.
-    #[inline(always)]
-    fn along<F: Lane>(&self, i: usize, x: F) -> [F; 2] {
-        let at = (x - self.low[i]) * self.scale[i];
-        let at = at.max(x.same(-1.0)).min(x.same(self.size[i] as f64));
-        let (nearest, whole) = (at + INTEGERS, (at + INTEGERS) - INTEGERS);
-        // one less where that is not below
-        let above = at.lt(whole);
-        [above.select(whole - 1.0, whole), above.select(nearest - 1.0, nearest)]
+        let along = |x: F, i: usize| x * self.scale[i] + self.shift[i] + INTEGERS;
+        let (column, row) = (along(point[0], 0), along(point[1], 1) - INTEGERS);
+        let cell = column + (row * self.stride + layer);
+        here.select(cell, layer.same(self.nobody))
     }
 
     /// Counts a point in each of some [`cells`](Self::cells).
@@ -148,19 +158,19 @@ impl Density {
     pub fn count(&mut self, cells: &[f64]) {
         for cell in cells {
             let cell = number(*cell);
-            if self.adds_to_few(cell) {
+            if adds_to(&mut self.few, cell) {
                 self.many[cell] += 256;
             }
         }
     }
+}
 
-    /// Counts a point; whether that makes another 256 of them.
-    #[inline(always)]
-    fn adds_to_few(&mut self, cell: usize) -> bool {
-        let few = &mut self.few[cell];
-        *few = few.wrapping_add(1);
-        *few == 0
-    }
+/// Counts a point; whether that makes another 256 of them. A point far outside, which has no cell, is not counted.
+#[inline(always)]
+fn adds_to(few: &mut [u8], cell: usize) -> bool {
+    let Some(few) = few.get_mut(cell) else { return false };
+    *few = few.wrapping_add(1);
+    *few == 0
 }
 
 /// The number of a cell.
@@ -186,8 +196,7 @@ pub struct Noted {
 impl Noted {
     /// No cells of this density yet.
     pub fn new(density: &Density) -> Self {
-        let nobody = density.cells([0.0; 2], 0.0, false);
-        Noted { cells: [nobody; MOST_NOTED], oldest: 0, full: Vec::with_capacity(MOST_FULL) }
+        Noted { cells: [density.nobody; MOST_NOTED], oldest: 0, full: Vec::with_capacity(MOST_FULL) }
     }
 
     /// Notes the [`cells`](Density::cells) of points of this density, and counts as many others.
@@ -195,10 +204,13 @@ impl Noted {
     pub fn note<F: Lane>(&mut self, density: &mut Density, cells: F) {
         let oldest = if self.oldest + F::LANES > MOST_NOTED { 0 } else { self.oldest };
         let old = &mut self.cells[oldest..oldest + F::LANES];
+        // where the counts begin is read once for all of them
+        let Density { few, many, .. } = density;
+        let few = few.as_mut_slice();
         for cell in &*old {
             let cell = number(*cell);
-            if density.adds_to_few(cell) {
-                carry(&mut self.full, density, cell);
+            if adds_to(few, cell) {
+                carry(&mut self.full, many, cell);
             }
         }
         cells.store(old);
@@ -209,16 +221,16 @@ impl Noted {
     pub fn count(&mut self, density: &mut Density) {
         density.count(&self.cells);
         self.full.drain(..).for_each(|cell| density.many[cell] += 256);
-        self.cells = Noted::new(density).cells;
+        self.cells = [density.nobody; MOST_NOTED];
     }
 }
 
 #[cold]
 #[inline(never)]
-fn carry(full: &mut Vec<usize>, density: &mut Density, cell: usize) {
+fn carry(full: &mut Vec<usize>, many: &mut [u64], cell: usize) {
     full.push(cell);
     if full.len() == MOST_FULL {
-        full.drain(..).for_each(|cell| density.many[cell] += 256);
+        full.drain(..).for_each(|cell| many[cell] += 256);
     }
 }
 
@@ -264,17 +276,34 @@ mod tests {
     #[test]
     fn a_point_falls_into_the_cell_around_it() {
         let mut grid = Density::new([0.0, 0.0], [4.0, 2.0], [4, 2]);
-        grid.extend([[0.0, 0.0], [3.5, 1.5], [3.999, 1.0], [4.0, 0.5], [f64::NAN, 0.5], [1.5, 0.5], [-1e-9, 0.5]]);
+        grid.extend([[1e-9, 1e-9], [3.5, 1.5], [3.999, 1.001], [1.5, 0.5]]);
         assert_eq!(grid.counts(0), [1, 1, 0, 0, 0, 0, 0, 2]);
-        assert_eq!((grid.outside(), grid.total()), (3, 7));
+        let far = [[4.001, 0.5], [1.0, -1e-9], [f64::NAN, 0.5], [0.5, 1e300], [f64::NEG_INFINITY, 0.5], [-1e-9, 0.5]];
+        grid.extend(far);
+        assert_eq!((grid.outside(), grid.total()), (6, 10));
     }
 
     #[test]
-    fn the_edge_of_a_cell_belongs_to_it_where_counting_begins() {
+    fn a_point_on_an_edge_belongs_to_one_of_both_cells() {
         let mut grid = Density::new([0.0, 3.0], [8.0, 0.0], [8, 3]);
-        grid.extend((0..8).map(|x| [f64::from(x), 2.0]));
-        grid.extend((1..=8).map(|x| [f64::from(x).next_down(), 3.0]));
-        assert_eq!(grid.counts(0), [[1; 8], [1; 8], [0; 8]].concat());
+        grid.extend((1..8).map(|x| [f64::from(x), 2.5]));
+        assert_eq!((grid.counts(0)[..8].iter().sum::<u64>(), grid.total()), (7, 7));
+        // the next numbers to both sides belong to both
+        let mut grid = Density::new([0.0, 3.0], [8.0, 0.0], [8, 3]);
+        for x in (1..8).map(f64::from) {
+            grid.extend([[x * (1.0 - 1e-14), 2.5], [x * (1.0 + 1e-14), 2.5]]);
+        }
+        assert_eq!(grid.counts(0)[..8], [1, 2, 2, 2, 2, 2, 2, 1]);
+    }
+
+    #[test]
+    fn far_points_are_brought_near_and_near_ones_stay() {
+        let grid = Density::new([0.0, 1.0], [2.0, -1.0], [20, 20]);
+        assert_eq!(grid.near([0.3, -0.7]), [0.3, -0.7]);
+        for (far, near) in [(-5.0, -0.05), (5.0, 2.05), (f64::NAN, -0.05)] {
+            assert_eq!(grid.near([far, 0.0])[0], near);
+        }
+        assert_eq!([grid.near([0.0, -9.0])[1], grid.near([0.0, 9.0])[1]], [-1.05, 1.05]);
     }
 
     #[test]
@@ -297,7 +326,7 @@ mod tests {
         let (mut noted, layer) = (Noted::new(&grid), grid.layer(1));
         for i in 0..200_000 {
             let point = [f64::from(i * 7 % 1001) / 1000.0, f64::from(i * 13 % 1003) / 500.0];
-            let cells = grid.cells(point, layer, i % 5 > 0);
+            let cells = grid.cells(grid.near(point), layer, i % 5 > 0);
             noted.note(&mut grid, cells);
             if i % 5 > 0 {
                 same.add_to(point, layer);

@@ -7,23 +7,38 @@ use super::Failure;
 use crate::args;
 use crate::document::{Source, spell};
 use crate::scene::{Request, Scene};
-use crate::simulation::{Description, Region, Simulation, point, short};
+use crate::simulation::{Description, Region, SameBits, Simulation, point, short};
 
 /// Checks a scene and describes it.
 ///
 /// # Errors
-/// The scene is wrong, or the output cannot be written.
+/// The scene is wrong, orbits differ that should be the same, or the output cannot be written.
 pub fn run(arguments: &args::Check, out: &mut impl Write) -> Result<(), Failure> {
     let request = Request { law: arguments.law.clone(), collisions: None, needs_limit: false };
     let source = Source::read(&arguments.scene)?;
-    let description = Simulation::new(Scene::parse(&source, &request)?)?.describe();
+    let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
+    let description = simulation.describe();
     if arguments.json {
         let json = serde_json::to_string_pretty(&description).map_err(|error| Failure::Work(error.to_string()))?;
         writeln!(out, "{json}")?;
     } else {
         describe(&description, out)?;
     }
+    if arguments.same_bits {
+        let same = simulation.same_bits().map_err(|error| Failure::Work(error.to_string()))?;
+        if !arguments.json {
+            same_bits(&same, out)?;
+        }
+    }
     Ok(())
+}
+
+fn same_bits(same: &SameBits, out: &mut impl Write) -> io::Result<()> {
+    let SameBits { orbits: [orbits, each], collisions } = same;
+    writeln!(
+        out,
+        "  same bits   of {orbits} orbits side by side and one by one, {collisions} collisions, {each} of each at most"
+    )
 }
 
 /// A number to six digits, or infinity.

@@ -4,6 +4,7 @@ use billiards::observe::Density;
 
 use super::grid::{Grid, Shading};
 use super::ink::{Colour, ORBITS};
+use super::png::Raster;
 use super::svg::Svg;
 use super::view::{View, Window};
 
@@ -78,10 +79,15 @@ impl Cloud {
         self.counted.as_ref()
     }
 
-    /// Draws the points into a view of the window.
-    pub(super) fn draw(&self, svg: &mut Svg, view: &View) {
-        if let Some(grid) = &self.counted {
-            return svg.image(&grid.shade(Shading::Log).png(), view.corner(), view.size());
+    /// The picture of the counts, if the points are counted.
+    pub(super) fn shaded(&self) -> Option<Raster> {
+        self.counted.as_ref().map(|grid| grid.shade(Shading::Log))
+    }
+
+    /// Draws the points into a view of the window, or what they are [`shaded`](Self::shaded) to.
+    pub(super) fn draw(&self, svg: &mut Svg, view: &View, shaded: Option<&[u8]>) {
+        if let Some(png) = shaded {
+            return svg.image(png, view.corner(), view.size());
         }
         let dots = &self.dots;
         // The more dots, the smaller, so that curves stay curves.

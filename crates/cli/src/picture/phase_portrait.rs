@@ -6,7 +6,6 @@
 
 use super::axes::{self, Axis, HAIRLINE, Label};
 use super::cloud::Cloud;
-use super::grid::Shading;
 use super::ink::Colour;
 use super::svg::{Style, Svg};
 use super::view::{View, Window};
@@ -25,11 +24,10 @@ pub(super) const PICTURE: Picture = Picture {
     needs: Needs::Reduced,
     draw: |material: &Material| {
         let Some(reduced) = &material.reduced else { return Vec::new() };
-        let svg = File { name: "phase-portrait.svg".into(), content: draw(reduced).to_string().into_bytes() };
-        let png = reduced
-            .cloud
-            .counted()
-            .map(|grid| File { name: "phase-portrait.png".into(), content: grid.shade(Shading::Log).png() });
+        let shaded = reduced.cloud.shaded().map(|raster| raster.png());
+        let svg = draw(reduced, shaded.as_deref()).to_string().into_bytes();
+        let svg = File { name: "phase-portrait.svg".into(), content: svg };
+        let png = shaded.map(|content| File { name: "phase-portrait.png".into(), content });
         [svg].into_iter().chain(png).collect()
     },
 };
@@ -61,8 +59,8 @@ impl Reduced {
     }
 }
 
-/// A portrait, each orbit in its colour; thin lines part the pieces.
-pub fn draw(reduced: &Reduced) -> Svg {
+/// A portrait, each orbit in its colour, where points are counted from the file they are shaded to; thin lines part the pieces.
+fn draw(reduced: &Reduced, shaded: Option<&[u8]>) -> Svg {
     let [left, below] = axes::MARGIN;
     let width = COLUMN - left - MARGIN;
     let view = View::fit(reduced.cloud.window(), [left, MARGIN], width, width);
@@ -79,7 +77,7 @@ pub fn draw(reduced: &Reduced) -> Svg {
         }
     };
     draw_guides(&mut svg);
-    reduced.cloud.draw(&mut svg, &view);
+    reduced.cloud.draw(&mut svg, &view, shaded);
     let x = Axis::between(0.0, reduced.length, 5, Label { symbol: "s".into(), index: String::new() }).stretched(unit);
     axes::draw(&mut svg, &view, &x, &Axis::between(-1.0, 1.0, 4, Label::indexed("v", "t")));
     svg

@@ -1,6 +1,6 @@
 //! Pictures made of pixels.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::ink::Colour;
 use super::view::Window;
@@ -54,6 +54,16 @@ impl Raster {
         counts
     }
 
+    /// Its colours, if a palette has room for them.
+    fn few_colours(&self) -> Option<BTreeSet<Colour>> {
+        let mut colours = BTreeSet::new();
+        let few = self.pixels.iter().all(|pixel| {
+            colours.insert(*pixel);
+            colours.len() <= PALETTE
+        });
+        few.then_some(colours)
+    }
+
     /// The picture in at most 256 colours, its own most frequent ones, for a file of a third of the size: every pixel takes
     /// the nearest of them.
     #[must_use]
@@ -78,9 +88,8 @@ impl Raster {
         let mut png = Vec::new();
         let mut encoder = png::Encoder::new(&mut png, width, height);
         encoder.set_compression(png::Compression::High);
-        let colours = self.colours();
-        let bytes: Vec<u8> = if colours.len() <= PALETTE {
-            let places: BTreeMap<Colour, u8> = colours.keys().copied().zip(0..=u8::MAX).collect();
+        let bytes: Vec<u8> = if let Some(colours) = self.few_colours() {
+            let places: BTreeMap<Colour, u8> = colours.into_iter().zip(0..=u8::MAX).collect();
             encoder.set_color(png::ColorType::Indexed);
             encoder.set_palette(places.keys().flat_map(|c| [c.0, c.1, c.2]).collect::<Vec<_>>());
             // Places in a palette are names, whose differences say nothing.
@@ -89,7 +98,7 @@ impl Raster {
         } else {
             encoder.set_color(png::ColorType::Rgb);
             // The noise of very many points gets hardly smaller by trying harder.
-            encoder.set_compression(png::Compression::Balanced);
+            encoder.set_compression(png::Compression::Fast);
             self.pixels.iter().flat_map(|c| [c.0, c.1, c.2]).collect()
         };
         encoder.set_depth(png::BitDepth::Eight);

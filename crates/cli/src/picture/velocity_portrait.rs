@@ -5,8 +5,8 @@
 
 use super::axes::{self, Axis, HAIRLINE, Label};
 use super::cloud::Cloud;
-use super::grid::Shading;
 use super::ink::Colour;
+use super::png::Raster;
 use super::svg::{Style, Svg};
 use super::view::{View, Window};
 use super::{COLUMN, File, Material, Needs, Picture};
@@ -25,10 +25,12 @@ pub(super) const PICTURE: Picture = Picture {
     draw: |material: &Material| {
         let none = cloud();
         let cloud = material.velocities.as_ref().unwrap_or(&none);
-        let svg = File { name: "velocity-portrait.svg".into(), content: draw(cloud).to_string().into_bytes() };
-        let png = cloud.counted().map(|grid| {
-            let mut raster = grid.shade(Shading::Log);
-            raster.ring([0.0, 0.0], 1.0, grid.window(), Colour::BLACK);
+        let raster = cloud.shaded();
+        let shaded = raster.as_ref().map(Raster::png);
+        let svg = draw(cloud, shaded.as_deref()).to_string().into_bytes();
+        let svg = File { name: "velocity-portrait.svg".into(), content: svg };
+        let png = raster.map(|mut raster| {
+            raster.ring([0.0, 0.0], 1.0, cloud.window(), Colour::BLACK);
             File { name: "velocity-portrait.png".into(), content: raster.png() }
         });
         [svg].into_iter().chain(png).collect()
@@ -40,12 +42,8 @@ pub fn cloud() -> Cloud {
     Cloud::new(Window::unit_disk(AROUND), PIXELS)
 }
 
-/// A portrait, each orbit in its colour.
-pub fn draw(cloud: &Cloud) -> Svg {
-    framed(|svg, view| cloud.draw(svg, view))
-}
-
-fn framed(content: impl FnOnce(&mut Svg, &View)) -> Svg {
+/// A portrait, each orbit in its colour, where points are counted from the file they are shaded to.
+fn draw(cloud: &Cloud, shaded: Option<&[u8]>) -> Svg {
     let window = Window::unit_disk(AROUND);
     let [left, below] = axes::MARGIN;
     let side = COLUMN - left - MARGIN;
@@ -54,7 +52,7 @@ fn framed(content: impl FnOnce(&mut Svg, &View)) -> Svg {
     let guide = Style::line(Colour::GUIDE, HAIRLINE);
     svg.line(view.place([-1.0, 0.0]), view.place([1.0, 0.0]), guide);
     svg.line(view.place([0.0, -1.0]), view.place([0.0, 1.0]), guide);
-    content(&mut svg, &view);
+    cloud.draw(&mut svg, &view, shaded);
     svg.circle(view.place([0.0, 0.0]), view.scale(), Style::line(Colour::BLACK, 0.6));
     let axis = |symbol: &str, index: &str| Axis::between(-1.0, 1.0, 4, Label::indexed(symbol, index));
     axes::draw(&mut svg, &view, &axis("v", "0"), &axis("v", "t"));

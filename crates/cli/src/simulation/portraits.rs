@@ -11,6 +11,7 @@ use billiards::{Clock, Merge, Orbit};
 use lanes::{Lane, Mask};
 
 use super::keeper::Keeper;
+use super::places::Places;
 use super::unrolled::Unrolled;
 use crate::picture::{self, Cloud, Reduced};
 
@@ -29,7 +30,7 @@ pub(crate) struct Point {
 #[derive(Clone, Debug)]
 pub(crate) struct PlanarPortraits {
     velocities: Option<Counter>,
-    reduced: Option<(Counter, Arc<Unrolled>)>,
+    reduced: Option<Places>,
     /// Whether no collision changes the speed.
     strict: bool,
     /// The orbits that run side by side.
@@ -38,7 +39,7 @@ pub(crate) struct PlanarPortraits {
 
 /// Counts the points of a cloud.
 #[derive(Clone, Debug)]
-struct Counter {
+pub(super) struct Counter {
     density: Density,
     noted: Noted,
     /// Whether there is anything to count.
@@ -51,10 +52,17 @@ impl Counter {
         Counter { noted: Noted::new(&density), density, counts: false }
     }
 
+    /// Notes points, in the window or near it.
     #[inline(always)]
-    fn note<F: Lane>(&mut self, point: [F; 2], layer: F, here: F::Mask) {
+    pub(super) fn note<F: Lane>(&mut self, point: [F; 2], layer: F, here: F::Mask) {
         let cells = self.density.cells(point, layer, here);
         self.noted.note(&mut self.density, cells);
+    }
+
+    /// Points, brought near where they are far.
+    #[inline(always)]
+    pub(super) fn near<F: Lane>(&self, point: [F; 2]) -> [F; 2] {
+        self.density.near(point)
     }
 
     /// What it has counted, if anything.
@@ -78,9 +86,6 @@ pub(crate) struct View<F: Lane> {
 /// What portraits need of a collision.
 #[derive(Clone, Copy, Debug)]
 struct Seen<F> {
-    /// Where, and on which piece.
-    point: [F; 2],
-    piece: F,
     /// `v0` and `v·t`, where `t = J ν`.
     spin: F,
     tangential: F,
@@ -93,7 +98,7 @@ impl<F: Lane> Seen<F> {
     fn of(hit: &WallHit<F, 2>, velocity: &[F; 2], spin: &[F; 1]) -> Self {
         let ([n1, n2], [v1, v2], [spin]) = (hit.normal, *velocity, *spin);
         let tangential = (v2 * n1 - v1 * n2) * hit.inverse;
-        Seen { point: hit.point, piece: hit.piece, spin, tangential, square: v1 * v1 + v2 * v2 + spin * spin }
+        Seen { spin, tangential, square: v1 * v1 + v2 * v2 + spin * spin }
     }
 }
 
@@ -113,33 +118,17 @@ impl PlanarPortraits {
         let reduced = clouds.reduced.as_ref().map(|reduced| Counter::of(reduced.cloud()));
         PlanarPortraits {
             velocities: clouds.velocities.as_ref().map(Counter::of),
-            reduced: reduced.zip(unrolled.cloned()),
+            reduced: reduced.zip(unrolled.cloned()).map(|(counter, unrolled)| Places::new(counter, unrolled)),
             strict,
             orbits: vec![],
         }
     }
 
-    /// The points of collisions, velocities scaled by `unit`.
+    /// `(v0, v·t)` of collisions, velocities scaled by `unit`.
     #[inline(always)]
-    fn points<F: Lane>(&self, unit: F, seen: &Seen<F>) -> [[F; 2]; 2] {
+    fn velocity<F: Lane>(&self, unit: F, seen: &Seen<F>) -> [F; 2] {
         let unit = if self.strict { unit } else { inverse_root(seen.square) };
-        let tangential = seen.tangential * unit;
-        let s = match &self.reduced {
-            Some((_, unrolled)) => unrolled.arc_length(seen.point, seen.piece),
-            None => tangential,
-        };
-        [[seen.spin * unit, tangential], [s, tangential]]
-    }
-
-    /// Counts points in their layers, where `here`.
-    #[inline(always)]
-    fn add<F: Lane>(&mut self, [velocity, reduced]: [[F; 2]; 2], layers: [F; 2], here: F::Mask) {
-        if let Some(counter) = &mut self.velocities {
-            counter.note(velocity, layers[0], here);
-        }
-        if let Some((counter, _)) = &mut self.reduced {
-            counter.note(reduced, layers[1], here);
-        }
+        [seen.spin * unit, seen.tangential * unit]
     }
 
     /// Counting begins. The layers of an orbit.
@@ -149,7 +138,7 @@ impl PlanarPortraits {
             counter.counts = true;
             counter.density.layer(layer)
         };
-        [self.velocities.as_mut().map_or(0.0, of), self.reduced.as_mut().map_or(0.0, |(counter, _)| of(counter))]
+        [self.velocities.as_mut().map_or(0.0, of), self.reduced.as_mut().map_or(0.0, |places| of(&mut places.counter))]
     }
 }
 
@@ -162,7 +151,7 @@ impl Merge for PlanarPortraits {
             }
         };
         add(self.velocities.as_mut(), other.velocities);
-        add(self.reduced.as_mut().map(|(mine, _)| mine), other.reduced.map(|(other, _)| other));
+        add(self.reduced.as_mut().map(|mine| &mut mine.counter), other.reduced.map(Places::counted));
         self
     }
 }
@@ -199,13 +188,19 @@ impl Portraits<2, 1> for PlanarPortraits {
     }
     #[inline(always)]
     fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, 2>, velocity: &[f64; 2], spin: &[f64; 1]) -> Point {
-        let [velocity, reduced] = self.points(unit, &Seen::of(hit, velocity, spin));
-        Point { orbit, velocity, reduced }
+        let velocity = self.velocity(unit, &Seen::of(hit, velocity, spin));
+        let place = |places: &Places| places.unrolled.arc_length(hit.point, hit.piece);
+        Point { orbit, velocity, reduced: [self.reduced.as_ref().map_or(0.0, place), velocity[1]] }
     }
     #[inline(always)]
     fn count(&mut self, point: &Point) {
         let layers = self.layers(point.orbit);
-        self.add([point.velocity, point.reduced], layers, true);
+        if let Some(counter) = &mut self.velocities {
+            counter.note(point.velocity, layers[0], true);
+        }
+        if let Some(Places { counter, .. }) = &mut self.reduced {
+            counter.note(counter.near(point.reduced), layers[1], true);
+        }
     }
     fn side_by_side(&mut self, orbits: impl Iterator<Item = u64>) {
         self.orbits.clear();
@@ -243,8 +238,13 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
         hit: &WallHit<F, 2>,
         orbit: &Orbit<F, 2, 1, Keeper<2, F>, Clock<F>>,
     ) {
-        let points = self.points(view.unit, &Seen::of(hit, &orbit.velocity, &orbit.spin));
-        self.add(points, view.layers, view.here);
+        let velocity = self.velocity(view.unit, &Seen::of(hit, &orbit.velocity, &orbit.spin));
+        if let Some(counter) = &mut self.velocities {
+            counter.note(velocity, view.layers[0], view.here);
+        }
+        if let Some(places) = &mut self.reduced {
+            places.note(hit.point, hit.piece, velocity[1], view.layers[1], view.here);
+        }
     }
 }
 
@@ -280,7 +280,7 @@ impl Clouds {
         };
         if let Some(PlanarPortraits { velocities, reduced, .. }) = counted {
             add(velocities, self.velocities.as_mut());
-            add(reduced.map(|(counter, _)| counter), self.reduced.as_mut().map(Reduced::cloud_mut));
+            add(reduced.map(Places::counted), self.reduced.as_mut().map(Reduced::cloud_mut));
         }
     }
 

@@ -19,7 +19,7 @@ const MOST_SIDE_BY_SIDE: u64 = 512;
 /// The same where they are counted for portraits, and their collisions: each layer of a portrait goes through the cache, and
 /// stays there for as long as its orbits run.
 const MOST_COUNTED: u64 = 1 << 16;
-const COUNTED: u64 = 1 << 25;
+const COUNTED: u64 = 1 << 28;
 /// Steps in which the progress of an orbit is counted.
 pub(super) const STEPS: u64 = 1 << 20;
 

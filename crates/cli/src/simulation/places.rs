@@ -1,0 +1,94 @@
+//! The points of a phase portrait: where on the boundary a collision is takes longer to find than to collide, so it is noted,
+//! and found for many collisions at a time.
+
+use std::sync::Arc;
+
+use lanes::{Kernel, Lane, Mask};
+
+use super::portraits::Counter;
+use super::unrolled::Unrolled;
+
+/// So many collisions are noted: some vectors of any width.
+const MOST: usize = 256;
+
+/// Counts the places and tangential velocities of collisions.
+#[derive(Clone, Debug)]
+pub(super) struct Places {
+    pub(super) counter: Counter,
+    pub(super) unrolled: Arc<Unrolled>,
+    noted: Box<Collisions>,
+    /// How many of them are there.
+    count: usize,
+}
+
+/// What is known of some collisions.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+struct Collisions {
+    point: [[f64; MOST]; 2],
+    piece: [f64; MOST],
+    tangential: [f64; MOST],
+    /// [`NOBODY`] where there is none.
+    layer: [f64; MOST],
+}
+
+/// No layer.
+const NOBODY: f64 = -1.0;
+
+impl Places {
+    /// Counted so, on a boundary.
+    pub(super) fn new(counter: Counter, unrolled: Arc<Unrolled>) -> Self {
+        let none = [0.0; MOST];
+        let noted = Collisions { point: [none; 2], piece: none, tangential: none, layer: none };
+        Places { counter, unrolled, noted: Box::new(noted), count: 0 }
+    }
+
+    /// Notes collisions in their layers, where `here`.
+    #[inline(always)]
+    pub(super) fn note<F: Lane>(&mut self, [x, y]: [F; 2], piece: F, tangential: F, layer: F, here: F::Mask) {
+        if self.count + F::LANES > MOST {
+            self.find();
+        }
+        let these = self.count..self.count + F::LANES;
+        let Collisions { point: [xs, ys], piece: pieces, tangential: tangentials, layer: layers } = &mut *self.noted;
+        x.store(&mut xs[these.clone()]);
+        y.store(&mut ys[these.clone()]);
+        piece.store(&mut pieces[these.clone()]);
+        tangential.store(&mut tangentials[these.clone()]);
+        here.select(layer, layer.same(NOBODY)).store(&mut layers[these]);
+        self.count += F::LANES;
+    }
+
+    /// Finds the places of what is noted, and counts them.
+    #[inline(never)]
+    fn find(&mut self) {
+        let Collisions { layer, .. } = &mut *self.noted;
+        layer[self.count..].fill(NOBODY);
+        self.count = 0;
+        lanes::dispatch(Find(self));
+    }
+
+    /// All is counted.
+    pub(super) fn counted(mut self) -> Counter {
+        self.find();
+        self.counter
+    }
+}
+
+/// Finds places in lanes.
+struct Find<'a>(&'a mut Places);
+
+impl Kernel for Find<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<F: Lane>(self, zero: F) {
+        let Places { counter, unrolled, noted, .. } = self.0;
+        for first in (0..MOST).step_by(F::LANES) {
+            let of = |numbers: &[f64; MOST]| zero.load(&numbers[first..first + F::LANES]);
+            let place = unrolled.arc_length(noted.point.each_ref().map(of), of(&noted.piece));
+            let layer = of(&noted.layer);
+            let point = counter.near([place, of(&noted.tangential)]);
+            counter.note(point, layer, zero.lt(layer));
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Whether orbits are the same side by side and one by one, to the last bit.
+
+use billiards::{Clock, Orbit, Outcome, Timed};
+
+use super::engine::{Bare, Engine, Until};
+use super::keeper::Keeper;
+use super::start::Start;
+use super::trail::Trail;
+use super::{Body, Simulation};
+
+/// Orbits that are compared, and collisions of each.
+const ORBITS: u64 = 40;
+const COLLISIONS: u64 = 200;
+
+/// How many orbits and collisions were the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SameBits {
+    /// Orbits, and how many collisions each was to make.
+    pub orbits: [u64; 2],
+    /// Collisions of all of them.
+    pub collisions: u64,
+}
+
+/// An orbit that ends otherwise side by side than alone.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("orbit {orbit} is another one side by side than alone: {side_by_side} in place of {alone}")]
+pub struct OtherBits {
+    orbit: u64,
+    side_by_side: String,
+    alone: String,
+}
+
+impl Simulation {
+    /// Runs some orbits side by side and one by one, in directions of their own from the starts of the scene, and compares all
+    /// bits of their last states, how they ended and after how many collisions.
+    ///
+    /// # Errors
+    /// They differ, or there is no start.
+    pub fn same_bits(&self) -> Result<SameBits, Box<dyn std::error::Error>> {
+        match &self.body {
+            Body::Plane(planar) => {
+                let starts = planar.starts()?;
+                Ok(planar.with_engine(|engine| compare(engine, planar.orbits(), &*starts))?)
+            }
+            Body::Space(spatial) => {
+                let starts = spatial.starts()?;
+                Ok(spatial.with_engine(|engine| compare(engine, spatial.orbits(), &*starts))?)
+            }
+        }
+    }
+}
+
+fn compare<const N: usize, const S: usize, T: Trail<N, S>>(
+    engine: &dyn Engine<N, S, T>,
+    count: u64,
+    start: &dyn Fn(u64) -> Start<N, S>,
+) -> Result<SameBits, OtherBits> {
+    let orbit = |i: u64| -> Bare<N, S> {
+        let Start { position, mut velocity, spin, .. } = start(i % count);
+        let (sin, cos) = libm::sincos((i / count) as f64);
+        let [v1, v2] = [velocity[0], velocity[1]];
+        (velocity[0], velocity[1]) = (cos * v1 - sin * v2, sin * v1 + cos * v2);
+        Orbit { position, velocity, spin, keeper: Keeper::for_law(true, &velocity, &spin), track: Clock::new(0.0) }
+    };
+    let mut lanes: Vec<_> = (0..ORBITS).map(orbit).collect();
+    let outcomes = engine.side_by_side(&mut lanes, COLLISIONS);
+    let mut collisions = 0;
+    for ((i, lane), outcome) in (0..).zip(&lanes).zip(outcomes) {
+        let mut alone = orbit(i);
+        let end = engine.bare(&mut alone, Until { collisions: COLLISIONS, time: f64::INFINITY });
+        if (end, bits(&alone)) != (outcome, bits(lane)) {
+            let [side_by_side, alone] = [words(outcome, lane), words(end, &alone)];
+            return Err(OtherBits { orbit: i, side_by_side, alone });
+        }
+        collisions += end.collisions;
+    }
+    Ok(SameBits { orbits: [ORBITS, COLLISIONS], collisions })
+}
+
+fn numbers<const N: usize, const S: usize>(orbit: &Bare<N, S>) -> Vec<f64> {
+    [&orbit.position[..], &orbit.velocity[..], &orbit.spin[..], &[orbit.track.time()]].concat()
+}
+
+fn bits<const N: usize, const S: usize>(orbit: &Bare<N, S>) -> Vec<u64> {
+    numbers(orbit).into_iter().map(f64::to_bits).collect()
+}
+
+fn words<const N: usize, const S: usize>(outcome: Outcome, orbit: &Bare<N, S>) -> String {
+    format!("{:?} after {} collisions with {:?}", outcome.stop, outcome.collisions, numbers(orbit))
+}
