@@ -63,7 +63,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         let mut orbits = orbits.peekable();
         while let Some(&orbit) = orbits.peek() {
             let left = orbits.size_hint().0 as u64;
-            if is_bare && left >= FEWEST_SIDE_BY_SIDE && !self.shows_points() {
+            if is_bare && left >= FEWEST_SIDE_BY_SIDE && !self.work.shows_points() {
                 self.run_side_by_side(orbit, &orbits.map(launch).collect::<Vec<_>>());
                 break;
             }
@@ -71,11 +71,6 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             orbits.next();
         }
         ControlFlow::Continue(())
-    }
-
-    /// Whether points of portraits are handed on one by one.
-    fn shows_points(&self) -> bool {
-        self.portraits.is_some() && !self.work.crowded.load(Ordering::Relaxed)
     }
 
     /// Runs one orbit. It is run in blocks of the same size however it is watched, so its bits are the same.
@@ -92,7 +87,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             let begun = Instant::now();
             let until = Until { collisions: BLOCK.min(most - n), time: end };
             orbit = orbit.watched_if(n < watched || self.portraits.is_some());
-            let shows_points = self.shows_points();
+            let shows_points = self.work.shows_points();
             let outcome = match &mut orbit {
                 Running::Watched(orbit) => {
                     let Work { pieces, shift, .. } = *self.work;

@@ -1,7 +1,7 @@
 //! What is to be done, and how much of it a thread takes on at a time.
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicBool, AtomicU64};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use super::engine::Watched;
 use super::recorder::Recorder;
@@ -75,25 +75,32 @@ impl Work<'_> {
         orbits.start >= self.watched_orbits() && self.time == f64::INFINITY
     }
 
+    /// Whether points of portraits are handed on one by one.
+    pub(super) fn shows_points(&self) -> bool {
+        self.counted && !self.crowded.load(Ordering::Relaxed)
+    }
+
     fn watched_orbits(&self) -> u64 {
         if self.watch.collisions > 0 { self.watch.orbits } else { 0 }
     }
 
     /// The next few orbits from the given one, for one thread.
     pub(super) fn together(&self, first: u64) -> Range<u64> {
-        let (together, end) = if self.is_bare(&(first..first)) {
-            // enough to fill the lanes again and again, and something for everybody
-            let share = self.orbits / (4 * self.threads.max(1) as u64);
+        let bare = self.is_bare(&(first..first));
+        let end = if bare || self.time < f64::INFINITY { self.orbits } else { self.watched_orbits() };
+        // as long as points are handed on one by one, nobody waits long for those of others
+        let together = if bare && !self.shows_points() {
+            // enough to fill the lanes again and again, and of what is left something for everybody, less and less
+            let share = self.orbits.saturating_sub(first) / (2 * self.threads.max(1) as u64);
             let most = if self.counted {
                 (COUNTED / self.collisions.max(1)).clamp(MOST_SIDE_BY_SIDE, MOST_COUNTED)
             } else {
                 MOST_SIDE_BY_SIDE
             };
-            (share.clamp(LEAST_SIDE_BY_SIDE, most), self.orbits)
+            share.clamp(LEAST_SIDE_BY_SIDE, most)
         } else {
             // so many orbits make a block
-            let end = if self.time == f64::INFINITY { self.watched_orbits() } else { self.orbits };
-            ((BLOCK / self.collisions.max(1)).clamp(1, MOST_TOGETHER), end.min(self.orbits))
+            (BLOCK / self.collisions.max(1)).clamp(1, MOST_TOGETHER)
         };
         first..end.min(first.saturating_add(together))
     }
