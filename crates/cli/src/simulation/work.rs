@@ -87,7 +87,7 @@ impl Work<'_> {
     /// The next few orbits from the given one, for one thread.
     pub(super) fn together(&self, first: u64) -> Range<u64> {
         let bare = self.is_bare(&(first..first));
-        let end = if bare || self.time < f64::INFINITY { self.orbits } else { self.watched_orbits() };
+        let end = if bare || self.time < f64::INFINITY { self.orbits } else { self.watched_orbits().min(self.orbits) };
         // as long as points are handed on one by one, nobody waits long for those of others
         let together = if bare && !self.shows_points() {
             // enough to fill the lanes again and again, and of what is left something for everybody, less and less
