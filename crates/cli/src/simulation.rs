@@ -1,6 +1,7 @@
 //! A scene run: its table built, its starts checked, its orbits run on all cores, what is asked for kept.
 
 mod boundary;
+mod counter;
 mod describe;
 mod desk;
 mod engine;

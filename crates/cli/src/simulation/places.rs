@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use lanes::{Kernel, Lane, Mask};
 
-use super::portraits::Counter;
+use super::counter::Counter;
 use super::unrolled::Unrolled;
 
 /// So many collisions are noted: some vectors of any width.

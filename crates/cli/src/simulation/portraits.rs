@@ -6,10 +6,11 @@
 use std::sync::Arc;
 
 use billiards::geometry::WallHit;
-use billiards::observe::{Density, LaneObserver, Noted};
+use billiards::observe::LaneObserver;
 use billiards::{Clock, Merge, Orbit};
 use lanes::{Lane, Mask};
 
+use super::counter::Counter;
 use super::keeper::Keeper;
 use super::places::Places;
 use super::unrolled::Unrolled;
@@ -35,41 +36,6 @@ pub(crate) struct PlanarPortraits {
     strict: bool,
     /// The orbits that run side by side.
     orbits: Vec<u64>,
-}
-
-/// Counts the points of a cloud.
-#[derive(Clone, Debug)]
-pub(super) struct Counter {
-    density: Density,
-    noted: Noted,
-    /// Whether there is anything to count.
-    counts: bool,
-}
-
-impl Counter {
-    fn of(cloud: &Cloud) -> Self {
-        let density = cloud.counter();
-        Counter { noted: Noted::new(&density), density, counts: false }
-    }
-
-    /// Notes points, in the window or near it.
-    #[inline(always)]
-    pub(super) fn note<F: Lane>(&mut self, point: [F; 2], layer: F, here: F::Mask) {
-        let cells = self.density.cells(point, layer, here);
-        self.noted.note(&mut self.density, cells);
-    }
-
-    /// Points, brought near where they are far.
-    #[inline(always)]
-    pub(super) fn near<F: Lane>(&self, point: [F; 2]) -> [F; 2] {
-        self.density.near(point)
-    }
-
-    /// What it has counted, if anything.
-    fn counted(mut self) -> Option<Density> {
-        self.noted.count(&mut self.density);
-        self.counts.then_some(self.density)
-    }
 }
 
 /// What is known of the orbits in the lanes of a vector.
@@ -134,10 +100,7 @@ impl PlanarPortraits {
     /// Counting begins. The layers of an orbit.
     fn layers(&mut self, orbit: u64) -> [f64; 2] {
         let layer = picture::layer(orbit);
-        let of = |counter: &mut Counter| {
-            counter.counts = true;
-            counter.density.layer(layer)
-        };
+        let of = |counter: &mut Counter| counter.begin(layer);
         [self.velocities.as_mut().map_or(0.0, of), self.reduced.as_mut().map_or(0.0, |places| of(&mut places.counter))]
     }
 }
@@ -146,8 +109,7 @@ impl Merge for PlanarPortraits {
     fn merge(mut self, other: Self) -> Self {
         let add = |mine: Option<&mut Counter>, other: Option<Counter>| {
             if let (Some(mine), Some(other)) = (mine, other.and_then(Counter::counted)) {
-                mine.counts = true;
-                mine.density.merge_in(&other);
+                mine.add(&other);
             }
         };
         add(self.velocities.as_mut(), other.velocities);

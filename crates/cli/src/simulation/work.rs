@@ -105,3 +105,56 @@ impl Work<'_> {
         first..end.min(first.saturating_add(together))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_orbit_is_in_one_job() {
+        const NONE: Extent = Extent { orbits: 0, collisions: 0 };
+        const FEW: Extent = Extent { orbits: 3, collisions: 10 };
+        const ALL: Extent = Extent { orbits: u64::MAX, collisions: u64::MAX };
+        let (interrupted, progress) = (AtomicBool::new(false), AtomicU64::new(0));
+        let mut cases = vec![];
+        for watch in [NONE, FEW, ALL] {
+            for (orbits, collisions) in [(1, 10), (2, 1), (500, 300), (10_000, 100_000), (10_000, u64::MAX)] {
+                for time in [f64::INFINITY, 40.0] {
+                    for threads in [1, 2, 5] {
+                        cases.extend(
+                            [None, Some(false), Some(true)].map(|c| (watch, orbits, collisions, time, threads, c)),
+                        );
+                    }
+                }
+            }
+        }
+        for (watch, orbits, collisions, time, threads, counted) in cases {
+            let crowded = AtomicBool::new(counted == Some(true));
+            let work = Work {
+                orbits,
+                collisions,
+                time,
+                watch,
+                recorder: None,
+                drawn: false,
+                counted: counted.is_some(),
+                crowded: &crowded,
+                pieces: &[],
+                shift: [0.0; 3],
+                threads,
+                interrupted: &interrupted,
+                progress: &progress,
+            };
+            let mut next = 0;
+            loop {
+                let job = work.together(next);
+                if job.is_empty() {
+                    break;
+                }
+                assert!(job.start == next && job.end <= orbits, "{job:?} {work:?}");
+                next = job.end;
+            }
+            assert_eq!(next, orbits, "{work:?}");
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! Counts of points as a cloud shows them.
+
+use billiards::observe::{Density, Noted};
+use lanes::Lane;
+
+use crate::picture::Cloud;
+
+/// Counts the points of a cloud.
+#[derive(Clone, Debug)]
+pub(super) struct Counter {
+    density: Density,
+    noted: Noted,
+    /// Whether there is anything to count.
+    counts: bool,
+}
+
+impl Counter {
+    /// That of a cloud, without points.
+    pub(super) fn of(cloud: &Cloud) -> Self {
+        let density = cloud.counter();
+        Counter { noted: Noted::new(&density), density, counts: false }
+    }
+
+    /// Counting begins in a layer. The layer, as [`note`](Self::note) wants it.
+    pub(super) fn begin(&mut self, layer: usize) -> f64 {
+        self.counts = true;
+        self.density.layer(layer)
+    }
+
+    /// Notes points, in the window or near it.
+    #[inline(always)]
+    pub(super) fn note<F: Lane>(&mut self, point: [F; 2], layer: F, here: F::Mask) {
+        let cells = self.density.cells(point, layer, here);
+        self.noted.note(&mut self.density, cells);
+    }
+
+    /// Points, brought near where they are far.
+    #[inline(always)]
+    pub(super) fn near<F: Lane>(&self, point: [F; 2]) -> [F; 2] {
+        self.density.near(point)
+    }
+
+    /// Adds what another one has counted.
+    pub(super) fn add(&mut self, other: &Density) {
+        self.counts = true;
+        self.density.merge_in(other);
+    }
+
+    /// What it has counted, if anything.
+    pub(super) fn counted(mut self) -> Option<Density> {
+        self.noted.count(&mut self.density);
+        self.counts.then_some(self.density)
+    }
+}
