@@ -282,4 +282,38 @@ mod tests {
             cut = graphs;
         }
     }
+
+    #[test]
+    fn paths_that_leave_the_table_at_small_angles_are_looked_up_as_others() {
+        let mut seed = 5_u64;
+        let mut random = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        for (a, n) in [(0.2, 3.0), (0.2, 5.0), (0.5, 2.0), (0.05, 20.0)] {
+            let curve = Polar::new(Vector2::zeros(), Clover { scale: 1.0, a, n }, true).unwrap();
+            let graphs: Vec<_> = curve.graphs().unwrap().into_iter().map(|graph| (0, graph)).collect();
+            let walls = Graphs::new(&graphs, &[]);
+            let inside = |[x, y]: [f64; 2]| libm::hypot(x, y) < 1.0 + a * libm::cos(n * libm::atan2(y, x)) - 1e-3;
+            let mut looked = 0;
+            for k in 0..100_000 {
+                let [p, q] = graphs[k % graphs.len()].1.ends;
+                let (along, turn, back) = (0.5 + 0.6 * random(), 0.3 * random(), 0.3 + 0.3 * random());
+                let (sin, cos) = libm::sincos(turn);
+                let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+                let [c, d] = [sign * (q[0] - p[0]), sign * (q[1] - p[1])];
+                let length = libm::hypot(c, d);
+                let v = [(c * cos - d * sin) / length, (c * sin + d * cos) / length];
+                let x = [0, 1].map(|i| p[i] + along * (q[i] - p[i]) - back * v[i]);
+                if inside(x) {
+                    let ray = Ray::new(x, v);
+                    let slack = slack([1.0 + a]);
+                    let time = graphs.iter().map(|(_, graph)| graph.time(&ray, slack)).fold(f64::INFINITY, f64::min);
+                    assert_eq!(walls.first_hit(&x, &v).time, time, "{a} {n} {x:?} {v:?}");
+                    looked += 1;
+                }
+            }
+            assert!(looked > 20_000, "{looked}");
+        }
+    }
 }
