@@ -123,7 +123,14 @@ fn the_orbits_of_every_scene_have_the_same_bits_in_lanes() {
 #[test]
 fn check_tells_that_orbits_have_the_same_bits() {
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/mushroom.toml");
-    let output = billiards().arg("check").arg(scene).arg("--same-bits").output().unwrap();
-    let printed = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success() && printed.contains("same bits   of 40 orbits"), "{printed}");
+    let check = |more: &[&str]| {
+        let output = billiards().arg("check").arg(&scene).args(more).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(check(&["--same-bits"]).contains("same bits   of 40 orbits"));
+    let json: Value = serde_json::from_str(&check(&["--same-bits", "--json"])).unwrap();
+    assert_eq!((&json["dimension"], &json["same_bits"]["orbits"]), (&2.into(), &40.into()));
+    let without: Value = serde_json::from_str(&check(&["--json"])).unwrap();
+    assert!(without["dimension"] == 2 && without.get("same_bits").is_none());
 }

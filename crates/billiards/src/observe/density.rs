@@ -13,9 +13,9 @@ pub struct Density {
     high: [f64; 2],
     size: [usize; 2],
     layers: usize,
-    /// What takes a coordinate to the number of a cell, before that is rounded: `scale x + shift`.
+    /// The middle of the first cell, and cells per length.
+    first: [f64; 2],
     scale: [f64; 2],
-    shift: [f64; 2],
     /// The number of cells from one row to the next.
     stride: f64,
     /// The cell of nobody, as [`count`](Self::count) wants it.
@@ -43,9 +43,9 @@ impl Density {
     pub fn new(low: [f64; 2], high: [f64; 2], size: [usize; 2]) -> Self {
         let size = size.map(|n| n.max(1));
         let scale = [0, 1].map(|i| size[i] as f64 / (high[i] - low[i]));
-        let shift = [0, 1].map(|i| -low[i] * scale[i] - 0.5);
+        let first = [0, 1].map(|i| low[i] + 0.5 / scale[i]);
         let (stride, nobody) = ((size[0] + 2) as f64, 0.0);
-        Density { low, high, size, layers: 0, scale, shift, stride, nobody, few: vec![], many: vec![] }.in_layers(1)
+        Density { low, high, size, layers: 0, first, scale, stride, nobody, few: vec![], many: vec![] }.in_layers(1)
     }
 
     /// A square grid over the unit disk, the window of velocity portraits.
@@ -147,7 +147,7 @@ impl Density {
     /// [`count`](Self::count): of points in the window or [`near`](Self::near) it.
     #[inline(always)]
     pub fn cells<F: Lane>(&self, point: [F; 2], layer: F, here: F::Mask) -> F {
-        let along = |x: F, i: usize| x * self.scale[i] + self.shift[i] + INTEGERS;
+        let along = |x: F, i: usize| (x - self.first[i]) * self.scale[i] + INTEGERS;
         let (column, row) = (along(point[0], 0), along(point[1], 1) - INTEGERS);
         let cell = column + (row * self.stride + layer);
         here.select(cell, layer.same(self.nobody))
@@ -294,6 +294,17 @@ mod tests {
             grid.extend([[x * (1.0 - 1e-14), 2.5], [x * (1.0 + 1e-14), 2.5]]);
         }
         assert_eq!(grid.counts(0)[..8], [1, 2, 2, 2, 2, 2, 2, 1]);
+    }
+
+    #[test]
+    fn a_window_far_from_the_origin_has_cells_as_any_other() {
+        // three numbers to a cell, of which the middle one is counted
+        let (low, cell) = (6e15, 3.0);
+        let mut grid = Density::new([low, 0.0], [low + 1000.0 * cell, 1.0], [1000, 1]);
+        grid.extend((0..1000).map(|k| [low + f64::from(k) * cell + 1.0, 0.5]));
+        assert_eq!(grid.counts(0), [1; 1000]);
+        grid.extend([[low - 3.0, 0.5], [-low, 0.5], [low + 1001.0 * cell, 0.5], [2.0 * low, 0.5]]);
+        assert_eq!((grid.inside(), grid.outside()), (1000, 4));
     }
 
     #[test]

@@ -3,6 +3,8 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
+use serde::Serialize;
+
 use super::Failure;
 use crate::args;
 use crate::document::{Source, spell};
@@ -18,27 +20,31 @@ pub fn run(arguments: &args::Check, out: &mut impl Write) -> Result<(), Failure>
     let source = Source::read(&arguments.scene)?;
     let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
     let description = simulation.describe();
+    let same_bits = arguments.same_bits.then(|| simulation.same_bits()).transpose();
+    let same_bits = same_bits.map_err(|error| Failure::Work(error.to_string()))?;
     if arguments.json {
-        let json = serde_json::to_string_pretty(&description).map_err(|error| Failure::Work(error.to_string()))?;
+        let report = Report { description: &description, same_bits };
+        let json = serde_json::to_string_pretty(&report).map_err(|error| Failure::Work(error.to_string()))?;
         writeln!(out, "{json}")?;
-    } else {
-        describe(&description, out)?;
+        return Ok(());
     }
-    if arguments.same_bits {
-        let same = simulation.same_bits().map_err(|error| Failure::Work(error.to_string()))?;
-        if !arguments.json {
-            same_bits(&same, out)?;
-        }
+    describe(&description, out)?;
+    if let Some(SameBits { orbits, each, collisions }) = same_bits {
+        writeln!(
+            out,
+            "  same bits   of {orbits} orbits side by side and one by one, {collisions} collisions, {each} of each at most"
+        )?;
     }
     Ok(())
 }
 
-fn same_bits(same: &SameBits, out: &mut impl Write) -> io::Result<()> {
-    let SameBits { orbits: [orbits, each], collisions } = same;
-    writeln!(
-        out,
-        "  same bits   of {orbits} orbits side by side and one by one, {collisions} collisions, {each} of each at most"
-    )
+/// What is printed as JSON.
+#[derive(Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    description: &'a Description,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    same_bits: Option<SameBits>,
 }
 
 /// A number to six digits, or infinity.

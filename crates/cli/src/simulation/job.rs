@@ -41,7 +41,7 @@ struct Course {
 }
 
 /// An orbit that nobody watches any more.
-fn bare<const N: usize, const S: usize, T>(orbit: &Watched<N, S, T>) -> Bare<N, S> {
+pub(super) fn bare<const N: usize, const S: usize, T>(orbit: &Watched<N, S, T>) -> Bare<N, S> {
     let &Orbit { position, velocity, spin, keeper, track: (clock, _) } = orbit;
     Orbit { position, velocity, spin, keeper, track: clock }
 }

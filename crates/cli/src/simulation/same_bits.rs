@@ -1,9 +1,10 @@
 //! Whether orbits are the same side by side and one by one, to the last bit.
 
-use billiards::{Clock, Orbit, Outcome, Timed};
+use billiards::{Outcome, Timed};
+use serde::Serialize;
 
-use super::engine::{Bare, Engine, Until};
-use super::keeper::Keeper;
+use super::engine::{Bare, Engine, Until, Watched};
+use super::job::bare;
 use super::start::Start;
 use super::trail::Trail;
 use super::{Body, Simulation};
@@ -13,10 +14,12 @@ const ORBITS: u64 = 40;
 const COLLISIONS: u64 = 200;
 
 /// How many orbits and collisions were the same.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct SameBits {
-    /// Orbits, and how many collisions each was to make.
-    pub orbits: [u64; 2],
+    /// Orbits.
+    pub orbits: u64,
+    /// How many collisions each was to make.
+    pub each: u64,
     /// Collisions of all of them.
     pub collisions: u64,
 }
@@ -40,11 +43,15 @@ impl Simulation {
         match &self.body {
             Body::Plane(planar) => {
                 let starts = planar.starts()?;
-                Ok(planar.with_engine(|engine| compare(engine, planar.orbits(), &*starts))?)
+                Ok(planar.with_engine(|engine| {
+                    compare(engine, &|i| starts(i % planar.orbits()), &|start| planar.launch(start), planar.orbits())
+                })?)
             }
             Body::Space(spatial) => {
                 let starts = spatial.starts()?;
-                Ok(spatial.with_engine(|engine| compare(engine, spatial.orbits(), &*starts))?)
+                Ok(spatial.with_engine(|engine| {
+                    compare(engine, &|i| starts(i % spatial.orbits()), &|start| spatial.launch(start), spatial.orbits())
+                })?)
             }
         }
     }
@@ -52,15 +59,16 @@ impl Simulation {
 
 fn compare<const N: usize, const S: usize, T: Trail<N, S>>(
     engine: &dyn Engine<N, S, T>,
-    count: u64,
     start: &dyn Fn(u64) -> Start<N, S>,
+    launch: &dyn Fn(&Start<N, S>) -> Watched<N, S, T>,
+    count: u64,
 ) -> Result<SameBits, OtherBits> {
     let orbit = |i: u64| -> Bare<N, S> {
-        let Start { position, mut velocity, spin, .. } = start(i % count);
+        let mut start = start(i);
         let (sin, cos) = libm::sincos((i / count) as f64);
-        let [v1, v2] = [velocity[0], velocity[1]];
-        (velocity[0], velocity[1]) = (cos * v1 - sin * v2, sin * v1 + cos * v2);
-        Orbit { position, velocity, spin, keeper: Keeper::for_law(true, &velocity, &spin), track: Clock::new(0.0) }
+        let [v1, v2] = [start.velocity[0], start.velocity[1]];
+        (start.velocity[0], start.velocity[1]) = (cos * v1 - sin * v2, sin * v1 + cos * v2);
+        bare(&launch(&start))
     };
     let mut lanes: Vec<_> = (0..ORBITS).map(orbit).collect();
     let outcomes = engine.side_by_side(&mut lanes, COLLISIONS);
@@ -74,7 +82,7 @@ fn compare<const N: usize, const S: usize, T: Trail<N, S>>(
         }
         collisions += end.collisions;
     }
-    Ok(SameBits { orbits: [ORBITS, COLLISIONS], collisions })
+    Ok(SameBits { orbits: ORBITS, each: COLLISIONS, collisions })
 }
 
 fn numbers<const N: usize, const S: usize>(orbit: &Bare<N, S>) -> Vec<f64> {
