@@ -88,6 +88,11 @@ pub trait Lane:
     /// The lanes `f(0), f(1), …`, as many as `self` has.
     #[must_use]
     fn each(self, f: impl FnMut(usize) -> f64) -> Self;
+    /// Four columns of rows, one row per lane: lane `k` of number `i` is `row(k)[i]`.
+    ///
+    /// Numbers that stand together are looked up so in fewer steps than by [`each`](Lane::each), one after another.
+    #[must_use]
+    fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4];
     /// The first lanes of `from`, which must hold at least [`Lane::LANES`] numbers.
     #[must_use]
     fn load(self, from: &[f64]) -> Self;

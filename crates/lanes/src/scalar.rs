@@ -41,6 +41,10 @@ impl Lane for f64 {
         f(0)
     }
     #[inline(always)]
+    fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [f64; 4] {
+        *row(0)
+    }
+    #[inline(always)]
     fn load(self, from: &[f64]) -> f64 {
         from[0]
     }

@@ -117,6 +117,11 @@ impl<F: Lane> Lane for Twin<F> {
         Twin([a.each(&mut f), b.each(|lane| f(F::LANES + lane))])
     }
     #[inline(always)]
+    fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0[0].columns(&row), self.0[1].columns(|lane| row(F::LANES + lane)));
+        [Twin([a, e]), Twin([b, f]), Twin([c, g]), Twin([d, h])]
+    }
+    #[inline(always)]
     fn load(self, from: &[f64]) -> Self {
         let Twin([a, b]) = self;
         Twin([a.load(from), b.load(&from[F::LANES..])])

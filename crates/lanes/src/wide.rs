@@ -121,6 +121,18 @@ impl<S: Simd> Lane for Wide<S> {
         to
     }
     #[inline(always)]
+    fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
+        let mut rows = [self.value; 4];
+        let places = pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(&mut rows);
+        for (k, place) in places.chunks_exact_mut(4).enumerate() {
+            // shuffled into columns, of eight lanes the middle ones of each half change places
+            let lane = if S::F64_LANES == 8 && (k % 4 == 1 || k % 4 == 2) { k ^ 3 } else { k };
+            place.copy_from_slice(row(lane));
+        }
+        let [a, b, c, d] = self.simd.deinterleave_shfl_f64s(rows);
+        [self.of(a), self.of(b), self.of(c), self.of(d)]
+    }
+    #[inline(always)]
     fn load(self, from: &[f64]) -> Self {
         self.of(S::as_simd_f64s(&from[..Self::LANES]).0[0])
     }
@@ -242,6 +254,12 @@ mod tests {
                 lanes.store(&mut stored);
                 assert_eq!(stored[..F::LANES], numbers[k..k + F::LANES]);
                 assert_eq!(stored[F::LANES], -1.0);
+                let rows: Vec<[f64; 4]> =
+                    (0..F::LANES).map(|i| [0, 1, 2, 3].map(|j| numbers[k + i] + f64::from(10 * j))).collect();
+                let columns = zero.columns(|i| &rows[i]);
+                for (j, column) in columns.iter().enumerate() {
+                    assert!((0..F::LANES).all(|i| column.lane(i) == rows[i][j]), "{column:?}");
+                }
                 let mut same = zero.each(|i| numbers[k + i]);
                 assert!((0..F::LANES).all(|i| same.lane(i) == lanes.lane(i)));
                 same.put(F::LANES - 1, 9.0);

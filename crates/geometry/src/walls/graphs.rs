@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Boundary, Hit, Line,
     plane::slack,
-    shapes::curve::{Graph, Local, Meeting, Ray, at_least, grazes, turn},
+    shapes::curve::{Graph, Local, Meeting, Ray, Row, at_least, grazes, turn},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin, stored};
 use nalgebra::Vector2;
@@ -34,7 +34,7 @@ struct All {
     /// A graph that is left out because it lies behind a path does so by more than its length: no point is farther from the start
     /// than this less the length. −∞ for graphs that do not exist.
     reach: Vec<f64>,
-    locals: Vec<Local<f64>>,
+    rows: Vec<Row>,
     /// The number of the piece of each.
     numbers: Vec<u32>,
     /// Whether there are corners at the start and at the end of each; empty where there are none at all.
@@ -55,7 +55,7 @@ impl Graphs {
             All { size: graphs.iter().map(|(_, graph)| graph.extent().size()).fold(0.0, f64::max), ..All::default() };
         for (i, (number, graph)) in graphs.iter().enumerate() {
             let goes_on = graphs.get(i + 1).is_some_and(|(_, next)| next.ends[0] == graph.ends[1]);
-            places.push((all.locals.len(), graph));
+            places.push((all.rows.len(), graph));
             let flags = graph.ends.map(|end| known.contains(&end.into()));
             all.add(graph.ends[0], [graph.near, graph.near + 2.0 * graph.length()], (*number, graph, flags));
             if !goes_on {
@@ -86,6 +86,12 @@ impl All {
         (flags[0] && at(graph)) || (flags[1] && at(graph + 1))
     }
 
+    /// A graph in its own coordinates.
+    #[inline(always)]
+    fn local(&self, graph: usize) -> Local<f64> {
+        Local::of(0.0, |_| &self.rows[graph])
+    }
+
     /// Adds a graph, or one that does not exist.
     fn add(&mut self, start: [f64; 2], [near, reach]: [f64; 2], (number, graph, corners): (usize, &Graph, [bool; 2])) {
         for (ends, coordinate) in self.ends.iter_mut().zip(start) {
@@ -93,7 +99,7 @@ impl All {
         }
         self.near.push(near);
         self.reach.push(reach);
-        self.locals.push(graph.local);
+        self.rows.push(graph.local.row());
         #[allow(clippy::cast_possible_truncation, reason = "pieces are numbered by 32 bits in all trees")]
         self.numbers.push(number as u32);
         self.corners.push(corners);
@@ -126,12 +132,20 @@ impl All {
         ([through, through | (grazed & !(starts & !ends) & !behind)], ways)
     }
 
-    /// The one of two consecutive graphs that a path crosses, which crosses no other.
+    /// The one of at most eight consecutive graphs that a path crosses, which crosses no other: the first that ends to its left.
     #[inline(always)]
-    fn of_two(&self, x: [f64; 2], v: [f64; 2], first: usize) -> usize {
-        let between = [self.ends[0][first + 1], self.ends[1][first + 1]];
+    fn of_run<F: Lane>(&self, zero: F, x: [f64; 2], v: [f64; 2], first: usize) -> usize {
+        let (x, v) = ([zero.same(x[0]), zero.same(x[1])], [zero.same(v[0]), zero.same(v[1])]);
+        let ends_x = &self.ends[0][first + 1..][..WIDTH];
+        let ends_y = &self.ends[1][first + 1..][..WIDTH];
+        // that the eighth does is clear
+        let (mut left, mut k) = (1 << (WIDTH - 1), 0);
+        while k < WIDTH {
+            left |= zero.lt(turn(x, v, [zero.load(&ends_x[k..]), zero.load(&ends_y[k..])])).bits() << k;
+            k += F::LANES;
+        }
         // no branch, which nothing would predict
-        first + usize::from(!(0.0 < turn(x, v, between)))
+        first + left.trailing_zeros() as usize
     }
 
     /// The graph that a path is likely to cross first.
@@ -167,7 +181,7 @@ impl All {
             while maybe != 0 {
                 let k = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
-                let meeting = self.locals[first + k].meet(ray, through >> k & 1 == 1, true, self.slack);
+                let meeting = self.local(first + k).meet(ray, through >> k & 1 == 1, true, self.slack);
                 if meeting.time < best.0.time {
                     best = (meeting, first + k);
                 }
@@ -206,12 +220,12 @@ impl Kernel for Search<'_> {
         let Search { all, ray } = self;
         let cell = all.lines.cell(all.lines.number(ray.x, ray.v));
         if !cell.is_open() {
-            let graph = all.of_two(ray.x, ray.v, cell.first());
-            return (all.locals[graph].meet(&ray, true, true, all.slack), graph);
+            let graph = all.of_run(zero, ray.x, ray.v, cell.first());
+            return (all.local(graph).meet(&ray, true, true, all.slack), graph);
         }
         let groups = all.lines.groups(cell);
         let pick = all.pick(zero, ray.x, ray.v, groups);
-        let meeting = all.locals[pick.graph].meet(&ray, pick.through, pick.way < f64::INFINITY, all.slack);
+        let meeting = all.local(pick.graph).meet(&ray, pick.through, pick.way < f64::INFINITY, all.slack);
         if is_doubtful(&ray, meeting.time, pick.others) {
             return all.try_all(zero, &ray, groups);
         }
@@ -289,7 +303,7 @@ impl All {
         for lane in 0..F::LANES {
             let (cell, at) = (self.lines.cell(numbers[lane]), from + lane);
             cells[lane] = cell;
-            graph[lane] = self.of_two([x[0][at], x[1][at]], [v[0][at], v[1][at]], cell.first());
+            graph[lane] = self.of_run(narrow, [x[0][at], x[1][at]], [v[0][at], v[1][at]], cell.first());
             open |= u64::from(cell.is_open()) << lane;
         }
         let (mut through, mut ways, mut others) = ([1.0; MOST_LANES], [0.0; MOST_LANES], [f64::INFINITY; MOST_LANES]);
@@ -302,7 +316,7 @@ impl All {
             through[lane] = if pick.through { 1.0 } else { 0.0 };
             (ways[lane], others[lane]) = (pick.way, pick.others);
         }
-        let local = Local::side_by_side(zero, |lane| &self.locals[graph[lane]]);
+        let local = Local::of(zero, |lane| &self.rows[graph[lane]]);
         let wanted = zero.load(&ways).lt(zero.same(f64::INFINITY));
         let best = local.meet(&ray, zero.lt(zero.load(&through)), wanted, self.slack);
         let doubtful = is_doubtful(&ray, best.time, zero.load(&others));
@@ -338,7 +352,7 @@ impl Walls<2> for Graphs {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let all = &self.0.0;
-        if all.locals.is_empty() {
+        if all.rows.is_empty() {
             return WallHit::never(*x);
         }
         if F::LANES == 1 {

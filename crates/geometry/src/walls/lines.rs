@@ -24,13 +24,13 @@ pub(super) struct Lines {
     /// Cells by distance in a unit of length.
     scale: f64,
     cells: Vec<Cell>,
-    /// For cells in which lines may cross several graphs or none: how many groups of consecutive graphs, and the first of each, in order.
+    /// For cells whose lines may cross several graphs or none: how many groups of consecutive graphs, and the first of each, in order.
     groups: Vec<u32>,
 }
 
 /// What lines of a cell may cross outwards.
 ///
-/// Mostly each crosses exactly one of two consecutive graphs, and could not graze them: the cell has the number of the first.
+/// Mostly each crosses exactly one of a few consecutive graphs, a run, and could not graze them: the cell has the number of the first.
 /// Otherwise the highest bit is set, and the others tell where its groups are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell(u32);
@@ -47,7 +47,7 @@ impl Cell {
         self.0 & Cell::GROUPS != 0
     }
 
-    /// The first of two graphs; any where there are not two.
+    /// The first graph of its run; any where it is open.
     #[inline(always)]
     pub(super) fn first(self) -> usize {
         if self.is_open() { 0 } else { self.0 as usize }
@@ -124,8 +124,8 @@ impl Lines {
             }
             for (distance, met) in column.iter_mut().enumerate() {
                 let met: Vec<&Stretch> = met.drain(..).map(|k| &stretches[k]).collect();
-                let two = lines.two(&met, directions, distance);
-                let cell = two.unwrap_or_else(|| lines.add_groups(&met, width));
+                let run = lines.run(&met, width, directions, distance);
+                let cell = run.unwrap_or_else(|| lines.add_groups(&met, width));
                 lines.cells.push(cell);
             }
         }
@@ -145,11 +145,11 @@ impl Lines {
         [range[0] - MARGIN, range[1] + MARGIN].map(|distance| floor(distance, DISTANCES - 1) as usize)
     }
 
-    /// The cell of lines of which each crosses exactly one of two consecutive graphs: it passes between their far ends, and
+    /// The cell of lines of which each crosses exactly one of at most `most` consecutive graphs: it passes between their far ends, and
     /// outwards wherever it crosses them.
-    fn two(&self, met: &[&Stretch], directions: [[f64; 2]; 2], distance: usize) -> Option<Cell> {
+    fn run(&self, met: &[&Stretch], most: usize, directions: [[f64; 2]; 2], distance: usize) -> Option<Cell> {
         let (first, last) = (met.first()?, met.last()?);
-        let few = last.place < first.place + 2;
+        let few = met.len() <= most && last.place + 1 == first.place + met.len();
         let outwards = met.iter().all(|stretch| stretch.is_outward(directions) == Some(true));
         let between = directions.iter().all(|d| {
             let [right, left] = [first.ends[0], last.ends[1]].map(|p| self.distance(p, *d));

@@ -19,7 +19,6 @@ pub struct Graph {
 
 /// A graph in its own coordinates, one or one per lane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(64))]
 pub(crate) struct Local<F> {
     /// The middle of the chord.
     pub(super) origin: [F; 2],
@@ -158,26 +157,32 @@ impl Graph {
     }
 }
 
+/// The numbers of a [`Local`] as they lie in memory, in whole lines of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(crate) struct Row([[f64; 4]; 5]);
+
 impl Local<f64> {
-    /// One graph per lane.
-    #[inline(always)]
-    pub(crate) fn side_by_side<'a, F: Lane>(zero: F, of: impl Fn(usize) -> &'a Local<f64>) -> Local<F> {
-        // not zeros at first, which a compiler would have written by a function
-        let mut heights = [zero.each(|lane| of(lane).heights[0]); DEGREE + 1];
-        for i in 1..=DEGREE {
-            heights[i] = zero.each(|lane| of(lane).heights[i]);
-        }
-        Local {
-            origin: [zero.each(|lane| of(lane).origin[0]), zero.each(|lane| of(lane).origin[1])],
-            outward: [zero.each(|lane| of(lane).outward[0]), zero.each(|lane| of(lane).outward[1])],
-            inverse: zero.each(|lane| of(lane).inverse),
-            heights,
-            third: zero.each(|lane| of(lane).third),
-        }
+    pub(crate) fn row(&self) -> Row {
+        let Local { origin: [x, y], outward: [n0, n1], inverse, heights, third } = *self;
+        let four = |k: usize| core::array::from_fn(|i| heights[4 * k + i]);
+        Row([[x, y, n0, n1], four(0), four(1), four(2), [inverse, third, 0.0, 0.0]])
     }
 }
 
 impl<F: Lane> Local<F> {
+    /// The graphs of some rows, one per lane.
+    #[inline(always)]
+    pub(crate) fn of<'a>(zero: F, row: impl Fn(usize) -> &'a Row) -> Self {
+        let [x, y, n0, n1] = zero.columns(|lane| &row(lane).0[0]);
+        let [a, b, c, d] = zero.columns(|lane| &row(lane).0[1]);
+        let [e, f, g, h] = zero.columns(|lane| &row(lane).0[2]);
+        let [i, j, k, l] = zero.columns(|lane| &row(lane).0[3]);
+        let [inverse, third, _, _] = zero.columns(|lane| &row(lane).0[4]);
+        let heights = [a, b, c, d, e, f, g, h, i, j, k, l];
+        Local { origin: [x, y], outward: [n0, n1], inverse, heights, third }
+    }
+
     /// A vector along the chord and across it.
     #[inline(always)]
     fn turned(&self, y: [F; 2]) -> [F; 2] {

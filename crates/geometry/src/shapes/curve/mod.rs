@@ -21,7 +21,7 @@ pub use arc_length::Parametric;
 pub(crate) use arc_length::{ArcLength, closest_parameter};
 pub use fit::graphs;
 pub use graph::Graph;
-pub(crate) use graph::{Local, Meeting, Ray, at_least, grazes, turn};
+pub(crate) use graph::{Local, Meeting, Ray, Row, at_least, grazes, turn};
 pub use implicit::{Implicit, ImplicitFormula};
 pub use interval::Interval;
 pub use majorant::{Smooth, first_rise};
