@@ -33,6 +33,8 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// The same as [`leave`](EnergyKeeper::leave) for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
     /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32);
+    /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
+    fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
     /// `|v|² + |w|²` as it should be, in one lane.
     fn square(&self, lane: usize) -> Option<Double>;
     /// Counts a collision that rounds nothing.
@@ -72,6 +74,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>, _: u32) {}
     #[inline(always)]
     fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: u32) {}
+    #[inline(always)]
+    fn lack(&self, velocity: &[F; N], _: &[F; S]) -> F {
+        velocity[0].same(0.0)
+    }
     fn square(&self, _: usize) -> Option<Double> {
         None
     }
@@ -159,6 +165,11 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             self.beat = 0;
             self.restore_in_frame(velocity, spin);
         }
+    }
+    #[inline(always)]
+    fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F {
+        let (high, low) = precise_square(self.grid, velocity, spin);
+        ((self.high - high) + (self.low - low)) / self.high
     }
     fn square(&self, lane: usize) -> Option<Double> {
         Some(Double { high: self.high.lane(lane), low: self.low.lane(lane) })

@@ -1,6 +1,6 @@
 //! Where a particle is and how it moves.
 use crate::{energy::EnergyKeeper, track::Track};
-use lanes::{Double, Lane};
+use lanes::Lane;
 
 /// The state of a ball between two collisions, or of as many as there are lanes.
 ///
@@ -49,10 +49,7 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
     /// ```
     pub fn restored(&self) -> ([f64; N], [f64; S]) {
         let (mut velocity, mut spin) = (self.velocity, self.spin);
-        let Some(start) = self.keeper.square(0) else { return (velocity, spin) };
-        let components = velocity.iter_mut().chain(&mut spin);
-        let now = components.fold(Double::new(0.0), |sum, x| sum.plus(Double::product(*x, *x)));
-        let lack = start.plus(-now).value() / start.high;
+        let lack = self.keeper.lack(&velocity, &spin);
         if lack.abs() > f64::EPSILON {
             for x in velocity.iter_mut().chain(&mut spin) {
                 *x += *x * (0.5 * lack);

@@ -56,9 +56,8 @@ fn every_scene_runs_under_every_law_and_conserves_energy() {
                 assert_eq!(summary["law"], law, "{name}");
             }
             if !summary["law"].as_str().unwrap().starts_with("restitution") {
-                // seen at the ends of orbits, where the keeper's own last correction is still to come
                 let drift = summary["energy_drift"].as_f64().unwrap();
-                assert!(drift <= 1e-14, "{name}, {law:?}: energy drifts by {drift:e}");
+                assert!(drift <= 4e-16, "{name}, {law:?}: energy drifts by {drift:e}");
             }
             let ends = summary["stops"].as_object().unwrap();
             let orbits: u64 = ends.values().map(|count| count.as_u64().unwrap()).sum();

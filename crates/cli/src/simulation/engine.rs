@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use billiards::observe::LaneObserver;
 use billiards::{
-    Bounce, Clock, Collision, Limit, Motion, Observer, Orbit, Outcome, Stop, Timed, run, run_side_by_side,
+    Bounce, Clock, Collision, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Timed, run, run_side_by_side,
 };
 
 use super::event::Event;
@@ -72,12 +72,13 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Keeper<N>, (
 }
 
 impl<P> Watch<'_, P> {
-    fn event<const N: usize, const S: usize, K, T: Trail<N, S>>(
+    fn event<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T: Trail<N, S>>(
         &self,
         collision: &Collision<'_, N, S, K, (Clock, T)>,
     ) -> Event {
         let Collision { n, hit, orbit } = collision;
         let (clock, trail) = &orbit.track;
+        let (velocity, spin) = orbit.restored();
         let mut event = Event {
             orbit: self.orbit,
             n: self.before + n,
@@ -91,11 +92,11 @@ impl<P> Watch<'_, P> {
         let normal = hit.unit_normal();
         for i in 0..N {
             event.position[i] = self.scale.length_out(orbit.position[i] + self.shift[i]);
-            event.velocity[i] = self.scale.speed_out(orbit.velocity[i]);
+            event.velocity[i] = self.scale.speed_out(velocity[i]);
             event.normal[i] = normal[i];
         }
         for i in 0..S {
-            event.spin[i] = self.scale.speed_out(orbit.spin[i]);
+            event.spin[i] = self.scale.speed_out(spin[i]);
         }
         event
     }

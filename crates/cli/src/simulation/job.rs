@@ -79,7 +79,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         let scale = launch.scale;
         let end = scale.time_in(self.work.time);
         let watched = if index < watch.orbits { watch.collisions } else { 0 };
-        let energy = Energy::of(&launch.orbit);
+        let energy = Energy::of(&launch.orbit.velocity, &launch.orbit.spin);
         let mut orbit = Running::Watched(launch.orbit);
         let mut shown = 0;
         let (mut n, mut drift, mut steps) = (0, 0.0_f64, 0);
@@ -112,7 +112,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                 Running::Bare(orbit) => self.engine.bare(orbit, until),
             };
             n += outcome.collisions;
-            drift = drift.max(orbit.energy().drift_from(&energy));
+            drift = drift.max(energy.drift_to(orbit.restored()));
             let now = progress_of(n, most).max(progress_of_time(orbit.time(), end));
             progress.fetch_add(now - steps, Ordering::Relaxed);
             steps = now;
@@ -145,7 +145,8 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     /// Runs orbits that nobody watches, from the given one, in blocks as they would be run one by one.
     fn run_side_by_side(&mut self, first: u64, launches: &[Launch<N, S, T>]) {
         let Work { collisions: most, progress, interrupted, .. } = *self.work;
-        let energies: Vec<Energy> = launches.iter().map(|launch| Energy::of(&launch.orbit)).collect();
+        let energies: Vec<Energy> =
+            launches.iter().map(|launch| Energy::of(&launch.orbit.velocity, &launch.orbit.spin)).collect();
         let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
         let mut orbits: Vec<Bare<N, S>> = launches.iter().map(|launch| bare(&launch.orbit)).collect();
         let course = |k: usize| Course { orbit: first + k as u64, stop: None, collisions: 0, drift: 0.0 };
@@ -167,7 +168,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                     orbits[k] = orbit;
                     let course = &mut courses[k];
                     course.collisions += outcome.collisions;
-                    course.drift = course.drift.max(Energy::of(&orbits[k]).drift_from(&energies[k]));
+                    course.drift = course.drift.max(energies[k].drift_to(orbits[k].restored()));
                     if outcome.stop != Stop::Finished || course.collisions == most {
                         course.stop = Some(outcome.stop);
                         progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
@@ -249,10 +250,17 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
-    fn state(&self) -> (&[f64; N], &[f64; N]) {
+    fn position(&self) -> &[f64; N] {
         match self {
-            Running::Watched(orbit) => (&orbit.position, &orbit.velocity),
-            Running::Bare(orbit) => (&orbit.position, &orbit.velocity),
+            Running::Watched(orbit) => &orbit.position,
+            Running::Bare(orbit) => &orbit.position,
+        }
+    }
+
+    fn restored(&self) -> ([f64; N], [f64; S]) {
+        match self {
+            Running::Watched(orbit) => orbit.restored(),
+            Running::Bare(orbit) => orbit.restored(),
         }
     }
 
@@ -263,16 +271,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
-    fn energy(&self) -> Energy {
-        match self {
-            Running::Watched(orbit) => Energy::of(orbit),
-            Running::Bare(orbit) => Energy::of(orbit),
-        }
-    }
-
     /// Position and velocity at the end: at the end of time, or at the last collision.
     fn end(&self, end: f64, stop: Option<Stop>) -> ([f64; 3], [f64; 3]) {
-        let (at, v) = self.state();
+        let (at, (v, _)) = (self.position(), self.restored());
         let flown = if stop == Some(Stop::Finished) && end.is_finite() { (end - self.time()).max(0.0) } else { 0.0 };
         let (mut position, mut velocity) = ([0.0; 3], [0.0; 3]);
         for i in 0..N {
@@ -288,9 +289,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
 struct Energy(Double);
 
 impl Energy {
-    fn of<const N: usize, const S: usize, K, T>(orbit: &Orbit<f64, N, S, K, T>) -> Energy {
+    fn of<const N: usize, const S: usize>(velocity: &[f64; N], spin: &[f64; S]) -> Energy {
         let mut sum = Double::new(0.0);
-        for x in orbit.velocity.iter().chain(&orbit.spin) {
+        for x in velocity.iter().chain(spin) {
             let (square, rest) = two_prod(*x, *x);
             sum.add(square);
             sum.add(rest);
@@ -298,9 +299,9 @@ impl Energy {
         Energy(sum)
     }
 
-    /// The relative deviation.
-    fn drift_from(&self, start: &Energy) -> f64 {
-        let (now, then) = (self.0, start.0);
+    /// The relative deviation of another state.
+    fn drift_to<const N: usize, const S: usize>(&self, (velocity, spin): ([f64; N], [f64; S])) -> f64 {
+        let (now, then) = (Energy::of(&velocity, &spin).0, self.0);
         (((now.high - then.high) + (now.low - then.low)) / then.high).abs()
     }
 }

@@ -41,6 +41,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
             self.conserved.leave_in_frame(velocity, spin, beat);
         }
     }
+    #[inline(always)]
+    fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F {
+        if self.strict { self.conserved.lack(velocity, spin) } else { velocity[0].same(0.0) }
+    }
     fn square(&self, lane: usize) -> Option<Double> {
         if self.strict { EnergyKeeper::<F, N, S>::square(&self.conserved, lane) } else { None }
     }

@@ -16,7 +16,7 @@ pub(crate) struct Ended {
     pub(crate) collisions: u64,
     /// Time passed.
     pub(crate) time: f64,
-    /// Largest relative deviation of the energy from that of the start.
+    /// Largest relative deviation of the energy, as states are given out, from that of the start.
     pub(crate) drift: f64,
     /// Position at the end.
     pub(crate) position: [f64; 3],

@@ -43,7 +43,8 @@ pub struct Summary {
     pub collisions: u64,
     /// Simulated time of all orbits.
     pub time: f64,
-    /// Largest relative deviation of an orbit's energy from that of its start.
+    /// Largest relative deviation of an orbit's energy from that of its start, at the end and every 4096 collisions, as states are
+    /// given out ([`billiards::Orbit::restored`]).
     pub energy_drift: f64,
     /// Up to where the digits of the orbits last.
     pub horizon: Horizons,

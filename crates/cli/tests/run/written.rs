@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use lanes::Double;
 use serde_json::Value;
 
 use super::{Folder, SQUARE, same::CHAOS};
@@ -23,6 +24,30 @@ fn the_record_has_one_row_per_collision_in_the_order_of_the_orbits() {
          1,2,1.5,2,0,0.5,1,0,0,-1\n\
          1,3,2.5,0,0,0.5,0,0,0,1\n"
     );
+}
+
+#[test]
+fn every_row_has_the_energy_of_the_start() {
+    let folder = Folder::new("energy");
+    for table in ["stadium", "circle", "sinai"] {
+        for law in ["specular", "no-slip"] {
+            folder.done(
+                &format!(
+                    "law = \"{law}\"\n[table]\nname = \"{table}\"\n[[orbit]]\nposition = [0.1, 0.2]\n\
+                     velocity = [0.6, 0.8]\nspin = 0.25\n[run]\ncollisions = 2000\n[output]\ncollisions = \"csv\"\n"
+                ),
+                &[],
+            );
+            let square =
+                |velocity: &[f64]| velocity.iter().fold(Double::new(0.0), |sum, v| sum.plus(Double::product(*v, *v)));
+            // v0 = γ R ω of a uniform disk of unit radius
+            let start = square(&[0.6, 0.8, 0.25]);
+            for row in folder.rows() {
+                let drift = square(&row[7..10]).plus(-start).value() / start.value();
+                assert!(drift.abs() <= 4e-16, "{table}, {law}: {drift:e} in {row:?}");
+            }
+        }
+    }
 }
 
 #[test]
