@@ -1,6 +1,6 @@
 //! Curves that are no common figures.
 use super::curve::{Curve, round};
-use super::number::{Big, Vector, add, big, dot, left, norm, root, scale, sub, vector};
+use super::number::{Big, Vector, add, big, dot, is_positive, left, norm, root, scale, sub, vector};
 
 /// `x⁴ + y⁴ = 1`, table inside: in the direction `d` it is `d / (d₁⁴ + d₂⁴)^¼`.
 #[derive(Clone, Debug)]
@@ -38,6 +38,28 @@ impl Curve for Peanut {
         let a = big(self.0);
         let r = big(1.0) + &a * (&d[0] * &d[0] - &d[1] * &d[1]);
         let rate = big(-4.0) * a * &d[0] * &d[1];
+        [scale(&d, &r), add(&scale(&d, &rate), &scale(&t, &r))]
+    }
+}
+
+/// `r = 1 + a |cos φ|^(5/2)`, whose third derivative has no bound at the ends of the parts, table inside.
+#[derive(Clone, Debug)]
+pub(crate) struct Softened(pub f64);
+
+impl Curve for Softened {
+    fn parts(&self) -> usize {
+        2
+    }
+    fn steps(&self) -> u32 {
+        16
+    }
+    fn at(&self, part: usize, u: &Big) -> [Vector; 2] {
+        let [d, t] = round(part, u);
+        let size = norm(&[d[0].clone(), big(0.0)]);
+        let power = big(self.0) * &size * root(&size);
+        let r = big(1.0) + &power * &size;
+        let side = big(if is_positive(&d[0]) { -2.5 } else { 2.5 });
+        let rate = side * power * &d[1];
         [scale(&d, &r), add(&scale(&d, &rate), &scale(&t, &r))]
     }
 }

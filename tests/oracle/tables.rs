@@ -1,6 +1,6 @@
 //! Tables, as the fastest walls for them answer.
 use super::curve::{Cut, Meeting, Oval, Truth, truth_of};
-use super::curves::{Bulge, Kinked, Offset, Peanut, Quartic};
+use super::curves::{Bulge, Kinked, Offset, Peanut, Quartic, Softened};
 use super::errors::Subject;
 use super::number::{Vector, add, small, sub, vector};
 use super::subjects::{Frame, formulas};
@@ -168,6 +168,25 @@ impl PolarFormula for Lens {
     }
 }
 
+/// `1 + a |cos φ|^(5/2)`
+#[derive(Clone, Debug)]
+struct Soft(f64);
+
+impl PolarFormula for Soft {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let (size, root) = (cos.abs(), libm::sqrt(cos.abs()));
+        let second = self.0 * (3.75 * root * sin * sin - 2.5 * size * size * root);
+        [1.0 + self.0 * size * size * root, -2.5 * self.0 * cos * root * sin, second]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let (sin, cos) = (angle.sin(), angle.cos());
+        let (size, root) = (cos.abs(), cos.abs().sqrt());
+        let second = sin.square() * root * (3.75 * self.0) + size.square() * root * (-2.5 * self.0);
+        [size.square() * root * self.0 + 1.0, cos * root * sin * (-2.5 * self.0), second]
+    }
+}
+
 /// A table and the truth about each of its pieces.
 type Known = (&'static str, f64, Table, Vec<Box<dyn Truth>>);
 
@@ -219,6 +238,10 @@ fn of_curves(frame: &Frame) -> Result<Vec<Known>, Error> {
     let moved = Parallel::new(peanut.into(), 0.125, [0.0, length], None)?;
     let truth = Cut::new(Offset { base: Peanut(0.25), distance: 0.125 });
     all.push(("parallel of 1 + ¼ cos 2φ (Graphs)", 1.25, Table::new(vec![Box::new(moved)])?, vec![Box::new(truth)]));
+
+    let soft = Polar::new(Vector2::zeros(), Soft(0.25), true)?;
+    let truth = Cut::new(Softened(0.25));
+    all.push(("formula 1 + ¼ |cos φ|^2.5 (Graphs)", 1.25, Table::new(vec![Box::new(soft)])?, vec![Box::new(truth)]));
 
     let lens = Polar::new(Vector2::zeros(), Lens(0.25), true)?.pieces();
     // the arc from one kink to the other lies on the left

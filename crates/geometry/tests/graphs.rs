@@ -3,6 +3,7 @@
 mod formulas;
 mod random;
 
+use core::f64::consts::PI;
 use formulas::Clover;
 use geometry::{
     Line, Piece, Table, Vector2, WallHit, Walls,
@@ -74,8 +75,30 @@ fn a_smooth_curve_is_some_two_hundred_graphs_at_most_on_either_side() {
 }
 
 #[test]
-fn a_kink_in_a_third_derivative_is_no_graph() {
-    assert_eq!(graphs(Kinked, true), None);
+fn where_a_third_derivative_jumps_graphs_become_short() {
+    let curve = Polar::new(Vector2::zeros(), Kinked, true).unwrap();
+    let cut = curve.graphs().unwrap();
+    assert!((100..400).contains(&cut.len()), "{}", cut.len());
+    let walls = Graphs::new(&cut.into_iter().map(|graph| (0, graph)).collect::<Vec<_>>(), &[]);
+    let mut random = Random(3);
+    for k in 0..20_000 {
+        // about the kinks, closer and closer, and elsewhere
+        let side = if k % 2 == 0 { 0.5 } else { -0.5 };
+        let near = libm::exp2(random.between(-50.0, 1.0)) * random.between(-1.0, 1.0);
+        let (sin, cos) = libm::sincos(PI * side + near);
+        let point = Vector2::new(random.between(-0.7, 0.7), random.between(-0.7, 0.7));
+        let path = Line { point, velocity: Vector2::new(cos, sin) - point };
+        let hit = walls.hit(&path).unwrap();
+        let [x, y] = hit.point.into();
+        let r = libm::hypot(x, y);
+        let c = x / r;
+        let off = r - (1.0 + 0.1 * c.abs() * c * c);
+        assert!(off.abs() <= 2.0 * f64::EPSILON, "{path:?} {hit:?} {off:e}");
+        // r(cos, sin) has the tangent r'(cos, sin) + r(−sin, cos)
+        let rate = -0.3 * c.abs() * c * y / r;
+        let normal = Vector2::new(-rate * y / r - x, rate * x / r - y).normalize();
+        assert!((hit.normal - normal).norm() <= 4.0 * f64::EPSILON, "{path:?} {hit:?} {normal}");
+    }
 }
 
 #[test]

@@ -20,8 +20,9 @@ const STEEP: f64 = 0.5;
 /// A stretch that is too long is cut at this part of it; after one that is not, the next may be longer by its inverse.
 const PART: f64 = 0.8;
 
-/// Least part of the range: a curve that needs shorter ones has a kink.
-const LEAST: f64 = 1.0 / 131_072.0;
+/// Least part of the range: shorter stretches are rounding, and a curve that needs them has a kink. Where only a higher derivative has no
+/// bound, as that of |x|^2.5, stretches become shorter towards the place and long again beyond.
+const LEAST: f64 = 1.0 / 70_368_744_177_664.0; // 2⁻⁴⁶
 
 /// Most graphs of one curve; one that needs more is rough.
 const MOST: usize = 8192;
@@ -52,7 +53,7 @@ const FLAT: [f64; 2] = [1e-6, 1e-11];
 /// The incline of the graph is fitted to the direction of the curve, and its integral to the points, by least squares in Chebyshev
 /// polynomials. That keeps normals right to rounding, and takes the mean of the errors of the points.
 ///
-/// `None` where no polynomial is right to rounding: at kinks, and on curves that wiggle without end. What lies between the points that
+/// `None` where no polynomial is right to rounding: on curves that have kinks or wiggle without end. What lies between the points that
 /// are compared, 26 on each graph, is left to the caller: nothing can hide there if bounds on the second derivative say so.
 pub fn graphs(
     curve: &impl Parametric,
@@ -146,7 +147,9 @@ impl<C: Parametric> Cut<'_, C> {
             let [height, incline, _] = horner(&heights, *a);
             (height - b).abs() * half <= AGREE * self.size && (incline - slope).abs() <= AGREE + f64::EPSILON * turning
         };
-        if !(samples.iter().all(agrees) && rest <= f64::EPSILON * (0.5 + 0.25 * turning)) {
+        let [left, noise] = left_out(&samples, &heights);
+        let small = f64::EPSILON * (0.5 + 0.25 * turning);
+        if !(samples.iter().all(agrees) && rest <= small && left <= small + 0.6 * noise) {
             return Err(Refused::Long);
         }
         if let Some(a) = inflection(&heights) {
@@ -227,6 +230,25 @@ fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
     let size = |k: usize| chebyshev[k].abs().max(chebyshev[k - 1].abs());
     let (last, before) = (size(DEGREE - 1), size(DEGREE - 3));
     Some((powers, if last < before { last * (last / before) } else { last }))
+}
+
+/// The size of the next two terms in what polynomials leave of the inclines, and the root mean square of all that is left: of a curve that
+/// is smooth both are noise, of which these terms are a little less than half.
+fn left_out(samples: &[[f64; 4]; SAMPLES], heights: &[f64; DEGREE + 1]) -> [f64; 2] {
+    let (mut terms, mut squares) = ([[0.0; 2]; 2], 0.0);
+    for [a, _, slope, _] in samples {
+        let (mut t, mut next) = (1.0, *a);
+        for _ in 0..DEGREE {
+            (t, next) = (next, 2.0 * a * next - t);
+        }
+        let rest = slope - horner(heights, *a)[1];
+        squares += rest * rest;
+        for (term, t) in terms.iter_mut().zip([t, next]) {
+            *term = [term[0] + rest * t, term[1] + t * t];
+        }
+    }
+    let left = terms.iter().map(|[sum, weight]| (sum / weight).abs()).sum();
+    [left, libm::sqrt(squares / SAMPLES as f64)]
 }
 
 /// Where the second derivative changes its sign, if it does.
