@@ -1,5 +1,6 @@
 //! A scene run: its table built, its starts checked, its orbits run on all cores, what is asked for kept.
 
+mod bearings;
 mod boundary;
 mod counter;
 mod describe;
@@ -214,7 +215,7 @@ impl Simulation {
         let format = self.format(lattice.is_some());
         let mut harvest = self.harvest(kept, format.as_ref(), lattice, &seen, &crowded)?;
         let work = Work { pieces: &planar.pieces, ..self.work(&harvest, format.as_ref(), control, &crowded) };
-        let portraits = planar.portraits(&harvest.clouds);
+        let portraits = planar.portraits(&harvest.clouds, work.most_points());
         let launch = |orbit| {
             let start = starts(orbit);
             Launch { orbit: planar.launch(&start), scale: start.scale }

@@ -121,10 +121,10 @@ impl Planar {
         }
     }
 
-    /// What makes the counters of points for these clouds, if there are any.
+    /// What makes the counters of at most so many points for these clouds, if there are any.
     #[allow(clippy::type_complexity, reason = "a function, boxed")]
-    pub(crate) fn portraits(&self, clouds: &Clouds) -> Option<Box<dyn Fn() -> PlanarPortraits + Sync>> {
-        let unrolled = clouds.reduced.is_some().then(|| Arc::new(Unrolled::of(&self.centres)));
+    pub(crate) fn portraits(&self, clouds: &Clouds, points: f64) -> Option<Box<dyn Fn() -> PlanarPortraits + Sync>> {
+        let unrolled = clouds.reduced.is_some().then(|| Arc::new(Unrolled::of(&self.centres, points)));
         let (clouds, strict) = (clouds.clone(), self.strict);
         clouds.any().then(|| -> Box<dyn Fn() -> PlanarPortraits + Sync> {
             Box::new(move || PlanarPortraits::new(&clouds, unrolled.as_ref(), strict))

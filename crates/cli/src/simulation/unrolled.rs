@@ -5,6 +5,7 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 use billiards::geometry::{Figure, Piece, Table, Vector2};
 use lanes::{Lane, Mask};
 
+use super::bearings::Bearings;
 use super::start;
 use crate::picture::REDUCED_WIDTH;
 
@@ -22,7 +23,15 @@ pub(crate) struct Unrolled {
     stretches: Vec<Stretch>,
     /// Whether there are arcs among them.
     arcs: bool,
+    /// Of each piece that can be looked up; nothing where there are `stretches`, or few points.
+    bearings: Vec<Option<Bearings>>,
 }
+
+/// From so many points on it is worth while to look them up.
+const MANY: f64 = 50_000.0;
+
+/// Most pieces that are looked up: each takes some ten kilobytes and, if it searches, milliseconds.
+const MOST_LOOKED_UP: usize = 64;
 
 /// Most pieces that are told apart one after another.
 const MOST_STRETCHES: usize = 16;
@@ -136,15 +145,18 @@ fn angle<F: Lane>(x: F, y: F) -> F {
 }
 
 impl Unrolled {
-    /// The boundary of a table, of finite length.
-    pub(crate) fn of(table: &Table) -> Self {
+    /// The boundary of a table, of finite length, on which at most so many points will be found.
+    pub(crate) fn of(table: &Table, points: f64) -> Self {
         let (offsets, unit) = (table.arc_length_offsets(), REDUCED_WIDTH / table.perimeter());
         let few = table.lattice().is_none() && table.pieces().len() <= MOST_STRETCHES;
         let stretch = |(piece, start): (&std::sync::Arc<dyn Piece>, &f64)| Stretch::of(&**piece, start * unit, unit);
         let stretches: Option<Vec<Stretch>> = table.pieces().iter().zip(&offsets).map(stretch).collect();
         let stretches = stretches.filter(|_| few).unwrap_or_default();
         let arcs = stretches.iter().any(|stretch| stretch.radius > 0.0);
-        Unrolled { shifts: start::neighbours(table), unit, offsets, table: table.clone(), stretches, arcs }
+        let looked_up = stretches.is_empty() && points >= MANY && table.pieces().len() <= MOST_LOOKED_UP;
+        let pieces = if looked_up { table.pieces() } else { &[] };
+        let bearings = pieces.iter().map(|piece| Bearings::of(&**piece)).collect();
+        Unrolled { shifts: start::neighbours(table), unit, offsets, table: table.clone(), stretches, arcs, bearings }
     }
 
     /// Where hits are, between 0 and the width of the picture.
@@ -167,6 +179,9 @@ impl Unrolled {
     fn of_one(&self, piece: f64, at: Vector2<f64>) -> f64 {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
         let number = (piece as usize).min(self.offsets.len() - 1);
+        if let Some(Some(bearings)) = self.bearings.get(number) {
+            return (self.offsets[number] + bearings.arc_length(at, &self.shifts)) * self.unit;
+        }
         let piece = &self.table.pieces()[number];
         // on a lattice, the copy of the piece that was hit
         let off = |point: &Vector2<f64>| (piece.closest(point).point - point).norm_squared();
@@ -205,7 +220,7 @@ mod tests {
             tables::hexagon(1.0),
         ];
         for table in tables.map(Result::unwrap) {
-            let unrolled = Unrolled::of(&table);
+            let unrolled = Unrolled::of(&table, 1e9);
             assert_eq!(unrolled.stretches.len(), table.pieces().len());
             for (number, piece) in table.pieces().iter().enumerate() {
                 for k in 0..=100 {

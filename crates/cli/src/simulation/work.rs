@@ -75,6 +75,11 @@ impl Work<'_> {
         orbits.start >= self.watched_orbits() && self.time == f64::INFINITY
     }
 
+    /// As many points as there may be in a portrait.
+    pub(crate) fn most_points(&self) -> f64 {
+        self.orbits as f64 * self.collisions as f64
+    }
+
     /// Whether points of portraits are handed on one by one.
     pub(super) fn shows_points(&self) -> bool {
         self.counted && !self.crowded.load(Ordering::Relaxed)

@@ -5,7 +5,8 @@
 //! derivatives in [`Interval`] arithmetic.
 //!
 //! A curve that is smooth is also cut into [`graphs`](graphs()), once per table: polynomials over short chords that are right to
-//! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks.
+//! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks, or with a curvature
+//! that has no bound.
 mod arc_length;
 mod fit;
 mod graph;
