@@ -190,6 +190,8 @@ mod tests {
             tables::mushroom(1.0, 0.5, 0.75),
             tables::sinai_torus(0.3, 1.0),
             tables::flower(4, 1.25, 2.0),
+            tables::channel(1.0, 0.75, 0.125),
+            tables::ellipse([2.0, 1.0]).and_then(|table| Ok(table.offset(0.05)?.table)),
         ];
         for table in tables.map(Result::unwrap) {
             for piece in table.pieces() {
