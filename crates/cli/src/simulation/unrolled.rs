@@ -23,14 +23,14 @@ pub(crate) struct Unrolled {
     stretches: Vec<Stretch>,
     /// Whether there are arcs among them.
     arcs: bool,
-    /// Of each piece that can be looked up; nothing where there are `stretches`, or few points.
+    /// Of each piece that can be looked up and would have to search; nothing where there are `stretches`, or few points.
     bearings: Vec<Option<Bearings>>,
 }
 
 /// From so many points on it is worth while to look them up.
 const MANY: f64 = 50_000.0;
 
-/// Most pieces that are looked up: each takes some ten kilobytes and, if it searches, milliseconds.
+/// Most pieces that are looked up: each takes 48 KiB and some milliseconds.
 const MOST_LOOKED_UP: usize = 64;
 
 /// Most pieces that are told apart one after another.
@@ -148,14 +148,18 @@ impl Unrolled {
     /// The boundary of a table, of finite length, on which at most so many points will be found.
     pub(crate) fn of(table: &Table, points: f64) -> Self {
         let (offsets, unit) = (table.arc_length_offsets(), REDUCED_WIDTH / table.perimeter());
-        let few = table.lattice().is_none() && table.pieces().len() <= MOST_STRETCHES;
+        let alone = table.lattice().is_none();
+        let few = alone && table.pieces().len() <= MOST_STRETCHES;
         let stretch = |(piece, start): (&std::sync::Arc<dyn Piece>, &f64)| Stretch::of(&**piece, start * unit, unit);
         let stretches: Option<Vec<Stretch>> = table.pieces().iter().zip(&offsets).map(stretch).collect();
         let stretches = stretches.filter(|_| few).unwrap_or_default();
         let arcs = stretches.iter().any(|stretch| stretch.radius > 0.0);
         let looked_up = stretches.is_empty() && points >= MANY && table.pieces().len() <= MOST_LOOKED_UP;
         let pieces = if looked_up { table.pieces() } else { &[] };
-        let bearings = pieces.iter().map(|piece| Bearings::of(&**piece)).collect();
+        // a segment or an arc knows where a point of it is, but not which of its copies is hit
+        let searches = |piece: &&std::sync::Arc<dyn Piece>| !alone || Stretch::of(&***piece, 0.0, unit).is_none();
+        let bearings = pieces.iter().map(|piece| Some(piece).filter(searches).and_then(|piece| Bearings::of(&**piece)));
+        let bearings = bearings.collect();
         Unrolled { shifts: start::neighbours(table), unit, offsets, table: table.clone(), stretches, arcs, bearings }
     }
 
