@@ -30,9 +30,9 @@ fn main() -> Result<(), Error> {
             assert!(error <= 1e-16 * count as f64 + 1e-15 * (count / part) as f64, "{name}");
         }
     }
-    println!("rms drift of what is conserved, over 8 orbits, up to {count} collisions");
+    println!("rms drift of what is conserved, over 32 orbits, up to {count} collisions");
     for case in long::cases()? {
-        let drifts = long::drifts(&case, 8, &checkpoints);
+        let drifts = long::drifts(&case, 32, &checkpoints);
         let (last, exponent) = (drifts[drifts.len() - 1], long::exponent(&checkpoints, &drifts));
         println!("  {:<54} {last:.1e}, like N^{exponent:.2}", case.name);
         // a random walk

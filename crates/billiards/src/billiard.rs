@@ -1,6 +1,6 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
-    energy::{BEAT, EnergyKeeper},
+    energy::{Arrived, EnergyKeeper, dot},
     laws::Mirror,
     orbit::Orbit,
     track::Track,
@@ -32,6 +32,13 @@ pub trait BallLaw<const N: usize, const S: usize>: Sync {
         *velocity = [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2];
     }
 
+    /// Whether it always turns the velocity's component along the normal around, as every strict law does: what the energy lacks can
+    /// then be handed there sooner.
+    #[inline(always)]
+    fn reverses_normal(&self) -> bool {
+        false
+    }
+
     /// What it does in the frame of a hit in the plane, if it undoes itself and is the same at every hit.
     fn mirror(&self) -> Option<Mirror> {
         None
@@ -56,10 +63,6 @@ pub trait Motion<const N: usize, const S: usize> {
     /// What a flight finds out besides the hit.
     type Arrival<F: Lane>: Copy;
 
-    /// The energy is restored after so many collisions.
-    fn beat(&self) -> u32 {
-        BEAT
-    }
     /// Orbits that start from anywhere, as many as `zero` has lanes.
     fn start<F: Lane>(&self, zero: F) -> Self::Carried<F>;
     /// Another orbit starts, or goes on, in the lanes `new`.
@@ -92,10 +95,6 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
     type Carried<F: Lane> = ();
     type Arrival<F: Lane> = ();
 
-    #[inline(always)]
-    fn beat(&self) -> u32 {
-        if self.walls.is_delicate() { 1 } else { BEAT }
-    }
     fn start<F: Lane>(&self, _: F) {}
     #[inline(always)]
     fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, (): &mut (), _: F::Mask, _: &mut Orbit<f64, N, S, K, T>) {
@@ -114,15 +113,14 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
     ) -> F {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         orbit.position = hit.point;
-        let mut normal_speed = orbit.velocity[0] * hit.normal[0];
-        for i in 1..N {
-            normal_speed = normal_speed + orbit.velocity[i] * hit.normal[i];
-        }
+        let (velocity, spin) = (orbit.velocity, orbit.spin);
+        let normal_speed = dot(&velocity, &hit.normal);
+        let arrived = Arrived { velocity, spin, normal_speed, reverses: self.law.reverses_normal() };
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
         if self.walls.rounds_normals() {
-            orbit.keeper.straighten(&mut orbit.velocity, normal_speed, hit);
+            orbit.keeper.straighten(&mut orbit.velocity, hit, &arrived);
         }
-        orbit.keeper.leave(&mut orbit.velocity, &orbit.spin, hit, self.beat());
+        orbit.keeper.leave(&mut orbit.velocity, hit, &arrived);
         let normal_speed = normal_speed * hit.inverse;
         normal_speed * normal_speed
     }

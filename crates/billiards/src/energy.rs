@@ -1,54 +1,75 @@
 //! Keeping the energy of long orbits to the last digit.
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
-//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions, and at each one where walls are
-//! [delicate](Walls::is_delicate), [`Conserved`] computes the energy with an error of about 2⁻⁷⁵ and hands what is missing to the
-//! **normal** component of the outgoing velocity, from where the law took it (to the velocity as a whole where it grazes
-//! the wall). The error of the energy is then that of at most [`BEAT`] collisions, and the work that of a fraction of one.
+//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions [`Conserved`] computes the energy with an
+//! error of about 2⁻⁷⁵ and hands what is missing to the **normal** component of the outgoing velocity, from where the law took it
+//! (to the velocity as a whole where it grazes the wall). It takes the energy with which the orbit arrived, which is known before the
+//! law is: the next flight need not wait for the sum. The error of the energy is then that of [`BEAT`] collisions and one at most,
+//! and the work that of a fraction of one.
 use crate::{in_lanes::InLanes, recurring::Recurring};
 use geometry::WallHit;
-#[cfg(doc)]
-use geometry::Walls;
 use lanes::{Double, Lane, Mask};
 
-/// The energy is restored after so many collisions, but where walls are [delicate](Walls::is_delicate).
+/// The energy is restored after so many collisions.
 ///
 /// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √16 times that, whatever the number
 /// of collisions.
 pub const BEAT: u32 = 16;
 
-/// What has less than this part of the energy is not corrected by what the energy lacks. So no correction of a velocity is more
-/// than ½/√10⁻³ = 16 times the lack.
+/// What has less than this part of the energy is not corrected by what the energy lacks: no correction of a velocity is more than
+/// ½/√10⁻³ = 16 times that.
 pub(crate) const LITTLE: f64 = 1e-3;
 
 /// What happens to the energy of an orbit besides the law.
 pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// For an orbit that starts with this velocity and spin.
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self;
-    /// Sees the velocity and the spin that leave a collision, and may correct the velocity at every `beat`th.
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32);
-    /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision; before it
-    /// the component along the normal was `arrival`.
-    fn straighten(&mut self, _velocity: &mut [F; N], _arrival: F, _hit: &WallHit<F, N>) {}
-    /// The same as [`leave`](EnergyKeeper::leave) for the components of the velocity along the normal, which comes first, and the tangents. In this frame a
+    /// Sees what `arrived` at a collision, and may correct the velocity that leaves it.
+    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>);
+    /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
+    fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F, N, S>) {}
+    /// The same for the components of the velocity that leaves along the normal, which comes first, and the tangents. In this frame a
     /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32);
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
     /// `|v|² + |w|²` as it should be, in one lane.
     fn square(&self, lane: usize) -> Option<Double>;
     /// Counts a collision that rounds nothing.
-    fn pass(&mut self, beat: u32);
+    fn pass(&mut self);
     /// What is known of the velocity between round walls besides its energy.
     fn recurring(&mut self) -> Option<&mut Recurring<F>> {
         None
     }
 }
 
+/// What arrives at a collision.
+#[derive(Clone, Copy, Debug)]
+pub struct Arrived<F, const N: usize, const S: usize> {
+    /// Velocity of the centre [L T⁻¹].
+    pub velocity: [F; N],
+    /// Scaled spin [L T⁻¹].
+    pub spin: [F; S],
+    /// The component of the velocity along the normal of the hit, times its length.
+    pub normal_speed: F,
+    /// Whether the law [reverses](crate::BallLaw::reverses_normal) that.
+    pub reverses: bool,
+}
+
 /// How the energy of an orbit is kept, with a type for every lane width: [`Conserved`] or [`Free`].
 pub trait Keeping<const N: usize, const S: usize>: EnergyKeeper<f64, N, S> {
     /// The keeper in lanes of `F`.
     type In<F: Lane>: EnergyKeeper<F, N, S> + InLanes<F, One = Self>;
+}
+
+/// `a·b`
+#[inline(always)]
+pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
+    let mut sum = a[0] * b[0];
+    for i in 1..N {
+        sum = sum + a[i] * b[i];
+    }
+    sum
 }
 
 /// `|velocity|² + |spin|²`: twice the energy per mass [L² T⁻²].
@@ -71,9 +92,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn new(_: &[F; N], _: &[F; S]) -> Self {}
     #[inline(always)]
-    fn leave(&mut self, _: &mut [F; N], _: &[F; S], _: &WallHit<F, N>, _: u32) {}
+    fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F, N, S>) {}
     #[inline(always)]
-    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: u32) {}
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S]) {}
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], _: &[F; S]) -> F {
         velocity[0].same(0.0)
@@ -82,7 +103,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
         None
     }
     #[inline(always)]
-    fn pass(&mut self, _: u32) {}
+    fn pass(&mut self) {}
 }
 
 impl<const N: usize, const S: usize> Keeping<N, S> for Free {
@@ -97,8 +118,10 @@ pub struct Conserved<F, const N: usize> {
     /// `|v|² + |w|²` at the start, as a sum.
     high: F,
     low: F,
-    /// A normal speed whose square is below this grazes; a speed below it has next to no energy to correct.
-    grazing: F,
+    /// A component whose square is below this has next to no energy to correct.
+    little: F,
+    /// `½/(|v|² + |w|²)`
+    share: F,
     /// Collisions since the energy was restored, in all lanes alike.
     beat: u32,
     /// Between round walls, what each run after the first goes on with.
@@ -137,20 +160,18 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         });
         let (high, low) = precise_square(grid, velocity, spin);
         let recurring = Recurring::nothing(square.same(0.0));
-        Conserved { grid, high, low, grazing: square * LITTLE, beat: 0, recurring }
+        Conserved { grid, high, low, little: square * LITTLE, share: square.same(0.5) / square, beat: 0, recurring }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
-        self.beat += 1;
-        if self.beat >= beat {
-            self.beat = 0;
-            self.restore(velocity, spin, hit);
+    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+        if self.is_due() {
+            self.restore(velocity, hit, arrived);
         }
     }
     /// `v − 2 (v·n) n/|n|²` is `v − 2 (v·n) n` less `2 (v·n) (1 − |n|²) n`.
     #[inline(always)]
-    fn straighten(&mut self, velocity: &mut [F; N], arrival: F, hit: &WallHit<F, N>) {
-        let n = &hit.normal;
+    fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+        let (n, arrival) = (&hit.normal, arrived.normal_speed);
         // not from a sum near 1, which rounds to even numbers and so on one side more often than on the other
         let lacks = n.iter().fold(arrival.same(1.0), |rest, n| rest - *n * *n);
         let twice = (arrival + arrival) * lacks;
@@ -159,27 +180,21 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
-        self.beat += 1;
-        if self.beat >= beat {
-            self.beat = 0;
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
+        if self.is_due() {
             self.restore_in_frame(velocity, spin);
         }
     }
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F {
-        let (high, low) = precise_square(self.grid, velocity, spin);
-        ((self.high - high) + (self.low - low)) / self.high
+        self.missing(velocity, spin) * (self.share + self.share)
     }
     fn square(&self, lane: usize) -> Option<Double> {
         Some(Double { high: self.high.lane(lane), low: self.low.lane(lane) })
     }
     #[inline(always)]
-    fn pass(&mut self, beat: u32) {
-        self.beat += 1;
-        if self.beat >= beat {
-            self.beat = 0;
-        }
+    fn pass(&mut self) {
+        self.is_due();
     }
     fn recurring(&mut self) -> Option<&mut Recurring<F>> {
         Some(&mut self.recurring)
@@ -193,7 +208,8 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             grid: self.grid.lane(lane),
             high: self.high.lane(lane),
             low: self.low.lane(lane),
-            grazing: self.grazing.lane(lane),
+            little: self.little.lane(lane),
+            share: self.share.lane(lane),
             beat: self.beat,
             recurring: self.recurring.one(lane),
         }
@@ -203,7 +219,8 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             grid: zero.same(one.grid),
             high: zero.same(one.high),
             low: zero.same(one.low),
-            grazing: zero.same(one.grazing),
+            little: zero.same(one.little),
+            share: zero.same(one.share),
             beat: one.beat,
             recurring: Recurring::all(&one.recurring, zero),
         }
@@ -212,13 +229,12 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
         self.grid.put(lane, one.grid);
         self.high.put(lane, one.high);
         self.low.put(lane, one.low);
-        self.grazing.put(lane, one.grazing);
+        self.little.put(lane, one.little);
+        self.share.put(lane, one.share);
         self.recurring.put(lane, &one.recurring);
     }
-    fn wait(&self, one: &Conserved<f64, N>, beat: u32) -> u64 {
-        // an orbit that comes from slower walls may have counted further
-        let counted = |beats: u32| beats.min(beat - 1);
-        u64::from((counted(one.beat) + beat - counted(self.beat)) % beat)
+    fn wait(&self, one: &Conserved<f64, N>) -> u64 {
+        u64::from((one.beat + BEAT - self.beat) % BEAT)
     }
 }
 
@@ -227,22 +243,35 @@ impl<const N: usize, const S: usize> Keeping<N, S> for Conserved<f64, N> {
 }
 
 impl<F: Lane, const N: usize> Conserved<F, N> {
-    /// Hands what the energy lacks to the velocity.
+    /// Counts a collision; whether it is time to restore the energy.
     #[inline(always)]
-    fn restore<const S: usize>(&self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>) {
-        let normal = &hit.normal;
-        let (mut vn, mut square) = (velocity[0] * normal[0], velocity[0] * velocity[0]);
-        for i in 1..N {
-            vn = vn + velocity[i] * normal[i];
-            square = square + velocity[i] * velocity[i];
+    fn is_due(&mut self) -> bool {
+        self.beat += 1;
+        let due = self.beat >= BEAT;
+        if due {
+            self.beat = 0;
         }
-        // along the normal; along the velocity where it grazes; not at all where nearly all energy is spin
-        let zero = vn.same(0.0);
-        let steep = self.grazing.lt((vn * hit.inverse) * (vn * hit.inverse));
-        let moving = self.grazing.lt(square);
-        let share = moving.select(zero.same(0.5), zero) / steep.select(vn, square);
+        due
+    }
+
+    /// What a velocity and a spin lack of the energy, as `|v|² + |w|²`.
+    #[inline(always)]
+    fn missing<const S: usize>(&self, velocity: &[F; N], spin: &[F; S]) -> F {
         let (high, low) = precise_square(self.grid, velocity, spin);
-        let add = ((self.high - high) + (self.low - low)) * share;
+        (self.high - high) + (self.low - low)
+    }
+
+    /// Hands what the energy lacked on arrival to the velocity that leaves: to its normal component, of which the size is known
+    /// before the law is applied; or, where that is next to nothing or not reversed, to the velocity as a whole, the share of it that
+    /// is not in the spin.
+    #[inline(always)]
+    fn restore<const S: usize>(&self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+        let missing = self.missing(&arrived.velocity, &arrived.spin);
+        let (vn, normal) = (arrived.normal_speed, &hit.normal);
+        let speed = vn * hit.inverse;
+        let steep = self.little.lt(speed * speed);
+        let steep = if arrived.reverses { steep } else { vn.never() };
+        let add = missing * steep.select(vn.same(-0.5) / vn, self.share);
         for i in 0..N {
             velocity[i] = velocity[i] + add * steep.select(normal[i], velocity[i]);
         }
@@ -259,9 +288,8 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
             square = square + *w * *w;
         }
         let zero = square.same(0.0);
-        let (high, low) = precise_square(self.grid, velocity, spin);
-        let share = self.grazing.lt(square).select(zero.same(0.5), zero) / square.max(self.grazing);
-        let add = ((self.high - high) + (self.low - low)) * share;
+        let share = self.little.lt(square).select(zero.same(0.5), zero) / square.max(self.little);
+        let add = self.missing(velocity, spin) * share;
         for x in &mut velocity[1..] {
             *x = *x + *x * add;
         }
@@ -287,7 +315,8 @@ mod tests {
             let off = (square(velocity) - square(before)).abs();
             assert!(off > 2.0 * stretch.abs(), "{off:e}");
             let hit = WallHit { normal, ..WallHit::never([0.0; 2]) };
-            EnergyKeeper::<f64, 2, 0>::straighten(&mut { keeper }, &mut velocity, arrival, &hit);
+            let arrived = Arrived { velocity: before, spin: [], normal_speed: arrival, reverses: true };
+            EnergyKeeper::<f64, 2, 0>::straighten(&mut { keeper }, &mut velocity, &hit, &arrived);
             let off = (square(velocity) - square(before)).abs();
             assert!(off < 1e-15, "{off:e}");
         }

@@ -11,8 +11,8 @@ pub trait InLanes<F: Lane>: Clone {
     fn all(one: &Self::One, zero: F) -> Self;
     /// Puts what belongs to an orbit into one lane.
     fn put(&mut self, lane: usize, one: &Self::One);
-    /// After how many collisions an orbit can join these, because all of them count to `beat`.
-    fn wait(&self, _: &Self::One, _beat: u32) -> u64 {
+    /// After how many collisions an orbit can join these, because all of them count together.
+    fn wait(&self, _: &Self::One) -> u64 {
         0
     }
 }

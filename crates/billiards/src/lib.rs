@@ -40,7 +40,7 @@ mod tracked;
 
 pub use billiard::{BallLaw, Billiard, Motion};
 pub use collision_laws;
-pub use energy::{BEAT, Conserved, EnergyKeeper, Free, Keeping};
+pub use energy::{Arrived, BEAT, Conserved, EnergyKeeper, Free, Keeping};
 pub use ensemble::Ensemble;
 pub use error::Error;
 pub use geometry;

@@ -204,11 +204,11 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         carried.on_wall = carried.on_wall | !carried.on_wall;
         if self.mirror.is_some() {
             carried.is_odd = !carried.is_odd;
-            orbit.keeper.pass(self.beat());
+            orbit.keeper.pass();
         } else {
             let mut velocity = [-arrival, chord.tangential];
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
-            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, self.beat());
+            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin);
             [carried.normal, carried.even.tangential] = velocity;
         }
         arrival * arrival

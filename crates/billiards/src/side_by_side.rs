@@ -134,7 +134,7 @@ where
             }
             *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
             idle[lane] = true;
-            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper, self.billiard.beat()));
+            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper));
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(mut orbit)) => {
                     let index = *next;

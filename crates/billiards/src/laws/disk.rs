@@ -83,6 +83,11 @@ impl BallLaw<2, 1> for Disk {
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
         in_frame(self.in_frame.in_lanes(hit.time), velocity, spin);
     }
+    #[inline(always)]
+    fn reverses_normal(&self) -> bool {
+        let Coefficients([.., normal]) = self.in_frame;
+        normal == -1.0
+    }
     fn mirror(&self) -> Option<Mirror> {
         self.mirror
     }

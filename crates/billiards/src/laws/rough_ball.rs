@@ -82,4 +82,8 @@ impl BallLaw<3, 3> for RoughBall {
             spin[i] = spin[i] + turn[i] * self.factor;
         }
     }
+    #[inline(always)]
+    fn reverses_normal(&self) -> bool {
+        true
+    }
 }

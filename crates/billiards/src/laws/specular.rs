@@ -28,6 +28,11 @@ impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
         velocity[0] = -velocity[0];
     }
 
+    #[inline(always)]
+    fn reverses_normal(&self) -> bool {
+        true
+    }
+
     fn mirror(&self) -> Option<Mirror> {
         Some(Mirror::specular())
     }

@@ -1,7 +1,7 @@
 //! The energy, kept where the law keeps it.
 
 use billiards::geometry::WallHit;
-use billiards::{Conserved, EnergyKeeper, InLanes, Keeping, Recurring};
+use billiards::{Arrived, Conserved, EnergyKeeper, InLanes, Keeping, Recurring};
 use lanes::{Double, Lane};
 
 /// Keeps the energy where the law does, in lanes of `F`.
@@ -24,21 +24,21 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         Keeper { conserved: EnergyKeeper::<F, N, S>::new(velocity, spin), strict: true }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], spin: &[F; S], hit: &WallHit<F, N>, beat: u32) {
+    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
         if self.strict {
-            self.conserved.leave(velocity, spin, hit, beat);
+            self.conserved.leave(velocity, hit, arrived);
         }
     }
     #[inline(always)]
-    fn straighten(&mut self, velocity: &mut [F; N], arrival: F, hit: &WallHit<F, N>) {
+    fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
         if self.strict {
-            EnergyKeeper::<F, N, S>::straighten(&mut self.conserved, velocity, arrival, hit);
+            self.conserved.straighten(velocity, hit, arrived);
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], beat: u32) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
         if self.strict {
-            self.conserved.leave_in_frame(velocity, spin, beat);
+            self.conserved.leave_in_frame(velocity, spin);
         }
     }
     #[inline(always)]
@@ -49,9 +49,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         if self.strict { EnergyKeeper::<F, N, S>::square(&self.conserved, lane) } else { None }
     }
     #[inline(always)]
-    fn pass(&mut self, beat: u32) {
+    fn pass(&mut self) {
         if self.strict {
-            EnergyKeeper::<F, N, S>::pass(&mut self.conserved, beat);
+            EnergyKeeper::<F, N, S>::pass(&mut self.conserved);
         }
     }
     fn recurring(&mut self) -> Option<&mut Recurring<F>> {
@@ -70,8 +70,8 @@ impl<F: Lane, const N: usize> InLanes<F> for Keeper<N, F> {
     fn put(&mut self, lane: usize, one: &Keeper<N>) {
         self.conserved.put(lane, &one.conserved);
     }
-    fn wait(&self, one: &Keeper<N>, beat: u32) -> u64 {
-        self.conserved.wait(&one.conserved, beat)
+    fn wait(&self, one: &Keeper<N>) -> u64 {
+        self.conserved.wait(&one.conserved)
     }
 }
 

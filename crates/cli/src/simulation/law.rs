@@ -34,6 +34,13 @@ impl BallLaw<2, 1> for PlanarLaw {
             PlanarLaw::PerPiece(law) => law.collide_in_frame(hit, velocity, spin),
         }
     }
+    #[inline(always)]
+    fn reverses_normal(&self) -> bool {
+        match self {
+            PlanarLaw::Uniform(law) => law.reverses_normal(),
+            PlanarLaw::PerPiece(law) => law.reverses_normal(),
+        }
+    }
     fn mirror(&self) -> Option<Mirror> {
         match self {
             PlanarLaw::Uniform(law) => law.mirror(),
@@ -123,6 +130,10 @@ impl BallLaw<3, 3> for SpatialLaw {
             SpatialLaw::Rough(law) => law.collide(hit, velocity, spin),
             SpatialLaw::Any(law) => law.collide(hit, velocity, spin),
         }
+    }
+    #[inline(always)]
+    fn reverses_normal(&self) -> bool {
+        !matches!(self, SpatialLaw::Any(_))
     }
 }
 

@@ -13,10 +13,6 @@ pub struct Around<A, B> {
 }
 
 impl<A: Walls<N>, B: Walls<N>, const N: usize> Walls<N> for Around<A, B> {
-    fn is_delicate(&self) -> bool {
-        self.container.is_delicate() || self.obstacles.is_delicate()
-    }
-
     fn rounds_normals(&self) -> bool {
         self.container.rounds_normals() || self.obstacles.rounds_normals()
     }

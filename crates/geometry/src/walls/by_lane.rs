@@ -12,7 +12,7 @@ use nalgebra::SVector;
 pub struct ByLane<B>(pub B);
 
 impl<B: Boundary<N> + Sync, const N: usize> Walls<N> for ByLane<B> {
-    fn is_delicate(&self) -> bool {
+    fn rounds_normals(&self) -> bool {
         true
     }
 

@@ -345,7 +345,7 @@ impl All {
 }
 
 impl Walls<2> for Graphs {
-    fn is_delicate(&self) -> bool {
+    fn rounds_normals(&self) -> bool {
         true
     }
 

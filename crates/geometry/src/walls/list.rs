@@ -81,7 +81,7 @@ impl Boundary<2> for Pieces {
 }
 
 impl Walls<2> for List {
-    fn is_delicate(&self) -> bool {
+    fn rounds_normals(&self) -> bool {
         true
     }
 

@@ -113,14 +113,8 @@ pub trait Walls<const N: usize>: Sync {
     /// The first hit of the paths `x + t v`, `t ≥ 0`.
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
 
-    /// Whether what a collision rounds off the energy is worth restoring at once: where a hit takes so long that it makes no
-    /// difference.
-    fn is_delicate(&self) -> bool {
-        false
-    }
-
-    /// Whether normals have length 1, but for a rounding that is another at each hit and worth taking back: on an ellipse, where
-    /// the product of the momenta about the foci is conserved as well as the energy.
+    /// Whether normals have length 1, but for a rounding that is worth taking back: on an ellipse, where the product of the momenta
+    /// about the foci is conserved as well as the energy, and where a hit takes so long that it makes no difference.
     fn rounds_normals(&self) -> bool {
         false
     }
@@ -143,10 +137,6 @@ impl<W: Walls<N>, const N: usize> Walls<N> for &W {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         (**self).first_hit(x, v)
-    }
-
-    fn is_delicate(&self) -> bool {
-        (**self).is_delicate()
     }
 
     fn rounds_normals(&self) -> bool {

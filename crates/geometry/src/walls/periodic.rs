@@ -33,10 +33,6 @@ impl<W> Periodic<W> {
 }
 
 impl<W: Walls<2>> Walls<2> for Periodic<W> {
-    fn is_delicate(&self) -> bool {
-        self.walls.is_delicate()
-    }
-
     fn rounds_normals(&self) -> bool {
         self.walls.rounds_normals()
     }

@@ -54,12 +54,8 @@ impl Pieces {
 }
 
 impl Walls<2> for Pieces {
-    fn is_delicate(&self) -> bool {
-        self.list.is_some() || self.graphs.is_some()
-    }
-
     fn rounds_normals(&self) -> bool {
-        self.few.rounds_normals()
+        self.list.is_some() || self.graphs.is_some() || self.few.rounds_normals()
     }
 
     #[inline(always)]

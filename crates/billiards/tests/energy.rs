@@ -1,0 +1,53 @@
+//! The keeper keeps the energy under any law that does, wherever the orbit goes.
+use billiards::collision_laws::laws::{NoSlip, Specular};
+use billiards::geometry::{WallHit, tables};
+use billiards::observe::EnergyDrift;
+use billiards::{BallLaw, Collisions, Conserved, Orbit, Planar, laws::Disk};
+use lanes::Lane;
+
+type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>>;
+
+/// The largest drift of the energy in 200 000 collisions in an ellipse, in parts of it.
+fn drift(law: impl BallLaw<2, 1>, velocity: [f64; 2], spin: f64) -> f64 {
+    let billiard = Planar { table: tables::ellipse([2.0, 1.0]).unwrap(), law };
+    let mut orbit: Disks = Orbit::new([0.0, -1.0], velocity, [spin], ());
+    let mut drift = EnergyDrift::of(&orbit);
+    assert_eq!(billiard.run(&mut orbit, &Collisions(200_000), &mut drift).collisions, 200_000);
+    drift.largest()
+}
+
+/// Leaves at an angle whose sine is `2 |sin| − 1` of that of arrival, at the speed of arrival: from along the wall to along the
+/// normal in a few collisions, and back.
+struct Scattering;
+
+impl BallLaw<2, 1> for Scattering {
+    fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], _: &mut [F; 1]) {
+        let [n1, n2] = hit.unit_normal();
+        let [v1, v2] = *velocity;
+        let (square, vt) = (v1 * v1 + v2 * v2, v2 * n1 - v1 * n2);
+        let speed = square.sqrt();
+        let vt = vt.abs() + vt.abs() - speed;
+        let vn = (square - vt * vt).max(speed.same(0.0)).sqrt();
+        *velocity = [vn * n1 - vt * n2, vn * n2 + vt * n1];
+    }
+}
+
+#[test]
+fn energy_is_kept_under_a_law_that_does_not_reverse_the_normal_component() {
+    let drift = drift(Scattering, [0.3, 0.9], 0.5);
+    assert!(drift < 2e-14, "{drift:e}");
+}
+
+#[test]
+fn energy_is_kept_where_every_collision_grazes() {
+    // the square of the normal component is below a thousandth of the energy
+    let drift = drift(Disk::new(&Specular, 0.5), [1.0, 0.001], 0.1);
+    assert!(drift < 1e-14, "{drift:e}");
+}
+
+#[test]
+fn energy_wanders_little_where_nearly_all_of_it_is_spin() {
+    // what the spin rounds is a thousand times what so slow a velocity can make up for at once
+    let drift = drift(Disk::new(&NoSlip, 1e-3), [1e-3, 1e-4], 1.0);
+    assert!(drift < 1e-12, "{drift:e}");
+}
