@@ -321,4 +321,27 @@ mod tests {
             assert!(off < 1e-15, "{off:e}");
         }
     }
+
+    /// The error of the energy that leaves the collision at which it is restored, for one of 10⁻⁹ that arrives.
+    fn off(arrived: [f64; 2], normal: [f64; 2], leaves: [f64; 2], reverses: bool) -> f64 {
+        let mut keeper = <Conserved<f64, 2> as EnergyKeeper<f64, 2, 0>>::new(&arrived, &[]);
+        let lacking = |v: [f64; 2]| v.map(|v| v * (1.0 - 0.5e-9));
+        let (velocity, mut leaves) = (lacking(arrived), lacking(leaves));
+        let hit = WallHit { normal, ..WallHit::never([0.0; 2]) };
+        let arrived = Arrived { velocity, spin: [], normal_speed: dot(&velocity, &normal), reverses };
+        for _ in 0..BEAT {
+            keeper.leave(&mut leaves, &hit, &arrived);
+        }
+        keeper.lack(&leaves, &[])
+    }
+
+    #[test]
+    fn what_is_missing_is_made_up_for_at_once() {
+        // in the normal component, or as a whole where that is next to nothing or something else than before
+        assert!(off([0.6, -0.8], [0.0, 1.0], [0.6, 0.8], true).abs() < 1e-16);
+        assert!(off([1.0, -0.01], [0.0, 1.0], [1.0, 0.01], true).abs() < 1e-16);
+        assert!(off([0.6, -0.8], [0.0, 1.0], [0.6, 0.8], false).abs() < 1e-16);
+        // handed to a component of 0.28, it would be four times too much in one of 1
+        assert!(off([0.96, -0.28], [0.0, 1.0], [0.0, 1.0], false).abs() < 1e-16);
+    }
 }
