@@ -83,6 +83,12 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         Rolling { walls, law, mirror: if W::ROUND { law.mirror() } else { None } }
     }
 
+    /// Whether the velocity in the frame comes back at every second hit: for straight walls known to the compiler.
+    #[inline(always)]
+    fn recurs(&self) -> bool {
+        W::ROUND && self.mirror.is_some()
+    }
+
     /// The frame of the first hit, with the velocity in the frame from which the path would have come.
     fn before<K: EnergyKeeper<f64, 2, 1>, T>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>) -> Frame<f64> {
         let hit = self.walls.first_hit(&orbit.position, &orbit.velocity);
@@ -166,7 +172,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         carried.normal = put(carried.normal, from.normal);
         carried.on_wall = carried.on_wall & !new;
         carried.first = put(carried.first, from.first);
-        if self.mirror.is_some() {
+        if self.recurs() {
             let [even, odd] = if carried.is_odd { [from.odd, from.even] } else { [from.even, from.odd] };
             carried.even = carried.even.with(new, &even);
             carried.odd = carried.odd.with(new, &odd);
@@ -177,7 +183,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
     #[inline(always)]
     fn flight<F: Lane, K, T>(&self, _: &Orbit<F, 2, 1, K, T>, carried: &Frame<F>) -> (WallHit<F, 2>, Chord<F>) {
         let on = carried.on_wall;
-        let mut chord = if self.mirror.is_some() {
+        let mut chord = if self.recurs() {
             let now = if carried.is_odd { &carried.odd } else { &carried.even };
             Chord { time: now.time, place: now.swing.apply(&carried.place), tangential: now.tangential }
         } else {
@@ -202,7 +208,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         let arrival = carried.normal;
         carried.place = chord.place;
         carried.on_wall = carried.on_wall | !carried.on_wall;
-        if self.mirror.is_some() {
+        if self.recurs() {
             carried.is_odd = !carried.is_odd;
             orbit.keeper.pass();
         } else {
@@ -216,7 +222,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, orbit: &mut Orbit<F, 2, 1, K, T>, carried: &Frame<F>) {
         let on = carried.on_wall;
-        let now = if self.mirror.is_some() && carried.is_odd { &carried.odd } else { &carried.even };
+        let now = if self.recurs() && carried.is_odd { &carried.odd } else { &carried.even };
         let (vn, vt) = (carried.normal, now.tangential);
         let WallHit { point, normal: [n1, n2], .. } =
             self.walls.landing(&Chord { time: vn, place: carried.place, tangential: vt });
@@ -225,7 +231,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             orbit.position[i] = on.select(point[i], orbit.position[i]);
             orbit.velocity[i] = on.select(velocity[i], orbit.velocity[i]);
         }
-        if self.mirror.is_some() {
+        if self.recurs() {
             orbit.spin = [on.select(now.spin, orbit.spin[0])];
         }
     }
