@@ -28,9 +28,9 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>);
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
     fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F, N, S>) {}
-    /// The same for the components of the velocity that leaves along the normal, which comes first, and the tangents. In this frame a
-    /// law changes the normal component without rounding, so the others are corrected, and the spin with them.
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]);
+    /// The same for the components of velocities along the normal, which comes first, and the tangents. In this frame a law changes
+    /// the normal component without rounding, so the others are corrected, and the spin with them.
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
     /// `|v|² + |w|²` as it should be, in one lane.
@@ -94,7 +94,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F, N, S>) {}
     #[inline(always)]
-    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S]) {}
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: &Arrived<F, N, S>) {}
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], _: &[F; S]) -> F {
         velocity[0].same(0.0)
@@ -180,9 +180,16 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>) {
         if self.is_due() {
-            self.restore_in_frame(velocity, spin);
+            // of what is missing, their share of the energy: as much as they have lost, on average
+            let growth = self.missing(&arrived.velocity, &arrived.spin) * self.share;
+            for i in 1..N {
+                velocity[i] = velocity[i] + velocity[i] * growth;
+            }
+            for i in 0..S {
+                spin[i] = spin[i] + spin[i] * growth;
+            }
         }
     }
     #[inline(always)]
@@ -274,27 +281,6 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         let add = missing * steep.select(vn.same(-0.5) / vn, self.share);
         for i in 0..N {
             velocity[i] = velocity[i] + add * steep.select(normal[i], velocity[i]);
-        }
-    }
-
-    /// Hands what the energy lacks to the tangential velocity and the spin.
-    #[inline(always)]
-    fn restore_in_frame<const S: usize>(&self, velocity: &mut [F; N], spin: &mut [F; S]) {
-        let mut square = velocity[1] * velocity[1];
-        for x in &velocity[2..] {
-            square = square + *x * *x;
-        }
-        for w in &*spin {
-            square = square + *w * *w;
-        }
-        let zero = square.same(0.0);
-        let share = self.little.lt(square).select(zero.same(0.5), zero) / square.max(self.little);
-        let add = self.missing(velocity, spin) * share;
-        for x in &mut velocity[1..] {
-            *x = *x + *x * add;
-        }
-        for w in spin {
-            *w = *w + *w * add;
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
     billiard::{BallLaw, Motion},
-    energy::{EnergyKeeper, LITTLE},
+    energy::{Arrived, EnergyKeeper, LITTLE},
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
@@ -50,9 +50,10 @@ pub struct Frame<F: Lane> {
 struct Along<F> {
     /// Tangential velocity.
     tangential: F,
-    /// Scaled spin; time and turn of a flight where it recurs.
-    spin: F,
+    /// Time of a flight, where that recurs.
     time: F,
+    /// Scaled spin and turn of a flight, where these recur.
+    spin: F,
     swing: Swing<F>,
 }
 
@@ -89,6 +90,12 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         W::ROUND && self.mirror.is_some()
     }
 
+    /// Whether every flight takes as long as the last one: between straight walls, if the normal velocity stays.
+    #[inline(always)]
+    fn keeps_time(&self) -> bool {
+        !W::ROUND && self.law.reverses_normal()
+    }
+
     /// The frame of the first hit, with the velocity in the frame from which the path would have come.
     fn before<K: EnergyKeeper<f64, 2, 1>, T>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>) -> Frame<f64> {
         let hit = self.walls.first_hit(&orbit.position, &orbit.velocity);
@@ -112,7 +119,11 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         let now = [spin, tangential];
         let [even, odd] = match &self.mirror {
             Some(mirror) => [along(now), along(mirror.apply(now))],
-            None => [Along { tangential: tangential.high, ..Along::at_rest(0.0) }; 2],
+            None => {
+                let tangential = tangential.high;
+                let time = self.walls.chord(&place, normal.high, tangential).time;
+                [Along { tangential, time, ..Along::at_rest(0.0) }; 2]
+            }
         };
         Frame { place, normal: normal.high, even, odd, is_odd: false, on_wall: false, first: hit.time }
     }
@@ -178,6 +189,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             carried.odd = carried.odd.with(new, &odd);
         } else {
             carried.even.tangential = put(carried.even.tangential, from.even.tangential);
+            carried.even.time = put(carried.even.time, from.even.time);
         }
     }
     #[inline(always)]
@@ -187,7 +199,12 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             let now = if carried.is_odd { &carried.odd } else { &carried.even };
             Chord { time: now.time, place: now.swing.apply(&carried.place), tangential: now.tangential }
         } else {
-            self.walls.chord(&carried.place, carried.normal, carried.even.tangential)
+            let Frame { place, normal, even, .. } = carried;
+            if self.keeps_time() {
+                self.walls.chord_of(even.time, place, *normal, even.tangential)
+            } else {
+                self.walls.chord(place, *normal, even.tangential)
+            }
         };
         if (!on).any() {
             chord.time = on.select(chord.time, carried.first);
@@ -213,8 +230,10 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             orbit.keeper.pass();
         } else {
             let mut velocity = [-arrival, chord.tangential];
+            let reverses = self.law.reverses_normal();
+            let arrived = Arrived { velocity, spin: orbit.spin, normal_speed: velocity[0], reverses };
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
-            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin);
+            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, &arrived);
             [carried.normal, carried.even.tangential] = velocity;
         }
         arrival * arrival

@@ -36,9 +36,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S]) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>) {
         if self.strict {
-            self.conserved.leave_in_frame(velocity, spin);
+            self.conserved.leave_in_frame(velocity, spin, arrived);
         }
     }
     #[inline(always)]

@@ -97,6 +97,11 @@ pub trait Homogeneous: Walls<2> {
     fn arrival(&self, x: &[f64; 2], v: &[f64; 2], normal: &[f64; 2]) -> [Double; 2];
     /// The flight from a place with normal velocity `normal` ≥ 0 and tangential velocity `tangential`.
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F>;
+    /// The same flight, of which the time is known: between straight walls it is that of every flight with this normal velocity.
+    #[inline(always)]
+    fn chord_of<F: Lane>(&self, time: F, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
+        Chord { time, ..self.chord(place, normal, tangential) }
+    }
     /// What is hit at the end of a flight. The normal has length 1.
     fn landing<F: Lane>(&self, chord: &Chord<F>) -> WallHit<F, 2>;
 }

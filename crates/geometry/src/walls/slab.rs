@@ -69,8 +69,11 @@ impl<const AXIS: usize> Homogeneous for Slab<2, AXIS> {
     }
     #[inline(always)]
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
+        self.chord_of(normal.same(self.high - self.low) / normal, place, normal, tangential)
+    }
+    #[inline(always)]
+    fn chord_of<F: Lane>(&self, time: F, place: &[F; 2], _: F, tangential: F) -> Chord<F> {
         let [side, along] = *place;
-        let time = normal.same(self.high - self.low) / normal;
         // t = J n with n = ∓ the axis
         let speed = tangential * side;
         let speed = if AXIS == 0 { -speed } else { speed };
