@@ -114,16 +114,15 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
             let swing = Swing::recurring(normal, along[1]);
             let [spin, tangential] = rounded(normal.high, along, square);
             let time = self.walls.chord(&place, normal.high, tangential).time;
-            Along { tangential, spin, time, swing }
+            Along { tangential, time, spin, swing }
         };
         let now = [spin, tangential];
-        let [even, odd] = match &self.mirror {
-            Some(mirror) => [along(now), along(mirror.apply(now))],
-            None => {
-                let tangential = tangential.high;
-                let time = self.walls.chord(&place, normal.high, tangential).time;
-                [Along { tangential, time, ..Along::at_rest(0.0) }; 2]
-            }
+        let [even, odd] = if let Some(mirror) = &self.mirror {
+            [along(now), along(mirror.apply(now))]
+        } else {
+            let tangential = tangential.high;
+            let time = self.walls.chord(&place, normal.high, tangential).time;
+            [Along { tangential, time, ..Along::at_rest(0.0) }; 2]
         };
         Frame { place, normal: normal.high, even, odd, is_odd: false, on_wall: false, first: hit.time }
     }
