@@ -8,6 +8,7 @@ use crate::{
     shapes,
     walls::{Pieces, Polygon},
 };
+use container::Enclosed;
 use nalgebra::Vector2;
 use std::{
     cell::LazyCell,
@@ -26,8 +27,10 @@ pub struct Table {
     lattice: Option<Lattice>,
     /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
     nearby: Vec<(usize, Arc<dyn Piece>)>,
-    /// All pieces as the sides of a polygon, where composite walls do not cover them and they are straight. This and what follows
-    /// is made when it is first asked for: of many pieces or of curves that takes longer than many a run.
+    /// The composite wall that answers for a chain of pieces, if there is one. This and what follows is made when it is first asked
+    /// for: of many pieces or of curves that takes longer than many a run.
+    enclosed: OnceLock<Option<Arc<Enclosed>>>,
+    /// All pieces as the sides of a polygon, where composite walls do not cover them and they are straight.
     polygon: OnceLock<Option<Arc<Polygon>>>,
     /// Those pieces that no composite wall covers, on a lattice with all translates.
     parts: OnceLock<Arc<Pieces>>,
@@ -119,7 +122,8 @@ impl Table {
             Some(lattice) => translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect(),
             None => pieces.iter().cloned().enumerate().collect(),
         };
-        Ok(Table { pieces, next, corners, lattice, nearby, polygon: OnceLock::new(), parts: OnceLock::new() })
+        let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
+        Ok(Table { pieces, next, corners, lattice, nearby, enclosed, polygon, parts })
     }
 
     /// The pieces, in the order of their numbers.

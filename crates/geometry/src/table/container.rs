@@ -6,7 +6,16 @@ use crate::{
 };
 use nalgebra::Vector2;
 
+/// A composite wall with all pieces that it does not answer for, which lie inside.
+#[derive(Debug)]
+pub(super) struct Enclosed {
+    pub(super) container: Container,
+    /// Their numbers.
+    pub(super) rest: Vec<usize>,
+}
+
 /// A composite wall that encloses the particle.
+#[derive(Debug)]
 pub(super) enum Container {
     Level(Slab<2, 1>),
     Upright(Slab<2, 0>),

@@ -1,7 +1,7 @@
 //! The fastest walls for a table.
 use super::{
     Table, closest_of,
-    container::{Container, MOST_SIDES},
+    container::{Container, Enclosed, MOST_SIDES},
     translates,
 };
 use crate::{
@@ -29,26 +29,31 @@ impl Table {
         if self.polygon.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
             return self.with_general_walls(visit);
         }
-        let Some((container, rest)) = self.container() else { return self.with_general_walls(visit) };
+        let Some(known) = self.enclosed.get_or_init(|| self.enclosed().map(Arc::new)) else {
+            return self.with_general_walls(visit);
+        };
+        let Enclosed { container, rest } = &**known;
         match (container, rest.as_slice()) {
-            (Container::Level(walls), []) => visit.run_homogeneous(&walls),
-            (Container::Upright(walls), []) => visit.run_homogeneous(&walls),
-            (Container::Rectangle(walls), []) => visit.run(&walls),
-            (Container::Hexagon(walls), []) => visit.run(&walls),
-            (Container::Convex(walls), []) => visit.run(&walls),
-            (Container::Wedge(walls), []) => visit.run(&walls),
-            (Container::Capsule(walls), []) => visit.run(&walls),
-            (Container::RotatedCapsule(walls), []) => visit.run(&walls),
-            (Container::Disk(walls), []) => visit.run_homogeneous(&walls),
+            (Container::Level(walls), []) => visit.run_homogeneous(walls),
+            (Container::Upright(walls), []) => visit.run_homogeneous(walls),
+            (Container::Rectangle(walls), []) => visit.run(walls),
+            (Container::Hexagon(walls), []) => visit.run(walls),
+            (Container::Convex(walls), []) => visit.run(walls),
+            (Container::Wedge(walls), []) => visit.run(walls),
+            (Container::Capsule(walls), []) => visit.run(walls),
+            (Container::RotatedCapsule(walls), []) => visit.run(walls),
+            (Container::Disk(walls), []) => visit.run_homogeneous(walls),
             (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
-                Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.parts(&[*one]) }),
+                Some(disk) => visit.run(&Around { container: walls.clone(), obstacles: disk }),
+                None => visit.run(&Around { container: walls.clone(), obstacles: self.parts(&[*one]) }),
             },
             (Container::Disk(walls), [one]) => match self.scatterer(*one) {
-                Some(disk) => visit.run(&Around { container: walls, obstacles: disk }),
-                None => visit.run(&Around { container: walls, obstacles: self.parts(&[*one]) }),
+                Some(disk) => visit.run(&Around { container: walls.clone(), obstacles: disk }),
+                None => visit.run(&Around { container: walls.clone(), obstacles: self.parts(&[*one]) }),
             },
-            (Container::Rectangle(walls), many) => visit.run(&Around { container: walls, obstacles: self.parts(many) }),
+            (Container::Rectangle(walls), many) => {
+                visit.run(&Around { container: walls.clone(), obstacles: self.parts(many) })
+            }
             _ => self.with_general_walls(visit),
         }
     }
@@ -103,7 +108,7 @@ impl Table {
     }
 
     /// A chain of pieces that one composite wall can answer for, and all other pieces.
-    fn container(&self) -> Option<(Container, Vec<usize>)> {
+    fn enclosed(&self) -> Option<Enclosed> {
         let figures = self.figures();
         let rest = |used: &[usize]| (0..self.pieces.len()).filter(|i| !used.contains(i)).collect();
         for chain in self.chains() {
@@ -111,13 +116,13 @@ impl Table {
             if let Some(container) = Container::of(&chain, &of_chain) {
                 let rest: Vec<usize> = rest(&chain);
                 // what else there is must lie inside: a table may have several rooms
-                return rest.iter().all(|&i| self.inside(&chain, i)).then_some((container, rest));
+                return rest.iter().all(|&i| self.inside(&chain, i)).then_some(Enclosed { container, rest });
             }
         }
         if let [Figure::Line { .. }, Figure::Line { .. }] = figures[..]
             && let Some(slab) = Container::slab(&figures)
         {
-            return Some((slab, vec![]));
+            return Some(Enclosed { container: slab, rest: vec![] });
         }
         None
     }
