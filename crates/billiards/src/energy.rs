@@ -28,8 +28,9 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>);
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
     fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F, N, S>) {}
-    /// The same for the components of velocities along the normal, which comes first, and the tangents. In this frame a law changes
-    /// the normal component without rounding, so the others are corrected, and the spin with them.
+    /// The same as [`leave`](EnergyKeeper::leave) for the components of velocities along the normal, which comes first, and the
+    /// tangents. In this frame a law changes the normal component without rounding, so the others are corrected, and the spin with
+    /// them.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
@@ -160,7 +161,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         });
         let (high, low) = precise_square(grid, velocity, spin);
         let recurring = Recurring::nothing(square.same(0.0));
-        Conserved { grid, high, low, little: square * LITTLE, share: square.same(0.5) / square, beat: 0, recurring }
+        // of speeds so small that their squares vanish nothing is missing, and no part of it infinite
+        let share = square.same(0.5) / square.max(square.same(f64::MIN_POSITIVE));
+        Conserved { grid, high, low, little: square * LITTLE, share, beat: 0, recurring }
     }
     #[inline(always)]
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
@@ -319,6 +322,21 @@ mod tests {
             keeper.leave(&mut leaves, &hit, &arrived);
         }
         keeper.lack(&leaves, &[])
+    }
+
+    #[test]
+    fn speeds_whose_squares_vanish_are_left_as_they_are() {
+        for speed in [1e-155, 1e-160, 1e-200] {
+            let [arrives, leaves] = [[0.6 * speed, -0.8 * speed], [0.6 * speed, 0.8 * speed]];
+            let mut keeper = <Conserved<f64, 2> as EnergyKeeper<f64, 2, 0>>::new(&arrives, &[]);
+            let hit = WallHit { normal: [0.0, 1.0], ..WallHit::never([0.0; 2]) };
+            let mut velocity = leaves;
+            let arrived = Arrived { velocity: arrives, spin: [], normal_speed: arrives[1], reverses: false };
+            for _ in 0..BEAT {
+                keeper.leave(&mut velocity, &hit, &arrived);
+            }
+            assert_eq!(velocity, leaves);
+        }
     }
 
     #[test]
