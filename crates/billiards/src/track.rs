@@ -66,7 +66,7 @@ impl<F: Lane> Clock<F> {
 impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Clock<F> {
     #[inline(always)]
     fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], hit: &WallHit<F, N>) {
-        self.0.add(hit.time);
+        self.0.gather(hit.time);
     }
     #[inline(always)]
     fn looks(&self) -> bool {

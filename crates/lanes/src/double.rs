@@ -34,7 +34,7 @@ pub fn two_prod<F: Lane>(a: F, b: F) -> (F, F) {
 /// Used as a compensated accumulator: the time and the spin position of a long orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Double<F = f64> {
-    /// The rounded value.
+    /// The rounded value; of a [gathered](Double::gather) sum, that of its terms as they came.
     pub high: F,
     /// What rounding left over.
     pub low: F,
@@ -55,6 +55,15 @@ impl<F: Lane> Double<F> {
         let high = sum + low;
         self.low = low - (high - sum);
         self.high = high;
+    }
+
+    /// Adds `a` to a long sum, whose two parts need not be apart: the next term waits for one addition, not for seven. After `n`
+    /// terms the small part has what `n` roundings of the other have left out, and is rounded itself as often.
+    #[inline(always)]
+    pub fn gather(&mut self, a: F) {
+        let (sum, error) = two_sum(self.high, a);
+        self.high = sum;
+        self.low = self.low + error;
     }
 
     /// `a b`, without an error.
@@ -153,5 +162,16 @@ mod tests {
         let (a, b) = (1.0 + f64::EPSILON, 1.0 - f64::EPSILON);
         let (p, e) = two_prod(a, b); // 1 − ε²
         assert_eq!((p, e), (1.0, -f64::EPSILON * f64::EPSILON));
+    }
+
+    #[test]
+    fn a_gathered_sum_is_right_to_rounding_however_long() {
+        let mut sum = Double::new(0.0);
+        for _ in 0..1_000_000 {
+            sum.gather(0.1);
+        }
+        let exact = Double::product(0.1, 1e6);
+        assert!((sum.high - exact.high).abs() > 1e-7, "no test: nothing is rounded");
+        assert!((sum.value() - exact.value()).abs() <= f64::EPSILON * exact.high);
     }
 }
