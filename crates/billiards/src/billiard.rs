@@ -1,12 +1,12 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
-    energy::{Arrived, EnergyKeeper, dot},
+    energy::{Arrived, EnergyKeeper},
     laws::Mirror,
     orbit::Orbit,
     track::Track,
 };
 use geometry::{WallHit, Walls};
-use lanes::Lane;
+use lanes::{Lane, dot};
 
 /// What a collision with the wall does to a ball, in lanes: the law as the engine's loop applies it.
 ///

@@ -63,16 +63,6 @@ pub trait Keeping<const N: usize, const S: usize>: EnergyKeeper<f64, N, S> {
     type In<F: Lane>: EnergyKeeper<F, N, S> + InLanes<F, One = Self>;
 }
 
-/// `a·b`
-#[inline(always)]
-pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
-    let mut sum = a[0] * b[0];
-    for i in 1..N {
-        sum = sum + a[i] * b[i];
-    }
-    sum
-}
-
 /// `|velocity|² + |spin|²`: twice the energy per mass [L² T⁻²].
 #[inline(always)]
 pub(crate) fn square_speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
@@ -291,6 +281,7 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lanes::dot;
 
     #[test]
     fn what_a_normal_too_long_does_to_the_energy_is_taken_back() {

@@ -254,3 +254,20 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::{Clock, Collisions, Orbit, Planar, Timed, laws::Disk};
+    use collision_laws::laws::Restitution;
+    use geometry::tables;
+
+    #[test]
+    fn flights_grow_longer_where_a_law_takes_from_the_normal_velocity() {
+        let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), 1.0);
+        let strip = Planar { table: tables::strip(1.0).unwrap(), law };
+        let mut orbit = Orbit::<_, 2, 1, (), _>::new([0.0, 0.5], [0.25, -1.0], [0.0], Clock::new(0.0));
+        strip.run(&mut orbit, &Collisions(4), &mut ());
+        // half a width at speed 1, then whole ones at ½, ¼ and ⅛
+        assert_eq!(orbit.track.time(), 0.5 + 2.0 + 4.0 + 8.0);
+    }
+}

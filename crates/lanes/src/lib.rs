@@ -44,6 +44,16 @@ pub fn stored<F: Lane, const K: usize>(numbers: &[F; K]) -> [[f64; MOST_LANES]; 
     lanes
 }
 
+/// `a · b`, summed from the first product on.
+#[inline(always)]
+pub fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
+    let mut sum = a[0] * b[0];
+    for i in 1..N {
+        sum = sum + a[i] * b[i];
+    }
+    sum
+}
+
 /// A real number per lane, rounded to `f64` after every operation.
 pub trait Lane:
     Copy

@@ -1,7 +1,7 @@
 //! Strict laws of a ball in space: specular, no-slip, and the rough directions between.
 use crate::billiard::BallLaw;
 use geometry::WallHit;
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
 
 /// A ball in ℝ³ whose wall is rough along some directions.
@@ -39,10 +39,6 @@ impl RoughBall {
     }
 }
 
-#[inline(always)]
-fn dot<F: Lane>(a: &[F; 3], b: &[F; 3]) -> F {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
 #[inline(always)]
 fn cross<F: Lane>(a: &[F; 3], b: &[F; 3]) -> [F; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]

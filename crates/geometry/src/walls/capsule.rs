@@ -1,7 +1,7 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
-use super::{WallHit, Walls, dot};
+use super::{WallHit, Walls};
 use crate::Error;
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
 
 /// The stadium of half-length `h` along the first axis and radius `r` about a centre.

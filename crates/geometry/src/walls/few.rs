@@ -1,11 +1,11 @@
 //! A list of a few shapes, asked in lanes.
-use super::{CORNER, WallHit, Walls, dot};
+use super::{CORNER, WallHit, Walls};
 use crate::{
     crossing::Candidate,
     plane::{along, cross, from},
     shapes::{Ellipse, Ground, Shape},
 };
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
 
 /// Shapes that are asked one after another, each for all lanes at once.

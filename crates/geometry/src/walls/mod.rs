@@ -171,13 +171,3 @@ pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
 fn sooner<F: Lane>([distance, speed]: [F; 2], [other_distance, other_speed]: [F; 2]) -> F::Mask {
     (distance.max(speed.same(0.0)) * other_speed).lt(other_distance * speed)
 }
-
-/// `a · b`
-#[inline(always)]
-pub(crate) fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
-    let mut sum = a[0] * b[0];
-    for i in 1..N {
-        sum = sum + a[i] * b[i];
-    }
-    sum
-}

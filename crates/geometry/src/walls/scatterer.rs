@@ -1,7 +1,7 @@
 //! The outside of a sphere: a scatterer.
-use super::{WallHit, Walls, dot};
+use super::{WallHit, Walls};
 use crate::{Error, plane::slack};
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 use nalgebra::SVector;
 
 /// The complement of the ball of radius `r` about `c` in ℝᴺ.

@@ -1,7 +1,7 @@
 //! The inside of a sphere: disk table and ball table.
-use super::{Chord, Homogeneous, Swing, WallHit, Walls, dot};
+use super::{Chord, Homogeneous, Swing, WallHit, Walls};
 use crate::Error;
-use lanes::{Double, Lane, Mask, two_sum};
+use lanes::{Double, Lane, Mask, dot, two_sum};
 use nalgebra::SVector;
 
 /// The ball of radius `r` about `c` in ℝᴺ, with the particle inside.

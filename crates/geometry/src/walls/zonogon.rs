@@ -1,7 +1,7 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, dot, normal::most_unit, sooner};
+use super::{CORNER, WallHit, Walls, normal::most_unit, sooner};
 use crate::{Error, shapes::Segment};
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 
 /// A pair of opposite sides.
 #[derive(Clone, Copy, Debug)]
