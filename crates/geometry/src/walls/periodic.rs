@@ -10,8 +10,8 @@ use lanes::{Lane, Mask};
 #[derive(Clone, Debug)]
 pub struct Periodic<W> {
     walls: W,
-    /// Per translation: the functional that counts it, and the vector.
-    directions: Vec<([f64; 2], [f64; 2])>,
+    /// A channel's second one is crossed by no path.
+    translations: [Translation; 2],
 }
 
 /// A flight through this many cells without a hit is taken never to end: the particle escapes along a corridor.
@@ -20,15 +20,64 @@ pub struct Periodic<W> {
 /// fraction below 10⁻⁶ of all.
 const MOST_CELLS: usize = 10_000_000;
 
-/// After so many cells, a power of two, a flight may be one along a corridor.
+/// After so many cells, a power of two, a flight begins anew from where it is.
+///
+/// Until then it enters a cell where the time and the number of cells say, which waits neither for the cell before
+/// nor for a division. The error of that grows with the number of cells, but through many stretches only with its
+/// square root.
+const STRETCH: usize = 8;
+
+/// After so many cells, a power of two and no less than a stretch, a flight may be one along a corridor.
 const PATIENCE: usize = 16;
 
 impl<W> Periodic<W> {
     /// The walls in the unit cell of a lattice.
     pub fn new(walls: W, lattice: &Lattice) -> Self {
-        let directions =
-            lattice.vectors().iter().enumerate().map(|(i, v)| (lattice.functional(i), (*v).into())).collect();
-        Periodic { walls, directions }
+        let mut translations = [Translation { functional: [0.0; 2], vector: [0.0; 2] }; 2];
+        for (i, (translation, vector)) in translations.iter_mut().zip(lattice.vectors()).enumerate() {
+            *translation = Translation { functional: lattice.functional(i), vector: (*vector).into() };
+        }
+        Periodic { walls, translations }
+    }
+}
+
+/// A vector of the lattice.
+#[derive(Clone, Copy, Debug)]
+struct Translation {
+    /// The coordinate that this vector makes larger by 1; between 0 and 1 in the unit cell.
+    functional: [f64; 2],
+    vector: [f64; 2],
+}
+
+/// How a path crosses the edges of cells that one translation takes to each other.
+struct Crossings<F: Lane> {
+    functional: [f64; 2],
+    /// The translation that the path has made from a cell to the next.
+    step: [F; 2],
+    /// The time from one crossing to the next; infinite along the edges.
+    period: F,
+    up: F::Mask,
+}
+
+impl<F: Lane> Crossings<F> {
+    #[inline(always)]
+    fn new(translation: &Translation, v: &[F; 2]) -> Self {
+        let Translation { functional: [f, g], vector: [x, y] } = *translation;
+        let speed = v[0] * f + v[1] * g;
+        let (zero, one) = (speed.same(0.0), speed.same(1.0));
+        let up = zero.lt(speed);
+        let step = [up.select(zero.same(x), zero.same(-x)), up.select(zero.same(y), zero.same(-y))];
+        Crossings { functional: [f, g], step, period: one / speed.abs(), up }
+    }
+
+    /// The time until the first crossing of a path from `x` in the unit cell.
+    #[inline(always)]
+    fn first(&self, x: &[F; 2]) -> F {
+        let [f, g] = self.functional;
+        let at = x[0] * f + x[1] * g;
+        let (zero, never) = (at.same(0.0), at.same(f64::INFINITY));
+        let to_go = self.up.select(at.same(1.0) - at, at).max(zero);
+        self.period.lt(never).select(to_go * self.period, never)
     }
 }
 
@@ -40,46 +89,47 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
-        let never = zero.same(f64::INFINITY);
-        let one = zero.same(1.0);
-        let mut x = *x;
-        let mut flown = zero;
-        let mut best = WallHit::never(x);
+        let (first, second) = (Crossings::new(&self.translations[0], v), Crossings::new(&self.translations[1], v));
+        // where and when the stretch began, how long ago, what the path was moved by since, and the next crossings
+        let (mut start, mut begun) = (*x, zero);
+        let (mut flown, mut moved) = (zero, [zero; 2]);
+        let mut at = start;
+        let mut next = [first.first(x), second.first(x)];
+        let mut best = WallHit::never(start);
         let mut flying = !zero.never();
-        let mut mark = x;
+        let mut mark = start;
         for cells in 1..MOST_CELLS {
-            let hit = self.walls.first_hit(&x, v);
-            // when the path leaves the cell, and the step to the next one
-            let (mut exit, mut step) = (never, [zero; 2]);
-            for &([f, g], [lx, ly]) in &self.directions {
-                let at = x[0] * f + x[1] * g;
-                let speed = v[0] * f + v[1] * g;
-                let up = zero.lt(speed);
-                let to_go = up.select(one - at, at).max(zero);
-                let time = to_go / speed.abs();
-                let sooner = time.lt(exit) & (up | speed.lt(zero));
-                exit = sooner.select(time, exit);
-                let (sx, sy) = (up.select(zero.same(lx), zero.same(-lx)), up.select(zero.same(ly), zero.same(-ly)));
-                step = [sooner.select(sx, step[0]), sooner.select(sy, step[1])];
-            }
+            let hit = self.walls.first_hit(&at, v);
+            let other = next[1].lt(next[0]);
+            let exit = other.select(next[1], next[0]);
             // a hit within this cell, or in a direction that leaves none
-            let here = flying & !exit.lt(hit.time);
-            best = best.or(here, &WallHit { time: flown + hit.time, ..hit });
+            let here = flying & !exit.lt(flown + hit.time);
+            best = best.or(here, &WallHit { time: begun + (flown + hit.time), ..hit });
             flying = flying & !here;
             if !flying.any() {
                 break;
             }
-            flown = flying.select(flown + exit, flown);
+            flown = exit;
+            next[0] = other.select(next[0], next[0] + first.period);
+            next[1] = other.select(next[1] + second.period, next[1]);
             for i in 0..2 {
-                x[i] = flying.select(x[i] + exit * v[i] - step[i], x[i]);
+                moved[i] = moved[i] + other.select(second.step[i], first.step[i]);
+                at[i] = start[i] + flown * v[i] - moved[i];
             }
-            // a path that is back where it was, to the last bit, never hits (Brent's search for cycles)
-            if cells > PATIENCE {
-                let moved = |i: usize| x[i].lt(mark[i]) | mark[i].lt(x[i]);
-                flying = flying & (moved(0) | moved(1));
-            }
-            if cells >= PATIENCE && cells.is_power_of_two() {
-                mark = x;
+            if cells % STRETCH == 0 {
+                start = at;
+                begun = begun + flown;
+                (flown, moved) = (zero, [zero; 2]);
+                next = [first.first(&start), second.first(&start)];
+                // a path that is back where it was, to the last bit, never hits (Brent's search for cycles)
+                if cells > PATIENCE {
+                    let moved =
+                        [start[0].lt(mark[0]) | mark[0].lt(start[0]), start[1].lt(mark[1]) | mark[1].lt(start[1])];
+                    flying = flying & (moved[0] | moved[1]);
+                }
+                if cells >= PATIENCE && cells.is_power_of_two() {
+                    mark = start;
+                }
             }
         }
         best

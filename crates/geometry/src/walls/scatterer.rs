@@ -48,10 +48,6 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
         let zero = v[0].same(0.0);
         let b = dot(&y, v);
         let approaches = b.lt(zero);
-        // one path goes on at once
-        if F::LANES == 1 && !approaches.any() {
-            return WallHit::never(*x);
-        }
         let (a, c) = (dot(v, v), dot(&y, &y) - self.square);
         // the earlier root of |y + t v|² = r², without cancellation, where the path approaches and meets the ball
         // b² − a c = |v|² r² − |y ∧ v|², in which the distance of a far start does not cancel
