@@ -248,7 +248,10 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
     fn is_due(&mut self) -> bool {
         self.beat += 1;
         let due = self.beat >= BEAT;
-        if due {
+        if F::LANES > 1 {
+            self.beat = if due { 0 } else { self.beat };
+        } else if due {
+            seldom();
             self.beat = 0;
         }
         due
@@ -277,6 +280,11 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         }
     }
 }
+
+/// Tells the compiler that a branch is seldom taken: what it needs should not take registers from the others. (Of the many that
+/// lanes have, it would spill some around it.)
+#[cold]
+fn seldom() {}
 
 #[cfg(test)]
 mod tests {

@@ -27,6 +27,8 @@ pub struct Rolling<'a, W, L> {
     pub law: &'a L,
     /// The law, where it undoes itself and the walls are round.
     mirror: Option<Mirror>,
+    /// Whether the law is the specular one.
+    specular: bool,
 }
 
 /// The frame of the last hit; before the first, that of the first.
@@ -81,7 +83,15 @@ impl<F: Lane> Along<F> {
 impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
     /// `law` between `walls`.
     pub fn new(walls: &'a W, law: &'a L) -> Self {
-        Rolling { walls, law, mirror: if W::ROUND { law.mirror() } else { None } }
+        let mirror = law.mirror();
+        let specular = mirror.is_some_and(Mirror::is_specular);
+        Rolling { walls, law, mirror: mirror.filter(|_| W::ROUND), specular }
+    }
+
+    /// Whether a collision changes nothing but signs: between straight walls, under the specular law.
+    #[inline(always)]
+    fn slides(&self) -> bool {
+        !W::ROUND && self.specular
     }
 
     /// Whether the velocity in the frame comes back at every second hit: for straight walls known to the compiler.
@@ -226,6 +236,9 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         carried.on_wall = carried.on_wall | !carried.on_wall;
         if self.recurs() {
             carried.is_odd = !carried.is_odd;
+            orbit.keeper.pass();
+        } else if self.slides() {
+            carried.even.tangential = chord.tangential;
             orbit.keeper.pass();
         } else {
             let mut velocity = [-arrival, chord.tangential];

@@ -125,17 +125,15 @@ where
     #[inline(always)]
     fn run(self) -> Outcome {
         let Run { billiard, orbit: at, limit, observer } = self;
-        // a copy of our own: it lives in registers for as long as no observer looks at it
-        let mut orbit = at.clone();
+        let mut start = billiard.start(0.0);
+        billiard.restart(&mut start, true, at);
+        // copies of our own, to which nothing else points: they live in registers for as long as no observer looks at them
+        let (mut orbit, mut carried) = (at.clone(), start);
         let orbit = &mut orbit;
         let slow = GRAZING * GRAZING * square_speed(&orbit.velocity, &orbit.spin);
         let mut n = 0;
         // flights of no length in a row, and the number of the last one
         let (mut idle, mut idle_at) = (0, 0);
-        let mut start = billiard.start(0.0);
-        billiard.restart(&mut start, true, orbit);
-        // nothing else points to this one: it lives in registers
-        let mut carried = start;
         let stop = loop {
             let (hit, arrival) = billiard.flight(orbit, &carried);
             if limit.is_beyond(n + 1, &orbit.track, hit.time) {

@@ -14,6 +14,9 @@ pub struct Disk {
     pub(super) in_frame: Coefficients<5>,
     /// The same for a strict law, which undoes itself.
     mirror: Option<Mirror>,
+    /// Whether spin and tangential velocity stay as they are, at each hit alike: a CPU foresees this, and the next flight
+    /// does not wait for products by 0 and 1.
+    smooth: bool,
 }
 
 impl Disk {
@@ -34,6 +37,7 @@ impl Disk {
                 map.normal,
             ]),
             mirror: Mirror::of(&map, gamma, reflects),
+            smooth: pull == [0.0; 2],
         }
     }
 }
@@ -64,6 +68,16 @@ pub(super) fn in_plane<F: Lane>(
     *velocity = [(v1 + along_n * n1) + against_t * n2, (v2 + along_n * n2) - against_t * n1];
 }
 
+/// The same without a slip.
+#[inline(always)]
+fn smooth_in_plane<F: Lane>(law: Coefficients<5, F>, hit: &WallHit<F, 2>, velocity: &mut [F; 2]) {
+    let Coefficients([.., normal]) = law;
+    let [n1, n2] = hit.normal;
+    let [v1, v2] = *velocity;
+    let along_n = (normal * (v1 * n1 + v2 * n2)) * (hit.inverse * hit.inverse);
+    *velocity = [v1 + along_n * n1, v2 + along_n * n2];
+}
+
 /// Applies the law to the normal and tangential components.
 #[inline(always)]
 pub(super) fn in_frame<F: Lane>(law: Coefficients<5, F>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
@@ -77,7 +91,12 @@ pub(super) fn in_frame<F: Lane>(law: Coefficients<5, F>, velocity: &mut [F; 2], 
 impl BallLaw<2, 1> for Disk {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        in_plane(self.in_plane.in_lanes(hit.time), hit, velocity, spin);
+        let law = self.in_plane.in_lanes(hit.time);
+        if self.smooth {
+            smooth_in_plane(law, hit, velocity);
+        } else {
+            in_plane(law, hit, velocity, spin);
+        }
     }
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {

@@ -37,6 +37,11 @@ impl Mirror {
         mirror.filter(|_| map.normal == -1.0)
     }
 
+    /// Whether it leaves spin and tangential velocity as they are.
+    pub(crate) fn is_specular(self) -> bool {
+        self.direction.is_none()
+    }
+
     /// Spin and tangential velocity after a collision.
     pub(crate) fn apply(&self, before: [Double; 2]) -> [Double; 2] {
         let [spin, tangential] = before;
