@@ -318,6 +318,19 @@ fn mistakes_are_shown_with_caret_and_help() {
 }
 
 #[test]
+fn a_key_in_the_wrong_place_is_sent_to_its_own() {
+    for (text, key, help) in [
+        (NAMED.replace("[particle]", "spin = 1\n[particle]"), "spin", "\"spin\" goes under [[orbit]]"),
+        (NAMED.replace("title =", "pictures = []\ntitle ="), "pictures", "\"pictures\" goes under [output]"),
+        (NAMED.replace("[output]", "purpose = 1\n[output]"), "purpose", "known keys: collisions, time"),
+    ] {
+        let errors = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap_err();
+        assert!(errors.len() == 1 && errors[0].what.contains(key), "{errors:?}");
+        assert_eq!(errors[0].help.as_deref(), Some(help));
+    }
+}
+
+#[test]
 fn dotted_keys_and_brackets_nested_without_end_are_refused() {
     let n = 200_000;
     for text in [

@@ -114,12 +114,16 @@ impl fmt::Display for Diagnostic {
 pub struct Problems {
     source: Source,
     found: Vec<(Span, Diagnostic)>,
+    /// The tables read, and which keys each may have.
+    homes: Vec<(String, Vec<String>)>,
+    /// Which errors are keys in a table that has none such, and the keys.
+    strays: Vec<(usize, String)>,
 }
 
 impl Problems {
     /// No problems yet.
     pub fn new(source: &Source) -> Self {
-        Self { source: source.clone(), found: Vec::new() }
+        Self { source: source.clone(), found: Vec::new(), homes: Vec::new(), strays: Vec::new() }
     }
 
     /// The file being read.
@@ -137,6 +141,17 @@ impl Problems {
         self.found.push((span, self.source.diagnostic(span, what).with_help(help)));
     }
 
+    /// Records that a table may have these keys.
+    pub(super) fn learn(&mut self, table: &str, keys: &[&str]) {
+        self.homes.push((table.into(), keys.iter().map(|&key| key.into()).collect()));
+    }
+
+    /// Records a key that its table may not have; the help is for one that no other table has either.
+    pub(super) fn add_stray(&mut self, span: Span, key: &str, what: impl Into<String>, help: impl Into<String>) {
+        self.strays.push((self.found.len(), key.into()));
+        self.add_with_help(span, what, help);
+    }
+
     /// Whether nothing is wrong so far.
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
@@ -144,6 +159,13 @@ impl Problems {
 
     /// The errors in the order of the file.
     pub fn into_diagnostics(mut self) -> Vec<Diagnostic> {
+        for (index, key) in &self.strays {
+            // only what has a header of its own: a curve or an edge is no place to send a key to
+            let mut headed = self.homes.iter().filter(|(table, _)| table.starts_with('['));
+            if let Some((table, _)) = headed.find(|(_, keys)| keys.contains(key)) {
+                self.found[*index].1.help = Some(format!("\"{key}\" goes under {table}"));
+            }
+        }
         self.found.sort_by_key(|(span, _)| span.start);
         self.found.into_iter().map(|(_, diagnostic)| diagnostic).collect()
     }

@@ -124,11 +124,15 @@ impl<'a> Section<'a> {
                     mended.push(near);
                     format!("did you mean \"{near}\"?")
                 }
-                None if strict => format!("known keys: {}", self.known.join(", ")),
+                None if strict => {
+                    problems.add_stray(key.span, &key.value, what, format!("known keys: {}", self.known.join(", ")));
+                    continue;
+                }
                 None => continue,
             };
             problems.add_with_help(key.span, what, help);
         }
+        problems.learn(&self.name, &self.known);
         for Missing { keys, what, help } in self.missing {
             if keys.iter().any(|key| mended.contains(key)) {
                 continue;
