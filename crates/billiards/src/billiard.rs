@@ -73,7 +73,7 @@ pub trait Motion<const N: usize, const S: usize> {
         orbit: &mut Orbit<f64, N, S, K, T>,
     );
     /// The flight from where the orbit is to its next hit.
-    fn flight<F: Lane, K, T>(
+    fn flight<F: Lane, K: EnergyKeeper<F, N, S>, T>(
         &self,
         orbit: &Orbit<F, N, S, K, T>,
         carried: &Self::Carried<F>,
@@ -93,15 +93,20 @@ pub trait Motion<const N: usize, const S: usize> {
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
     type Carried<F: Lane> = ();
-    type Arrival<F: Lane> = ();
+    type Arrival<F: Lane> = F;
 
     fn start<F: Lane>(&self, _: F) {}
     #[inline(always)]
     fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, (): &mut (), _: F::Mask, _: &mut Orbit<f64, N, S, K, T>) {
     }
     #[inline(always)]
-    fn flight<F: Lane, K, T>(&self, orbit: &Orbit<F, N, S, K, T>, (): &()) -> (WallHit<F, N>, ()) {
-        (self.walls.first_hit(&orbit.position, &orbit.velocity), ())
+    fn flight<F: Lane, K: EnergyKeeper<F, N, S>, T>(
+        &self,
+        orbit: &Orbit<F, N, S, K, T>,
+        (): &(),
+    ) -> (WallHit<F, N>, F) {
+        let owed = orbit.keeper.owed(&orbit.velocity, &orbit.spin);
+        (self.walls.first_hit(&orbit.position, &orbit.velocity), owed)
     }
     #[inline(always)]
     fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
@@ -109,13 +114,12 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         orbit: &mut Orbit<F, N, S, K, T>,
         (): &mut (),
         hit: &WallHit<F, N>,
-        (): &(),
+        owed: &F,
     ) -> F {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         orbit.position = hit.point;
-        let (velocity, spin) = (orbit.velocity, orbit.spin);
-        let normal_speed = dot(&velocity, &hit.normal);
-        let arrived = Arrived { velocity, spin, normal_speed, reverses: self.law.reverses_normal() };
+        let normal_speed = dot(&orbit.velocity, &hit.normal);
+        let arrived = Arrived { owed: *owed, normal_speed, reverses: self.law.reverses_normal() };
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
         if self.walls.rounds_normals() {
             orbit.keeper.straighten(&mut orbit.velocity, hit, &arrived);

@@ -24,14 +24,18 @@ pub(crate) const LITTLE: f64 = 1e-3;
 pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// For an orbit that starts with this velocity and spin.
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self;
+    /// What an orbit in flight lacks of `|v|² + |w|²`, if the collision ahead is to make up for it, otherwise 0.
+    ///
+    /// It is asked for before the hit is looked for, so that nothing waits for it.
+    fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F;
     /// Sees what `arrived` at a collision, and may correct the velocity that leaves it.
-    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>);
+    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>);
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
-    fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F, N, S>) {}
+    fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F>) {}
     /// The same as [`leave`](EnergyKeeper::leave) for the components of velocities along the normal, which comes first, and the
     /// tangents. In this frame a law changes the normal component without rounding, so the others are corrected, and the spin with
     /// them.
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>);
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
     /// `|v|² + |w|²` as it should be, in one lane.
@@ -46,11 +50,9 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
 
 /// What arrives at a collision.
 #[derive(Clone, Copy, Debug)]
-pub struct Arrived<F, const N: usize, const S: usize> {
-    /// Velocity of the centre [L T⁻¹].
-    pub velocity: [F; N],
-    /// Scaled spin [L T⁻¹].
-    pub spin: [F; S],
+pub struct Arrived<F> {
+    /// What was [owed](EnergyKeeper::owed) before.
+    pub owed: F,
     /// The component of the velocity along the normal of the hit, times its length.
     pub normal_speed: F,
     /// Whether the law [reverses](crate::BallLaw::reverses_normal) that.
@@ -83,9 +85,13 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn new(_: &[F; N], _: &[F; S]) -> Self {}
     #[inline(always)]
-    fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F, N, S>) {}
+    fn owed(&self, velocity: &[F; N], _: &[F; S]) -> F {
+        velocity[0].same(0.0)
+    }
     #[inline(always)]
-    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: &Arrived<F, N, S>) {}
+    fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F>) {}
+    #[inline(always)]
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F) {}
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], _: &[F; S]) -> F {
         velocity[0].same(0.0)
@@ -156,14 +162,24 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         Conserved { grid, high, low, little: square * LITTLE, share, beat: 0, recurring }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+    fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F {
+        if self.beat + 1 < BEAT {
+            return velocity[0].same(0.0);
+        }
+        if F::LANES == 1 {
+            seldom();
+        }
+        self.missing(velocity, spin)
+    }
+    #[inline(always)]
+    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.is_due() {
             self.restore(velocity, hit, arrived);
         }
     }
     /// `v − 2 (v·n) n/|n|²` is `v − 2 (v·n) n` less `2 (v·n) (1 − |n|²) n`.
     #[inline(always)]
-    fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+    fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         let (n, arrival) = (&hit.normal, arrived.normal_speed);
         // not from a sum near 1, which rounds to even numbers and so on one side more often than on the other
         let lacks = n.iter().fold(arrival.same(1.0), |rest, n| rest - *n * *n);
@@ -173,10 +189,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F) {
         if self.is_due() {
-            // of what is missing, their share of the energy: as much as they have lost, on average
-            let growth = self.missing(&arrived.velocity, &arrived.spin) * self.share;
+            // their share of the energy: as much as they have lost, on average
+            let growth = owed * self.share;
             for i in 1..N {
                 velocity[i] = velocity[i] + velocity[i] * growth;
             }
@@ -268,13 +284,12 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
     /// before the law is applied; or, where that is next to nothing or not reversed, to the velocity as a whole, the share of it that
     /// is not in the spin.
     #[inline(always)]
-    fn restore<const S: usize>(&self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
-        let missing = self.missing(&arrived.velocity, &arrived.spin);
+    fn restore(&self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         let (vn, normal) = (arrived.normal_speed, &hit.normal);
         let speed = vn * hit.inverse;
         let steep = self.little.lt(speed * speed);
         let steep = if arrived.reverses { steep } else { vn.never() };
-        let add = missing * steep.select(vn.same(-0.5) / vn, self.share);
+        let add = arrived.owed * steep.select(vn.same(-0.5) / vn, self.share);
         for i in 0..N {
             velocity[i] = velocity[i] + add * steep.select(normal[i], velocity[i]);
         }
@@ -303,7 +318,7 @@ mod tests {
             let off = (square(velocity) - square(before)).abs();
             assert!(off > 2.0 * stretch.abs(), "{off:e}");
             let hit = WallHit { normal, ..WallHit::never([0.0; 2]) };
-            let arrived = Arrived { velocity: before, spin: [], normal_speed: arrival, reverses: true };
+            let arrived = Arrived { owed: 0.0, normal_speed: arrival, reverses: true };
             EnergyKeeper::<f64, 2, 0>::straighten(&mut { keeper }, &mut velocity, &hit, &arrived);
             let off = (square(velocity) - square(before)).abs();
             assert!(off < 1e-15, "{off:e}");
@@ -316,9 +331,10 @@ mod tests {
         let lacking = |v: [f64; 2]| v.map(|v| v * (1.0 - 0.5e-9));
         let (velocity, mut leaves) = (lacking(arrived), lacking(leaves));
         let hit = WallHit { normal, ..WallHit::never([0.0; 2]) };
-        let arrived = Arrived { velocity, spin: [], normal_speed: dot(&velocity, &normal), reverses };
         for _ in 0..BEAT {
-            keeper.leave(&mut leaves, &hit, &arrived);
+            let owed = keeper.owed(&velocity, &[]);
+            let arrived = Arrived { owed, normal_speed: dot(&velocity, &normal), reverses };
+            EnergyKeeper::<f64, 2, 0>::leave(&mut keeper, &mut leaves, &hit, &arrived);
         }
         keeper.lack(&leaves, &[])
     }
@@ -330,9 +346,10 @@ mod tests {
             let mut keeper = <Conserved<f64, 2> as EnergyKeeper<f64, 2, 0>>::new(&arrives, &[]);
             let hit = WallHit { normal: [0.0, 1.0], ..WallHit::never([0.0; 2]) };
             let mut velocity = leaves;
-            let arrived = Arrived { velocity: arrives, spin: [], normal_speed: arrives[1], reverses: false };
             for _ in 0..BEAT {
-                keeper.leave(&mut velocity, &hit, &arrived);
+                let owed = keeper.owed(&arrives, &[]);
+                let arrived = Arrived { owed, normal_speed: arrives[1], reverses: false };
+                EnergyKeeper::<f64, 2, 0>::leave(&mut keeper, &mut velocity, &hit, &arrived);
             }
             assert_eq!(velocity, leaves);
         }

@@ -1,7 +1,7 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
     billiard::{BallLaw, Motion},
-    energy::{Arrived, EnergyKeeper, LITTLE},
+    energy::{EnergyKeeper, LITTLE},
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
@@ -202,7 +202,11 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         }
     }
     #[inline(always)]
-    fn flight<F: Lane, K, T>(&self, _: &Orbit<F, 2, 1, K, T>, carried: &Frame<F>) -> (WallHit<F, 2>, Chord<F>) {
+    fn flight<F: Lane, K: EnergyKeeper<F, 2, 1>, T>(
+        &self,
+        _: &Orbit<F, 2, 1, K, T>,
+        carried: &Frame<F>,
+    ) -> (WallHit<F, 2>, Chord<F>) {
         let on = carried.on_wall;
         let mut chord = if self.recurs() {
             let now = if carried.is_odd { &carried.odd } else { &carried.even };
@@ -242,10 +246,9 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             orbit.keeper.pass();
         } else {
             let mut velocity = [-arrival, chord.tangential];
-            let reverses = self.law.reverses_normal();
-            let arrived = Arrived { velocity, spin: orbit.spin, normal_speed: velocity[0], reverses };
+            let owed = orbit.keeper.owed(&velocity, &orbit.spin);
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
-            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, &arrived);
+            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, owed);
             [carried.normal, carried.even.tangential] = velocity;
         }
         arrival * arrival

@@ -24,21 +24,25 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         Keeper { conserved: EnergyKeeper::<F, N, S>::new(velocity, spin), strict: true }
     }
     #[inline(always)]
-    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+    fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F {
+        if self.strict { self.conserved.owed(velocity, spin) } else { velocity[0].same(0.0) }
+    }
+    #[inline(always)]
+    fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.strict {
-            self.conserved.leave(velocity, hit, arrived);
+            EnergyKeeper::<F, N, S>::leave(&mut self.conserved, velocity, hit, arrived);
         }
     }
     #[inline(always)]
-    fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F, N, S>) {
+    fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.strict {
-            self.conserved.straighten(velocity, hit, arrived);
+            EnergyKeeper::<F, N, S>::straighten(&mut self.conserved, velocity, hit, arrived);
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], arrived: &Arrived<F, N, S>) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F) {
         if self.strict {
-            self.conserved.leave_in_frame(velocity, spin, arrived);
+            self.conserved.leave_in_frame(velocity, spin, owed);
         }
     }
     #[inline(always)]
