@@ -1,7 +1,7 @@
 //! Walls repeated by a lattice of translations.
 use super::{WallHit, Walls};
 use crate::lattice::Lattice;
-use lanes::{Lane, Mask};
+use lanes::{Double, Lane, Mask};
 
 /// Walls on a channel or a flat torus: the particle is followed from unit cell to unit cell.
 ///
@@ -91,7 +91,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
         let zero = v[0].same(0.0);
         let (first, second) = (Crossings::new(&self.translations[0], v), Crossings::new(&self.translations[1], v));
         // where and when the stretch began, how long ago, what the path was moved by since, and the next crossings
-        let (mut start, mut begun) = (*x, zero);
+        let (mut start, mut begun) = (*x, Double::new(zero));
         let (mut flown, mut moved) = (zero, [zero; 2]);
         let mut at = start;
         let mut next = [first.first(x), second.first(x)];
@@ -104,7 +104,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             let exit = other.select(next[1], next[0]);
             // a hit within this cell, or in a direction that leaves none
             let here = flying & !exit.lt(flown + hit.time);
-            best = best.or(here, &WallHit { time: begun + (flown + hit.time), ..hit });
+            best = best.or(here, &WallHit { time: begun.high + (begun.low + (flown + hit.time)), ..hit });
             flying = flying & !here;
             if !flying.any() {
                 break;
@@ -118,7 +118,8 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             }
             if cells % STRETCH == 0 {
                 start = at;
-                begun = begun + flown;
+                // stretches take equal times, which a plain sum would round alike
+                begun.gather(flown);
                 (flown, moved) = (zero, [zero; 2]);
                 next = [first.first(&start), second.first(&start)];
                 // a path that is back where it was, to the last bit, never hits (Brent's search for cycles)

@@ -67,3 +67,42 @@ fn a_hit_at_a_joint_of_the_lattice_is_a_corner() {
     assert!(Table::new(circle.unwrap().close().unwrap()).unwrap().corners().is_empty());
     assert!(Arc::new(Vector2::zeros(), Vector2::new(1.0, 0.0), Vector2::new(1.0, 0.0), true).is_err());
 }
+
+/// Asks for the first hits of paths.
+struct AskEach<'a>(&'a [Line<2>]);
+
+impl WithWalls<2> for AskEach<'_> {
+    type Output = Vec<Option<geometry::Hit<2>>>;
+    fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
+        self.0.iter().map(|path| walls.hit(path)).collect()
+    }
+}
+
+#[test]
+fn a_flight_through_hundreds_of_cells_ends_where_its_time_says() {
+    let table = tables::sinai_torus(0.005, 1.0).unwrap();
+    let mut random = Random(11);
+    let mut paths = vec![];
+    for _ in 0..1000 {
+        let (sin, cos) = libm::sincos(random.between(0.0, core::f64::consts::TAU));
+        let point = Vector2::new(random.uniform(), 0.4 * random.uniform());
+        paths.push(Line { point, velocity: Vector2::new(cos, sin) });
+    }
+    let (mut hits, mut longest) = (0, 0.0_f64);
+    for (path, hit) in paths.iter().zip(table.with_walls(AskEach(&paths))) {
+        let Some(hit) = hit.filter(|hit| hit.time < 1000.0) else { continue };
+        let mut off = 0.0_f64;
+        for i in 0..2 {
+            // in twice the digits, but for whole cells
+            let mut flown = lanes::Double::product(hit.time, path.velocity[i]);
+            flown = flown.plus(lanes::Double::new(path.point[i])).plus(lanes::Double::new(-hit.point[i]));
+            let rest = flown.plus(lanes::Double::new(-libm::round(flown.value()))).value();
+            off = off.max(rest.abs());
+        }
+        // a unit of rounding of the time, one for each unit of length, and a few for the hit
+        let bound = (16.0 + 2.0 * hit.time) * 0.5 * f64::EPSILON;
+        assert!(off <= bound, "{path:?}: {hit:?} is {off:e} off");
+        (hits, longest) = (hits + 1, longest.max(hit.time));
+    }
+    assert!(hits > 900 && longest > 500.0, "{hits} {longest}");
+}
