@@ -111,3 +111,28 @@ impl BallLaw<2, 1> for Disk {
         self.mirror
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use collision_laws::laws::{NoSlip, Restitution, Specular};
+
+    #[test]
+    fn a_law_without_slip_moves_a_disk_as_its_matrix_does() {
+        let bounces = Restitution::new(0.7, -1.0).expect("coefficients");
+        for (law, smooth) in [
+            (Disk::new(&Specular, 0.6), true),
+            (Disk::new(&bounces, 3.0), true),
+            (Disk::new(&NoSlip, 0.6), false),
+            (Disk::new(&Restitution::new(0.7, 1.0).expect("coefficients"), 0.6), false),
+        ] {
+            assert_eq!(law.smooth, smooth, "{law:?}");
+            let hit = WallHit { normal: [0.7, -1.1], inverse: 1.0 / libm::hypot(0.7, 1.1), ..WallHit::never([0.0; 2]) };
+            let (mut found, mut spun) = ([0.3, 0.9], [0.4]);
+            let (mut expected, mut spin) = (found, spun);
+            law.collide(&hit, &mut found, &mut spun);
+            in_plane(law.in_plane, &hit, &mut expected, &mut spin);
+            assert_eq!((found, spun), (expected, spin));
+        }
+    }
+}
