@@ -109,7 +109,8 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             if !flying.any() {
                 break;
             }
-            flown = exit;
+            // not for ever, in a lane that has hit
+            flown = flying.select(exit, flown);
             next[0] = other.select(next[0], next[0] + first.period);
             next[1] = other.select(next[1] + second.period, next[1]);
             for i in 0..2 {
