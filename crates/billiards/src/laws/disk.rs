@@ -53,24 +53,23 @@ pub(super) fn in_plane<F: Lane>(
     velocity: &mut [F; 2],
     spin: &mut [F; 1],
 ) {
-    let Coefficients([push_spin, push_tangent, pull_spin, pull_tangent, normal]) = law;
+    let Coefficients([push_spin, push_tangent, pull_spin, pull_tangent, _]) = law;
     let [n1, n2] = hit.normal;
     let [v1, v2] = *velocity;
     // t = J n = (−n₂, n₁)
-    let vn = v1 * n1 + v2 * n2;
     let vt = v2 * n1 - v1 * n2;
     // The next flight waits for this chain, and ι is known last. What is constant along a straight wall is multiplied only
     // where that is exact (ι and the push have few bits there): rounded, it would be off alike at every hit
     let slip = (pull_tangent * vt) * hit.inverse + pull_spin * spin[0];
     spin[0] = spin[0] - push_spin * slip;
-    let along_n = (normal * vn) * (hit.inverse * hit.inverse);
     let against_t = slip * (push_tangent * hit.inverse);
-    *velocity = [(v1 + along_n * n1) + against_t * n2, (v2 + along_n * n2) - against_t * n1];
+    along_normal(law, hit, velocity);
+    *velocity = [velocity[0] + against_t * n2, velocity[1] - against_t * n1];
 }
 
-/// The same without a slip.
+/// What the law does to the velocity along the normal, whatever the slip: all of it where the law is smooth.
 #[inline(always)]
-fn smooth_in_plane<F: Lane>(law: Coefficients<5, F>, hit: &WallHit<F, 2>, velocity: &mut [F; 2]) {
+fn along_normal<F: Lane>(law: Coefficients<5, F>, hit: &WallHit<F, 2>, velocity: &mut [F; 2]) {
     let Coefficients([.., normal]) = law;
     let [n1, n2] = hit.normal;
     let [v1, v2] = *velocity;
@@ -93,7 +92,7 @@ impl BallLaw<2, 1> for Disk {
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
         let law = self.in_plane.in_lanes(hit.time);
         if self.smooth {
-            smooth_in_plane(law, hit, velocity);
+            along_normal(law, hit, velocity);
         } else {
             in_plane(law, hit, velocity, spin);
         }
