@@ -273,8 +273,8 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Clock, Collisions, Orbit, Planar, Timed, laws::Disk};
-    use collision_laws::laws::Restitution;
+    use crate::{Clock, Collisions, Conserved, Orbit, Planar, Timed, laws::Disk};
+    use collision_laws::laws::{Restitution, Specular};
     use geometry::tables;
 
     #[test]
@@ -285,5 +285,14 @@ mod tests {
         strip.run(&mut orbit, &Collisions(4), &mut ());
         // half a width at speed 1, then whole ones at ½, ¼ and ⅛
         assert_eq!(orbit.track.time(), 0.5 + 2.0 + 4.0 + 8.0);
+    }
+
+    #[test]
+    fn under_the_specular_law_a_disk_slides_along_a_strip_and_keeps_its_spin() {
+        let strip = Planar { table: tables::strip(1.0).unwrap(), law: Disk::new(&Specular, 0.5) };
+        let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.0, 0.5], [0.25, -1.0], [0.3], Clock::new(0.0));
+        strip.run(&mut orbit, &Collisions(4), &mut ());
+        assert_eq!((orbit.position, orbit.velocity, orbit.spin), ([0.875, 1.0], [0.25, -1.0], [0.3]));
+        assert_eq!(orbit.track.time(), 3.5);
     }
 }
