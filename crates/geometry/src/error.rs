@@ -93,6 +93,28 @@ pub enum Error {
         /// The piece.
         piece: usize,
     },
+    /// Pieces so large beside the cell of a lattice that their translates would be millions.
+    #[error(
+        "piece {piece} reaches over {cells:e} cells of the lattice: its vectors are short beside the piece, or nearly parallel"
+    )]
+    ManyCells {
+        /// The piece.
+        piece: usize,
+        /// About so many cells.
+        cells: f64,
+    },
+    /// An arc so flat that rounding decides where it is.
+    #[error(
+        "piece {piece} is an arc of radius {radius:?} in a table that reaches only {size:?} from the origin: rounding decides where it lies"
+    )]
+    Flat {
+        /// The piece.
+        piece: usize,
+        /// Its radius.
+        radius: f64,
+        /// The largest coordinate of a vertex.
+        size: f64,
+    },
     /// A disk that fits nowhere.
     #[error("a disk of radius {radius} has no room to move in the table; its radius must be less than {largest}")]
     NothingLeft {

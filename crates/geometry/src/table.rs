@@ -36,6 +36,10 @@ pub struct Table {
     parts: OnceLock<Arc<Pieces>>,
 }
 
+/// Most translates of pieces on a lattice. Tables that are meant need some tens; in a cell that is tiny beside a piece, or all but
+/// flat, there would be any number of them.
+const MOST_TRANSLATES: f64 = 1e6;
+
 /// Two normals that differ by less than this belong to a smooth joint.
 ///
 /// Rounding of the vertices of a joint meant to be smooth turns the normals by a few ulp of size over length of the
@@ -54,7 +58,7 @@ impl Table {
     /// The same on the plane modulo a lattice. A piece may then end where a translate of another one starts.
     ///
     /// # Errors
-    /// As [`Table::new`].
+    /// As [`Table::new`], and [`Error::ManyCells`] if the pieces reach over a million cells.
     pub fn periodic(pieces: Vec<Box<dyn Piece>>, lattice: Option<Lattice>) -> Result<Table, Error> {
         if pieces.is_empty() {
             return Err(Error::Empty);
@@ -119,7 +123,10 @@ impl Table {
             }
         }
         let nearby = match &lattice {
-            Some(lattice) => translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect(),
+            Some(lattice) => {
+                few_cells(&pieces, lattice)?;
+                translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect()
+            }
             None => pieces.iter().cloned().enumerate().collect(),
         };
         let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
@@ -261,23 +268,42 @@ fn closest_of<'a>(pieces: impl Iterator<Item = (usize, &'a Arc<dyn Piece>)>, poi
     best
 }
 
+/// Fails where the pieces reach over so many cells that their translates would fill the memory.
+fn few_cells(pieces: &[Arc<dyn Piece>], lattice: &Lattice) -> Result<(), Error> {
+    let mut sum = 0.0;
+    for (piece, p) in pieces.iter().enumerate() {
+        let cells: f64 = reach(&p.extent(), lattice, 1.0).iter().map(|[first, last]| last - first + 1.0).product();
+        sum += cells;
+        if sum > MOST_TRANSLATES {
+            return Err(Error::ManyCells { piece, cells });
+        }
+    }
+    Ok(())
+}
+
+/// Of each lattice vector the least and the largest multiple by which a box can be moved to reach within `margin` cells of the unit
+/// cell.
+fn reach(&Extent { min, max }: &Extent, lattice: &Lattice, margin: f64) -> [[f64; 2]; 2] {
+    let corners_of = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
+    let mut range = [[0.0, 0.0]; 2];
+    for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
+        let [f, g] = lattice.functional(k);
+        // an infinite extent at right angles to the functional counts nothing
+        let at = corners_of.map(|c| [f * c.x, g * c.y].iter().filter(|a| !a.is_nan()).sum::<f64>());
+        let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
+        if low.is_finite() && high.is_finite() {
+            // translates by t reach that far where low + t < 1 + margin and high + t ≥ −margin
+            *range = [-libm::floor(high + margin), libm::ceil(1.0 + margin - low) - 1.0];
+        }
+    }
+    range
+}
+
 /// The translates of pieces, with their numbers and the translations, that reach within `margin` cells of the unit cell.
 fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> {
     let mut found: Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> = vec![];
     for (i, piece) in pieces.iter().enumerate() {
-        let Extent { min, max } = piece.extent();
-        let corners_of = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
-        let mut range = [[0.0, 0.0]; 2];
-        for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
-            let [f, g] = lattice.functional(k);
-            // an infinite extent at right angles to the functional counts nothing
-            let at = corners_of.map(|c| [f * c.x, g * c.y].iter().filter(|a| !a.is_nan()).sum::<f64>());
-            let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
-            if low.is_finite() && high.is_finite() {
-                // translates by t reach that far where low + t < 1 + margin and high + t ≥ −margin
-                *range = [-libm::floor(high + margin), libm::ceil(1.0 + margin - low) - 1.0];
-            }
-        }
+        let range = reach(&piece.extent(), lattice, margin);
         let mut first = range[0][0];
         while first <= range[0][1] {
             let mut second = range[1][0];

@@ -14,8 +14,12 @@ use std::collections::HashSet;
 /// pieces by more than an ulp, and no angle that anybody means is this small.
 const SAME_DIRECTION: f64 = 1e-9;
 
+/// Most that the radius of an arc may be, in units of the largest coordinate of the table's vertices. An arc has the rounding of its
+/// radius, so that of one a million times the table is known to ten digits of the table's size.
+const FLATTEST: f64 = 1e6;
+
 impl Table {
-    /// Checks that the boundary bounds a table: no piece is shorter than rounding, no two pieces cross (they may touch),
+    /// Checks that the boundary bounds a table: no piece is shorter or flatter than rounding, no two pieces cross (they may touch),
     /// and the table lies on the left of all of them.
     ///
     /// Outermost loops run counter-clockwise and holes clockwise. A closed curve that is one piece says itself on which
@@ -23,10 +27,17 @@ impl Table {
     /// checked in about a microsecond each.
     ///
     /// # Errors
-    /// [`Error::TooShort`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`] or
+    /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`] or
     /// [`Error::Orientation`], with the numbers of the pieces and about where.
     pub fn validate(&self) -> Result<(), Error> {
+        let vertices = self.pieces().iter().filter_map(|p| p.ends()).flatten();
+        let size = vertices.map(|v| v.amax()).filter(|x| x.is_finite()).fold(0.0, f64::max);
         for (piece, p) in self.pieces().iter().enumerate() {
+            if let Figure::Arc { radius, .. } = p.figure()
+                && radius > FLATTEST * size
+            {
+                return Err(Error::Flat { piece, radius, size });
+            }
             let length = p.length();
             if length <= slack([p.extent().size()]) {
                 return Err(Error::TooShort { piece, length });

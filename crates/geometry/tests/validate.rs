@@ -3,6 +3,7 @@ use core::f64::consts::PI;
 use geometry::{
     Error, Lattice, Outline, Piece, Table, Turn, Vector2,
     shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment},
+    tables,
 };
 
 fn v(x: f64, y: f64) -> Vector2<f64> {
@@ -191,4 +192,34 @@ fn an_arc_that_leaves_its_loop_crosses_it() {
     pieces.push(pocket);
     pieces.push(Box::new(Segment::new(a, v(0.0, 1.0)).unwrap()));
     assert_eq!(check([pieces]), Ok(()));
+}
+
+#[test]
+fn an_arc_a_million_times_the_table_is_told_to_be_a_segment() {
+    let lens = |rise: f64| {
+        let radius = 0.5 * (1.0 / rise + rise);
+        let arc = |a: f64, y: f64| Arc::with_radius(v(0.0, y), radius, v(a, 0.0), v(-a, 0.0), true).unwrap();
+        let below = Segment::new(v(-1.0, 0.0), v(1.0, 0.0)).unwrap();
+        check([vec![Box::new(below) as Box<dyn Piece>, Box::new(arc(1.0, rise - radius))]])
+    };
+    assert_eq!(lens(1e-5), Ok(()));
+    assert!(matches!(lens(1e-7), Err(Error::Flat { piece: 1, .. })));
+    let sagitta = |sagitta: f64| tables::channel(1.0, 1.0, sagitta).map(|table| table.area());
+    for flat in [9e-7, -9e-7, 1e-20, -1e-101] {
+        assert!(matches!(sagitta(flat), Err(Error::Parameter { name: "sagitta", .. })), "{flat:e}");
+    }
+    for rise in [1e-6, -1e-6] {
+        // 4/3 of the triangles between the chords and the walls, of which each is half the rise
+        assert!((sagitta(rise).unwrap() - (1.0 - 4.0 / 3.0 * rise)).abs() < 1e-9, "{rise:e}");
+    }
+    assert_eq!(sagitta(0.0), Ok(1.0));
+}
+
+#[test]
+fn pieces_that_reach_over_millions_of_cells_are_refused_and_fill_no_memory() {
+    for (short, long) in [(v(1e-9, 0.0), v(0.0, 1.0)), (v(1.0, 0.0), v(1.0, 1e-12)), (v(1e-100, 0.0), v(0.0, 1e-100))] {
+        let lattice = Lattice::new(&[short, long]).unwrap();
+        let table = Table::periodic(vec![disk(0.5, 0.5, 0.25, false)], Some(lattice));
+        assert!(matches!(table, Err(Error::ManyCells { piece: 0, .. })), "{short} {long}");
+    }
 }

@@ -64,6 +64,9 @@ impl Drawn {
             Error::Open { piece, .. }
             | Error::Orientation { piece }
             | Error::TooShort { piece, .. }
+            | Error::Flat { piece, .. }
+            | Error::ManyCells { piece, .. }
+            | Error::InfiniteOnLattice { piece }
             | Error::SelfCrossing { piece, .. } => at(*piece),
             Error::Crossing { second, .. } => at(*second),
             _ => scene.table.span,

@@ -7,6 +7,9 @@ use crate::{
 };
 use nalgebra::Vector2;
 
+/// Least sagitta but 0, in units of the length. An arc has the rounding of its radius, here 125 000 lengths.
+const FLATTEST: f64 = 1e-6;
+
 /// A channel of period `length` along x₁ whose walls are equal arcs with ends at `x₂ = 0` and `x₂ = height`; pieces:
 /// 0 lower, 1 upper.
 ///
@@ -16,12 +19,19 @@ use nalgebra::Vector2;
 ///
 /// # Errors
 /// [`Error::Parameter`] unless length and height are positive and finite, the sagitta is less than half of each
-/// (so that arcs do not overlap), or minus half the length.
+/// (so that arcs do not overlap), or minus half the length, and unless it is 0 or a millionth of the length.
 pub fn channel(length: f64, height: f64, sagitta: f64) -> Result<Table, Error> {
     positive("length", length)?;
     positive("height", height)?;
     within("sagitta", sagitta, 2.0 * sagitta.abs() < length, "between minus and plus half of length")?;
     within("sagitta", sagitta, 2.0 * sagitta < height, "less than half of height: the channel is open")?;
+    let flat = sagitta != 0.0 && sagitta.abs() < FLATTEST * length;
+    within(
+        "sagitta",
+        sagitta,
+        !flat,
+        "0, or at least a millionth of length (a flatter wall cannot be told from a straight one)",
+    )?;
     let v = Vector2::new;
     let half = 0.5 * length;
     // from `a` to `b`, table on the left; `up` = +1 where that is above

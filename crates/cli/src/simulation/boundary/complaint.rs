@@ -16,6 +16,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
+        Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
         Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
         Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },
         other => other,
@@ -27,6 +28,8 @@ pub(super) fn with_advice(diagnostic: Diagnostic, error: &Error) -> Diagnostic {
     let advice = match error {
         Error::ZeroLength => "leave it out, or move one of its ends",
         Error::TooShort { .. } => "leave it out, or move its ends apart",
+        Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
+        Error::ManyCells { .. } => "make the piece smaller, or the vectors longer and more unlike",
         Error::OffCircle { .. } => "put the center on the perpendicular bisector of the two ends",
         Error::Crossing { first, second, .. } if first == second => {
             "it crosses its own translate in the next cell of the lattice: make it smaller, or the cell larger"
