@@ -47,6 +47,20 @@ impl<const N: usize> Delassus<N> {
         }
     }
 
+    /// Whether the solution of `K p = u` is known to lose no digit to speak of: by their eigenvectors, or by Gershgorin's discs, which
+    /// show that no two eigenvalues differ by more than a factor of 16.
+    #[inline]
+    pub(crate) fn is_well_conditioned(&self) -> bool {
+        let Self::Dense(k) = self else { return true };
+        let (mut least, mut largest) = (f64::INFINITY, 0.0_f64);
+        for i in 0..N {
+            let radius = (0..N).map(|j| if j == i { 0.0 } else { k[(i, j)].abs() }).sum::<f64>();
+            least = least.min(k[(i, i)] - radius);
+            largest = largest.max(k[(i, i)] + radius);
+        }
+        largest <= 16.0 * least
+    }
+
     /// Whether the smallest eigenvalue is lost in the rounding of the largest.
     pub fn is_singular(&self) -> bool {
         let eigenvalues = match self {

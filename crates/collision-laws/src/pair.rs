@@ -3,6 +3,9 @@
 use crate::{Body, CollisionLaw, Contact, Delassus, Error, TangentSpace, TangentVector};
 use nalgebra::{DMatrix, DVector, SVector};
 
+/// An impulse is not completed by what is below this part of it: some roundings.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 /// Two bodies at a contact: a point `q` of the boundary of their configuration space.
 ///
 /// ```
@@ -102,8 +105,35 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
         v: &Velocities<A, B, N>,
     ) -> Collision<Velocities<A, B, N>, N> {
         let u_minus = self.contact_velocity(v);
-        let impulse = law.impulse(&self.contact, &self.delassus(), &u_minus);
-        Collision { velocities: self.apply_impulse(&impulse, v), impulse, u_minus }
+        let delassus = self.delassus();
+        let impulse = law.impulse(&self.contact, &delassus, &u_minus);
+        let mut collision = Collision { velocities: self.apply_impulse(&impulse, v), impulse, u_minus };
+        if !delassus.is_well_conditioned() {
+            self.complete(law, &delassus, &mut collision);
+        }
+        collision
+    }
+
+    /// Adds the impulse that is [missing](CollisionLaw::missing_impulse), as long as that becomes less.
+    fn complete<L: CollisionLaw<N> + ?Sized>(
+        &self,
+        law: &L,
+        delassus: &Delassus<N>,
+        collision: &mut Collision<Velocities<A, B, N>, N>,
+    ) {
+        let mut last = f64::INFINITY;
+        loop {
+            let rest = self.contact_velocity(&collision.velocities) + collision.u_minus;
+            let missing = law.missing_impulse(&self.contact, delassus, &rest);
+            let size = missing.norm();
+            // at most half of it remains each time, until rounding is reached; of NaN nothing is added
+            if size <= ROUNDING * collision.impulse.norm() || !(size < 0.5 * last) {
+                return;
+            }
+            collision.velocities = self.apply_impulse(&missing, &collision.velocities);
+            collision.impulse += missing;
+            last = size;
+        }
     }
 
     /// The collision, if there is one: the same as [`collide`](Self::collide) for bodies that can move and do approach.

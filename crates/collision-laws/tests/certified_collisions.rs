@@ -3,7 +3,7 @@
 use collision_laws::{
     Contact, Pair, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, RigidBody, Spatial},
-    laws::RoughPlane,
+    laws::{NoSlip, RoughPlane},
 };
 use nalgebra::{SMatrix, SVector};
 use serde_json::Value;
@@ -208,4 +208,25 @@ fn balls_match_the_certified_ones() {
 fn coordinates_of_certified_spins_come_back() {
     let pre: Twist<5> = twist(&cases(5)[0]["pre"][0]);
     assert_eq!(Twist::from_coordinates(&pre.coordinates()), pre);
+}
+
+/// A body so slim that a push turns it rather than moves it: `K` has a condition number of up to 10¹².
+#[test]
+fn bodies_that_hardly_resist_turning_keep_their_energy_and_reverse_the_contact_velocity() {
+    for exponent in 0..=12 {
+        let moment = libm::pow(10.0, -f64::from(exponent));
+        let body = Some(RigidBody::<2>::new(1.0, Inertia::Moment(moment)).unwrap());
+        let normal = SVector::<f64, 2>::new(0.6, 0.8);
+        let contact = Contact::new(SVector::<f64, 2>::zeros(), normal, 0).unwrap();
+        let wall: Free<2> = None;
+        let pair = Pair::new(contact, (body, SVector::<f64, 2>::new(-0.7, 0.3)), (wall, SVector::zeros()));
+        let still = Twist::planar(SVector::<f64, 2>::zeros(), 0.0);
+        let before = (Twist::planar(SVector::<f64, 2>::new(-1.3, -0.8), 0.7), still);
+        let after = pair.collide(&NoSlip, &before);
+        let energy = pair.kinetic_energy(&after.velocities) / pair.kinetic_energy(&before) - 1.0;
+        let left = pair.contact_velocity(&after.velocities) + after.u_minus;
+        let twice = pair.collide(&NoSlip, &after.velocities).velocities.0;
+        println!("{moment:e} {energy:e} {:e} {:e}", left.norm(), (twice.linear - before.0.linear).norm());
+        assert!(energy.abs() <= TOLERANCE && left.norm() <= TOLERANCE, "{moment:e}: {energy:e}, {left}");
+    }
 }

@@ -10,6 +10,7 @@ mod mass;
 mod nearby;
 mod needle;
 mod outline;
+mod slender;
 mod tangent;
 mod units;
 mod wedge;
@@ -49,6 +50,7 @@ pub const CASES: &[Entry] = &[
     gamma::SMALL,
     gamma::LARGE,
     mass::ENTRY,
+    slender::ENTRY,
     units::LENGTHS,
     units::SPEEDS,
     nearby::WALLS,

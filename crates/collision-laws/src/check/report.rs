@@ -4,7 +4,7 @@ use std::fmt;
 
 /// A defect that no rounding explains and no broken law stays under, for bodies of comparable size.
 ///
-/// Rounding leaves about the condition number of `K` times 1e-16 (and 1e-13 in the derivatives of the measure check).
+/// Rounding leaves about the root of the condition number of `K` times 1e-16 (and times 1e-13 in the derivatives of the measure check).
 pub const TOLERANCE: f64 = 1e-9;
 
 /// The properties of a strict collision map, and two that follow from them.

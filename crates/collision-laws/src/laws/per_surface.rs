@@ -47,4 +47,9 @@ impl<const N: usize, L: CollisionLaw<N>> CollisionLaw<N> for PerSurface<L> {
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
         self.on(contact.surface).impulse(contact, delassus, u)
     }
+
+    #[inline]
+    fn missing_impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, rest: &SVector<f64, N>) -> SVector<f64, N> {
+        self.on(contact.surface).missing_impulse(contact, delassus, rest)
+    }
 }
