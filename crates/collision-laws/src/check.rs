@@ -28,4 +28,4 @@ mod trial;
 
 pub use measure::jacobian_determinant;
 pub use report::{Axiom, Report, TOLERANCE};
-pub use trial::{BodyReport, Samples, body, law, map};
+pub use trial::{BodyReport, Samples, body, law, map, tolerance};

@@ -61,14 +61,29 @@ impl<const N: usize> Delassus<N> {
         largest <= 16.0 * least
     }
 
+    /// The largest eigenvalue over the smallest; infinite or NaN where that is not positive or a number.
+    ///
+    /// Where it is large, most ways to move the contact are ways to turn the body.
+    pub fn condition_number(&self) -> f64 {
+        let (least, largest) = match self {
+            Self::Isotropic { normal, tangent } => (normal.min(*tangent), normal.max(*tangent)),
+            Self::Dense(k) => {
+                let eigenvalues = eigenframe(*k).0;
+                (eigenvalues.min(), eigenvalues.max())
+            }
+        };
+        if least > 0.0 || least.is_nan() { largest / least } else { f64::INFINITY }
+    }
+
     /// Whether the smallest eigenvalue is lost in the rounding of the largest.
     pub fn is_singular(&self) -> bool {
-        let eigenvalues = match self {
-            Self::Isotropic { normal, tangent } => return !(normal.is_normal() && tangent.is_normal()),
-            Self::Dense(k) => eigenframe(*k).0,
-        };
-        let rounding = 4.0 * N as f64 * f64::EPSILON * eigenvalues.amax();
-        eigenvalues.iter().any(|x| x.is_nan() || *x <= rounding)
+        match self {
+            Self::Isotropic { normal, tangent } => !(normal.is_normal() && tangent.is_normal()),
+            Self::Dense(_) => {
+                let lost = 1.0 / (4.0 * N as f64 * f64::EPSILON);
+                !(self.condition_number() < lost)
+            }
+        }
     }
 
     /// `K` as a matrix.

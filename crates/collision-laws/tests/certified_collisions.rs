@@ -3,7 +3,8 @@
 use collision_laws::{
     Contact, Pair, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, RigidBody, Spatial},
-    laws::{NoSlip, RoughPlane},
+    check,
+    laws::{NoSlip, Restitution, RoughPlane},
 };
 use nalgebra::{SMatrix, SVector};
 use serde_json::Value;
@@ -225,8 +226,13 @@ fn bodies_that_hardly_resist_turning_keep_their_energy_and_reverse_the_contact_v
         let after = pair.collide(&NoSlip, &before);
         let energy = pair.kinetic_energy(&after.velocities) / pair.kinetic_energy(&before) - 1.0;
         let left = pair.contact_velocity(&after.velocities) + after.u_minus;
-        let twice = pair.collide(&NoSlip, &after.velocities).velocities.0;
-        println!("{moment:e} {energy:e} {:e} {:e}", left.norm(), (twice.linear - before.0.linear).norm());
         assert!(energy.abs() <= TOLERANCE && left.norm() <= TOLERANCE, "{moment:e}: {energy:e}, {left}");
+        let report = check::law(&pair, &NoSlip, check::Samples::default());
+        let tolerance = check::tolerance(&pair);
+        assert!(tolerance <= 1e-9_f64.max(2e-12 / moment.sqrt()), "{tolerance:e}");
+        assert!(report.is_strict(tolerance), "{moment:e}:\n{report}");
+        // and no law that loses energy passes for strict
+        let report = check::law(&pair, &Restitution::new(0.999, 1.0).unwrap(), check::Samples::default());
+        assert!(!report.is_strict(tolerance), "{moment:e}:\n{report}");
     }
 }

@@ -126,7 +126,7 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
         impulse: list(&collision.impulse),
         states: [state(&pair, &before), state(&pair, &collision.velocities)],
         defects: Axiom::ALL.into_iter().filter_map(|axiom| Some((axiom, report.defect(axiom)?))).map(named).collect(),
-        broken: report.broken(check::TOLERANCE).map(named).collect(),
+        broken: report.broken(check::tolerance(&pair)).map(named).collect(),
     };
     if outcome.is_finite() {
         return Ok(outcome);

@@ -2,9 +2,8 @@
 
 use std::fmt;
 
-/// A defect that no rounding explains and no broken law stays under, for bodies of comparable size.
-///
-/// Rounding leaves about the root of the condition number of `K` times 1e-16 (and times 1e-13 in the derivatives of the measure check).
+/// A defect that no rounding explains and no broken law stays under, for bodies of comparable size; for others, see
+/// [`tolerance`](super::tolerance).
 pub const TOLERANCE: f64 = 1e-9;
 
 /// The properties of a strict collision map, and two that follow from them.

@@ -1,6 +1,6 @@
 //! Trying laws, maps and bodies on random velocities.
 
-use super::{Axiom, Report, axioms};
+use super::{Axiom, Report, TOLERANCE, axioms};
 use crate::{Body, CollisionLaw, Contact, Fixed, Pair, TangentSpace, TangentVector, random::gaussian};
 use nalgebra::{DVector, SMatrix, SVector};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -18,6 +18,15 @@ impl Default for Samples {
     fn default() -> Self {
         Self { count: 16, seed: 0 }
     }
+}
+
+/// The defect that rounding may leave at a contact: [`TOLERANCE`], or where that is more the root of the
+/// [condition number](crate::Delassus::condition_number) of `K` times 1e-12.
+///
+/// A velocity of unit length in the metric turns a body with little inertia so fast that the contact velocity is that root times as
+/// large, and rounded accordingly; the derivatives of the measure check multiply the rounding by 10³.
+pub fn tolerance<A: Body<N>, B: Body<N>, const N: usize>(pair: &Pair<A, B, N>) -> f64 {
+    TOLERANCE.max(1e-12 * pair.delassus().condition_number().sqrt())
 }
 
 /// A velocity of unit length in the metric, uniformly distributed in direction, in unit coordinates.
