@@ -363,7 +363,7 @@ impl Piece for Parallel {
         } else {
             let curve = Base(&*self.base);
             let table = ArcLength::new(&curve, self.nodes.iter().map(|n| n.s));
-            table.enclosed_area(&curve) + 0.5 * foot(first).perp(&foot(last))
+            table.enclosed_area(&curve, foot(first)) + 0.5 * foot(first).perp(&foot(last))
         };
         let r = self.distance;
         base + 0.5 * r * (foot(last).perp(&last.normal) - foot(first).perp(&first.normal)) - r * span

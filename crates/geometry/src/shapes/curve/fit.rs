@@ -14,6 +14,9 @@ const SAMPLES: usize = 2 * DEGREE + 4;
 /// few functions are wrong by.
 const AGREE: f64 = 8.0 * f64::EPSILON;
 
+/// How many times as much a rough curve may be wrong by.
+const ROUGH: f64 = 8.0;
+
 /// Greatest incline of a graph over its chord.
 const STEEP: f64 = 0.5;
 
@@ -61,35 +64,18 @@ pub fn graphs(
     vertices: [Vector2<f64>; 2],
     size: f64,
 ) -> Option<Vec<Graph>> {
-    let cut = Cut { curve, size };
-    let mut graphs = vec![];
-    let mut from = Place { u: start, vertex: vertices[0] };
-    let (mut length, mut stop) = (0.125 * (end - start), end);
-    while from.u != end {
-        // no slivers before the end or an inflection
-        let rest = stop - from.u;
-        let whole = rest.abs() <= length.abs();
-        let u = if whole { stop } else { from.u + if rest.abs() < 2.0 * length.abs() { 0.5 * rest } else { length } };
-        let to = Place { u, vertex: if u == end { vertices[1] } else { curve.at(u)[0] } };
-        match cut.fit([from, to]) {
-            Ok(_) if graphs.len() == MOST => return None,
-            Ok(graph) => {
-                graphs.push(graph);
-                if whole {
-                    stop = end;
-                } else if u == from.u + length {
-                    length *= 1.0 / PART;
-                }
-                from = to;
-            }
-            Err(Refused::Inflection(at)) if (at - from.u).abs() < (u - from.u).abs() => stop = at,
-            Err(_) => length = PART * (u - from.u),
-        }
-        if length.abs() < LEAST * (end - start).abs() || length.is_nan() {
-            return None;
-        }
-    }
-    Some(graphs)
+    Cut { curve, size, rounding: 1.0 }.all([start, end], vertices)
+}
+
+/// The same for formulas that are themselves wrong by more than usual: with fifty waves and more, say, which multiply the rounding of the
+/// parameter. For curves that have to be graphs, since they are part of a formula only; others are better asked themselves.
+pub(super) fn rough_graphs(
+    curve: &impl Parametric,
+    [start, end]: [f64; 2],
+    vertices: [Vector2<f64>; 2],
+    size: f64,
+) -> Option<Vec<Graph>> {
+    Cut { curve, size, rounding: ROUGH }.all([start, end], vertices)
 }
 
 #[derive(Clone, Copy)]
@@ -101,6 +87,8 @@ struct Place {
 struct Cut<'a, C> {
     curve: &'a C,
     size: f64,
+    /// How many times the usual rounding is allowed.
+    rounding: f64,
 }
 
 /// Why a stretch is no graph.
@@ -112,6 +100,39 @@ enum Refused {
 }
 
 impl<C: Parametric> Cut<'_, C> {
+    /// The whole curve as graphs.
+    fn all(&self, [start, end]: [f64; 2], vertices: [Vector2<f64>; 2]) -> Option<Vec<Graph>> {
+        let mut graphs = vec![];
+        let mut from = Place { u: start, vertex: vertices[0] };
+        let (mut length, mut stop) = (0.125 * (end - start), end);
+        while from.u != end {
+            // no slivers before the end or an inflection
+            let rest = stop - from.u;
+            let whole = rest.abs() <= length.abs();
+            let u =
+                if whole { stop } else { from.u + if rest.abs() < 2.0 * length.abs() { 0.5 * rest } else { length } };
+            let to = Place { u, vertex: if u == end { vertices[1] } else { self.curve.at(u)[0] } };
+            match self.fit([from, to]) {
+                Ok(_) if graphs.len() == MOST => return None,
+                Ok(graph) => {
+                    graphs.push(graph);
+                    if whole {
+                        stop = end;
+                    } else if u == from.u + length {
+                        length *= 1.0 / PART;
+                    }
+                    from = to;
+                }
+                Err(Refused::Inflection(at)) if (at - from.u).abs() < (u - from.u).abs() => stop = at,
+                Err(_) => length = PART * (u - from.u),
+            }
+            if length.abs() < LEAST * (end - start).abs() || length.is_nan() {
+                return None;
+            }
+        }
+        Some(graphs)
+    }
+
     fn fit(&self, [from, to]: [Place; 2]) -> Result<Graph, Refused> {
         let chord = to.vertex - from.vertex;
         let half = 0.5 * libm::hypot(chord.x, chord.y);
@@ -145,10 +166,11 @@ impl<C: Parametric> Cut<'_, C> {
         let turning = ((last - first) / (to.u - from.u)).abs() * from.u.abs().max(to.u.abs());
         let agrees = |[a, b, slope, _]: &[f64; 4]| {
             let [height, incline, _] = horner(&heights, *a);
-            (height - b).abs() * half <= AGREE * self.size && (incline - slope).abs() <= AGREE + f64::EPSILON * turning
+            (height - b).abs() * half <= self.rounding * AGREE * self.size
+                && (incline - slope).abs() <= self.rounding * (AGREE + f64::EPSILON * turning)
         };
         let [left, noise] = left_out(&samples, &heights);
-        let small = f64::EPSILON * (0.5 + 0.25 * turning);
+        let small = self.rounding * f64::EPSILON * (0.5 + 0.25 * turning);
         if !(samples.iter().all(agrees) && rest <= small && left <= small + 0.6 * noise) {
             return Err(Refused::Long);
         }

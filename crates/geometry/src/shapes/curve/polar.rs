@@ -101,7 +101,8 @@ impl<F: PolarFormula> Polar<F> {
         let slack = slack([center.x, center.y, greatest]);
         let about = About { center, formula: &formula };
         let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
-        let area = table.enclosed_area(&about);
+        // ½ ∮ r² dφ: about another point the integrand would jump at kinks
+        let area = table.enclosed_area(&about, center);
         let extent = table.extent(&about);
         // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
         let bends = jets.iter().map(|[r, _, second]| second.magnitude().max(r.magnitude()));

@@ -1,5 +1,5 @@
 //! Part of a polar curve, between two kinks.
-use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, graphs};
+use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, fit::rough_graphs, graphs};
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -75,10 +75,11 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         let table = ArcLength::new(&about, (0..PARTS).map(parameter).chain([range[1]]));
         let extent = table.extent(&about).union(Extent::of(vertices));
         // the area swept about the first point, and that of the triangle with the origin
-        let swept = table.enclosed_area(&about) + 0.5 * vertices[0].perp(&vertices[1]);
+        let swept = table.enclosed_area(&about, vertices[0]) + 0.5 * vertices[0].perp(&vertices[1]);
         let area = if curve.is_inside() { swept } else { -swept };
         let size = extent.size();
-        let graphs = graphs(&about, curve.in_sense(range), curve.in_sense(vertices), size)?;
+        let (sense, ends) = (curve.in_sense(range), curve.in_sense(vertices));
+        let graphs = graphs(&about, sense, ends, size).or_else(|| rough_graphs(&about, sense, ends, size))?;
         Some(PolarArc { curve: Arc::clone(curve), range, vertices, graphs, table, area, extent, slack: slack([size]) })
     }
 
@@ -197,7 +198,7 @@ mod tests {
     #[test]
     fn a_curve_is_cut_at_its_kinks() {
         for inside in [true, false] {
-            for count in [1.0, 2.0, 3.0, 8.0] {
+            for count in [1.0, 2.0, 3.0, 8.0, 25.0, 50.0, 100.0] {
                 let arcs = arcs(Waves { count, sign: 1.0 }, inside);
                 assert_eq!(arcs.len() as f64, count.max(2.0));
                 let ends: Vec<_> = arcs.iter().map(|arc| arc.ends().unwrap()).collect();
@@ -207,8 +208,17 @@ mod tests {
                 // ½∫(2 − |cos|)² = ½(8π − 16 + π)
                 let area: f64 = arcs.iter().map(|arc| arc.area()).sum();
                 let expected = (4.5 * PI - 8.0) * if inside { 1.0 } else { -1.0 };
-                assert!((area - expected).abs() < 4e-14, "{count} {area} {expected}");
+                assert!((area - expected).abs() < 1e-14 * (4.0 + count), "{count} {area} {expected}");
             }
+        }
+    }
+
+    #[test]
+    fn hundreds_of_kinks_have_the_same_area_whether_they_are_told_apart_or_not() {
+        for count in [299.0, 601.0, 2000.0] {
+            let area: f64 = arcs(Waves { count, sign: 1.0 }, true).iter().map(|arc| arc.area()).sum();
+            // a rule over a kink is off by the square of what halving leaves of its interval, times the kink's size
+            assert!((area - (4.5 * PI - 8.0)).abs() < 1e-11 * count * count, "{count} {area}");
         }
     }
 
