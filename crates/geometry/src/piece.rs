@@ -91,6 +91,14 @@ pub trait Piece: Debug + Send + Sync {
     /// The point at arc length `s`.
     fn point_at(&self, s: f64) -> Vector2<f64>;
 
+    /// The point at arc length `s`, and the inward normal there.
+    ///
+    /// A piece with a parameter of its own need not look for the point again to know the normal.
+    fn landing_at(&self, s: f64) -> Landing {
+        let point = self.point_at(s);
+        Landing { point, normal: self.closest(&point).normal }
+    }
+
     /// The arc length of the point of the piece closest to `point`.
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64;
 

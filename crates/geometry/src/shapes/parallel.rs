@@ -3,7 +3,7 @@
 //! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of
 //! points so dense that the direction turns little and one way between neighbours therefore finds every crossing; the
 //! closest points of the base curve then give the time to the last bits.
-use super::curve::{ArcLength, Graph, Parametric, closest_parameter, graphs, rising_root};
+use super::curve::{ArcLength, Graph, Parametric, closest_parameter, graphs, rising_root, rough_graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -214,8 +214,7 @@ fn turning(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
 
 impl Node {
     fn new(base: &dyn Piece, distance: f64, s: f64) -> Node {
-        let foot = base.point_at(s);
-        let normal = base.closest(&foot).normal;
+        let Landing { point: foot, normal } = base.landing_at(s);
         let stretch = 1.0 - base.curvature(&foot) * distance;
         Node { s, along: 0.0, point: foot + normal * distance, normal, stretch }
     }
@@ -255,21 +254,18 @@ struct Base<'a>(&'a dyn Piece);
 
 impl Parametric for Base<'_> {
     fn at(&self, s: f64) -> [Vector2<f64>; 2] {
-        let p = self.0.point_at(s);
-        let n = self.0.closest(&p).normal;
-        [p, Vector2::new(n.y, -n.x)]
+        let Landing { point, normal: n } = self.0.landing_at(s);
+        [point, Vector2::new(n.y, -n.x)]
     }
 }
 
 impl Piece for Parallel {
     fn graphs(&self) -> Option<Vec<Graph>> {
-        let last = self.nodes.len() - 1;
-        graphs(
-            self,
-            [self.nodes[0].s, self.nodes[last].s],
-            [self.nodes[0].point, self.nodes[last].point],
-            self.extent.size(),
-        )
+        let ends = [self.nodes[0], self.nodes[self.nodes.len() - 1]];
+        let (range, vertices) = (ends.map(|n| n.s), ends.map(|n| n.point));
+        // rounding of the base is as much as that of a longer curve
+        let rough = || rough_graphs(self, range, vertices, self.extent.size());
+        graphs(self, range, vertices, self.extent.size()).or_else(rough)
     }
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let v = path.velocity;

@@ -42,6 +42,9 @@ impl Piece for Translated {
     fn point_at(&self, s: f64) -> Vector2<f64> {
         self.piece.point_at(s) + self.by
     }
+    fn landing_at(&self, s: f64) -> Landing {
+        self.forth(self.piece.landing_at(s))
+    }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         self.piece.arc_length_at(&(point - self.by))
     }

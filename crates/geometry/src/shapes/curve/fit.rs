@@ -15,7 +15,7 @@ const SAMPLES: usize = 2 * DEGREE + 4;
 const AGREE: f64 = 8.0 * f64::EPSILON;
 
 /// How many times as much a rough curve may be wrong by.
-const ROUGH: f64 = 8.0;
+const ROUGH: f64 = 4.0;
 
 /// Greatest incline of a graph over its chord.
 const STEEP: f64 = 0.5;
@@ -69,7 +69,7 @@ pub fn graphs(
 
 /// The same for formulas that are themselves wrong by more than usual: with fifty waves and more, say, which multiply the rounding of the
 /// parameter. For curves that have to be graphs, since they are part of a formula only; others are better asked themselves.
-pub(super) fn rough_graphs(
+pub(crate) fn rough_graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],
     vertices: [Vector2<f64>; 2],
@@ -161,9 +161,10 @@ impl<C: Parametric> Cut<'_, C> {
             heights[k + 1] = c / (k as f64 + 1.0);
         }
         heights[0] = samples.iter().map(|[a, b, ..]| b - horner(&heights, *a)[0]).sum::<f64>() / SAMPLES as f64;
-        // the rounding of parameters turns directions
+        // the rounding of parameters turns directions, and so does that of points
         let [first, last] = [samples[0][2], samples[SAMPLES - 1][2]];
-        let turning = ((last - first) / (to.u - from.u)).abs() * from.u.abs().max(to.u.abs());
+        let far = (from.u.abs().max(to.u.abs()) / (to.u - from.u).abs()).max(self.size / (2.0 * half));
+        let turning = (last - first).abs() * far;
         let agrees = |[a, b, slope, _]: &[f64; 4]| {
             let [height, incline, _] = horner(&heights, *a);
             (height - b).abs() * half <= self.rounding * AGREE * self.size

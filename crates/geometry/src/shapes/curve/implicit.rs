@@ -400,6 +400,9 @@ impl<F: ImplicitFormula> Piece for Implicit<F> {
         let s = s - libm::floor(s / self.length()) * self.length();
         self.chords().at(self.table.parameter(&self.chords(), self.traversed(s)))[0]
     }
+    fn landing_at(&self, s: f64) -> Landing {
+        self.project(self.point_at(s))
+    }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         let u = self.table.closest(&self.chords(), point);
         self.traversed(self.table.at_parameter(&self.chords(), u))

@@ -21,6 +21,7 @@ mod root;
 pub use arc_length::Parametric;
 pub(crate) use arc_length::{ArcLength, closest_parameter};
 pub use fit::graphs;
+pub(crate) use fit::rough_graphs;
 pub use graph::Graph;
 pub(crate) use graph::{Local, Meeting, Ray, Row, at_least, grazes, turn};
 pub use implicit::{Implicit, ImplicitFormula};

@@ -376,8 +376,11 @@ impl<F: PolarFormula> Piece for Polar<F> {
         self.table.length()
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.landing_at(s).point
+    }
+    fn landing_at(&self, s: f64) -> Landing {
         let s = s - libm::floor(s / self.length()) * self.length();
-        self.about().at(self.table.parameter(&self.about(), self.traversed(s)))[0]
+        self.at_angle(self.table.parameter(&self.about(), self.traversed(s)))
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         let angle = self.table.closest(&self.about(), point);

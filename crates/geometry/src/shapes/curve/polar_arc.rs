@@ -1,5 +1,5 @@
 //! Part of a polar curve, between two kinks.
-use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, fit::rough_graphs, graphs};
+use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, graphs, rough_graphs};
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -127,13 +127,16 @@ impl<F: PolarFormula + Clone + 'static> Piece for PolarArc<F> {
         self.table.length()
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.landing_at(s).point
+    }
+    fn landing_at(&self, s: f64) -> Landing {
         let s = self.traversed(s);
         if s <= 0.0 {
-            self.vertices[0]
+            self.vertex(0)
         } else if s >= self.length() {
-            self.vertices[1]
+            self.vertex(1)
         } else {
-            self.curve.at_angle(self.table.parameter(&self.curve.about(), s)).point
+            self.curve.at_angle(self.table.parameter(&self.curve.about(), s))
         }
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
@@ -198,7 +201,7 @@ mod tests {
     #[test]
     fn a_curve_is_cut_at_its_kinks() {
         for inside in [true, false] {
-            for count in [1.0, 2.0, 3.0, 8.0, 25.0, 50.0, 100.0] {
+            for count in [1.0, 2.0, 3.0, 8.0, 25.0, 50.0, 100.0, 200.0] {
                 let arcs = arcs(Waves { count, sign: 1.0 }, inside);
                 assert_eq!(arcs.len() as f64, count.max(2.0));
                 let ends: Vec<_> = arcs.iter().map(|arc| arc.ends().unwrap()).collect();
