@@ -307,6 +307,26 @@ fn walls_go_on_across_cells() {
 }
 
 #[test]
+fn the_area_that_is_left_on_a_torus_shrinks_by_its_boundary() {
+    // an ellipse longer than the cell: its parallels cross those of its translates
+    let lattice = Lattice::new(&[v(0.832, -0.0782), v(-0.1363, 0.7013)]).unwrap();
+    let ellipse = Ellipse::new(v(0.0611, 1.4746), [0.3947, 0.071], 2.6805, false).unwrap();
+    let table = Table::periodic(vec![Box::new(ellipse)], Some(lattice)).unwrap();
+    let left = |radius: f64| {
+        let offset = table.offset(radius).unwrap().table;
+        // two kinks, of which the one across cells is counted on both sides
+        assert_eq!(offset.corners().len(), 3, "{radius}");
+        (offset.area(), offset.perimeter())
+    };
+    let step = 0.001;
+    for k in 0..70 {
+        let radius = 0.15 + step * f64::from(k);
+        let [(area, _), (_, middle), (less, _)] = [radius, radius + 0.5 * step, radius + step].map(left);
+        assert!((area - less - middle * step).abs() < 1e-7, "{radius}: {area} {less} {middle}");
+    }
+}
+
+#[test]
 fn infinite_tables_have_offsets() {
     let ray = |x: f64, y: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, y), left).unwrap()) as Box<dyn Piece>;
     let wedge = check("wedge", &table(vec![ray(1.0, 2.0, true), ray(-1.0, 2.0, false)]), 0.5);

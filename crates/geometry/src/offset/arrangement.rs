@@ -414,22 +414,22 @@ impl<'a> Arrangement<'a> {
                 let parallels = [section.raw, section.last].map(|k| self.raw[k].part.as_ref().map(|p| &p.parallel));
                 let [Some(first), Some(last)] = parallels else { return Err(undecided) };
                 let range = [first.base_parameter(section.range[0]), last.base_parameter(section.range[1])];
-                let ends = [a - shift, b - shift];
-                translated(Parallel::new(first.base().clone(), self.radius, range, Some(ends))?, shift)
+                // the base is moved and not the parallel: its ends are vertices, to the last digit
+                Box::new(Parallel::new(translated(first.base(), shift), self.radius, range, Some([a, b]))?)
             }
             (_, [None, None]) => {
                 let Some(part) = &raw.part else { return Err(undecided) };
-                let base = part.parallel.base().clone();
+                let base = translated(part.parallel.base(), shift);
                 let length = base.length();
-                translated(Parallel::new(base, self.radius, [0.0, length], None)?, shift)
+                Box::new(Parallel::new(base, self.radius, [0.0, length], None)?)
             }
             _ => return Err(undecided),
         })
     }
 }
 
-fn translated(piece: Parallel, by: Vector2<f64>) -> Box<dyn Piece> {
-    if by == Vector2::zeros() { Box::new(piece) } else { Box::new(Translated::new(Arc::new(piece), by)) }
+fn translated(piece: &Arc<dyn Piece>, by: Vector2<f64>) -> Arc<dyn Piece> {
+    if by == Vector2::zeros() { Arc::clone(piece) } else { Arc::new(Translated::new(Arc::clone(piece), by)) }
 }
 
 /// Sections that follow each other.

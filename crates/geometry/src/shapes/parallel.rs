@@ -55,7 +55,7 @@ impl Parallel {
     /// are given and as near as rounding; a whole closed base has a closed parallel.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] for an empty or infinite range, [`Error::Parameter`] where `distance` is not positive and
+    /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Parameter`] where `distance` is not positive and
     /// finite or reaches beyond a centre of curvature of the base.
     pub fn new(
         base: Arc<dyn Piece>,
@@ -84,6 +84,9 @@ impl Parallel {
         for k in 1..nodes.len() {
             along += (nodes[k].s - nodes[k - 1].s) - distance * turning(&nodes[k - 1].normal, &nodes[k].normal);
             nodes[k].along = along;
+        }
+        if along.is_nan() || along <= 0.0 {
+            return Err(Error::ZeroLength);
         }
         let closed = base.ends().is_none() && ends.is_none() && range == [0.0, base.length()];
         let last = nodes.len() - 1;

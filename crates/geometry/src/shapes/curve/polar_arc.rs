@@ -28,6 +28,9 @@ pub struct PolarArc<F> {
     slack: f64,
 }
 
+/// Room for the rounding of angles up to 4π, times a whole number and shifted: some ulp (radians).
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// Parts of an arc from which its length is tabulated.
 const PARTS: u32 = 32;
 
@@ -53,8 +56,15 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         let arcs: Option<Vec<PolarArc<F>>> = (0..cuts.len())
             .map(|k| {
                 let next = (k + 1) % cuts.len();
-                let turn = if next == 0 { 2.0 * PI } else { 0.0 };
-                let range = [cuts[k].high, cuts[next].low + turn];
+                let mut end = cuts[next].low;
+                if next == 0 {
+                    // a turn later the formula is the same but for rounding, which must not show it the kink from the other side
+                    let slope = |angle: f64| curve.formula().jet(angle)[1];
+                    let (there, turned) = (slope(end), slope(end + 2.0 * PI));
+                    let same = (there - turned).abs() <= 1e-6 * there.abs().max(turned.abs());
+                    end += if same { 2.0 * PI } else { 2.0 * PI - ROUNDING };
+                }
+                let range = [cuts[k].high, end];
                 PolarArc::new(&curve, range, [vertices[k], vertices[next]])
             })
             .collect();
