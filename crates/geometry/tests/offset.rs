@@ -327,6 +327,22 @@ fn the_area_that_is_left_on_a_torus_shrinks_by_its_boundary() {
 }
 
 #[test]
+fn what_is_left_of_a_closed_curve_may_run_over_its_seam() {
+    // an ellipse and, where it does not begin, a disk so near that their parallels cross
+    let ellipse = Ellipse::new(v(0.8463, 0.3784), [0.1831, 0.0583], 1.2757, false).unwrap();
+    let disk = Circle::new(v(0.6219, 0.3092), 0.0754, false).unwrap();
+    let wall = Circle::new(v(0.7, 0.35), 2.0, true).unwrap();
+    let table = table(vec![Box::new(wall), Box::new(ellipse), Box::new(disk)]);
+    let [(area, _), (_, middle), (less, _)] = [0.1215, 0.122, 0.1225].map(|radius| {
+        let offset = check("ellipse and disk", &table, radius);
+        // the wall, the disk, and the ellipse in two parts
+        assert_eq!((offset.table.pieces().len(), offset.table.corners().len()), (4, 2));
+        (offset.table.area(), offset.table.perimeter())
+    });
+    assert!((area - less - 0.001 * middle).abs() < 1e-7, "{area} {less} {middle}");
+}
+
+#[test]
 fn infinite_tables_have_offsets() {
     let ray = |x: f64, y: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, y), left).unwrap()) as Box<dyn Piece>;
     let wedge = check("wedge", &table(vec![ray(1.0, 2.0, true), ray(-1.0, 2.0, false)]), 0.5);

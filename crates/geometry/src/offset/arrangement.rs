@@ -344,10 +344,15 @@ impl<'a> Arrangement<'a> {
                 return;
             }
         }
+        // the arc length of a closed curve begins anew at its seam, which stays a vertex where not all of the curve is left
+        let is_seam = |a: &Section, b: &Section| {
+            let [p, q] = [a.last, b.raw].map(|raw| self.raw[raw].part.as_ref().map(|part| part.parallel.base_range()));
+            p.zip(q).is_some_and(|([_, end], [start, _])| start < end)
+        };
         let mut joined: Vec<(Section, [f64; 2])> = vec![];
         for &(section, cell) in &chain.sections {
             match joined.last_mut() {
-                Some((last, _)) if continues(&(*last, cell), &(section, cell)) => {
+                Some((last, _)) if continues(&(*last, cell), &(section, cell)) && !is_seam(last, &section) => {
                     last.sites[1] = section.sites[1];
                     last.range[1] = section.range[1];
                     last.last = section.last;

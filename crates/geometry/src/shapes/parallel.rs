@@ -114,6 +114,11 @@ impl Parallel {
         self.distance
     }
 
+    /// The arc lengths of the base between which this curve is parallel to it.
+    pub(crate) fn base_range(&self) -> [f64; 2] {
+        [self.nodes[0].s, self.nodes[self.nodes.len() - 1].s]
+    }
+
     fn node(&self, s: f64) -> Node {
         Node::new(&*self.base, self.distance, s)
     }
