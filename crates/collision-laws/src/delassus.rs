@@ -47,8 +47,8 @@ impl<const N: usize> Delassus<N> {
         }
     }
 
-    /// Whether the solution of `K p = u` is known to lose no digit to speak of: by their eigenvectors, or by Gershgorin's discs, which
-    /// show that no two eigenvalues differ by more than a factor of 16.
+    /// Whether the solution of `K p = u` loses no digit to speak of: in the frame of the normal it is two quotients; elsewhere
+    /// Gershgorin's discs must show that no two eigenvalues differ by more than a factor of 16.
     #[inline]
     pub(crate) fn is_well_conditioned(&self) -> bool {
         let Self::Dense(k) = self else { return true };
@@ -69,6 +69,9 @@ impl<const N: usize> Delassus<N> {
             Self::Isotropic { normal, tangent } => (normal.min(*tangent), normal.max(*tangent)),
             Self::Dense(k) => {
                 let eigenvalues = eigenframe(*k).0;
+                if eigenvalues.iter().any(|x| x.is_nan()) {
+                    return f64::NAN;
+                }
                 (eigenvalues.min(), eigenvalues.max())
             }
         };

@@ -89,6 +89,15 @@ pub struct Tally {
 }
 
 impl Tally {
+    /// Counts a single collision with this error.
+    fn collision(&mut self, error: f64) {
+        self.error = worse(self.error, error);
+        self.lost += u64::from(!error.is_finite());
+        self.orbits += 1;
+        self.collisions += 1;
+        *self.stops.entry("finished").or_default() += 1;
+    }
+
     /// Adds another part of the same case.
     fn join(&mut self, part: Tally) {
         self.orbits += part.orbits;

@@ -24,9 +24,10 @@ impl Default for Samples {
 /// [condition number](crate::Delassus::condition_number) of `K` times 1e-12.
 ///
 /// A velocity of unit length in the metric turns a body with little inertia so fast that the contact velocity is that root times as
-/// large, and rounded accordingly; the derivatives of the measure check multiply the rounding by 10³.
+/// large, and rounded accordingly; the derivatives of the measure check multiply the rounding by 10³. Beyond a condition number of 1/ε
+/// there is no tolerance that would tell anything, and it grows no further.
 pub fn tolerance<A: Body<N>, B: Body<N>, const N: usize>(pair: &Pair<A, B, N>) -> f64 {
-    TOLERANCE.max(1e-12 * pair.delassus().condition_number().sqrt())
+    TOLERANCE.max(1e-12 * pair.delassus().condition_number().min(1.0 / f64::EPSILON).sqrt())
 }
 
 /// A velocity of unit length in the metric, uniformly distributed in direction, in unit coordinates.

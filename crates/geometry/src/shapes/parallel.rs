@@ -3,7 +3,7 @@
 //! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of
 //! points so dense that the direction turns little and one way between neighbours therefore finds every crossing; the
 //! closest points of the base curve then give the time to the last bits.
-use super::curve::{ArcLength, Graph, Parametric, closest_parameter, graphs, rising_root, rough_graphs};
+use super::curve::{ArcLength, Graph, Parametric, closest_parameter, rising_root, rough_graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -55,8 +55,8 @@ impl Parallel {
     /// are given and as near as rounding; a whole closed base has a closed parallel.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Parameter`] where `distance` is not positive and
-    /// finite or reaches beyond a centre of curvature of the base.
+    /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Parameter`] where `distance` is not
+    /// positive and finite or reaches beyond a centre of curvature of the base.
     pub fn new(
         base: Arc<dyn Piece>,
         distance: f64,
@@ -271,9 +271,7 @@ impl Piece for Parallel {
     fn graphs(&self) -> Option<Vec<Graph>> {
         let ends = [self.nodes[0], self.nodes[self.nodes.len() - 1]];
         let (range, vertices) = (ends.map(|n| n.s), ends.map(|n| n.point));
-        // rounding of the base is as much as that of a longer curve
-        let rough = || rough_graphs(self, range, vertices, self.extent.size());
-        graphs(self, range, vertices, self.extent.size()).or_else(rough)
+        rough_graphs(self, range, vertices, self.extent.size())
     }
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let v = path.velocity;

@@ -32,14 +32,10 @@ fn run(_: Effort) -> Result<Tally, Box<dyn std::error::Error>> {
             for rough in [false, true] {
                 let off =
                     if rough { off(&pair, &NoSlip, &before, true) } else { off(&pair, &Specular, &before, false) };
-                tally.error = worse(tally.error, off);
-                tally.lost += u64::from(!off.is_finite());
-                tally.orbits += 1;
-                tally.collisions += 1;
+                tally.collision(off);
             }
         }
     }
-    tally.stops.insert("finished", tally.orbits);
     Ok(tally)
 }
 

@@ -29,17 +29,12 @@ fn run(_: Effort) -> Result<Tally, Box<dyn std::error::Error>> {
                 let pair = Pair::new(contact, (body, Vector3::new(0.3, sin, -0.7)), (Fixed, Vector3::zeros()));
                 let before = (Twist::spatial(Vector3::new(sin, 0.3, -1.0), Vector3::new(0.3, cos, -0.7)), ());
                 let combed = RoughPlane::new(&[Vector3::new(1.0, cos, 0.0)])?;
-                let off = [off(&pair, &Specular, &before), off(&pair, &combed, &before), off(&pair, &NoSlip, &before)];
-                for off in off {
-                    tally.error = worse(tally.error, off);
-                    tally.lost += u64::from(!off.is_finite());
-                    tally.orbits += 1;
-                    tally.collisions += 1;
-                }
+                tally.collision(off(&pair, &Specular, &before));
+                tally.collision(off(&pair, &combed, &before));
+                tally.collision(off(&pair, &NoSlip, &before));
             }
         }
     }
-    tally.stops.insert("finished", tally.orbits);
     Ok(tally)
 }
 

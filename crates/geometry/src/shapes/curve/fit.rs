@@ -67,15 +67,16 @@ pub fn graphs(
     Cut { curve, size, rounding: 1.0 }.all([start, end], vertices)
 }
 
-/// The same for formulas that are themselves wrong by more than usual: with fifty waves and more, say, which multiply the rounding of the
-/// parameter. For curves that have to be graphs, since they are part of a formula only; others are better asked themselves.
+/// The same, or else rough ones: of formulas that are themselves wrong by more than usual, as with a dozen waves, which multiply the
+/// rounding of the parameter. For curves that should be graphs at any rate, such as parts of formulas; others are better asked themselves.
 pub(crate) fn rough_graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],
     vertices: [Vector2<f64>; 2],
     size: f64,
 ) -> Option<Vec<Graph>> {
-    Cut { curve, size, rounding: ROUGH }.all([start, end], vertices)
+    let rough = || Cut { curve, size, rounding: ROUGH }.all([start, end], vertices);
+    graphs(curve, [start, end], vertices, size).or_else(rough)
 }
 
 #[derive(Clone, Copy)]

@@ -1,5 +1,5 @@
 //! Part of a polar curve, between two kinks.
-use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, graphs, rough_graphs};
+use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, rough_graphs};
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// The part of a [`Polar`] curve between two angles, between which it is smooth; [`Polar::pieces`] makes them.
 ///
-/// Traversed counter-clockwise with the table inside, clockwise with it outside. Paths meet its polynomial [`graphs`](graphs());
+/// Traversed counter-clockwise with the table inside, clockwise with it outside. Paths meet its polynomial [`graphs`](super::graphs());
 /// everything else is asked of the formula, at an end on the arc's side of the kink.
 #[derive(Clone, Debug)]
 pub struct PolarArc<F> {
@@ -59,6 +59,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
                 let mut end = cuts[next].low;
                 if next == 0 {
                     // a turn later the formula is the same but for rounding, which must not show it the kink from the other side
+                    // (slopes on one side differ by rounding times the square of the number of waves; across it, by the kink)
                     let slope = |angle: f64| curve.formula().jet(angle)[1];
                     let (there, turned) = (slope(end), slope(end + 2.0 * PI));
                     let same = (there - turned).abs() <= 1e-6 * there.abs().max(turned.abs());
@@ -88,8 +89,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         let swept = table.enclosed_area(&about, vertices[0]) + 0.5 * vertices[0].perp(&vertices[1]);
         let area = if curve.is_inside() { swept } else { -swept };
         let size = extent.size();
-        let (sense, ends) = (curve.in_sense(range), curve.in_sense(vertices));
-        let graphs = graphs(&about, sense, ends, size).or_else(|| rough_graphs(&about, sense, ends, size))?;
+        let graphs = rough_graphs(&about, curve.in_sense(range), curve.in_sense(vertices), size)?;
         Some(PolarArc { curve: Arc::clone(curve), range, vertices, graphs, table, area, extent, slack: slack([size]) })
     }
 
