@@ -1,6 +1,6 @@
 //! Where the orbits of an ensemble start: each by its number alone.
 use crate::{EnergyKeeper, Error, Orbit, ReducedState, Track};
-use geometry::{Perimeter, Table, Vector2, Vector3, tables::SpatialTable};
+use geometry::{Perimeter, Surface, Table, Vector2, Vector3};
 use rand_chacha::{
     ChaCha8Rng,
     rand_core::{Rng, SeedableRng},
@@ -168,26 +168,27 @@ impl Starts<2, 1> for Grid<'_> {
 ///
 /// The infinite slab looks the same everywhere: there the positions fill a square as wide as the slab is high.
 #[derive(Clone, Debug)]
-pub struct CanonicalSpatial<'a> {
-    table: &'a SpatialTable,
+pub struct CanonicalSpatial<B> {
+    boundary: B,
     speed: f64,
     seed: u64,
 }
 
-impl<'a> CanonicalSpatial<'a> {
-    /// Starts at `speed` \[L T⁻¹\], spin included.
+impl<B: Surface> CanonicalSpatial<B> {
+    /// Starts on a `boundary`, such as a [named table](geometry::tables::SpatialTable) or the [surface](geometry::parry::Room::surface)
+    /// of a room, at `speed` \[L T⁻¹\], spin included.
     ///
     /// # Errors
     /// [`Error::Speed`] unless the speed is positive and finite.
-    pub fn new(table: &'a SpatialTable, speed: f64, seed: u64) -> Result<Self, Error> {
-        Ok(CanonicalSpatial { table, speed: checked(speed)?, seed })
+    pub fn new(boundary: B, speed: f64, seed: u64) -> Result<Self, Error> {
+        Ok(CanonicalSpatial { boundary, speed: checked(speed)?, seed })
     }
 }
 
-impl Starts<3, 3> for CanonicalSpatial<'_> {
+impl<B: Surface> Starts<3, 3> for CanonicalSpatial<B> {
     fn start(&self, i: u64) -> Start<3, 3> {
         let mut stream = stream(self.seed, i);
-        let (point, normal) = self.table.boundary_point(&mut || uniform(&mut stream));
+        let (point, normal) = self.boundary.random_point(&mut || uniform(&mut stream));
         let [a, b, w @ ..] = in_unit_ball::<5>(&mut stream);
         let [t1, t2] = tangents(&normal);
         let vn = (1.0 - [a, b].iter().chain(&w).map(|x| x * x).sum::<f64>()).max(0.0).sqrt();

@@ -1,14 +1,25 @@
 //! Mean free times and paths over the canonical measure, at the first flight and after several collisions.
 use billiards::{
-    BallLaw, Canonical, CanonicalSpatial, Collisions, Ensemble, Orbit, Planar, Spatial, Starts,
+    BallLaw, Billiard, Canonical, CanonicalSpatial, Collisions, Ensemble, Orbit, Planar, Spatial, Starts,
     laws::{Disk, RoughBall, Specular},
     observe::{FreePath, Mean},
+    run,
 };
 use collision_laws::laws::NoSlip;
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 use geometry::{
     Table,
+    parry::{
+        Room,
+        Side::{Inside, Outside},
+        Solid, SolidSpec,
+        parry3d_f64::{
+            math::Pose,
+            shape::{Ball, Compound, SharedShape},
+        },
+    },
     tables::{self, SpatialTable},
+    walls::ByLane,
 };
 use serde_json::Value;
 use std::path::Path;
@@ -89,6 +100,97 @@ fn in_space_it_is_fifteen_pi_eighths_of_volume_over_surface() {
         for (law, paths) in [("specular", spatial(&table, Specular, 3)), ("no-slip", spatial(&table, rough, 3))] {
             close(&format!("time, {}, {law}", table.name()), paths.time(), 15.0 * PI / 8.0 * ratio);
             close(&format!("length, {}, {law}", table.name()), paths.length(), 4.0 * ratio);
+        }
+    }
+}
+
+/// A room with its volume and the area of its boundary.
+fn rooms() -> Vec<(&'static str, Room, f64, f64)> {
+    use SolidSpec::{Capsule, Cone, ConvexHull, Cuboid, Cylinder, HalfSpace, TriMesh};
+    let off = [0.5, -2.0, 3.0];
+    let around = |spec: SolidSpec| spec.solid(off, Inside).unwrap();
+    let obstacle = |spec: SolidSpec, at: [f64; 3]| spec.solid([0, 1, 2].map(|i| off[i] + at[i]), Outside).unwrap();
+    let hall = || around(Cuboid { size: [2.0, 3.0, 2.5], rounding: 0.0 });
+    let [hall_volume, hall_area] = [15.0, 2.0 * (6.0 + 7.5 + 5.0)];
+    let ball = |r: f64| [4.0 / 3.0 * PI * r * r * r, 4.0 * PI * r * r];
+    let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let faces = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    let [corner_volume, corner_area] = [1.0 / 6.0, 1.5 + 0.75_f64.sqrt()];
+    let planes = |normals: &[[f64; 3]]| {
+        // as far from the middle as the normals are long
+        normals.iter().map(|n| obstacle(HalfSpace { normal: *n }, n.map(|x| -x))).collect::<Vec<_>>()
+    };
+    let axes =
+        [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+    let mut rooms = vec![];
+    let mut add =
+        |name, solids: Vec<Solid>, volume: f64, area: f64| rooms.push((name, Room::new(solids), volume, area));
+    let (r, h) = (0.8, 1.5);
+    let can = around(Cylinder { radius: r, height: h, rounding: 0.0 });
+    let [v, s] = ball(0.3);
+    let inner = obstacle(SolidSpec::Ball { radius: 0.3 }, [0.1, 0.2, -0.1]);
+    add("a ball in a can", vec![can, inner], PI * r * r * h - v, 2.0 * PI * r * (r + h) + s);
+    let slope = f64::hypot(r, h);
+    let tent = around(Cone { radius: r, height: h, rounding: 0.0 });
+    add("a cone", vec![tent], PI * r * r * h / 3.0, PI * r * (r + slope));
+    let [v, s] = ball(0.25);
+    let pill = obstacle(Capsule { from: [-0.4, 0.0, 0.1], to: [0.2, 0.0, 0.1], radius: 0.25 }, [0.0; 3]);
+    let [v, s] = [v + PI * 0.0625 * 0.6, s + 0.5 * PI * 0.6];
+    add("a capsule in a box", vec![hall(), pill], hall_volume - v, hall_area + s);
+    // Steiner's formula, with the integrals of mean curvature π (a + b + c) and π h + π² r
+    let steiner = |[v, s, m]: [f64; 3], r: f64| {
+        let [ball, sphere] = ball(r);
+        [v + s * r + m * r * r + ball, s + 2.0 * m * r + sphere]
+    };
+    let [v, s] = steiner([0.06, 0.94, 1.4 * PI], 0.2);
+    let brick = obstacle(Cuboid { size: [0.3, 0.2, 1.0], rounding: 0.2 }, [0.2, 0.1, 0.0]);
+    let [w, t] = steiner([PI * 0.09 * 0.4, 0.6 * PI * 0.7, PI * 0.4 + PI * PI * 0.3], 0.1);
+    let drum = obstacle(Cylinder { radius: 0.3, height: 0.4, rounding: 0.1 }, [0.0, -1.0, 0.0]);
+    add("a rounded brick and drum in a box", vec![hall(), brick, drum], hall_volume - v - w, hall_area + s + t);
+    let wedge = obstacle(ConvexHull { points: corners.clone(), rounding: 0.0 }, [-0.5; 3]);
+    add("a tetrahedron in a box", vec![hall(), wedge], hall_volume - corner_volume, hall_area + corner_area);
+    let mesh = TriMesh { vertices: corners, triangles: faces };
+    let crystal = obstacle(mesh.clone(), [-0.5; 3]);
+    add("a mesh in a box", vec![hall(), crystal], hall_volume - corner_volume, hall_area + corner_area);
+    add("in a mesh", vec![around(mesh)], corner_volume, corner_area);
+    let mut crate_ = planes(&axes);
+    crate_.push(obstacle(SolidSpec::Ball { radius: 0.5 }, [0.3, 0.0, 0.1]));
+    let [v, s] = ball(0.5);
+    add("a ball between six planes", crate_, 8.0 - v, 24.0 + s);
+    let slopes = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
+    // a regular tetrahedron with edges of 6√2: √3 from its middle to each face
+    add("between four planes", planes(&slopes), 72.0, 72.0 * 3.0_f64.sqrt());
+    // what lies within 1 of either of two points at a distance of 1
+    let member = |x: f64| (Pose::translation(x, 0.0, 0.0), SharedShape::new(Ball::new(1.0)));
+    let two = Compound::new([-0.5, 0.5].map(member).into());
+    for side in [Inside, Outside] {
+        let pair = Solid::new(&two, &nalgebra::Isometry3::translation(off[0], off[1], off[2]), side).unwrap();
+        let [v, s] = [PI * 9.0 / 4.0, 6.0 * PI];
+        if side == Inside {
+            add("in two balls", vec![pair], v, s);
+        } else {
+            let large = around(SolidSpec::Ball { radius: 3.0 });
+            add("around two balls", vec![large, pair], 36.0 * PI - v, 36.0 * PI + s);
+        }
+    }
+    rooms
+}
+
+#[test]
+fn in_any_room_the_mean_flight_is_four_volumes_over_the_surface() {
+    for (name, room, volume, area) in rooms() {
+        let surface = room.surface().unwrap_or_else(|error| panic!("{name}: {error}"));
+        let canonical = CanonicalSpatial::new(&surface, 1.0, 5).unwrap();
+        let law = RoughBall::no_slip(0.4_f64.sqrt());
+        let billiard = Billiard { walls: &ByLane(&room), law: &law };
+        for n in [0, 3] {
+            let paths: FreePath<3, 3> = Ensemble::of(ORBITS).run(FreePath::new, |i, paths| {
+                let mut orbit = canonical.start(i).orbit::<(), ()>(());
+                run(&billiard, &mut orbit, &Collisions(n), &mut ());
+                paths.follow(&orbit);
+                run(&billiard, &mut orbit, &Collisions(1), paths);
+            });
+            close(&format!("{name}, after {n}"), paths.length(), 4.0 * volume / area);
         }
     }
 }

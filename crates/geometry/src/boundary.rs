@@ -25,3 +25,9 @@ pub trait Boundary<const N: usize, Path = Line<N>> {
     /// The first hit, or `None` where the path never meets the boundary.
     fn first_hit(&self, path: &Path) -> Option<Hit<N>>;
 }
+
+impl<B: Boundary<N, P> + ?Sized, const N: usize, P> Boundary<N, P> for &B {
+    fn first_hit(&self, path: &P) -> Option<Hit<N>> {
+        (**self).first_hit(path)
+    }
+}

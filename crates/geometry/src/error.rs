@@ -164,6 +164,9 @@ pub enum Error {
     /// A table that extends to infinity where a bounded one is needed.
     #[error("the table is unbounded: it has no uniform distribution")]
     Unbounded,
+    /// Walls that do not bound a table together.
+    #[error("nothing is left of the walls: no point of one was found on the table's side of all others")]
+    Vanished,
     /// A parameter that a named table does not have.
     #[error("{table} has no parameter {name}; it has {known}")]
     Unknown {

@@ -1,57 +1,25 @@
 //! A region of space bounded entry by entry.
 
-use billiards::geometry::parry::{Closest, Side, Solid, SolidSpec};
-use billiards::geometry::{Boundary, Error, Hit, Line, Vector3};
+use billiards::geometry::parry::{Room, Side, Solid, SolidSpec};
+use billiards::geometry::{Error, Vector3};
 
 use crate::document::Diagnostic;
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
-/// The points on the table's side of all of some boundaries.
-#[derive(Debug)]
-pub(crate) struct Room {
-    entries: Vec<(String, Solid)>,
-}
-
-impl Room {
-    /// The room of an explicit boundary, all lengths multiplied by a factor. Every entry is one piece.
-    pub(crate) fn new(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Room, Vec<Diagnostic>> {
-        let (mut solids, mut wrong) = (vec![], vec![]);
-        let radius = scene.particle.radius.value;
-        for entry in entries {
-            match solid(&entry.border, radius, factor) {
-                Ok(solid) => solids.push(solid),
-                Err(error) => wrong.push(scene.source.diagnostic(entry.span, error.to_string())),
+/// The room of an explicit boundary, all lengths multiplied by a factor, and what each piece is. Every entry is one piece.
+pub(crate) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<(Room, Vec<String>), Vec<Diagnostic>> {
+    let (mut solids, mut names, mut wrong) = (vec![], vec![], vec![]);
+    let radius = scene.particle.radius.value;
+    for entry in entries {
+        match solid(&entry.border, radius, factor) {
+            Ok((name, solid)) => {
+                names.push(name);
+                solids.push(solid);
             }
+            Err(error) => wrong.push(scene.source.diagnostic(entry.span, error.to_string())),
         }
-        if wrong.is_empty() { Ok(Room { entries: solids }) } else { Err(wrong) }
     }
-
-    /// What each piece is.
-    pub(crate) fn names(&self) -> Vec<String> {
-        self.entries.iter().map(|(name, _)| name.clone()).collect()
-    }
-
-    /// Every entry as seen from a point.
-    pub(crate) fn each_closest(&self, point: &Vector3<f64>, see: impl FnMut(Closest)) {
-        self.entries.iter().map(|(_, solid)| solid.closest(point)).for_each(see);
-    }
-
-    /// A box around the boundary; infinite where there is no end.
-    pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
-        let none = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
-        self.entries.iter().fold(none, |[low, high], (_, solid)| {
-            let [a, b] = solid.extent();
-            [low.inf(&a), high.sup(&b)]
-        })
-    }
-}
-
-impl Boundary<3> for &Room {
-    fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
-        let hits = self.entries.iter().enumerate();
-        hits.filter_map(|(piece, (_, solid))| solid.first_hit(path).map(|hit| Hit { piece, ..hit }))
-            .min_by(|a, b| a.time.total_cmp(&b.time))
-    }
+    if wrong.is_empty() { Ok((Room::new(solids), names)) } else { Err(wrong) }
 }
 
 /// An entry of the boundary, moved into the table by the particle's radius, and what it is.

@@ -1,8 +1,9 @@
 //! A ball on a table in space.
 
+use billiards::geometry::parry::Room;
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::walls::ByLane;
-use billiards::geometry::{Error, Vector3, Walls, WithWalls};
+use billiards::geometry::{Error, Surface, Vector3, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
@@ -10,7 +11,7 @@ use super::engine::{Engine, Watched};
 use super::horizon::{self, Horizons};
 use super::keeper::Keeper;
 use super::law::{SpatialLaw, is_strict};
-use super::room::Room;
+use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
 use super::words::short;
@@ -66,7 +67,11 @@ impl Space {
             }
         };
         match self {
-            Space::Room(room) => room.each_closest(point, |closest| wall(closest.distance, closest.normal, slack(0.0))),
+            Space::Room(room) => {
+                for closest in room.solids().iter().map(|solid| solid.closest(point)) {
+                    wall(closest.distance, closest.normal, slack(0.0));
+                }
+            }
             Space::Named(table) if table.name() == "ball" => {
                 let [_, high] = table.extent();
                 wall(table.signed_distance(point), -point, slack(high.x));
@@ -88,11 +93,7 @@ impl Space {
     pub(crate) fn distance(&self, point: &Vector3<f64>) -> f64 {
         match self {
             Space::Named(table) => table.signed_distance(point),
-            Space::Room(room) => {
-                let mut least = f64::INFINITY;
-                room.each_closest(point, |closest| least = least.min(closest.distance));
-                least
-            }
+            Space::Room(room) => room.distance(point),
         }
     }
 
@@ -126,8 +127,7 @@ impl Spatial {
                 (Space::Named(table), shift, pieces, laws)
             }
             TableShape::Boundary(entries) => {
-                let room = Room::new(scene, entries, factor)?;
-                let pieces = room.names();
+                let (room, pieces) = room::explicit(scene, entries, factor)?;
                 let laws = entries.iter().map(|entry| entry.law.as_ref().map(|law| law.kind.clone())).collect();
                 (Space::Room(room), Vector3::zeros(), pieces, laws)
             }
@@ -144,13 +144,12 @@ impl Spatial {
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
         if let Starts::Ensemble(ensemble) = &starts {
-            let problem = match (&centres, ensemble.sample) {
-                (Space::Room(_), _) => Some("in space, ensembles start in the built-in tables only"),
-                (_, "grid") => Some("in space, the sample is \"canonical\""),
-                _ => None,
-            };
-            if let Some(what) = problem {
-                return Err(vec![scene.source.diagnostic(ensemble.span, what)]);
+            let wrong = |what: String| vec![scene.source.diagnostic(ensemble.span, what)];
+            if ensemble.sample == "grid" {
+                return Err(wrong("in space, the sample is \"canonical\"".into()));
+            }
+            if let Space::Room(room) = &centres {
+                room.surface().map_err(|error| wrong(error.to_string()))?;
             }
         }
         drop(kinds);
@@ -168,16 +167,19 @@ impl Spatial {
     /// The start of an orbit, by its number.
     #[allow(clippy::type_complexity, reason = "a function, boxed")]
     pub(crate) fn starts(&self) -> Result<Box<dyn Fn(u64) -> Start<3, 3> + Sync + '_>, billiards::Error> {
-        let (ensemble, table) = match (&self.starts, &self.centres) {
-            (Starts::Ensemble(ensemble), Space::Named(table)) => (ensemble, table),
-            (Starts::Given(starts), _) => {
-                // orbits are numbered below the number of starts
+        let ensemble = match &self.starts {
+            Starts::Ensemble(ensemble) => ensemble,
+            // orbits are numbered below the number of starts
+            Starts::Given(starts) => {
                 return Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()]));
             }
-            (Starts::Ensemble(_), Space::Room(_)) => return Err(Error::Unbounded.into()),
         };
         let scale = Scale { length: self.factor, speed: to_unity([ensemble.speed.value]) };
-        let drawn = CanonicalSpatial::new(table, ensemble.speed.value * scale.speed, ensemble.seed)?;
+        let surface: Box<dyn Surface + '_> = match &self.centres {
+            Space::Named(table) => Box::new(table),
+            Space::Room(room) => Box::new(room.surface()?),
+        };
+        let drawn = CanonicalSpatial::new(surface, ensemble.speed.value * scale.speed, ensemble.seed)?;
         Ok(Box::new(move |i| {
             let start = drawn.start(i);
             let (position, velocity, spin) = (start.position, start.velocity, start.spin);

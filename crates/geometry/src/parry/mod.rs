@@ -7,6 +7,7 @@
 //! * In the plane, [`pieces`] turns a shape into exact [`Piece`](crate::Piece)s wherever it consists of segments and
 //!   arcs; any other shape becomes a [`DistancePiece`], which needs nothing but parry's point projection.
 //! * In space, [`Solid`] is a [`Boundary`](crate::Boundary) inside or outside of any shape.
+//! * A [`Room`] is bounded by several of them.
 //! * [`ShapeSpec`] describes a shape as plain data, for scene files.
 //!
 //! Of parry's and glam's types none but parry's shapes appear in a signature. Positions, poses and normals are
@@ -18,6 +19,7 @@ mod distance;
 mod mesh;
 mod outer;
 mod planar;
+mod room;
 mod screen;
 mod solid;
 mod solid_spec;
@@ -29,6 +31,7 @@ pub use curve::DistancePiece;
 pub use parry2d_f64;
 pub use parry3d_f64;
 pub use planar::pieces;
+pub use room::{Room, RoomSurface};
 pub use screen::Screen;
 pub use solid::{Closest, Solid};
 pub use solid_spec::SolidSpec;

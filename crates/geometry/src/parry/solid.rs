@@ -1,4 +1,5 @@
 //! Tables inside or outside of any shape in space.
+pub(super) mod area;
 mod convex;
 mod field;
 mod polyhedron;
@@ -224,6 +225,9 @@ impl Body {
     fn extent(&self) -> [Vector3<f64>; 2] {
         match self {
             Body::Rounded(rounded) => rounded.extent(),
+            Body::Convex(convex, _) if convex.is_half_space() => {
+                [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)]
+            }
             Body::Convex(_, distance) | Body::Mesh(_, distance) | Body::Distance(distance) => distance.extent(),
         }
     }

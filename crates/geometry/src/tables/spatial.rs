@@ -1,5 +1,8 @@
 //! Tables in space whose walls answer in closed form.
-use crate::walls::{Cuboid, Slab, Sphere, WithWalls};
+use crate::{
+    surface::{Surface, direction},
+    walls::{Cuboid, Slab, Sphere, WithWalls},
+};
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 
@@ -81,45 +84,6 @@ impl SpatialTable {
         }
     }
 
-    /// A random point of the boundary, uniform by area, and the unit normal there, into the table.
-    ///
-    /// `uniform` draws numbers uniform on [0, 1). The infinite slab looks the same everywhere: its points fill the
-    /// square 0 ≤ x₁, x₂ < height.
-    pub fn boundary_point(&self, uniform: &mut impl FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
-        match self.figure {
-            Figure::Slab { height, .. } => {
-                let up = uniform() < 0.5;
-                let point = Vector3::new(height * uniform(), height * uniform(), if up { 0.0 } else { height });
-                (point, if up { Vector3::z() } else { -Vector3::z() })
-            }
-            Figure::Cuboid { size, .. } => {
-                let [a, b, c] = size;
-                let areas = [b * c, c * a, a * b];
-                let mut share = uniform() * (areas[0] + areas[1] + areas[2]);
-                let mut axis = 0;
-                while axis < 2 && share >= areas[axis] {
-                    share -= areas[axis];
-                    axis += 1;
-                }
-                let low = uniform() < 0.5;
-                let mut point = Vector3::from_fn(|i, _| size[i] * uniform());
-                point[axis] = if low { 0.0 } else { size[axis] };
-                let mut normal = Vector3::zeros();
-                normal[axis] = if low { 1.0 } else { -1.0 };
-                (point, normal)
-            }
-            Figure::Ball { radius, .. } => loop {
-                // a point of the ball, far enough from its centre that its direction has all digits
-                let x = Vector3::from_fn(|_, _| 2.0 * uniform() - 1.0);
-                let square = x.norm_squared();
-                if (0.0625..1.0).contains(&square) {
-                    let outward = x / square.sqrt();
-                    return (outward * radius, -outward);
-                }
-            },
-        }
-    }
-
     /// The distance from the boundary \[L\], negative outside the table.
     pub fn signed_distance(&self, point: &Vector3<f64>) -> f64 {
         match self.figure {
@@ -146,6 +110,39 @@ impl SpatialTable {
             Figure::Slab { walls, .. } => visit.run(walls),
             Figure::Cuboid { walls, .. } => visit.run(walls),
             Figure::Ball { walls, .. } => visit.run(walls),
+        }
+    }
+}
+
+impl Surface for SpatialTable {
+    /// The infinite slab looks the same everywhere: its points fill the square 0 ≤ x₁, x₂ < height.
+    fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
+        match self.figure {
+            Figure::Slab { height, .. } => {
+                let up = uniform() < 0.5;
+                let point = Vector3::new(height * uniform(), height * uniform(), if up { 0.0 } else { height });
+                (point, if up { Vector3::z() } else { -Vector3::z() })
+            }
+            Figure::Cuboid { size, .. } => {
+                let [a, b, c] = size;
+                let areas = [b * c, c * a, a * b];
+                let mut share = uniform() * (areas[0] + areas[1] + areas[2]);
+                let mut axis = 0;
+                while axis < 2 && share >= areas[axis] {
+                    share -= areas[axis];
+                    axis += 1;
+                }
+                let low = uniform() < 0.5;
+                let mut point = Vector3::from_fn(|i, _| size[i] * uniform());
+                point[axis] = if low { 0.0 } else { size[axis] };
+                let mut normal = Vector3::zeros();
+                normal[axis] = if low { 1.0 } else { -1.0 };
+                (point, normal)
+            }
+            Figure::Ball { radius, .. } => {
+                let outward = direction(uniform);
+                (outward * radius, -outward)
+            }
         }
     }
 }

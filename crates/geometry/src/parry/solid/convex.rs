@@ -242,6 +242,11 @@ impl Convex {
         Convex::of(Kind::Intersection(vec![face]), frame.translation.amax())
     }
 
+    /// Whether it is one: all others are bounded.
+    pub(super) fn is_half_space(&self) -> bool {
+        matches!(&self.kind, Kind::Intersection(faces) if matches!(faces[..], [Face::Plane { .. }]))
+    }
+
     pub(super) fn cylinder(cylinder: &Cylinder, frame: &Frame<3>) -> Result<Convex, Error> {
         positive("the half height", cylinder.half_height)?;
         positive("the radius", cylinder.radius)?;

@@ -1,0 +1,263 @@
+//! A region of space bounded by several solids.
+use super::{
+    Side, Solid,
+    distance::to_unit,
+    solid::area::{Bound, Trials},
+};
+use crate::{Boundary, Error, Hit, Line, plane::slack, surface::Surface};
+use nalgebra::{Matrix3, Vector3};
+
+/// The points on the table's side of all of some solids: inside a container and around obstacles, between planes, ...
+///
+/// Solid `i` is piece `i`.
+///
+/// ```
+/// use geometry::{Boundary, Line, Vector3, parry::{Room, Side, SolidSpec}};
+/// let can = SolidSpec::Cylinder { radius: 1.0, height: 2.0, rounding: 0.0 }.solid([0.0; 3], Side::Inside)?;
+/// let ball = SolidSpec::Ball { radius: 0.5 }.solid([0.0; 3], Side::Outside)?;
+/// let room = Room::new(vec![can, ball]);
+/// let path = Line { point: Vector3::new(-1.0, 0.0, 0.0), velocity: Vector3::new(1.0, 0.0, 0.0) };
+/// let hit = room.first_hit(&path).unwrap();
+/// assert_eq!((hit.time, hit.piece), (0.5, 1));
+/// # Ok::<(), geometry::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Room {
+    solids: Vec<Solid>,
+}
+
+impl Room {
+    /// The room between solids.
+    pub fn new(solids: Vec<Solid>) -> Room {
+        Room { solids }
+    }
+
+    /// Its solids, in the order of their numbers.
+    pub fn solids(&self) -> &[Solid] {
+        &self.solids
+    }
+
+    /// Distance from the boundary \[L\], negative outside the room: a lower bound of its size there.
+    pub fn distance(&self, point: &Vector3<f64>) -> f64 {
+        self.solids.iter().map(|solid| solid.distance(point)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// A box around the room: least and greatest coordinates. Around the boundary where the room has no end; infinite where that has
+    /// none.
+    pub fn extent(&self) -> [Vector3<f64>; 2] {
+        let room = self.container();
+        if room.iter().flatten().all(|x| x.is_finite()) {
+            return room;
+        }
+        let none = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+        self.solids.iter().map(Solid::extent).fold(none, |[low, high], [a, b]| [low.inf(&a), high.sup(&b)])
+    }
+
+    /// Random points of the boundary.
+    ///
+    /// # Errors
+    /// [`Error::Unbounded`] where the boundary has an infinite area, [`Error::Empty`] where there is none, [`Error::Vanished`] where
+    /// none of it is found, [`Error::Shape`] for shapes known by their distance only.
+    pub fn surface(&self) -> Result<RoomSurface<'_>, Error> {
+        let bound = Bound::of(self.container());
+        let mut parts = vec![];
+        for (number, solid) in self.solids.iter().enumerate() {
+            parts.extend(solid.trials(bound)?.into_iter().map(|trials| Part { number, trials, up_to: 0.0 }));
+        }
+        let size = parts.iter().map(|part| part.trials.size()).fold(0.0, f64::max);
+        let mut sum = 0.0;
+        for part in &mut parts {
+            sum += part.trials.area(to_unit(size));
+            part.up_to = sum;
+        }
+        if parts.is_empty() {
+            return Err(Error::Empty);
+        }
+        let surface = RoomSurface { room: self, parts };
+        // where this many find nothing, a start would take milliseconds, or forever
+        let mut state = 1_u64;
+        let mut uniform = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let found = sum > 0.0 && (0..MOST_TRIALS).any(|_| surface.trial(&mut uniform).is_some());
+        if found { Ok(surface) } else { Err(Error::Vanished) }
+    }
+
+    /// A box around the room; infinite where no such box is known.
+    fn container(&self) -> [Vector3<f64>; 2] {
+        let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
+        let inner = self.solids.iter().filter(|solid| solid.side() == Side::Inside);
+        let [low, high] = inner.map(Solid::extent).fold(all, |[low, high], [a, b]| [low.sup(&a), high.inf(&b)]);
+        if low.iter().chain(&high).all(|x| x.is_finite()) { [low, high] } else { between(&self.planes()) }
+    }
+
+    /// Its planes, each as `n·x ≥ d` with a unit normal `n`.
+    fn planes(&self) -> Vec<(Vector3<f64>, f64)> {
+        let planes = self.solids.iter().filter(|solid| solid.extent().iter().flatten().any(|x| x.is_infinite()));
+        let foot = planes.map(|solid| solid.closest(&Vector3::zeros()));
+        foot.map(|foot| (foot.normal, foot.normal.dot(&foot.point))).collect()
+    }
+}
+
+/// Trials after which nothing is expected to be found.
+const MOST_TRIALS: u32 = 100_000;
+
+/// A box around the points with `n·x ≥ d` for all pairs; infinite where they have no end.
+fn between(planes: &[(Vector3<f64>, f64)]) -> [Vector3<f64>; 2] {
+    let infinite = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
+    // normals that are parallel but for this count as parallel
+    let little = 1e-9;
+    let pairs = || planes.iter().enumerate().flat_map(|(i, a)| planes[..i].iter().map(move |b| (i, a, b)));
+    let all = |f: &dyn Fn(&(Vector3<f64>, f64)) -> bool| planes.iter().all(f);
+    // where there is a way to infinity, one runs along two of the planes, or all have a direction in common
+    let mut spanned = false;
+    for (i, (n, _), (m, _)) in pairs() {
+        let along = n.cross(m);
+        spanned |= planes[..i].iter().any(|(k, _)| k.dot(&along).abs() > little);
+        if along.norm() > little && [1.0, -1.0].iter().any(|sign| all(&|(k, _)| k.dot(&along) * sign >= -little)) {
+            return infinite;
+        }
+    }
+    if !spanned {
+        return infinite;
+    }
+    let size = planes.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
+    let [mut low, mut high] = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+    for (i, (n, d), (m, e)) in pairs() {
+        for (k, f) in &planes[..i] {
+            let Some(inverse) = Matrix3::from_rows(&[n.transpose(), m.transpose(), k.transpose()]).try_inverse() else {
+                continue;
+            };
+            let vertex = inverse * Vector3::new(*d, *e, *f);
+            if all(&|(n, d)| n.dot(&vertex) - d >= -little * size.max(vertex.amax())) {
+                (low, high) = (low.inf(&vertex), high.sup(&vertex));
+            }
+        }
+    }
+    // of planes that leave no point there is no vertex
+    if low <= high { [low, high] } else { [Vector3::zeros(); 2] }
+}
+
+impl Boundary<3> for Room {
+    fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
+        let hits = self.solids.iter().enumerate();
+        hits.filter_map(|(piece, solid)| solid.first_hit(path).map(|hit| Hit { piece, ..hit }))
+            .min_by(|a, b| a.time.total_cmp(&b.time))
+    }
+}
+
+/// Points of a room's boundary, uniform by area: of each of its solids, those on the room's side of all others.
+///
+/// Convex solids are met by random lines, which enter each part of a convex surface in proportion to its area (Cauchy, Crofton);
+/// of planes there is a disk, and of meshes there are the triangles.
+#[derive(Debug)]
+pub struct RoomSurface<'a> {
+    room: &'a Room,
+    parts: Vec<Part<'a>>,
+}
+
+/// One body of one solid, up to whose end the trials have so much area.
+#[derive(Debug)]
+struct Part<'a> {
+    number: usize,
+    trials: Trials<'a>,
+    up_to: f64,
+}
+
+impl RoomSurface<'_> {
+    /// Tries to find a point.
+    fn trial(&self, uniform: &mut dyn FnMut() -> f64) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        let last = self.parts.last()?;
+        let share = uniform() * last.up_to;
+        let part = self.parts.iter().find(|part| share < part.up_to).unwrap_or(last);
+        let (point, normal) = part.trials.draw(uniform)?;
+        // between solids that touch there is nothing
+        let free = |solid: &Solid| solid.distance(&point) > slack([part.trials.size(), point.amax()]);
+        let others = self.room.solids.iter().enumerate().filter(|(k, _)| *k != part.number);
+        others.into_iter().all(|(_, solid)| free(solid)).then_some((point, normal))
+    }
+}
+
+impl Surface for RoomSurface<'_> {
+    fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
+        loop {
+            if let Some(found) = self.trial(uniform) {
+                return found;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::SolidSpec, *};
+
+    fn plane(normal: [f64; 3], through: [f64; 3]) -> Solid {
+        SolidSpec::HalfSpace { normal }.solid(through, Side::Outside).unwrap()
+    }
+    fn ball(radius: f64, center: [f64; 3], side: Side) -> Solid {
+        SolidSpec::Ball { radius }.solid(center, side).unwrap()
+    }
+    fn refused(solids: Vec<Solid>) -> Error {
+        Room::new(solids).surface().unwrap_err()
+    }
+
+    #[test]
+    fn a_boundary_without_end_has_no_points_to_draw() {
+        let slab = || vec![plane([0.0, 0.0, 1.0], [0.0; 3]), plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0])];
+        assert_eq!(refused(slab()), Error::Unbounded);
+        // a prism without ends, and a pyramid without a base
+        let mut prism = slab();
+        prism.push(plane([1.0, 0.0, 0.0], [0.0; 3]));
+        prism.push(plane([-1.0, 0.0, 0.1], [1.0, 0.0, 0.0]));
+        assert_eq!(refused(prism), Error::Unbounded);
+        let pyramid = [[1.0, 0.0, 1.0], [-1.0, 1.0, 1.0], [-1.0, -1.0, 1.0]].map(|n| plane(n, [0.0; 3]));
+        assert_eq!(refused(pyramid.into()), Error::Unbounded);
+        // a ball in front of a plane has an end, but the plane has none
+        assert_eq!(
+            refused(vec![ball(1.0, [0.0, 0.0, 2.0], Side::Outside), plane([0.0, 0.0, 1.0], [0.0; 3])]),
+            Error::Unbounded
+        );
+    }
+
+    #[test]
+    fn walls_that_bound_nothing_together_are_refused() {
+        let apart = [[0.0; 3], [3.0, 0.0, 0.0]].map(|center| ball(1.0, center, Side::Inside));
+        assert_eq!(refused(apart.into()), Error::Vanished);
+        let axes =
+            [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+        assert_eq!(refused(axes.map(|n| plane(n, n)).into()), Error::Vanished);
+        assert_eq!(refused(vec![]), Error::Empty);
+    }
+
+    #[test]
+    fn points_lie_on_the_boundary_and_not_between_walls_that_touch() {
+        // a drum that stands on the floor of a cube
+        let cube = SolidSpec::Cuboid { size: [2.0; 3], rounding: 0.0 }.solid([0.3, 0.0, 1.0], Side::Inside).unwrap();
+        let drum = SolidSpec::Cylinder { radius: 0.5, height: 1.0, rounding: 0.0 };
+        let room = Room::new(vec![cube, drum.solid([0.3, 0.0, 0.5], Side::Outside).unwrap()]);
+        let surface = room.surface().unwrap();
+        let mut state = 1_u64;
+        let mut uniform = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..10_000 {
+            let (point, normal) = surface.random_point(&mut uniform);
+            assert!(room.distance(&point).abs() < 1e-14, "{point:?}");
+            assert!((normal.norm() - 1.0).abs() < 1e-15);
+            assert!((room.distance(&(point + normal * 1e-6)) - 1e-6).abs() < 1e-9, "{point:?}");
+            let axis = libm::hypot(point.x - 0.3, point.y);
+            assert!(point.z > 1e-9 || axis > 0.5, "{point:?}");
+        }
+    }
+
+    #[test]
+    fn a_box_around_a_room_between_planes_is_known() {
+        let n = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, -1.0, -1.0]];
+        let corner = Room::new(n.map(|n| plane(n, if n[0] < 0.0 { [1.0, 0.0, 0.0] } else { [0.0; 3] })).into());
+        let [low, high] = corner.extent();
+        assert!(low.amax() < 1e-15 && (high - Vector3::repeat(1.0)).amax() < 1e-15);
+    }
+}

@@ -1,0 +1,146 @@
+//! Points on a solid, uniform by area.
+use super::{super::Side, Body, Closest, Solid, unsupported};
+use crate::{
+    Error, Line,
+    parry::{
+        distance::to_unit,
+        mesh::{Mesh, across},
+    },
+    plane::slack,
+    surface::{direction, in_disk},
+};
+use core::f64::consts::PI;
+use nalgebra::Vector3;
+
+/// A ball \[L\].
+#[derive(Clone, Copy, Debug)]
+pub(in crate::parry) struct Bound {
+    pub(in crate::parry) center: Vector3<f64>,
+    pub(in crate::parry) radius: f64,
+}
+
+impl Bound {
+    /// About a box, if that is finite.
+    pub(in crate::parry) fn of([low, high]: [Vector3<f64>; 2]) -> Option<Bound> {
+        let (center, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+        let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([low.amax(), high.amax()]);
+        radius.is_finite().then_some(Bound { center, radius })
+    }
+}
+
+/// Draws points of one member of a solid: each trial finds one or none, and all have the same density by area.
+#[derive(Debug)]
+pub(in crate::parry) struct Trials<'a> {
+    solid: &'a Solid,
+    member: usize,
+    kind: Kind<'a>,
+}
+
+#[derive(Debug)]
+enum Kind<'a> {
+    /// Lines through a ball, alike from everywhere, which enter a convex body: in each part of its surface as many as it has area
+    /// (Cauchy, Crofton).
+    Lines { body: &'a Body, ball: Bound },
+    /// The part of a plane in a disk about a point of it.
+    Disk { about: Closest, radius: f64 },
+    /// Triangles, up to each of which so many units of area come.
+    Triangles { mesh: &'a Mesh, unit: f64, sums: Vec<f64> },
+}
+
+impl Solid {
+    /// Trials for all members. Of planes those points are drawn that lie within `bound`, which holds the table.
+    ///
+    /// # Errors
+    /// [`Error::Unbounded`] for planes without a bound, [`Error::Shape`] for shapes known by their distance only.
+    pub(in crate::parry) fn trials(&self, bound: Option<Bound>) -> Result<Vec<Trials<'_>>, Error> {
+        let trials = self.members.iter().enumerate().map(|(member, body)| {
+            let kind = match body {
+                Body::Convex(..) | Body::Rounded(_) => match (Bound::of(body.extent()), bound) {
+                    (Some(ball), _) => Kind::Lines { body, ball },
+                    (None, Some(bound)) => {
+                        let about = self.closest(&bound.center);
+                        Kind::Disk { about, radius: bound.radius }
+                    }
+                    (None, None) => return Err(Error::Unbounded),
+                },
+                Body::Mesh(mesh, _) => {
+                    let unit = to_unit(mesh.vertices.iter().map(|v| v.amax()).fold(0.0, f64::max));
+                    let area = |t: &[usize; 3]| {
+                        let (twice, edge) = across(t.map(|v| mesh.vertices[v]));
+                        0.5 * twice.norm() * (edge * unit) * (edge * unit)
+                    };
+                    let sums = mesh.triangles.iter().scan(0.0, |sum, t| {
+                        *sum += area(t);
+                        Some(*sum)
+                    });
+                    Kind::Triangles { mesh, unit, sums: sums.collect() }
+                }
+                Body::Distance(_) => {
+                    return Err(unsupported("shape", "points of its surface are not known, only distances from it"));
+                }
+            };
+            Ok(Trials { solid: self, member, kind })
+        });
+        trials.collect()
+    }
+
+    /// Whether a point of one member is one of the whole: not inside any other.
+    fn exposes(&self, member: usize, point: &Vector3<f64>) -> bool {
+        let outside = |body: &Body| body.closest(point, Side::Outside).distance > 0.0;
+        self.members.iter().enumerate().all(|(k, body)| k == member || outside(body))
+    }
+}
+
+impl Trials<'_> {
+    /// The area that would be found if every trial found a point, in units of a length whose inverse is `unit`.
+    pub(in crate::parry) fn area(&self, unit: f64) -> f64 {
+        match &self.kind {
+            Kind::Lines { ball, .. } => 4.0 * PI * (ball.radius * unit) * (ball.radius * unit),
+            Kind::Disk { radius, .. } => PI * (radius * unit) * (radius * unit),
+            Kind::Triangles { unit: own, sums, .. } => sums[sums.len() - 1] * (unit / own) * (unit / own),
+        }
+    }
+
+    /// The greatest length in it.
+    pub(in crate::parry) fn size(&self) -> f64 {
+        match &self.kind {
+            Kind::Lines { ball: Bound { radius, .. }, .. } | Kind::Disk { radius, .. } => *radius,
+            Kind::Triangles { unit, .. } => 1.0 / unit,
+        }
+    }
+
+    /// One trial: a point \[L\] and the unit normal there, into the table.
+    pub(in crate::parry) fn draw(&self, uniform: &mut dyn FnMut() -> f64) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        let (point, normal) = match &self.kind {
+            Kind::Lines { body, ball } => {
+                let velocity = direction(uniform);
+                // from far enough that it starts outside
+                let point = ball.center + (in_disk(&velocity, uniform) - velocity * 2.0) * ball.radius;
+                let (point, outward) = body.entered(&Line { point, velocity })?;
+                (point, if self.solid.side == Side::Outside { outward } else { -outward })
+            }
+            Kind::Disk { about, radius } => (about.point + in_disk(&about.normal, uniform) * *radius, about.normal),
+            Kind::Triangles { mesh, sums, .. } => {
+                let share = uniform() * sums[sums.len() - 1];
+                let k = sums.partition_point(|sum| *sum <= share).min(sums.len() - 1);
+                let [a, b, c] = mesh.triangles[k].map(|v| mesh.vertices[v]);
+                let [s, t] = [uniform(), uniform()];
+                // the half of the parallelogram beyond the diagonal, turned over
+                let [s, t] = if s + t > 1.0 { [1.0 - s, 1.0 - t] } else { [s, t] };
+                (mesh.land(k, &(a + (b - a) * s + (c - a) * t)).0, mesh.normals[k])
+            }
+        };
+        self.solid.exposes(self.member, &point).then_some((point, normal))
+    }
+}
+
+impl Body {
+    /// Where a line that starts outside of a convex body enters it, and the outward normal there.
+    fn entered(&self, path: &Line<3>) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        match self {
+            Body::Convex(convex, _) => convex.entry(path).map(|(time, face)| convex.land(face, &path.at(time))),
+            Body::Rounded(rounded) => rounded.first(path, Side::Outside).map(|time| rounded.land(&path.at(time))),
+            Body::Mesh(..) | Body::Distance(_) => None,
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Random points of boundaries in space.
+use nalgebra::Vector3;
+
+/// A boundary in space of which points can be drawn, uniform by area.
+pub trait Surface: Sync {
+    /// A random point of the boundary \[L\], uniform by area, and the unit normal there, into the table.
+    ///
+    /// `uniform` draws numbers uniform on [0, 1).
+    fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>);
+}
+
+impl<S: Surface + ?Sized> Surface for &S {
+    fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
+        (**self).random_point(uniform)
+    }
+}
+
+impl<S: Surface + ?Sized> Surface for Box<S> {
+    fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
+        (**self).random_point(uniform)
+    }
+}
+
+/// A random direction: a unit vector, uniform on the sphere.
+pub(crate) fn direction(uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
+    loop {
+        // a point of the ball, far enough from its centre that its direction has all digits
+        let x = Vector3::from_fn(|_, _| 2.0 * uniform() - 1.0);
+        let square = x.norm_squared();
+        if (0.0625..1.0).contains(&square) {
+            return x / square.sqrt();
+        }
+    }
+}
+
+/// A random point of the unit disk across a unit vector, uniform by area.
+pub(crate) fn in_disk(normal: &Vector3<f64>, uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
+    let least = Vector3::from_fn(|i, _| if i == normal.iamin() { 1.0 } else { 0.0 });
+    let first = normal.cross(&least).normalize();
+    let second = normal.cross(&first);
+    loop {
+        let [a, b] = [0; 2].map(|_| 2.0 * uniform() - 1.0);
+        if a * a + b * b < 1.0 {
+            return first * a + second * b;
+        }
+    }
+}
