@@ -64,8 +64,10 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "  table       {}", scene.table)?;
     writeln!(out, "  law         {}, gamma^2 = {}", scene.law, spell(scene.gamma_squared))?;
     let (area, perimeter) = if plane { ("area", "perimeter") } else { ("volume", "surface") };
-    writeln!(out, "  {area:<12}{}", measure(scene.walls.area))?;
-    writeln!(out, "  {perimeter:<12}{}", measure(scene.walls.perimeter))?;
+    if !scene.walls.parts.is_empty() {
+        writeln!(out, "  {area:<12}{}", measure(scene.walls.area))?;
+        writeln!(out, "  {perimeter:<12}{}", measure(scene.walls.perimeter))?;
+    }
     if let Some([corners, inwards]) = scene.walls.corners {
         let inwards = if inwards == 0 { String::new() } else { format!(", {inwards} of them re-entrant") };
         writeln!(out, "  corners     {corners}{inwards}")?;

@@ -87,7 +87,7 @@ pub struct Region {
     /// Points where the direction of the boundary jumps, and how many of them point into the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corners: Option<[usize; 2]>,
-    /// Areas of its connected parts.
+    /// Areas of its connected parts; of an explicit boundary in space nothing is measured, and there are none here.
     pub parts: Vec<Option<f64>>,
 }
 

@@ -15,7 +15,7 @@ use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
 use super::words::short;
-use crate::document::{Diagnostic, spell};
+use crate::document::Diagnostic;
 use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
 
 /// A scene in space, ready to run.
@@ -243,12 +243,7 @@ fn named(
     let [low, high] = table.extent();
     let half = (high - low) * 0.5;
     if half.iter().any(|half| *half <= radius) {
-        let what = format!(
-            "a ball of radius {} has no room to move in the table; its radius must be less than {}",
-            spell(scene.particle.radius.value),
-            short(half.min() / factor)
-        );
-        return Err(Box::new(scene.source.diagnostic(scene.particle.radius.span, what)));
+        return Err(Box::new(room::too_large(scene, half.min() / factor)));
     }
     let size = (high - low).map(|size| size - 2.0 * radius);
     let (smaller, shift) = match name {

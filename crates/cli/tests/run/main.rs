@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 
 mod refused;
+mod rooms;
 mod same;
 mod scale;
 mod tables;

@@ -92,8 +92,8 @@ impl Room {
         if low.iter().chain(&high).all(|x| x.is_finite()) { [low, high] } else { between(&self.planes()) }
     }
 
-    /// Its planes, each as `n·x ≥ d` with a unit normal `n`.
-    fn planes(&self) -> Vec<(Vector3<f64>, f64)> {
+    /// The sides of its planes.
+    fn planes(&self) -> Vec<Half> {
         let planes = self.solids.iter().filter(|solid| solid.extent().iter().flatten().any(|x| x.is_infinite()));
         let foot = planes.map(|solid| solid.closest(&Vector3::zeros()));
         foot.map(|foot| (foot.normal, foot.normal.dot(&foot.point))).collect()
@@ -103,39 +103,43 @@ impl Room {
 /// Trials after which nothing is expected to be found.
 const MOST_TRIALS: u32 = 100_000;
 
-/// A box around the points with `n·x ≥ d` for all pairs; infinite where they have no end.
-fn between(planes: &[(Vector3<f64>, f64)]) -> [Vector3<f64>; 2] {
+/// All points with `n·x ≥ d`, for a unit vector `n`.
+type Half = (Vector3<f64>, f64);
+
+/// A box around the points that lie in all of some half-spaces; infinite where they have no end.
+fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
     let infinite = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
     // normals that are parallel but for this count as parallel
     let little = 1e-9;
-    let pairs = || planes.iter().enumerate().flat_map(|(i, a)| planes[..i].iter().map(move |b| (i, a, b)));
-    let all = |f: &dyn Fn(&(Vector3<f64>, f64)) -> bool| planes.iter().all(f);
+    let pairs = || halves.iter().enumerate().flat_map(|(i, a)| halves[..i].iter().map(move |b| (i, a, b)));
     // where there is a way to infinity, one runs along two of the planes, or all have a direction in common
     let mut spanned = false;
     for (i, (n, _), (m, _)) in pairs() {
         let along = n.cross(m);
-        spanned |= planes[..i].iter().any(|(k, _)| k.dot(&along).abs() > little);
-        if along.norm() > little && [1.0, -1.0].iter().any(|sign| all(&|(k, _)| k.dot(&along) * sign >= -little)) {
+        spanned |= halves[..i].iter().any(|(k, _)| k.dot(&along).abs() > little);
+        let is_open = |sign: f64| halves.iter().all(|(k, _)| k.dot(&along) * sign >= -little);
+        if along.norm() > little && (is_open(1.0) || is_open(-1.0)) {
             return infinite;
         }
     }
     if !spanned {
         return infinite;
     }
-    let size = planes.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
+    let size = halves.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
     let [mut low, mut high] = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
     for (i, (n, d), (m, e)) in pairs() {
-        for (k, f) in &planes[..i] {
-            let Some(inverse) = Matrix3::from_rows(&[n.transpose(), m.transpose(), k.transpose()]).try_inverse() else {
+        for (k, f) in &halves[..i] {
+            let normals = Matrix3::from_rows(&[n.transpose(), m.transpose(), k.transpose()]);
+            let Some(vertex) = normals.try_inverse().map(|inverse| inverse * Vector3::new(*d, *e, *f)) else {
                 continue;
             };
-            let vertex = inverse * Vector3::new(*d, *e, *f);
-            if all(&|(n, d)| n.dot(&vertex) - d >= -little * size.max(vertex.amax())) {
+            let slack = little * size.max(vertex.amax());
+            if halves.iter().all(|(n, d)| n.dot(&vertex) - d >= -slack) {
                 (low, high) = (low.inf(&vertex), high.sup(&vertex));
             }
         }
     }
-    // of planes that leave no point there is no vertex
+    // of half-spaces that have no point in common there is no vertex
     if low <= high { [low, high] } else { [Vector3::zeros(); 2] }
 }
 

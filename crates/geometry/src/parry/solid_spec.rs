@@ -1,4 +1,6 @@
 //! Shapes in space as plain data, as scene files have them.
+mod parallel;
+
 use super::{
     Side, Solid,
     convert::{Frame, to_glam3},

@@ -64,7 +64,7 @@ impl Solid {
                     (None, None) => return Err(Error::Unbounded),
                 },
                 Body::Mesh(mesh, _) => {
-                    let unit = to_unit(mesh.vertices.iter().map(|v| v.amax()).fold(0.0, f64::max));
+                    let unit = to_unit(mesh.vertices.iter().map(Vector3::amax).fold(0.0, f64::max));
                     let area = |t: &[usize; 3]| {
                         let (twice, edge) = across(t.map(|v| mesh.vertices[v]));
                         0.5 * twice.norm() * (edge * unit) * (edge * unit)
