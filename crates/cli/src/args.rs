@@ -54,6 +54,8 @@ pub enum Command {
     Run(Run),
     /// Check a scene and describe it: pieces, area, perimeter, where the particle fits, its starts
     Check(Check),
+    /// Explain scene files, contact files and all that is written, in Markdown
+    Guide,
     /// List the tables a scene can name, with their parameters
     Tables(Listing),
     /// List the collision laws a scene can name

@@ -3,6 +3,7 @@
 pub mod bench;
 pub mod check;
 pub mod collide;
+pub mod guide;
 pub mod laws;
 pub mod reproduce;
 pub mod run;

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 use billiards_cli::args::{Cli, Command};
-use billiards_cli::commands::{Failure, bench, check, collide, laws, reproduce, run, tables};
+use billiards_cli::commands::{Failure, bench, check, collide, guide, laws, reproduce, run, tables};
 use billiards_cli::document::Source;
 
 fn main() -> ExitCode {
@@ -25,6 +25,7 @@ fn execute(command: Command, out: &mut impl Write) -> Result<(), Failure> {
         Command::Run(arguments) => run::run(&arguments, out),
         Command::Check(arguments) => check::run(&arguments, out),
         Command::Tables(arguments) => Ok(tables::run(arguments.json, out)?),
+        Command::Guide => Ok(guide::run(out)?),
         Command::Laws(arguments) => Ok(laws::run(arguments.json, out)?),
         Command::Reproduce(arguments) => reproduce::run(&arguments, out),
         Command::Bench(arguments) => bench::run(&arguments, out),

@@ -29,6 +29,7 @@ pub(crate) mod strokes;
 mod summary;
 mod trail;
 mod unrolled;
+mod wires;
 mod words;
 mod work;
 
@@ -256,7 +257,7 @@ impl Simulation {
         let (busy, _) = spatial
             .with_engine(|engine| run_all(engine, &launch, None, &work, &mut |results| harvest.take(&results)))?;
         let (mut material, totals) = harvest.finish()?;
-        (material.outline, material.window) = seen.edges();
+        seen.draw(&mut material);
         Ok((material, totals, busy))
     }
 

@@ -44,8 +44,11 @@ pub struct Ensemble {
 
 /// Ways to choose the starts of an ensemble, and what each does.
 pub const SAMPLES: &[(&str, &str)] = &[
-    ("canonical", "the invariant measure: positions uniform in the table, velocities uniform on their sphere"),
-    ("grid", "evenly spaced in the reduced phase space"),
+    (
+        "canonical",
+        "the invariant measure: points uniform along the walls, tangential velocity and spin uniform in a ball",
+    ),
+    ("grid", "middles of cells of equal measure"),
 ];
 
 pub(super) fn read(root: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Starts> {

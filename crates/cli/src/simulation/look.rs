@@ -6,9 +6,10 @@ use billiards::geometry::Vector3;
 
 use super::harvest::Seen;
 use super::planar::Planar;
-use super::spatial::{Space, Spatial};
+use super::spatial::Spatial;
 use super::start::Start;
-use crate::picture::{Reduced, Stroke, Window};
+use super::wires::{self, View};
+use crate::picture::{Material, Reduced, Window};
 
 /// A table in the plane.
 pub(crate) struct Flat<'a> {
@@ -49,8 +50,6 @@ const AXES: [[f64; 2]; 3] = [
 ];
 /// How far a table without end is shown, in units of its height.
 const FARTHEST: f64 = 3.0;
-/// Points of a circle seen askew.
-const POINTS: u32 = 256;
 
 fn projected(p: [f64; 3]) -> [f64; 2] {
     [0, 1].map(|i| AXES[0][i] * p[0] + AXES[1][i] * p[1] + AXES[2][i] * p[2])
@@ -76,29 +75,24 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// The edges of the table; of one without end, those of a part about the orbits, and the window that shows it.
-    pub(crate) fn edges(&self) -> (Vec<Stroke>, Option<Window>) {
+    /// Draws the walls and, for a particle of positive radius, those of its centre; of a table without end the part about the orbits.
+    pub(crate) fn draw(&self, material: &mut Material) {
         let spatial = self.spatial;
-        let out = |x: f64| x / spatial.factor;
-        if let Space::Named(table) = &spatial.centres
-            && table.name() == "ball"
-        {
-            let [_, high] = table.extent();
-            return (ball(out(high.x)), None);
+        let radius = spatial.radius;
+        let [low, high] = spatial.extent();
+        let shown = self.part(low, high);
+        let view = View { place: projected, page: [0, 1].map(|i| Vector3::from_fn(|k, _| AXES[k][i])) };
+        material.outline = wires::of(&spatial.walls, shown, &view);
+        material.radius = radius;
+        if radius > 0.0 {
+            // there are such walls: of them the region is built
+            let centres: Vec<_> = spatial.walls.iter().filter_map(|wall| wall.of_centres(radius).ok()).collect();
+            material.guides = wires::of(&centres, shown, &view);
         }
-        let [low, high] = spatial.centres.extent().map(|corner| corner + spatial.shift);
-        let corners = self.part(low.map(out), high.map(out));
-        let corner = |k: usize| projected([0, 1, 2].map(|i| corners[k >> i & 1][i]));
-        let mut edges = vec![];
-        for axis in 0..3 {
-            // the sides of a part of something infinite are no edges
-            let is_edge = (0..3).filter(|other| *other != axis).any(|other| low[other].is_finite());
-            for k in (0..8).filter(|k| k >> axis & 1 == 0 && is_edge) {
-                edges.push(Stroke::Segment(corner(k), corner(k | 1 << axis)));
-            }
+        if !low.iter().chain(high.iter()).all(|x| x.is_finite()) {
+            let corner = |k: usize| projected([0, 1, 2].map(|i| shown[k >> i & 1][i]));
+            material.window = Window::around((0..8).map(corner)).map(|window| window.padded(0.01));
         }
-        let endless = !low.iter().chain(high.iter()).all(|x| x.is_finite());
-        (edges, endless.then(|| Window::around((0..8).map(corner))).flatten().map(|window| window.padded(0.01)))
     }
 
     /// Opposite corners of what is shown of a box whose sides may lie at infinity: there, as far as orbits go, but not
@@ -116,18 +110,6 @@ impl<'a> Solid<'a> {
         };
         [[0, 1, 2].map(|i| end(i, 0)), [0, 1, 2].map(|i| end(i, 1))]
     }
-}
-
-/// A sphere: its outline and its equator.
-fn ball(radius: f64) -> Vec<Stroke> {
-    let on_equator = |k: u32| {
-        let (sin, cos) = libm::sincos(core::f64::consts::TAU * f64::from(k) / f64::from(POINTS));
-        projected([radius * cos, radius * sin, 0.0])
-    };
-    vec![
-        Stroke::Circle { center: [0.0, 0.0], radius, solid: false },
-        Stroke::Chain { points: (0..=POINTS).map(on_equator).collect(), solid: false },
-    ]
 }
 
 impl Seen for Solid<'_> {

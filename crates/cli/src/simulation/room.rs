@@ -1,28 +1,41 @@
 //! A region of space bounded entry by entry.
 
 use billiards::geometry::Error;
-use billiards::geometry::parry::{Room, Side, Solid, SolidSpec};
+use billiards::geometry::parry::{Room, Side, SolidSpec};
 
 use crate::document::{Diagnostic, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
+use super::wires::Wall;
 use super::words::short;
 
-/// The room of an explicit boundary, all lengths multiplied by a factor, and what each piece is. Every entry is one piece.
-pub(crate) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<(Room, Vec<String>), Vec<Diagnostic>> {
-    let (mut solids, mut names, mut wrong) = (vec![], vec![], vec![]);
-    let radius = scene.particle.radius.value;
+/// The walls of an explicit boundary as drawn, and what they are. Every entry is one piece.
+pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<(Vec<Wall>, Vec<String>), Vec<Diagnostic>> {
+    let (mut walls, mut names) = (vec![], vec![]);
     for entry in entries {
-        match solid(&entry.border, radius, factor) {
-            Ok((name, solid)) => {
-                names.push(name);
-                solids.push(solid);
-            }
+        let Some((name, wall)) = wall(&entry.border) else {
+            return Err(vec![scene.source.diagnostic(entry.span, "this is no wall in space")]);
+        };
+        walls.push(wall);
+        names.push(name.into());
+    }
+    Ok((walls, names))
+}
+
+/// The room between walls for the centre of the particle, all lengths multiplied by a factor.
+pub(crate) fn between(scene: &Scene, entries: &[Entry], walls: &[Wall], factor: f64) -> Result<Room, Vec<Diagnostic>> {
+    let radius = scene.particle.radius.value;
+    let (mut solids, mut wrong) = (vec![], vec![]);
+    for (wall, entry) in walls.iter().zip(entries) {
+        let moved = Wall { spec: wall.spec.scaled(factor), center: wall.center.map(|x| x * factor), side: wall.side }
+            .of_centres(radius * factor);
+        match moved.and_then(|wall| wall.spec.solid(wall.center, wall.side)) {
+            Ok(solid) => solids.push(solid),
             Err(Error::NothingLeft { largest, .. }) => wrong.push(too_large(scene, largest / factor)),
             Err(error) => wrong.push(scene.source.diagnostic(entry.span, error.to_string())),
         }
     }
-    if wrong.is_empty() { Ok((Room::new(solids), names)) } else { Err(wrong) }
+    if wrong.is_empty() { Ok(Room::new(solids)) } else { Err(wrong) }
 }
 
 /// That the particle has no room, and what would have.
@@ -35,8 +48,8 @@ pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
     scene.source.diagnostic(scene.particle.radius.span, what)
 }
 
-/// An entry of the boundary, moved into the table by the particle's radius, and what it is.
-fn solid(border: &Border, radius: f64, factor: f64) -> Result<(String, Solid), Error> {
+/// An entry of the boundary, if it is one in space.
+fn wall(border: &Border) -> Option<(&'static str, Wall)> {
     let (name, spec, center, side) = match border {
         Border::Circle { center, radius, domain } => {
             ("sphere", SolidSpec::Ball { radius: radius.value }, coordinates(&center.value), side(*domain))
@@ -48,11 +61,9 @@ fn solid(border: &Border, radius: f64, factor: f64) -> Result<(String, Solid), E
         Border::Shape { shape: scene::Shape::Spatial { name, spec, center }, domain, .. } => {
             (*name, spec.clone(), *center, side(*domain))
         }
-        _ => return Err(Error::Shape { shape: "shape", why: "it is planar" }),
+        _ => return None,
     };
-    let (spec, shift) = spec.scaled(factor).parallel(side, radius * factor)?;
-    let center = [0, 1, 2].map(|i| center[i] * factor + shift[i]);
-    Ok((name.into(), spec.solid(center, side)?))
+    Some((name, Wall { spec, center, side }))
 }
 
 fn coordinates(p: &[f64]) -> [f64; 3] {

@@ -1,6 +1,6 @@
 //! A ball on a table in space.
 
-use billiards::geometry::parry::Room;
+use billiards::geometry::parry::{Room, Side, SolidSpec};
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::walls::ByLane;
 use billiards::geometry::{Error, Surface, Vector3, Walls, WithWalls};
@@ -14,6 +14,7 @@ use super::law::{SpatialLaw, is_strict};
 use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
+use super::wires::Wall;
 use super::words::short;
 use crate::document::Diagnostic;
 use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
@@ -27,6 +28,10 @@ pub(crate) struct Spatial {
     pub(crate) shift: Vector3<f64>,
     /// All lengths are multiplied by this power of two.
     pub(crate) factor: f64,
+    /// Radius of the particle, in the scene's unit.
+    pub(crate) radius: f64,
+    /// The walls as drawn, in the scene's unit.
+    pub(crate) walls: Vec<Wall>,
     /// What each piece is.
     pub(crate) pieces: Vec<String>,
     /// The laws that pieces have of their own.
@@ -119,17 +124,20 @@ impl Spatial {
         if let Some(vector) = scene.table.lattice.first() {
             return Err(vec![scene.source.diagnostic(vector.span, "tables in space have no lattice")]);
         }
-        let (centres, shift, pieces, mut laws) = match &scene.table.shape {
+        let (centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let (table, shift) = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
                 let pieces: Vec<String> = table.pieces().iter().map(|name| (*name).into()).collect();
                 let laws = vec![None; pieces.len()];
-                (Space::Named(table), shift, pieces, laws)
+                let extent = of_named(&table, &shift, scene.particle.radius.value, factor);
+                let walls = walls_of_named(table.name(), extent);
+                (Space::Named(table), shift, walls, pieces, laws)
             }
             TableShape::Boundary(entries) => {
-                let (room, pieces) = room::explicit(scene, entries, factor)?;
+                let (walls, pieces) = room::walls(scene, entries)?;
+                let room = room::between(scene, entries, &walls, factor)?;
                 let laws = entries.iter().map(|entry| entry.law.as_ref().map(|law| law.kind.clone())).collect();
-                (Space::Room(room), Vector3::zeros(), pieces, laws)
+                (Space::Room(room), Vector3::zeros(), walls, pieces, laws)
             }
         };
         boundary::own_laws(scene, &mut laws).map_err(|d| vec![*d])?;
@@ -153,7 +161,18 @@ impl Spatial {
             }
         }
         drop(kinds);
-        Ok(Spatial { centres, shift, factor, pieces, laws, law, strict, starts })
+        Ok(Spatial {
+            centres,
+            shift,
+            factor,
+            radius: scene.particle.radius.value,
+            walls,
+            pieces,
+            laws,
+            law,
+            strict,
+            starts,
+        })
     }
 
     /// How many orbits there are.
@@ -161,6 +180,17 @@ impl Spatial {
         match &self.starts {
             Starts::Given(starts) => starts.len() as u64,
             Starts::Ensemble(ensemble) => ensemble.count.value,
+        }
+    }
+
+    /// A box around the walls as drawn, in the scene's unit; infinite where they have no end.
+    pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
+        match &self.centres {
+            Space::Named(table) => of_named(table, &self.shift, self.radius, self.factor),
+            Space::Room(_) => {
+                let solids = self.walls.iter().filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok());
+                Room::new(solids.collect()).extent()
+            }
         }
     }
 
@@ -252,6 +282,29 @@ fn named(
         _ => (tables::ball(high.x - radius), Vector3::zeros()),
     };
     Ok((smaller.map_err(|error| wrong(&error))?, shift))
+}
+
+/// A box around the walls of a built-in table, of which this is the region of centres of a ball.
+fn of_named(centres: &SpatialTable, shift: &Vector3<f64>, radius: f64, factor: f64) -> [Vector3<f64>; 2] {
+    let [low, high] = centres.extent().map(|corner| (corner + shift) / factor);
+    [low.add_scalar(-radius), high.add_scalar(radius)]
+}
+
+/// The walls of a built-in table in that box.
+fn walls_of_named(name: &str, [low, high]: [Vector3<f64>; 2]) -> Vec<Wall> {
+    let wall = |spec, center: Vector3<f64>, side| Wall { spec, center: center.into(), side };
+    match name {
+        "ball" => vec![wall(SolidSpec::Ball { radius: high.x }, Vector3::zeros(), Side::Inside)],
+        "box" => {
+            let spec = SolidSpec::Cuboid { size: (high - low).into(), rounding: 0.0 };
+            vec![wall(spec, (low + high) * 0.5, Side::Inside)]
+        }
+        _ => [(1.0, low.z), (-1.0, high.z)]
+            .map(|(up, z)| {
+                wall(SolidSpec::HalfSpace { normal: [0.0, 0.0, up] }, Vector3::new(0.0, 0.0, z), Side::Outside)
+            })
+            .into(),
+    }
 }
 
 /// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.

@@ -11,6 +11,7 @@ use convex::Convex;
 use field::Spatial;
 use nalgebra::{Isometry3, Vector3};
 use parry3d_f64::shape::{Shape, SharedShape, TypedShape};
+pub(super) use polyhedron::faces;
 use rounded::Rounded;
 
 /// The table inside or outside of a shape in space.

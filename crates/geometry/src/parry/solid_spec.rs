@@ -1,5 +1,6 @@
 //! Shapes in space as plain data, as scene files have them.
 mod parallel;
+mod wires;
 
 use super::{
     Side, Solid,
@@ -153,15 +154,8 @@ impl SolidSpec {
             }
             SolidSpec::ConvexHull { points, rounding } => {
                 points.iter().try_for_each(|p| finite("points", p))?;
-                let points: Vec<Glam> = points.iter().map(glam).collect();
-                // at size 1, since parry knows no smaller polyhedra than some 10⁻⁸
-                let low = points.iter().fold(Glam::INFINITY, |m, p| m.min(*p));
-                let high = points.iter().fold(Glam::NEG_INFINITY, |m, p| m.max(*p));
-                let unit = to_unit(0.5 * (high - low).max_element());
-                let points: Vec<Glam> = points.iter().map(|p| *p * unit).collect();
-                let hull = ConvexPolyhedron::from_convex_hull(&points)
-                    .and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)))
-                    .ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))?;
+                let hull =
+                    hull(points).ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))?;
                 round(hull, *rounding)?
             }
             SolidSpec::TriMesh { vertices, triangles } => {
@@ -185,6 +179,17 @@ impl SolidSpec {
             }
         })
     }
+}
+
+/// The convex hull of points, unless they lie in a plane.
+fn hull(points: &[[f64; 3]]) -> Option<ConvexPolyhedron> {
+    let points: Vec<Glam> = points.iter().map(glam).collect();
+    // at size 1, since parry knows no smaller polyhedra than some 10⁻⁸
+    let low = points.iter().fold(Glam::INFINITY, |m, p| m.min(*p));
+    let high = points.iter().fold(Glam::NEG_INFINITY, |m, p| m.max(*p));
+    let unit = to_unit(0.5 * (high - low).max_element());
+    let points: Vec<Glam> = points.iter().map(|p| *p * unit).collect();
+    ConvexPolyhedron::from_convex_hull(&points).and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)))
 }
 
 /// A shape, rounded if it is to be.

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use parry3d_f64::{math::Vector as Glam, shape::ConvexPolyhedron};
 
 /// The corners of each face, counter-clockwise as seen from outside, and its outward unit normal.
-pub(super) fn faces(
+pub(in crate::parry) fn faces(
     hull: &ConvexPolyhedron,
     frame: &Frame<3>,
 ) -> impl Iterator<Item = (Vec<Vector3<f64>>, Vector3<f64>)> {
