@@ -8,7 +8,7 @@ use crate::{
     shapes::{
         Ellipse, Shape,
         arc::Around,
-        curve::{Parametric, closest_parameter},
+        curve::{Blocks, Parametric},
     },
 };
 use core::f64::consts::PI;
@@ -121,8 +121,11 @@ impl EllipticArc {
             return y;
         }
         // the closest point of the whole ellipse is elsewhere: another foot of a perpendicular, or an end
-        let nodes = (0..=32).map(|k| self.sweep * (f64::from(k) / 32.0));
-        let angle = closest_parameter(self, nodes.map(|u| (u, self.at(u))), point);
+        let node = |k: usize| {
+            let u = self.sweep * (k as f64 / 32.0);
+            (u, self.at(u))
+        };
+        let angle = Blocks::one(33).closest(self, node, point);
         self.unit_point(angle)
     }
 

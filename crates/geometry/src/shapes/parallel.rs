@@ -3,7 +3,7 @@
 //! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of
 //! points so dense that the direction turns little and one way between neighbours therefore finds every crossing; the
 //! closest points of the base curve then give the time to the last bits.
-use super::curve::{ArcLength, Graph, Parametric, closest_parameter, rising_root, rough_graphs};
+use super::curve::{ArcLength, Blocks, Graph, Parametric, rising_root, rough_graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -32,6 +32,7 @@ pub struct Parallel {
     base: Arc<dyn Piece>,
     distance: f64,
     nodes: Vec<Node>,
+    blocks: Blocks,
     ends: Option<[Vector2<f64>; 2]>,
     extent: Extent,
     slack: f64,
@@ -98,7 +99,8 @@ impl Parallel {
             (nodes[0].point, nodes[last].point) = (ends[0], ends[1]);
             Some(ends)
         };
-        let mut parallel = Parallel { base, distance, nodes, ends, extent: Extent::EMPTY, slack: 0.0 };
+        let blocks = Blocks::new(nodes.iter().map(|node| node.point));
+        let mut parallel = Parallel { base, distance, nodes, blocks, ends, extent: Extent::EMPTY, slack: 0.0 };
         parallel.extent = parallel.bounds();
         parallel.slack = slack([parallel.extent.size(), distance]);
         Ok(parallel)
@@ -157,7 +159,8 @@ impl Parallel {
             return s;
         }
         let tangent = |n: &Node| Vector2::new(n.normal.y, -n.normal.x) * n.stretch;
-        closest_parameter(self, self.nodes.iter().map(|n| (n.s, [n.point, tangent(n)])), point)
+        let known = |k: usize| (self.nodes[k].s, [self.nodes[k].point, tangent(&self.nodes[k])]);
+        self.blocks.closest(self, known, point)
     }
 
     fn bounds(&self) -> Extent {

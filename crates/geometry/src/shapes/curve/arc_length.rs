@@ -1,5 +1,5 @@
-//! Arc length along a parametrised curve, and the closest point of it.
-use super::rising_root;
+//! Arc length along a parametrised curve.
+use super::{nearest::Blocks, rising_root};
 use crate::piece::Extent;
 use nalgebra::Vector2;
 
@@ -43,6 +43,7 @@ struct Node {
 #[derive(Clone, Debug)]
 pub(crate) struct ArcLength {
     nodes: Vec<Node>,
+    blocks: Blocks,
 }
 
 /// Halvings of one interval at most.
@@ -67,7 +68,8 @@ impl ArcLength {
                 nodes.push(Node { u, s: 0.0, at: curve.at(u) });
             }
         }
-        ArcLength { nodes }
+        let blocks = Blocks::new(nodes.iter().map(|node| node.at[0]));
+        ArcLength { nodes, blocks }
     }
 
     pub(crate) fn length(&self) -> f64 {
@@ -121,7 +123,7 @@ impl ArcLength {
 
     /// The parameter of the point of the curve that is closest to `point`.
     pub(crate) fn closest(&self, curve: &impl Parametric, point: &Vector2<f64>) -> f64 {
-        closest_parameter(curve, self.nodes.iter().map(|node| (node.u, node.at)), point)
+        self.blocks.closest(curve, |k| (self.nodes[k].u, self.nodes[k].at), point)
     }
 
     /// The tabulated points.
@@ -163,77 +165,10 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     }
 }
 
-/// The parameter of the point closest to `point`, given parameters in rising order with their points and derivatives.
-///
-/// Candidates are the nodes and the roots of `(x(u) − point)·x'(u)` between two of them at which it rises. The nodes
-/// must be so dense that there is at most one such root between neighbours, or that their distances are equal to
-/// rounding (near a centre of curvature).
-pub(crate) fn closest_parameter(
-    curve: &impl Parametric,
-    nodes: impl Iterator<Item = (f64, [Vector2<f64>; 2])> + Clone,
-    point: &Vector2<f64>,
-) -> f64 {
-    let distance = |p: Vector2<f64>| libm::hypot(p.x - point.x, p.y - point.y);
-    let slope = |[p, d]: [Vector2<f64>; 2]| (p - point).dot(&d);
-    let (mut best, mut parameter) = (f64::INFINITY, f64::NAN);
-    for (u, at) in nodes.clone() {
-        if distance(at[0]) < best {
-            (best, parameter) = (distance(at[0]), u);
-        }
-    }
-    // a root is better than a node next to it from where the distance is the same within rounding: that tells a place along the
-    // curve to √ε only
-    best *= 1.0 + 4.0 * f64::EPSILON;
-    let mut last: Option<(f64, [Vector2<f64>; 2])> = None;
-    for (u, at) in nodes {
-        if let Some((before, from)) = last
-            && slope(from) < 0.0
-            && slope(at) >= 0.0
-            // twice the chord is more than the way between the nodes
-            && distance(at[0]).min(distance(from[0])) - 2.0 * (at[0] - from[0]).norm() <= best
-        {
-            let root = rising_root(
-                |u| {
-                    let at = curve.at(u);
-                    [slope(at), at[1].norm_squared()]
-                },
-                [before, u],
-            );
-            let there = distance(curve.at(root)[0]);
-            if there <= best {
-                (best, parameter) = (there, root);
-            }
-        }
-        last = Some((u, at));
-    }
-    parameter
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use core::f64::consts::PI;
-
-    /// `(u, u²/2)`
-    struct Parabola;
-    impl Parametric for Parabola {
-        fn at(&self, u: f64) -> [Vector2<f64>; 2] {
-            [Vector2::new(u, 0.5 * u * u), Vector2::new(1.0, u)]
-        }
-    }
-
-    #[test]
-    fn the_closest_point_next_to_a_node_is_as_exact_as_any() {
-        let nodes = (-8..=8).map(|k| (f64::from(k) / 8.0, Parabola.at(f64::from(k) / 8.0)));
-        for k in 0..4000 {
-            // straight above the point at u, which is so near the node 3/8 that the distance does not tell
-            let u = 0.375 + f64::from(k % 200 - 100) * 1e-10;
-            let [foot, along] = Parabola.at(u);
-            let above = foot + Vector2::new(-along.y, along.x) * (0.1 + 0.013 * f64::from(k / 200));
-            let found = closest_parameter(&Parabola, nodes.clone(), &above);
-            assert!((found - u).abs() <= 4.0 * f64::EPSILON, "{:e} off", found - u);
-        }
-    }
 
     /// A cycloid arch: length 8, area 3π.
     struct Cycloid;
