@@ -5,7 +5,7 @@ mod formulas;
 
 use formulas::{Clover, Conic, Quartic};
 use geometry::{
-    Error, Extent, Line, Piece, Vector2, check,
+    Error, Extent, Line, MeetingKind, Piece, Table, Vector2, check, meetings,
     shapes::{
         Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment,
         curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
@@ -336,4 +336,32 @@ fn formulas_that_are_no_single_smooth_closed_curve_are_refused() {
     assert!(refused(|x, _| x), "open");
     let clover = |amount| Polar::new(v(0.0, 0.0), Clover { radius: 1.0, amount, leaves: 3 }, true).is_err();
     assert!(!clover(0.9) && clover(1.1), "the radius must be positive");
+}
+
+#[test]
+fn lines_cross_a_curve_of_a_thousand_waves_as_often_as_its_formula_changes_sign() {
+    let (radius, amount, leaves) = (1.3, 0.3, 1000);
+    let curve = Polar::new(v(0.0, 0.0), Clover { radius, amount, leaves }, true).unwrap();
+    for k in 0..4 {
+        let (angle, distance) = (0.1 + 1.7 * f64::from(k), 0.3 * f64::from(k));
+        let (sin, cos) = libm::sincos(angle);
+        let at = |s: f64| v(distance * cos - s * sin, distance * sin + s * cos);
+        let line = Segment::new(at(-3.0), at(3.0)).unwrap();
+        let found = meetings(&line, &curve).iter().filter(|m| m.kind == MeetingKind::Crossing).count();
+        // the distance of its points from the line, 10 000 times a wave
+        let steps = 10_000 * leaves;
+        let beyond = |i: u32| {
+            let t = core::f64::consts::TAU * f64::from(i) / f64::from(steps);
+            radius * (1.0 + amount * libm::cos(f64::from(leaves) * t)) * libm::cos(t - angle) > distance
+        };
+        let (mut expected, mut last) = (0, beyond(0));
+        for i in 1..=steps {
+            let next = beyond(i);
+            expected += usize::from(next != last);
+            last = next;
+        }
+        assert!(k < 3 || expected > 200, "{expected}");
+        assert_eq!(found, expected, "{k}");
+    }
+    assert_eq!(Table::new(vec![Box::new(curve)]).unwrap().validate(), Ok(()));
 }

@@ -18,6 +18,10 @@ const TOUCHING: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 /// of rounding `ε` goes with a length of `√ε` to `ε^{1/3}`.
 const SHORT: f64 = 1.0 / 8192.0;
 
+/// A short arc that seems to turn by more than this (radians), and is longer than its chord by more than rounding, does turn so, whatever
+/// the curvature at its ends: there is a sharp bend between them.
+const HIDDEN: f64 = 1e-2;
+
 /// A point of a piece.
 #[derive(Clone, Copy, Debug)]
 struct Mark {
@@ -65,7 +69,8 @@ impl Stretch {
         // c/ℓ = 1 − φ²/24 for an arc that turns by φ
         let spread = (24.0 * (1.0 - distance / length)).max(0.0).sqrt();
         let bend = 2.0 * self.from.curvature.max(self.to.curvature) * length;
-        let (height, turning) = if length <= short && bend < 0.1 {
+        let seems_flat = spread < HIDDEN || length - distance <= 8.0 * rounding;
+        let (height, turning) = if length <= short && bend < 0.1 && seems_flat {
             ((0.125 * bend * length).min(0.5 * excess), bend.min(spread))
         } else {
             (0.5 * excess, if spread < 0.3 { spread } else { f64::INFINITY })
@@ -253,6 +258,9 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
     let mut last = f64::INFINITY;
     let mut point = hulls[0].middle;
     let domains = pieces.map(domain);
+    // a place is known by its arc length to so much: of a piece that winds, less well than by its coordinates
+    let known = |k: usize| 4.0 * f64::EPSILON * pair[k].from.s.abs().max(pair[k].to.s.abs());
+    let tolerance = tolerance.max(known(0)).max(known(1));
     // beyond its ends a piece goes on straight, so that a step too far is followed by one back
     let place = |k: usize, s: f64| {
         let inner = s.clamp(domains[k][0], domains[k][1]);

@@ -27,8 +27,7 @@ struct Block {
 impl Block {
     /// No point of it is nearer.
     fn distance(&self, point: &Vector2<f64>) -> f64 {
-        let beyond = |i: usize| (self.extent.min[i] - point[i]).max(point[i] - self.extent.max[i]).max(0.0);
-        libm::hypot(beyond(0), beyond(1)) * (1.0 - 4.0 * f64::EPSILON)
+        self.extent.distance(point) * (1.0 - 8.0 * f64::EPSILON)
     }
 }
 
