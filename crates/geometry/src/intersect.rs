@@ -74,8 +74,12 @@ pub fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
 
 /// Unit direction of traversal at a point of the piece.
 pub(crate) fn direction_at(piece: &dyn Piece, point: &Vector2<f64>) -> Vector2<f64> {
-    let n = piece.closest(point).normal;
-    Vector2::new(n.y, -n.x)
+    along(&piece.closest(point).normal)
+}
+
+/// The direction in which a piece with this inward normal is traversed.
+fn along(normal: &Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(normal.y, -normal.x)
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use crate::{
     plane::slack,
     shapes::Ray,
 };
-use core::cell::Cell;
 use nalgebra::Vector2;
 
 /// Lines that meet a wall at less than this angle (radians) may be on either side of it: a touch is known to the root of
@@ -47,12 +46,11 @@ pub(crate) struct Wall {
     pub(crate) into_table: bool,
 }
 
-/// The first thing on a line of sight.
-enum Seen {
-    Nothing,
-    /// A vertex, or a wall that the line grazes.
-    Unclear,
-    Wall(Wall, usize, Vector2<f64>),
+/// A meeting of a line of sight with a piece, so far from its start.
+struct Ahead {
+    far: f64,
+    /// What it is; nothing where the line grazes or meets a vertex.
+    wall: Option<Wall>,
 }
 
 impl<'a> Sight<'a> {
@@ -92,7 +90,7 @@ impl<'a> Sight<'a> {
     /// whether the line escapes beyond the last of them. `None` where no line is clear.
     pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
         'tries: for k in 0..TRIES {
-            let (mut index, mut from) = self.place(chain, k, 0.381_966_011_250_105);
+            let (index, from) = self.place(chain, k, 0.381_966_011_250_105);
             let (copy, _) = self.copies.get(index);
             let normal = copy.piece.closest(&from).normal;
             let direction = match aim {
@@ -108,19 +106,18 @@ impl<'a> Sight<'a> {
                 continue;
             }
             let mut walls = vec![Wall { number: copy.number, into_table: facing > 0.0 }];
-            loop {
-                match self.first(index, from, direction) {
-                    Seen::Nothing => return Some((walls, true)),
-                    Seen::Unclear => continue 'tries,
-                    Seen::Wall(wall, at, point) => {
-                        walls.push(wall);
-                        if until(&wall) {
-                            return Some((walls, false));
-                        }
-                        (index, from) = (at, point);
-                    }
+            let Some(ahead) = self.ahead(index, from, direction) else { continue };
+            let rounding = 4.0 * slack(from.iter().copied().chain([self.size]));
+            for (k, next) in ahead.iter().enumerate() {
+                // two at once are a corner, or one that is seen twice
+                let alone = ahead.get(k + 1).is_none_or(|other| other.far > next.far + rounding);
+                let Some(wall) = next.wall.filter(|_| alone && next.far > rounding) else { continue 'tries };
+                walls.push(wall);
+                if until(&wall) {
+                    return Some((walls, false));
                 }
             }
+            return Some((walls, true));
         }
         None
     }
@@ -130,33 +127,30 @@ impl<'a> Sight<'a> {
         8.0 * slack([self.size])
     }
 
-    /// The first wall on the line from a point of the copy with the given index.
-    fn first(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Seen {
-        let Ok(ray) = Ray::new(from, direction, true) else { return Seen::Unclear };
+    /// All that is met by the line from a point of the copy with the given index, in order.
+    fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Option<Vec<Ahead>> {
+        let ray = Ray::new(from, direction, true).ok()?;
         let rounding = slack(from.iter().copied().chain([self.size]));
-        let nearest = Cell::new(f64::INFINITY);
-        let mut seen = Seen::Nothing;
+        let mut ahead = vec![];
         self.copies.search(
-            |e| is_hit(e, &from, &direction, rounding, nearest.get()),
+            |e| is_hit(e, &from, &direction, rounding, f64::INFINITY),
             |index| {
                 let (copy, _) = self.copies.get(index);
                 for m in meetings(&ray, &*copy.piece) {
-                    let s = m.at[0];
-                    let at_start = s <= 4.0 * rounding;
-                    if s > nearest.get() || (at_start && index == own) {
+                    let far = m.at[0];
+                    if far <= 4.0 * rounding && index == own {
                         continue;
                     }
                     // as seen from where the line comes
                     let facing = copy.piece.closest(&(m.point - direction * self.aside())).normal.dot(&direction);
-                    let clear =
-                        m.kind == MeetingKind::Crossing && !at_start && facing.abs() > GRAZING && s < nearest.get();
-                    let wall = Wall { number: copy.number, into_table: facing > 0.0 };
-                    seen = if clear { Seen::Wall(wall, index, m.point) } else { Seen::Unclear };
-                    nearest.set(s);
+                    let clear = m.kind == MeetingKind::Crossing && facing.abs() > GRAZING;
+                    let wall = clear.then_some(Wall { number: copy.number, into_table: facing > 0.0 });
+                    ahead.push(Ahead { far, wall });
                 }
             },
         );
-        seen
+        ahead.sort_by(|a, b| a.far.total_cmp(&b.far));
+        Some(ahead)
     }
 
     /// The `k`-th of some places spread over a chain: index of the copy, and the point. Irrational parts of the length

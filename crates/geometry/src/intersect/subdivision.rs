@@ -3,7 +3,7 @@
 //! An arc of length `ℓ` from `p` to `q` lies in the ellipse with foci `p`, `q` whose points have distances of sum `ℓ`;
 //! two arcs whose ellipses are apart do not meet. Arcs that turn less than their chords differ in direction meet at
 //! most once, and Newton's method decides.
-use super::{Meeting, MeetingKind, direction_at};
+use super::{Meeting, MeetingKind, along};
 use crate::{Piece, plane::slack};
 use nalgebra::Vector2;
 
@@ -254,26 +254,26 @@ fn domain(piece: &dyn Piece) -> [f64; 2] {
 /// The crossing of two nearly straight stretches.
 fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<Meeting> {
     let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
-    let mut directions = [hulls[0].along, hulls[1].along];
     let mut last = f64::INFINITY;
     let mut point = hulls[0].middle;
-    let domains = pieces.map(domain);
     // a place is known by its arc length to so much: of a piece that winds, less well than by its coordinates
     let known = |k: usize| 4.0 * f64::EPSILON * pair[k].from.s.abs().max(pair[k].to.s.abs());
     let tolerance = tolerance.max(known(0)).max(known(1));
-    // beyond its ends a piece goes on straight, so that a step too far is followed by one back
+    let domains = pieces.map(domain);
+    // point and direction; beyond its ends a piece goes on straight, so that a step too far is followed by one back
     let place = |k: usize, s: f64| {
         let inner = s.clamp(domains[k][0], domains[k][1]);
-        let point = pieces[k].point_at(inner);
-        let direction = direction_at(pieces[k], &point);
-        if s == inner { (point, direction) } else { (point + direction * (s - inner), direction) }
+        let landing = pieces[k].landing_at(inner);
+        let direction = along(&landing.normal);
+        (if s == inner { landing.point } else { landing.point + direction * (s - inner) }, direction)
     };
+    let mut places = [0, 1].map(|k| (place(k, at[k]).0, hulls[k].along));
     for _ in 0..32 {
-        let points = [0, 1].map(|k| place(k, at[k]).0);
-        point = (points[0] + points[1]) * 0.5;
-        let gap = points[1] - points[0];
-        let sine = directions[0].perp(&directions[1]);
-        let step = [gap.perp(&directions[1]) / sine, gap.perp(&directions[0]) / sine];
+        let [(first, along), (second, other)] = places;
+        point = (first + second) * 0.5;
+        let gap = second - first;
+        let sine = along.perp(&other);
+        let step = [gap.perp(&other) / sine, gap.perp(&along) / sine];
         let size = step[0].abs().max(step[1].abs());
         if size.is_nan() || size >= 0.5 * last {
             break;
@@ -287,10 +287,10 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
         if size <= f64::EPSILON * (at[0].abs() + at[1].abs()) {
             break;
         }
-        directions = [0, 1].map(|k| place(k, at[k]).1);
+        places = [0, 1].map(|k| place(k, at[k]));
     }
     let inside = (0..2).all(|k| pair[k].from.s - tolerance <= at[k] && at[k] <= pair[k].to.s + tolerance);
-    (inside && last <= 4.0 * tolerance / directions[0].perp(&directions[1]).abs()).then_some(Meeting {
+    (inside && last <= 4.0 * tolerance / places[0].1.perp(&places[1].1).abs()).then_some(Meeting {
         point,
         at,
         kind: MeetingKind::Crossing,
