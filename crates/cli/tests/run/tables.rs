@@ -181,3 +181,16 @@ fn every_shape_bounds_a_table_from_outside() {
         }
     }
 }
+
+#[test]
+fn a_formula_with_many_kinks_is_cut_in_finite_time() {
+    let folder = Folder::new("kinks");
+    // between two kinks at t = 5.15 and 5.23 lies a point where stretches became as short as the rounding of t, and no shorter
+    let scene = "law = \"no-slip\"\n[[table.boundary]]\ncurve = { polar = \"1+0.039243201245573456*abs(cos(8*t+1.22))\
+                 +0.04406985515643899*abs(cos(6*t+1.61))+-0.11003802286883316*cos(7*t+2.34)\" }\n\
+                 [ensemble]\ncount = 100\n[run]\ncollisions = 5\n";
+    std::fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    let mut command = assert_cmd::Command::cargo_bin("billiards").unwrap();
+    let minute = std::time::Duration::from_secs(60);
+    command.current_dir(&folder.0).args(["run", "scene.toml"]).timeout(minute).assert().success();
+}

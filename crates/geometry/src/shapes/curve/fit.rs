@@ -23,7 +23,7 @@ const STEEP: f64 = 0.5;
 /// A stretch that is too long is cut at this part of it; after one that is not, the next may be longer by its inverse.
 const PART: f64 = 0.8;
 
-/// Least part of the range: shorter stretches are rounding, and a curve that needs them has a kink. Where only a higher derivative has no
+/// Least part of the greatest parameter: shorter stretches are rounding, and a curve that needs them has a kink. Where only a higher derivative has no
 /// bound, as that of |x|^2.5, stretches become shorter towards the place and long again beyond.
 const LEAST: f64 = 1.0 / 70_368_744_177_664.0; // 2⁻⁴⁶
 
@@ -106,6 +106,8 @@ impl<C: Parametric> Cut<'_, C> {
         let mut graphs = vec![];
         let mut from = Place { u: start, vertex: vertices[0] };
         let (mut length, mut stop) = (0.125 * (end - start), end);
+        // not of the range, which may be short: a few units of rounding never get shorter
+        let least = LEAST * start.abs().max(end.abs());
         while from.u != end {
             // no slivers before the end or an inflection
             let rest = stop - from.u;
@@ -127,7 +129,7 @@ impl<C: Parametric> Cut<'_, C> {
                 Err(Refused::Inflection(at)) if (at - from.u).abs() < (u - from.u).abs() => stop = at,
                 Err(_) => length = PART * (u - from.u),
             }
-            if length.abs() < LEAST * (end - start).abs() || length.is_nan() {
+            if length.abs() < least || length.is_nan() {
                 return None;
             }
         }
