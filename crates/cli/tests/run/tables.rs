@@ -194,3 +194,17 @@ fn a_formula_with_many_kinks_is_cut_in_finite_time() {
     let minute = std::time::Duration::from_secs(60);
     command.current_dir(&folder.0).args(["run", "scene.toml"]).timeout(minute).assert().success();
 }
+
+#[test]
+fn a_disk_sees_the_bends_between_the_places_where_curvature_is_looked_at() {
+    let folder = Folder::new("bends");
+    let scene = "law = \"no-slip\"\n[[table.boundary]]\ncurve = { polar = \"1+-0.05418429947613218*abs(sin(1*t+0.82))+0.0689474497866048*cos(7*t+2.73)^3+0.05461552238\
+                 660353*abs(cos(4*t+1.69))^1.5\" }\n\
+                 [particle]\nradius = 0.13932201329324959\ninertia = \"hoop\"\n\
+                 [ensemble]\ncount = 20000\n[run]\ncollisions = 5\n";
+    let summary = folder.done(scene, &[]);
+    assert_eq!(summary["stops"]["finished"], 20_000);
+    // 4 area/perimeter; five standard errors are 1 %
+    let mean = summary["time"].as_f64().unwrap() / summary["collisions"].as_f64().unwrap();
+    assert!((mean / 1.54644 - 1.0).abs() < 0.01, "{mean}");
+}

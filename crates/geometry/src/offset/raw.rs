@@ -150,6 +150,55 @@ fn shifted(figure: &Figure, radius: f64, ends: [Option<Vector2<f64>>; 2]) -> Res
 const PLACES: usize = 256;
 const PARTS: usize = 4;
 
+/// Places along a curve, with the function there, in order: so dense that its sign mostly changes at most once from each to the next.
+/// Where it comes near to 0 and turns, the extreme is sought and added if it lies beyond 0.
+fn places(length: f64, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    let at = |k: usize| length * (k as f64 / PLACES as f64);
+    let even: Vec<_> = (0..=PLACES).map(|k| (at(k), function(at(k)))).collect();
+    let mut places = even.clone();
+    for (k, &(_, value)) in even.iter().enumerate() {
+        let [(low, before), (high, after)] = [even[k.saturating_sub(1)], even[(k + 1).min(PLACES)]];
+        let sign = if value > 0.0 { 1.0 } else { -1.0 };
+        let fall = [before, after].map(|other| sign * (other - value));
+        let turns = fall[0] >= 0.0 && fall[1] >= 0.0;
+        // a parabola through the three does not go farther beyond the middle one than they differ
+        if turns
+            && sign * value < 4.0 * (fall[0] + fall[1])
+            && let Some(found) = beyond_zero(|s| sign * function(s), low, high)
+        {
+            places.push((found, function(found)));
+        }
+    }
+    places.sort_by(|a, b| a.0.total_cmp(&b.0));
+    places
+}
+
+/// Where a function that falls and rises again is not positive, if it is so anywhere: by golden sections towards its minimum.
+fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
+    const GOLDEN: f64 = 0.381_966_011_250_105;
+    let [mut a, mut b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+    let [mut at_a, mut at_b] = [function(a), function(b)];
+    // to the root of rounding: nearer, a minimum cannot be known
+    for _ in 0..40 {
+        if at_a <= 0.0 {
+            return Some(a);
+        }
+        if at_b <= 0.0 {
+            return Some(b);
+        }
+        if at_a < at_b {
+            (high, b, at_b) = (b, a, at_a);
+            a = low + GOLDEN * (high - low);
+            at_a = function(a);
+        } else {
+            (low, a, at_a) = (a, b, at_b);
+            b = high - GOLDEN * (high - low);
+            at_b = function(b);
+        }
+    }
+    None
+}
+
 /// The regular parts of the parallel of a curve: between centres of curvature.
 fn parallels(
     base: &Arc<dyn Piece>,
@@ -164,17 +213,18 @@ fn parallels(
         return Err(Error::Parameter { name: "length", must: "finite for a curved piece to be offset", value: length });
     }
     let stretch = |s: f64| 1.0 - base.curvature(&base.point_at(s)) * radius;
-    let at = |k: usize| length * (k as f64 / PLACES as f64);
+    let places = places(length, stretch);
     let root = |low: f64, high: f64, sign: f64| rising_root(|s| [sign * stretch(s), 0.0], [low, high]);
     // the ranges in which the disk's curvature is greater than the curve's
     let mut ranges: Vec<[f64; 2]> = vec![];
     let mut from = (stretch(0.0) > 0.0).then_some(0.0);
-    for k in 1..=PLACES {
-        let regular = stretch(at(k)) > 0.0;
+    for w in places.windows(2) {
+        let [(low, _), (high, there)] = [w[0], w[1]];
+        let regular = there > 0.0;
         match from {
-            None if regular => from = Some(root(at(k - 1), at(k), 1.0)),
+            None if regular => from = Some(root(low, high, 1.0)),
             Some(start) if !regular => {
-                ranges.push([start, root(at(k - 1), at(k), -1.0)]);
+                ranges.push([start, root(low, high, -1.0)]);
                 from = None;
             }
             _ => {}
