@@ -133,7 +133,7 @@ impl<'a> Sight<'a> {
         let rounding = slack(from.iter().copied().chain([self.size]));
         let mut ahead = vec![];
         self.copies.search(
-            |e| is_hit(e, &from, &direction, rounding, f64::INFINITY),
+            |e| is_hit(e, &from, &direction, rounding),
             |index| {
                 let (copy, _) = self.copies.get(index);
                 for m in meetings(&ray, &*copy.piece) {
@@ -171,9 +171,9 @@ impl<'a> Sight<'a> {
     }
 }
 
-/// Whether a line meets a box, or comes within `reach` of it, before the distance `far`.
-pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64, far: f64) -> bool {
-    let (mut enter, mut leave) = (0.0_f64, far);
+/// Whether a line meets a box, or comes within `reach` of it.
+pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64) -> bool {
+    let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
     for i in 0..2 {
         let (low, high) = (extent.min[i] - reach - from[i], extent.max[i] + reach - from[i]);
         if direction[i] == 0.0 {

@@ -33,10 +33,16 @@ pub(crate) fn direction(uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
     }
 }
 
+/// Some unit vector perpendicular to another.
+pub(crate) fn any_across(axis: &Vector3<f64>) -> Vector3<f64> {
+    let least = Vector3::from_fn(|i, _| if i == axis.iamin() { 1.0 } else { 0.0 });
+    let w = least - axis * least.dot(axis);
+    w / w.norm()
+}
+
 /// A random point of the unit disk across a unit vector, uniform by area.
 pub(crate) fn in_disk(normal: &Vector3<f64>, uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
-    let least = Vector3::from_fn(|i, _| if i == normal.iamin() { 1.0 } else { 0.0 });
-    let first = normal.cross(&least).normalize();
+    let first = any_across(normal);
     let second = normal.cross(&first);
     loop {
         let [a, b] = [0; 2].map(|_| 2.0 * uniform() - 1.0);

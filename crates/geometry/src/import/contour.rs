@@ -197,7 +197,7 @@ fn is_nested_oddly(
         let (mut count, mut clear) = (0_usize, true);
         let reach = slack(from.iter().copied());
         tree.search(
-            |e| is_hit(e, &from, &direction, reach, f64::INFINITY),
+            |e| is_hit(e, &from, &direction, reach),
             |i| {
                 if owners[i] != own {
                     for m in meetings(&ray, all[i]) {

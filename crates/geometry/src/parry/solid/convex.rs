@@ -1,7 +1,7 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
 use super::super::convert::{Frame, from_glam3};
 use super::{polyhedron::faces, positive};
-use crate::{Error, Line, plane::slack, walls::CORNER};
+use crate::{Error, Line, plane::slack, surface::any_across, walls::CORNER};
 use nalgebra::Vector3;
 use parry3d_f64::shape::{Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace};
 
@@ -204,13 +204,6 @@ fn round(w: &Vector3<f64>, v: &Vector3<f64>, radius: f64, touches: bool) -> Opti
 /// The part of `w` perpendicular to a unit vector.
 fn across(w: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
     w - axis * w.dot(axis)
-}
-
-/// Some unit vector perpendicular to another.
-pub(super) fn any_across(axis: &Vector3<f64>) -> Vector3<f64> {
-    let least = Vector3::from_fn(|i, _| if i == axis.iamin() { 1.0 } else { 0.0 });
-    let w = across(&least, axis);
-    w / w.norm()
 }
 
 impl Convex {

@@ -65,7 +65,7 @@ impl Lathe {
         let height = w.dot(&self.axis);
         let across = w - self.axis * height;
         let distance = across.norm();
-        let out = if distance > 0.0 { across / distance } else { super::super::convex::any_across(&self.axis) };
+        let out = if distance > 0.0 { across / distance } else { crate::surface::any_across(&self.axis) };
         (Vector2::new(distance, height), out)
     }
 
