@@ -8,7 +8,7 @@ use std::thread::JoinHandle;
 
 /// A long file is brought to disk in portions of so many bytes, each while the next one is written. Otherwise the disk idles
 /// until the system has as much in memory as it likes, or the file is finished.
-const PORTION: usize = 1 << 26;
+const PORTION: usize = 1 << 24;
 
 /// A file written under a temporary name in the same folder; [`finish`](Self::finish) gives it its own.
 ///
