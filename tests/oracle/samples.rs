@@ -27,6 +27,8 @@ pub(crate) enum Source {
     Turned(Box<dyn Shape>),
     /// As plain data.
     Spec(SolidSpec),
+    /// As triangles, for the centre of a ball of some radius.
+    KeptOff(Box<TriMesh>, f64),
 }
 
 /// What a turned shape is turned by, of any length.
@@ -46,7 +48,7 @@ impl Source {
                 [q.w, q.i, q.j, q.k]
             }
             Source::Spec(SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. }) => UPRIGHT,
-            Source::Straight(_) | Source::Spec(_) => STRAIGHT,
+            Source::Straight(_) | Source::Spec(_) | Source::KeptOff(..) => STRAIGHT,
         }
     }
     fn rotation([w, i, j, k]: [f64; 4]) -> UnitQuaternion<f64> {
@@ -63,6 +65,7 @@ impl Source {
             Source::Straight(shape) => Solid::new(&**shape, &pose(STRAIGHT), side),
             Source::Turned(shape) => Solid::new(&**shape, &pose(TURN), side),
             Source::Spec(spec) => spec.solid(center, side),
+            Source::KeptOff(mesh, margin) => Solid::new(&**mesh, &pose(STRAIGHT), side)?.kept_off(*margin),
         }
     }
 }
@@ -78,6 +81,8 @@ pub(crate) struct Sample {
     pub(crate) edge: Option<Edge>,
     /// Whether the library numbers the faces as they are here.
     pub(crate) numbered: bool,
+    /// The side of it on which the table lies; both where there is none.
+    pub(crate) only: Option<Side>,
 }
 
 /// Faces of the box with these half edges.
@@ -129,6 +134,7 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
             middle: [0.0; 3],
             edge: None,
             numbered: true,
+            only: None,
         },
         Sample {
             name: "box",
@@ -137,6 +143,7 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
             middle: [0.0; 3],
             edge: Some(box_edge),
             numbered: true,
+            only: None,
         },
         Sample {
             name: "cylinder",
@@ -148,6 +155,7 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
                 rim(random, [0.75, height])
             }),
             numbered: true,
+            only: None,
         },
         Sample {
             name: "cone",
@@ -156,6 +164,7 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
             middle: [0.0, by(-0.25), 0.0],
             edge: Some(|random| rim(random, [0.75, -0.5])),
             numbered: true,
+            only: None,
         },
         Sample {
             name: "capsule",
@@ -164,6 +173,7 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
             middle: ends[0],
             edge: None,
             numbered: true,
+            only: None,
         },
         Sample {
             name: "convex hull",
@@ -172,6 +182,7 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
             middle: middle_of_four,
             edge: Some(tetrahedron_edge),
             numbered: false,
+            only: None,
         },
         Sample {
             name: "mesh",
@@ -180,10 +191,12 @@ pub(crate) fn samples(scale: f64) -> Option<Vec<Sample>> {
             middle: middle_of_four,
             edge: Some(tetrahedron_edge),
             numbered: true,
+            only: None,
         },
     ];
     samples.extend(specified(scale));
     samples.extend(rounded(scale)?);
+    samples.extend(kept_off(scale)?);
     Some(samples)
 }
 
@@ -199,6 +212,7 @@ fn specified(scale: f64) -> [Sample; 3] {
             middle: [0.0; 3],
             edge: Some(|random| rim(random, [0.75, 0.5])),
             numbered: true,
+            only: None,
         },
         Sample {
             name: "upright cone",
@@ -207,6 +221,7 @@ fn specified(scale: f64) -> [Sample; 3] {
             middle: [0.0, by(-0.25), 0.0],
             edge: Some(|random| rim(random, [0.75, -0.5])),
             numbered: true,
+            only: None,
         },
         Sample {
             name: "half-space",
@@ -215,6 +230,7 @@ fn specified(scale: f64) -> [Sample; 3] {
             middle: [by(-0.1), by(0.3), by(-0.7)],
             edge: None,
             numbered: true,
+            only: None,
         },
     ]
 }
@@ -245,6 +261,7 @@ fn rounded(scale: f64) -> Option<Vec<Sample>> {
         middle,
         edge,
         numbered: true,
+        only: None,
     };
     let begins_on_box: Edge = |random| {
         let mut place = BRICK.map(|half| half * random.sign());
@@ -319,5 +336,39 @@ fn rounded(scale: f64) -> Option<Vec<Sample>> {
             center(&corners[..3]),
             None,
         ),
+    ])
+}
+
+/// Bodies of triangles, which keep the centre of a ball of an eighth off.
+fn kept_off(scale: f64) -> Option<[Sample; 2]> {
+    let by = |x: f64| x * scale;
+    let margin = by(0.125);
+    let corners = CORNERS.map(|p| p.map(by));
+    let glam = corners.map(|p| Glam::new(p[0], p[1], p[2])).to_vec();
+    let triangles = TRIANGLES.map(|t| t.map(|k| corners[k as usize]));
+    let half = [0.5, 0.375, 0.25];
+    let (vertices, faces) = Brick::new(Glam::from(half.map(by))).to_trimesh();
+    Some([
+        Sample {
+            name: "mesh, kept off",
+            source: Source::KeptOff(Box::new(TriMesh::new(glam, TRIANGLES.to_vec()).ok()?), margin),
+            faces: vec![Face::Round { core: Core::Hull(triangles.to_vec()), radius: margin }],
+            middle: corners[0],
+            edge: None,
+            numbered: false,
+            only: Some(Side::Outside),
+        },
+        Sample {
+            name: "box of triangles, kept off",
+            source: Source::KeptOff(Box::new(TriMesh::new(vertices, faces).ok()?), margin),
+            faces: box_faces(half.map(|half| by(half - 0.125))),
+            middle: [0.0; 3],
+            edge: Some(|random| {
+                let place = box_edge(random);
+                core::array::from_fn(|i| place[i] * ([0.375, 0.25, 0.125][i] / [0.5, 0.375, 0.25][i]))
+            }),
+            numbered: false,
+            only: Some(Side::Inside),
+        },
     ])
 }

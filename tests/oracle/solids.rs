@@ -232,6 +232,9 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
 
     for sample in &samples(frame.scale).ok_or(Error::Empty)? {
         for (side, place) in [(Side::Inside, "inside"), (Side::Outside, "outside")] {
+            if sample.only.is_some_and(|only| only != side) {
+                continue;
+            }
             let solid = sample.source.solid(center, side)?;
             let hit = |path: &Line<3>| {
                 let mut found = WallHit::never(path.point.into());

@@ -149,10 +149,26 @@ fn rooms() -> Vec<(&'static str, Room, f64, f64)> {
     add("a rounded brick and drum in a box", vec![hall(), brick, drum], hall_volume - v - w, hall_area + s + t);
     let wedge = obstacle(ConvexHull { points: corners.clone(), rounding: 0.0 }, [-0.5; 3]);
     add("a tetrahedron in a box", vec![hall(), wedge], hall_volume - corner_volume, hall_area + corner_area);
-    let mesh = TriMesh { vertices: corners, triangles: faces };
+    let hull_points = corners.clone();
+    let mesh = TriMesh { vertices: corners, triangles: faces, margin: 0.0 };
     let crystal = obstacle(mesh.clone(), [-0.5; 3]);
     add("a mesh in a box", vec![hall(), crystal], hall_volume - corner_volume, hall_area + corner_area);
-    add("in a mesh", vec![around(mesh)], corner_volume, corner_area);
+    add("in a mesh", vec![around(mesh.clone())], corner_volume, corner_area);
+    // the centre of a ball: around it, with the edges' lengths times the angles between their faces' normals in halves
+    let of_ball = |spec: &SolidSpec, side, radius| spec.parallel(side, radius).unwrap().0;
+    let curved = 0.5 * (3.0 * PI / 2.0 + 3.0 * 2.0_f64.sqrt() * (PI - (1.0 / 3.0_f64.sqrt()).acos()));
+    let [v, s] = steiner([corner_volume, corner_area, curved], 0.45);
+    let thick = obstacle(of_ball(&mesh, Outside, 0.45), [-0.5; 3]);
+    add("a ball around a mesh", vec![hall(), thick], hall_volume - v, hall_area + s);
+    // and in it, where the ball that touches all faces has a radius of three volumes over the area
+    let left = 1.0 - 0.1 * corner_area / (3.0 * corner_volume);
+    let [v, s] = [corner_volume * left * left * left, corner_area * left * left];
+    add("a ball in a mesh", vec![around(of_ball(&mesh, Inside, 0.1))], v, s);
+    let hull = ConvexHull { points: hull_points, rounding: 0.05 };
+    // the rounding is used up first
+    let left = 1.0 - 0.05 * corner_area / (3.0 * corner_volume);
+    let [v, s] = [corner_volume * left * left * left, corner_area * left * left];
+    add("a ball in a rounded hull", vec![around(of_ball(&hull, Inside, 0.1))], v, s);
     let mut crate_ = planes(&axes);
     crate_.push(obstacle(SolidSpec::Ball { radius: 0.5 }, [0.3, 0.0, 0.1]));
     let [v, s] = ball(0.5);

@@ -220,7 +220,7 @@ fn spatial(name: &str, arguments: &Arguments) -> SolidSpec {
         "cylinder" => SolidSpec::Cylinder { radius, height, rounding },
         "cone" => SolidSpec::Cone { radius, height, rounding },
         "convex-hull" => SolidSpec::ConvexHull { points, rounding },
-        "trimesh" => SolidSpec::TriMesh { vertices: points, triangles: triples(arguments) },
+        "trimesh" => SolidSpec::TriMesh { vertices: points, triangles: triples(arguments), margin: 0.0 },
         _ => SolidSpec::HalfSpace { normal: triple(arguments.numbers("normal")) },
     }
 }

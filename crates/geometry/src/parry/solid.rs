@@ -2,6 +2,7 @@
 pub(super) mod area;
 mod convex;
 mod field;
+mod parallel;
 mod polyhedron;
 mod rounded;
 
@@ -10,6 +11,7 @@ use crate::{Boundary, Error, Hit, Line};
 use convex::Convex;
 use field::Spatial;
 use nalgebra::{Isometry3, Vector3};
+use parallel::Parallel;
 use parry3d_f64::shape::{Shape, SharedShape, TypedShape};
 pub(super) use polyhedron::faces;
 use rounded::Rounded;
@@ -48,6 +50,7 @@ enum Body {
     Convex(Convex, Distance<3>),
     Rounded(Rounded),
     Mesh(Mesh, Distance<3>),
+    Parallel(Parallel),
     Distance(Distance<3>),
 }
 
@@ -84,6 +87,36 @@ impl Solid {
         if side == Side::Inside && members.len() > 1 && members.iter().any(|m| !matches!(m, Body::Convex(..))) {
             return Err(unsupported("compound", "the inside of a union is known for convex members only"));
         }
+        Ok(Solid { members, side })
+    }
+
+    /// The table of the centre of a ball with radius `margin` \[L\] in this one: all that is farther than that from the triangles of
+    /// meshes, height fields and voxels. (Of other shapes [`SolidSpec::parallel`](super::SolidSpec::parallel) knows it.)
+    ///
+    /// A ball that touches triangles on both sides of an edge at once, where the table is bent like the inside of a corner, is in a
+    /// corner. Behind an open mesh there is no table, but its triangles keep a ball off that comes round its rim.
+    ///
+    /// # Errors
+    /// [`Error::Shape`] for other shapes, [`Error::Parameter`] unless the margin is positive and finite.
+    ///
+    /// ```
+    /// use geometry::{parry::{parry3d_f64::shape::{Cuboid, TriMesh}, Side, Solid}, Boundary, Line, Vector3};
+    /// use nalgebra::Isometry3;
+    /// let (vertices, triangles) = Cuboid::new([1.0, 1.0, 1.0].into()).to_trimesh();
+    /// let crate_ = TriMesh::new(vertices, triangles).unwrap();
+    /// let room = Solid::new(&crate_, &Isometry3::identity(), Side::Inside)?.kept_off(0.25)?;
+    /// let path = Line { point: Vector3::new(0.0, 0.5, 0.0), velocity: Vector3::new(1.0, 0.0, 0.0) };
+    /// let hit = room.first_hit(&path).unwrap();
+    /// assert_eq!((hit.time, hit.normal), (0.75, Vector3::new(-1.0, 0.0, 0.0)));
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn kept_off(self, margin: f64) -> Result<Solid, Error> {
+        let Solid { members, side } = self;
+        let parallel = |body| match body {
+            Body::Mesh(mesh, distance) => Parallel::new(&mesh, distance, margin).map(Body::Parallel),
+            _ => Err(unsupported("solid", "only surfaces of triangles can be kept off")),
+        };
+        let members = members.into_iter().map(parallel).collect::<Result<_, _>>()?;
         Ok(Solid { members, side })
     }
 
@@ -191,6 +224,11 @@ impl Boundary<3> for Solid {
                     let piece = if self.members.len() > 1 { i } else { k };
                     Hit { time, point, normal: mesh.normals[k], piece, corner }
                 }),
+                Body::Parallel(parallel) => parallel.first(path).map(|(k, time)| {
+                    let (point, normal, corner) = parallel.land(k, &path.at(time));
+                    let piece = if self.members.len() > 1 { i } else { k };
+                    Hit { time, point, normal, piece, corner }
+                }),
                 Body::Distance(distance) => distance.first(path).map(|time| {
                     let (point, normal, _) = distance.closest(&path.at(time));
                     Hit { time, point, normal, piece: i, corner: false }
@@ -217,6 +255,7 @@ impl Body {
                 distance
             }
             Body::Rounded(rounded) => return rounded.closest(point, side),
+            Body::Parallel(parallel) => return parallel.closest(point),
             Body::Mesh(_, distance) | Body::Distance(distance) => distance,
         };
         let (foot, normal, distance) = distance.closest(point);
@@ -226,6 +265,7 @@ impl Body {
     fn extent(&self) -> [Vector3<f64>; 2] {
         match self {
             Body::Rounded(rounded) => rounded.extent(),
+            Body::Parallel(parallel) => parallel.extent(),
             Body::Convex(convex, _) if convex.is_half_space() => {
                 [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)]
             }

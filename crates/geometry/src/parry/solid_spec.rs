@@ -72,6 +72,8 @@ pub enum SolidSpec {
         vertices: Vec<[f64; 3]>,
         /// Triples of numbers of vertices.
         triangles: Vec<[usize; 3]>,
+        /// How far the table keeps off the triangles, on whichever side it lies: [`Solid::kept_off`].
+        margin: f64,
     },
     /// Everything behind the plane through the origin.
     HalfSpace {
@@ -101,7 +103,11 @@ impl SolidSpec {
             SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. } => upright,
             _ => Matrix3::identity(),
         };
-        Solid::placed(&*self.shape()?, &Frame { rotation, translation: center.into() }, side)
+        let solid = Solid::placed(&*self.shape()?, &Frame { rotation, translation: center.into() }, side)?;
+        match self {
+            SolidSpec::TriMesh { margin, .. } if *margin != 0.0 => solid.kept_off(positive("margin", *margin)?),
+            _ => Ok(solid),
+        }
     }
 
     /// The same shape, `factor` times as large.
@@ -125,9 +131,11 @@ impl SolidSpec {
             SolidSpec::ConvexHull { points, rounding } => {
                 SolidSpec::ConvexHull { points: points.iter().map(point).collect(), rounding: rounding * factor }
             }
-            SolidSpec::TriMesh { vertices, triangles } => {
-                SolidSpec::TriMesh { vertices: vertices.iter().map(point).collect(), triangles: triangles.clone() }
-            }
+            SolidSpec::TriMesh { vertices, triangles, margin } => SolidSpec::TriMesh {
+                vertices: vertices.iter().map(point).collect(),
+                triangles: triangles.clone(),
+                margin: margin * factor,
+            },
             SolidSpec::HalfSpace { normal } => SolidSpec::HalfSpace { normal: *normal },
         }
     }
@@ -154,11 +162,9 @@ impl SolidSpec {
             }
             SolidSpec::ConvexHull { points, rounding } => {
                 points.iter().try_for_each(|p| finite("points", p))?;
-                let hull =
-                    hull(points).ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))?;
-                round(hull, *rounding)?
+                round(hull(points)?, *rounding)?
             }
-            SolidSpec::TriMesh { vertices, triangles } => {
+            SolidSpec::TriMesh { vertices, triangles, .. } => {
                 vertices.iter().try_for_each(|p| finite("vertices", p))?;
                 let number = |v: usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
                 let numbers = triangles.iter().map(|[a, b, c]| Some([number(*a)?, number(*b)?, number(*c)?]));
@@ -181,15 +187,16 @@ impl SolidSpec {
     }
 }
 
-/// The convex hull of points, unless they lie in a plane.
-fn hull(points: &[[f64; 3]]) -> Option<ConvexPolyhedron> {
+/// The convex hull of points that do not lie in a plane.
+fn hull(points: &[[f64; 3]]) -> Result<ConvexPolyhedron, Error> {
     let points: Vec<Glam> = points.iter().map(glam).collect();
     // at size 1, since parry knows no smaller polyhedra than some 10⁻⁸
     let low = points.iter().fold(Glam::INFINITY, |m, p| m.min(*p));
     let high = points.iter().fold(Glam::NEG_INFINITY, |m, p| m.max(*p));
     let unit = to_unit(0.5 * (high - low).max_element());
     let points: Vec<Glam> = points.iter().map(|p| *p * unit).collect();
-    ConvexPolyhedron::from_convex_hull(&points).and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)))
+    let hull = ConvexPolyhedron::from_convex_hull(&points).and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)));
+    hull.ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))
 }
 
 /// A shape, rounded if it is to be.
@@ -239,7 +246,12 @@ mod tests {
             (SolidSpec::Cylinder { radius: 1.0, height: 4.0, rounding: 0.25 }, [2.0, 0.0, 0.0], 0.75),
             (SolidSpec::Cone { radius: 1.0, height: 2.0, rounding: 0.0 }, [0.0, 0.0, 3.0], 2.0),
             (SolidSpec::ConvexHull { points: tetrahedron.clone(), rounding: 0.0 }, [-1.0, 0.1, 0.1], 1.0),
-            (SolidSpec::TriMesh { vertices: tetrahedron, triangles: faces }, [-1.0, 0.1, 0.1], 1.0),
+            (
+                SolidSpec::TriMesh { vertices: tetrahedron.clone(), triangles: faces.clone(), margin: 0.0 },
+                [-1.0, 0.1, 0.1],
+                1.0,
+            ),
+            (SolidSpec::TriMesh { vertices: tetrahedron, triangles: faces, margin: 0.25 }, [-1.0, 0.1, 0.1], 0.75),
             (SolidSpec::HalfSpace { normal: [0.0, 0.0, 2.0] }, [5.0, 5.0, 1.5], 1.5),
         ];
         for (spec, at, expected) in cases {

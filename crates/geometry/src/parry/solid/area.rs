@@ -1,5 +1,5 @@
 //! Points on a solid, uniform by area.
-use super::{super::Side, Body, Closest, Solid, unsupported};
+use super::{super::Side, Body, Closest, Solid, parallel::Parallel, unsupported};
 use crate::{
     Error, Line,
     parry::{
@@ -21,10 +21,21 @@ pub(in crate::parry) struct Bound {
 
 impl Bound {
     /// About a box, if that is finite.
-    pub(in crate::parry) fn of([low, high]: [Vector3<f64>; 2]) -> Option<Bound> {
+    pub(in crate::parry) fn of(extent: [Vector3<f64>; 2]) -> Option<Bound> {
+        Some(Bound::about(extent)).filter(|ball| ball.radius.is_finite())
+    }
+
+    fn about([low, high]: [Vector3<f64>; 2]) -> Bound {
         let (center, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
         let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([low.amax(), high.amax()]);
-        radius.is_finite().then_some(Bound { center, radius })
+        Bound { center, radius }
+    }
+
+    /// A random line that meets the ball, from far enough that it starts outside.
+    fn line(&self, uniform: &mut dyn FnMut() -> f64) -> Line<3> {
+        let velocity = direction(uniform);
+        let point = self.center + (in_disk(&velocity, uniform) - velocity * 2.0) * self.radius;
+        Line { point, velocity }
     }
 }
 
@@ -45,6 +56,8 @@ enum Kind<'a> {
     Disk { about: Closest, radius: f64 },
     /// Triangles, up to each of which so many units of area come.
     Triangles { mesh: &'a Mesh, unit: f64, sums: Vec<f64> },
+    /// Lines through balls about the plates of a parallel surface, up to each of which so many units of the balls' areas come.
+    Plates { parallel: &'a Parallel, unit: f64, sums: Vec<f64> },
 }
 
 impl Solid {
@@ -63,17 +76,19 @@ impl Solid {
                     }
                     (None, None) => return Err(Error::Unbounded),
                 },
+                Body::Parallel(parallel) => {
+                    let balls = || parallel.plates().iter().map(|plate| Bound::about(plate.extent()));
+                    let unit = to_unit(balls().map(|ball| ball.radius).fold(0.0, f64::max));
+                    let area = |ball: Bound| 4.0 * PI * (ball.radius * unit) * (ball.radius * unit);
+                    Kind::Plates { parallel, unit, sums: sums(balls().map(area)) }
+                }
                 Body::Mesh(mesh, _) => {
                     let unit = to_unit(mesh.vertices.iter().map(Vector3::amax).fold(0.0, f64::max));
                     let area = |t: &[usize; 3]| {
                         let (twice, edge) = across(t.map(|v| mesh.vertices[v]));
                         0.5 * twice.norm() * (edge * unit) * (edge * unit)
                     };
-                    let sums = mesh.triangles.iter().scan(0.0, |sum, t| {
-                        *sum += area(t);
-                        Some(*sum)
-                    });
-                    Kind::Triangles { mesh, unit, sums: sums.collect() }
+                    Kind::Triangles { mesh, unit, sums: sums(mesh.triangles.iter().map(area)) }
                 }
                 Body::Distance(_) => {
                     return Err(unsupported("shape", "points of its surface are not known, only distances from it"));
@@ -97,7 +112,9 @@ impl Trials<'_> {
         match &self.kind {
             Kind::Lines { ball, .. } => 4.0 * PI * (ball.radius * unit) * (ball.radius * unit),
             Kind::Disk { radius, .. } => PI * (radius * unit) * (radius * unit),
-            Kind::Triangles { unit: own, sums, .. } => sums[sums.len() - 1] * (unit / own) * (unit / own),
+            Kind::Triangles { unit: own, sums, .. } | Kind::Plates { unit: own, sums, .. } => {
+                sums[sums.len() - 1] * (unit / own) * (unit / own)
+            }
         }
     }
 
@@ -105,7 +122,7 @@ impl Trials<'_> {
     pub(in crate::parry) fn size(&self) -> f64 {
         match &self.kind {
             Kind::Lines { ball: Bound { radius, .. }, .. } | Kind::Disk { radius, .. } => *radius,
-            Kind::Triangles { unit, .. } => 1.0 / unit,
+            Kind::Triangles { unit, .. } | Kind::Plates { unit, .. } => 1.0 / unit,
         }
     }
 
@@ -113,25 +130,43 @@ impl Trials<'_> {
     pub(in crate::parry) fn draw(&self, uniform: &mut dyn FnMut() -> f64) -> Option<(Vector3<f64>, Vector3<f64>)> {
         let (point, normal) = match &self.kind {
             Kind::Lines { body, ball } => {
-                let velocity = direction(uniform);
-                // from far enough that it starts outside
-                let point = ball.center + (in_disk(&velocity, uniform) - velocity * 2.0) * ball.radius;
-                let (point, outward) = body.entered(&Line { point, velocity })?;
+                let (point, outward) = body.entered(&ball.line(uniform))?;
                 (point, if self.solid.side == Side::Outside { outward } else { -outward })
             }
             Kind::Disk { about, radius } => (about.point + in_disk(&about.normal, uniform) * *radius, about.normal),
             Kind::Triangles { mesh, sums, .. } => {
-                let share = uniform() * sums[sums.len() - 1];
-                let k = sums.partition_point(|sum| *sum <= share).min(sums.len() - 1);
+                let k = pick(sums, uniform);
                 let [a, b, c] = mesh.triangles[k].map(|v| mesh.vertices[v]);
                 let [s, t] = [uniform(), uniform()];
                 // the half of the parallelogram beyond the diagonal, turned over
                 let [s, t] = if s + t > 1.0 { [1.0 - s, 1.0 - t] } else { [s, t] };
                 (mesh.land(k, &(a + (b - a) * s + (c - a) * t)).0, mesh.normals[k])
             }
+            Kind::Plates { parallel, sums, .. } => {
+                let k = pick(sums, uniform);
+                let plate = &parallel.plates()[k];
+                let path = Bound::about(plate.extent()).line(uniform);
+                let (point, normal) = plate.land(&path.at(plate.first(&path, Side::Outside)?));
+                parallel.exposes(k, &point).then_some((point, normal))?
+            }
         };
         self.solid.exposes(self.member, &point).then_some((point, normal))
     }
+}
+
+/// The sums of the first, the first two, ... of some numbers.
+fn sums(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let add = |sum: &mut f64, number: f64| {
+        *sum += number;
+        Some(*sum)
+    };
+    numbers.scan(0.0, add).collect()
+}
+
+/// One of the numbers of which these are the sums, as often as it is large.
+fn pick(sums: &[f64], uniform: &mut dyn FnMut() -> f64) -> usize {
+    let share = uniform() * sums[sums.len() - 1];
+    sums.partition_point(|sum| *sum <= share).min(sums.len() - 1)
 }
 
 impl Body {
@@ -140,7 +175,7 @@ impl Body {
         match self {
             Body::Convex(convex, _) => convex.entry(path).map(|(time, face)| convex.land(face, &path.at(time))),
             Body::Rounded(rounded) => rounded.first(path, Side::Outside).map(|time| rounded.land(&path.at(time))),
-            Body::Mesh(..) | Body::Distance(_) => None,
+            Body::Mesh(..) | Body::Parallel(_) | Body::Distance(_) => None,
         }
     }
 }

@@ -4,10 +4,19 @@
 //! from one side and never steps over: from before where the path enters, from behind where it leaves. The core is known by
 //! its faces, edges and corners, so that distance and normal come from formulas.
 mod brick;
+mod facet;
 mod hull;
 mod lathe;
+mod plate;
 
-use super::{super::Side, super::convert::Frame, Closest, positive};
+use super::{
+    super::{
+        Side,
+        convert::{Frame, from_glam3},
+        mesh::across,
+    },
+    Closest, positive, unsupported,
+};
 use crate::{Error, Line};
 use brick::Brick;
 use core::fmt::Debug;
@@ -16,9 +25,11 @@ use lathe::Lathe;
 use nalgebra::Vector3;
 use parry3d_f64::shape::{Cone, ConvexPolyhedron, Cuboid, Cylinder, Triangle};
 
+pub(in crate::parry) use plate::Plate;
+
 /// A surface as seen from a point: how far the point lies above it, negative below, and the outward unit normal at the foot.
 #[derive(Clone, Copy, Debug)]
-struct View {
+pub(in crate::parry) struct View {
     height: f64,
     normal: Vector3<f64>,
 }
@@ -32,7 +43,7 @@ impl View {
 }
 
 /// A convex set.
-trait Core: Debug + Send + Sync {
+pub(in crate::parry) trait Core: Debug + Send + Sync {
     /// Its surface, seen from outside.
     fn outer(&self, x: &Vector3<f64>) -> View;
     /// Its surface, seen from inside, if that is where the point is.
@@ -41,10 +52,22 @@ trait Core: Debug + Send + Sync {
     fn extent(&self) -> [Vector3<f64>; 2];
 }
 
+impl Core for Box<dyn Core> {
+    fn outer(&self, x: &Vector3<f64>) -> View {
+        (**self).outer(x)
+    }
+    fn inner(&self, x: &Vector3<f64>) -> Option<View> {
+        (**self).inner(x)
+    }
+    fn extent(&self) -> [Vector3<f64>; 2] {
+        (**self).extent()
+    }
+}
+
 /// All points within a radius of a convex core.
 #[derive(Debug)]
-pub(super) struct Rounded {
-    core: Box<dyn Core>,
+pub(super) struct Rounded<C = Box<dyn Core>> {
+    core: C,
     radius: f64,
     extent: [Vector3<f64>; 2],
     /// So near the surface Newton's next step is the last one: the error left by it is a quarter of an ulp where the path goes
@@ -56,14 +79,6 @@ pub(super) struct Rounded {
 const MOST_STEPS: usize = 200;
 
 impl Rounded {
-    fn new(core: Box<dyn Core>, radius: f64) -> Result<Rounded, Error> {
-        positive("the border radius", radius)?;
-        let [low, high] = core.extent();
-        let border = Vector3::repeat(radius);
-        let extent = [low - border, high + border];
-        let near = 4.0 * f64::EPSILON * extent[0].amax().max(extent[1].amax());
-        Ok(Rounded { core, radius, extent, near })
-    }
     pub(super) fn cuboid(inner: &Cuboid, radius: f64, frame: &Frame<3>) -> Result<Rounded, Error> {
         Rounded::new(Box::new(Brick::new(inner, frame)?), radius)
     }
@@ -77,7 +92,31 @@ impl Rounded {
         Rounded::new(Box::new(Hull::polyhedron(inner, frame)), radius)
     }
     pub(super) fn triangle(inner: &Triangle, radius: f64, frame: &Frame<3>) -> Result<Rounded, Error> {
-        Rounded::new(Box::new(Hull::triangle(inner, frame)?), radius)
+        let corners = [inner.a, inner.b, inner.c].map(|p| frame.point(&from_glam3(p)));
+        let (normal, _) = across(corners);
+        let length = normal.norm();
+        if !(length > 0.0 && length.is_finite()) {
+            return Err(unsupported("round triangle", "its corners lie on a line: use a capsule"));
+        }
+        Rounded::new(Box::new(Plate::new(corners, normal / length)), radius)
+    }
+}
+
+impl Rounded<Plate> {
+    /// A triangle with these corners, in whose plane this is a unit normal.
+    pub(super) fn plate(corners: [Vector3<f64>; 3], normal: Vector3<f64>, radius: f64) -> Result<Self, Error> {
+        Rounded::new(Plate::new(corners, normal), radius)
+    }
+}
+
+impl<C: Core> Rounded<C> {
+    fn new(core: C, radius: f64) -> Result<Self, Error> {
+        positive("the border radius", radius)?;
+        let [low, high] = core.extent();
+        let border = Vector3::repeat(radius);
+        let extent = [low - border, high + border];
+        let near = 4.0 * f64::EPSILON * extent[0].amax().max(extent[1].amax());
+        Ok(Rounded { core, radius, extent, near })
     }
 
     /// A box around it.

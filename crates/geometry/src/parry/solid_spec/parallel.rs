@@ -1,16 +1,20 @@
 //! Where the centre of a ball can be that moves inside or around a shape: the shape's parallel body, again a shape.
 use super::SolidSpec;
-use crate::{Error, parry::Side};
+use crate::{
+    Error,
+    parry::{Side, convert::from_glam3},
+};
 
 impl SolidSpec {
     /// The shape whose surface lies at a distance \[L\] from this one's, on the given side, and by what it is to be moved: the table of
     /// the centre of a ball with that radius, where this is the table of the ball.
     ///
-    /// Around a shape it is rounded by so much more. Inside, the rounding is used up first, and then the core shrinks.
+    /// Around a shape it is rounded by so much more. Inside, the rounding is used up first, and then the core shrinks; that of a
+    /// convex hull becomes a mesh, which like all meshes is kept off.
     ///
     /// # Errors
-    /// [`Error::NothingLeft`] where no such ball fits in, [`Error::Shape`] for meshes and for the inside of convex hulls with less
-    /// rounding: their parallel bodies are none of these shapes.
+    /// [`Error::NothingLeft`] where no such ball fits in, but for meshes and hulls, of which that is not known;
+    /// [`Error::Field`] for the points of a hull that is none.
     ///
     /// ```
     /// use geometry::parry::{Side, SolidSpec};
@@ -62,16 +66,16 @@ impl SolidSpec {
                 (*radius, *height) = (r * left, h * left);
                 shift[2] = by * (1.0 - 0.5 * h / largest);
             }
-            SolidSpec::ConvexHull { rounding, .. } if distance < *rounding => *rounding -= distance,
-            SolidSpec::ConvexHull { .. } => {
-                let why = "a ball moves inside of a convex hull only where that is rounded by more than its radius";
-                return Err(Error::Shape { shape: "convex hull", why });
+            SolidSpec::ConvexHull { rounding, .. } if distance <= *rounding => *rounding -= distance,
+            SolidSpec::ConvexHull { points, rounding } => {
+                let (vertices, triangles) = super::hull(points)?.to_trimesh();
+                spec = SolidSpec::TriMesh {
+                    vertices: vertices.iter().map(|p| from_glam3(*p).into()).collect(),
+                    triangles: triangles.iter().map(|t| t.map(|v| v as usize)).collect(),
+                    margin: distance - *rounding,
+                };
             }
-            SolidSpec::TriMesh { .. } => {
-                let why =
-                    "for balls of positive radius there are no triangle meshes, since what is parallel to one is none";
-                return Err(Error::Shape { shape: "triangle mesh", why });
-            }
+            SolidSpec::TriMesh { margin, .. } => *margin += distance,
         }
         Ok((spec, shift))
     }
@@ -97,6 +101,7 @@ fn eroded(rounding: &mut f64, largest: f64, distance: f64) -> Result<f64, Error>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Boundary, Line};
     use nalgebra::Vector3;
 
     /// Numbers between −1 and 1.
@@ -120,20 +125,23 @@ mod tests {
             all.push(SolidSpec::Cone { radius: 1.3, height: 1.9, rounding });
             all.push(SolidSpec::ConvexHull { points: hull.clone(), rounding });
         }
+        // a cube with a pyramid cut out of its top, as if of the table
+        let vertices = (0..8).map(|k| [0, 1, 2].map(|i| if k >> i & 1 == 1 { 0.8 } else { -0.8 }));
+        let vertices = vertices.chain([[0.1, 0.0, -0.2]]).collect();
+        let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let dent = [[4, 5, 8], [5, 7, 8], [7, 6, 8], [6, 4, 8]];
+        let triangles = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).chain(dent).collect();
+        all.push(SolidSpec::TriMesh { vertices, triangles, margin: 0.0 });
         all
     }
 
     #[test]
     fn every_point_is_nearer_to_the_parallel_surface_by_the_distance() {
-        let distance = 0.2;
+        let distance = 0.1;
         let mut random = random(3);
         for spec in shapes() {
             for side in [Side::Inside, Side::Outside] {
-                let Ok((parallel, shift)) = spec.parallel(side, distance) else {
-                    assert!(matches!(spec, SolidSpec::ConvexHull { rounding, .. } if rounding < distance), "{spec:?}");
-                    assert_eq!(side, Side::Inside);
-                    continue;
-                };
+                let (parallel, shift) = spec.parallel(side, distance).unwrap();
                 let (table, centres) = (spec.solid([0.0; 3], side).unwrap(), parallel.solid(shift, side).unwrap());
                 let mut inside = 0;
                 for _ in 0..20_000 {
@@ -149,6 +157,58 @@ mod tests {
                 assert!(inside > 100, "{spec:?} {side:?} {inside}");
             }
         }
+    }
+
+    #[test]
+    fn a_path_ends_where_the_ball_first_touches() {
+        let distance = 0.1;
+        let mut random = random(7);
+        for spec in shapes() {
+            for side in [Side::Inside, Side::Outside] {
+                let (parallel, shift) = spec.parallel(side, distance).unwrap();
+                let (table, centres) = (spec.solid([0.0; 3], side).unwrap(), parallel.solid(shift, side).unwrap());
+                let (mut hits, mut corners) = (0, 0);
+                for _ in 0..6000 {
+                    let point = Vector3::from_fn(|_, _| 1.5 * random());
+                    let velocity = Vector3::from_fn(|_, _| random());
+                    let path = Line { point, velocity };
+                    if table.distance(&point) <= distance {
+                        continue;
+                    }
+                    let hit = centres.first_hit(&path);
+                    let end = hit.map_or(8.0, |hit| hit.time);
+                    for k in 0..50 {
+                        let before = path.at(end * f64::from(k) / 50.0);
+                        assert!(table.distance(&before) > distance - 1e-12, "{spec:?} {side:?} {path:?}");
+                    }
+                    let Some(hit) = hit else { continue };
+                    let touched = table.closest(&hit.point);
+                    assert!((touched.distance - distance).abs() < 1e-12, "{spec:?} {side:?} {path:?}");
+                    assert!((touched.normal - hit.normal).norm() < 1e-11, "{spec:?} {side:?} {path:?}");
+                    assert!((path.at(hit.time) - hit.point).norm() < 1e-12, "{spec:?} {side:?} {path:?}");
+                    hits += 1;
+                    corners += usize::from(hit.corner);
+                }
+                assert!(hits > 20 && corners == 0, "{spec:?} {side:?} {hits} {corners}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_ball_that_touches_two_triangles_at_once_is_in_a_corner() {
+        let box_ = vec![[0.0; 3], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let box_ = SolidSpec::ConvexHull { points: box_, rounding: 0.0 };
+        let (parallel, shift) = box_.parallel(Side::Inside, 0.125).unwrap();
+        let centres = parallel.solid(shift, Side::Inside).unwrap();
+        let aim = |at: [f64; 3]| {
+            let point = Vector3::new(0.3, 0.25, 0.2);
+            centres.first_hit(&Line { point, velocity: Vector3::from(at) - point }).unwrap()
+        };
+        assert!(aim([0.125, 0.125, 0.2]).corner);
+        assert!(aim([0.3, 0.125, 0.125]).corner);
+        assert!(!aim([0.3, 0.125, 0.1251]).corner);
+        // beside the diagonal of a face of four corners nothing happens
+        assert!(!aim([0.8, 0.4, 0.125]).corner);
     }
 
     #[test]

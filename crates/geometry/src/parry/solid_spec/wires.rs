@@ -40,12 +40,13 @@ impl SolidSpec {
                 (if apex.dot(&d) > base.dot(&d) { apex } else { base }) + d * *rounding
             }
             SolidSpec::ConvexHull { points, rounding } => among(points)? + d * *rounding,
-            SolidSpec::TriMesh { vertices, .. } => among(vertices)?,
+            SolidSpec::TriMesh { vertices, margin, .. } => among(vertices)? + d * *margin,
             SolidSpec::HalfSpace { .. } => return None,
         })
     }
 
-    /// Its edges \[L\], as closed chains of points: of a rounded shape none, of a mesh the sides of all triangles.
+    /// Its edges \[L\], as closed chains of points: of a rounded shape none, of a mesh without margin the sides of all
+    /// triangles.
     pub fn edges(&self) -> Vec<Vec<Vector3<f64>>> {
         let circle = |radius: f64, z: f64| {
             let at = |k: u32| {
@@ -72,9 +73,9 @@ impl SolidSpec {
             SolidSpec::ConvexHull { points, rounding: 0.0 } => {
                 let still = Frame { rotation: nalgebra::Matrix3::identity(), translation: Vector3::zeros() };
                 let hull = super::hull(points);
-                hull.map(|hull| faces(&hull, &still).map(|(ring, _)| closed(ring)).collect()).unwrap_or_default()
+                hull.map_or_else(|_| vec![], |hull| faces(&hull, &still).map(|(ring, _)| closed(ring)).collect())
             }
-            SolidSpec::TriMesh { vertices, triangles } => {
+            SolidSpec::TriMesh { vertices, triangles, margin: 0.0 } => {
                 let triangles = triangles.iter().filter(|t| t.iter().all(|v| *v < vertices.len()));
                 triangles.map(|t| closed(t.map(|v| vertices[v].into()).into())).collect()
             }

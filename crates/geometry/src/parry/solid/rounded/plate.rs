@@ -1,0 +1,30 @@
+//! A flat triangle, of no thickness but its border.
+use super::{Core, View, facet::Facet};
+use crate::Extent;
+use nalgebra::Vector3;
+
+/// A triangle, from both of its sides.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::parry) struct Plate(Facet);
+
+impl Plate {
+    /// The triangle with these corners, in whose plane this is a unit normal.
+    pub(super) fn new(corners: [Vector3<f64>; 3], normal: Vector3<f64>) -> Plate {
+        Plate(Facet::new(corners, normal))
+    }
+}
+
+impl Core for Plate {
+    fn outer(&self, x: &Vector3<f64>) -> View {
+        self.0.either(x)
+    }
+
+    fn inner(&self, _: &Vector3<f64>) -> Option<View> {
+        None
+    }
+
+    fn extent(&self) -> [Vector3<f64>; 2] {
+        let Extent { min, max } = self.0.extent();
+        [min, max]
+    }
+}
