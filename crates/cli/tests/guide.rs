@@ -66,7 +66,9 @@ fn the_guide_names_all_that_a_scene_can_name() {
         let named = ["`", "\"", ".", "\\\""].iter().any(|quote| GUIDE.contains(&format!("{quote}{word}")));
         assert!(named, "{word}");
     }
-    for key in ["loop", "chain", "circle", "ellipse", "line", "ray", "curve", "shape", "outline", "sphere", "plane"] {
+    for key in
+        ["loop", "chain", "circle", "ellipse", "line", "ray", "curve", "shape", "outline", "sphere", "plane", "mesh"]
+    {
         assert!(GUIDE.contains(&format!("{key} = ")), "{key}");
     }
 }

@@ -131,9 +131,9 @@ pub enum Error {
         /// About where.
         at: [f64; 2],
     },
-    /// A file that holds no outline, or not one that can be read.
+    /// A file that holds no outline or surface, or not one that can be read.
     #[error("{place}: {problem}")]
-    Outline {
+    Import {
         /// Line and element, or the path of keys.
         place: String,
         /// What is wrong there.

@@ -19,7 +19,7 @@ fn path(d: &str) -> Table {
 }
 fn problem(body: &str) -> (String, String) {
     match import::svg(&drawing(body), import::TOLERANCE) {
-        Err(Error::Outline { place, problem }) => (place, problem),
+        Err(Error::Import { place, problem }) => (place, problem),
         other => panic!("{body}: {other:?}"),
     }
 }
@@ -220,7 +220,7 @@ fn mistakes_are_named_with_line_and_element() {
         assert!(place.starts_with("line 2, <") && what.contains(words), "{body}: {place}: {what}");
     }
     let broken = import::svg("<svg>\n<g></svg>", 1e-9).unwrap_err();
-    assert!(matches!(&broken, Error::Outline { place, .. } if place.starts_with("line 2, column ")), "{broken}");
+    assert!(matches!(&broken, Error::Import { place, .. } if place.starts_with("line 2, column ")), "{broken}");
     assert!(import::svg("<html/>", 1e-9).is_err());
     assert!(matches!(import::svg(&drawing("<circle r='1'/>"), 0.0), Err(Error::Parameter { name: "tolerance", .. })));
 }
@@ -262,7 +262,7 @@ fn mistakes_in_maps_are_named_with_their_place() {
         ),
     ] {
         match import::geojson(text) {
-            Err(Error::Outline { place, problem }) => {
+            Err(Error::Import { place, problem }) => {
                 assert!(place == at && problem.contains(words), "{place}: {problem}");
             }
             other => panic!("{text}: {other:?}"),

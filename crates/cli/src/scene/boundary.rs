@@ -97,6 +97,17 @@ pub enum Border {
         /// Path, relative to the scene file.
         file: Spanned<String>,
     },
+    /// `mesh = { file = "file.obj", … }` (or STL), in space only: triangles from a file.
+    Mesh {
+        /// Path, relative to the scene file.
+        file: Spanned<String>,
+        /// How many units of the scene one of the file is.
+        unit: f64,
+        /// Where the file's origin lies.
+        center: Spanned<Vec<f64>>,
+        /// Where the domain lies; outside unless it says otherwise.
+        domain: Domain,
+    },
 }
 
 impl Border {
@@ -183,7 +194,7 @@ pub enum Curve {
 }
 
 const PLANAR: &[&str] = &["loop", "chain", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
-const SPATIAL: &[&str] = &["sphere", "plane", "shape"];
+const SPATIAL: &[&str] = &["sphere", "plane", "shape", "mesh"];
 
 pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Entry> {
     let mut section = Section::new(item, "[[table.boundary]]", problems)?;
@@ -246,6 +257,15 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
             (|| Some(Border::Plane { through: through?, normal: normal? }))()
         }
         "curve" => curve(&mut section, problems),
+        "mesh" => {
+            let file = section.required("file", "file = \"rock.obj\"").and_then(|item| text(item, problems));
+            let unit = section.optional("unit").map_or(Some(1.0), |item| Some(positive(item, problems)?.value));
+            let center = section
+                .optional("center")
+                .map_or(Some(Spanned::new(vec![0.0; 3], section.span())), |item| point(item, n, problems));
+            let domain = domain(&mut section, Domain::Outside, problems);
+            (|| Some(Border::Mesh { file: file?, unit: unit?, center: center?, domain: domain? }))()
+        }
         _ => return shape(section, n, problems),
     };
     section.finish(problems);

@@ -83,7 +83,7 @@ impl Drawn {
 /// Every length that says how large a scene is; none, and so no scaling, if part of it is drawn in a file.
 pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
     if let TableShape::Boundary(entries) = &scene.table.shape
-        && entries.iter().any(|entry| matches!(entry.border, Border::Outline { .. }))
+        && entries.iter().any(|entry| matches!(entry.border, Border::Outline { .. } | Border::Mesh { .. }))
     {
         return vec![];
     }
@@ -127,7 +127,7 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         Border::Curve { curve: Curve::Polar { center, .. }, .. } => all.extend(&center.value),
         Border::Curve { curve: Curve::Implicit { within, .. }, .. } => all.extend(within.value.as_flattened()),
         Border::Shape { lengths, .. } => all.extend(lengths),
-        Border::Outline { .. } => {}
+        Border::Outline { .. } | Border::Mesh { .. } => {}
     }
 }
 

@@ -1,9 +1,11 @@
 //! A region of space bounded entry by entry.
 
-use billiards::geometry::Error;
-use billiards::geometry::parry::{Room, Side, SolidSpec};
+use std::path::Path;
 
-use crate::document::{Diagnostic, spell};
+use billiards::geometry::parry::{Room, Side, SolidSpec};
+use billiards::geometry::{Error, import};
+
+use crate::document::{Diagnostic, Spanned, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
 use super::wires::Wall;
@@ -13,9 +15,7 @@ use super::words::short;
 pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<(Vec<Wall>, Vec<String>), Vec<Diagnostic>> {
     let (mut walls, mut names) = (vec![], vec![]);
     for entry in entries {
-        let Some((name, wall)) = wall(&entry.border) else {
-            return Err(vec![scene.source.diagnostic(entry.span, "this is no wall in space")]);
-        };
+        let (name, wall) = wall(scene, entry).map_err(|wrong| vec![wrong])?;
         walls.push(wall);
         names.push(name.into());
     }
@@ -48,9 +48,9 @@ pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
     scene.source.diagnostic(scene.particle.radius.span, what)
 }
 
-/// An entry of the boundary, if it is one in space.
-fn wall(border: &Border) -> Option<(&'static str, Wall)> {
-    let (name, spec, center, side) = match border {
+/// An entry of the boundary.
+fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Diagnostic> {
+    let (name, spec, center, side) = match &entry.border {
         Border::Circle { center, radius, domain } => {
             ("sphere", SolidSpec::Ball { radius: radius.value }, coordinates(&center.value), side(*domain))
         }
@@ -61,9 +61,26 @@ fn wall(border: &Border) -> Option<(&'static str, Wall)> {
         Border::Shape { shape: scene::Shape::Spatial { name, spec, center }, domain, .. } => {
             (*name, spec.clone(), *center, side(*domain))
         }
-        _ => return None,
+        Border::Mesh { file, unit, center, domain } => {
+            (&file.value[..], mesh(scene, file)?.scaled(*unit), coordinates(&center.value), side(*domain))
+        }
+        _ => return Err(scene.source.diagnostic(entry.span, "this is no wall in space")),
     };
-    Some((name, Wall { spec, center, side }))
+    Ok((name, Wall { spec, center, side }))
+}
+
+/// Triangles from a file beside the scene file.
+fn mesh(scene: &Scene, file: &Spanned<String>) -> Result<SolidSpec, Diagnostic> {
+    let complain = |what: String| scene.source.diagnostic(file.span, what);
+    let path = Path::new(scene.source.name()).with_file_name(&file.value);
+    let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
+    let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase).unwrap_or_default();
+    let spec = match extension.to_str() {
+        Some("stl") => import::stl(&bytes),
+        Some("obj") => import::obj(&String::from_utf8_lossy(&bytes)),
+        _ => return Err(complain("a mesh is read from a file .stl or .obj".into())),
+    };
+    spec.map_err(|error| complain(format!("{}: {error}", path.display())))
 }
 
 fn coordinates(p: &[f64]) -> [f64; 3] {

@@ -62,6 +62,51 @@ fn a_ball_moves_around_triangles_and_in_a_hull() {
     }
 }
 
+/// A box with a wall of another kind in it, a pyramid whose coordinates single precision holds.
+fn around(pyramid: &str) -> String {
+    format!(
+        "law = \"no-slip\"\n[table]\ndimension = 3\n[[table.boundary]]\n\
+         shape = {{ name = \"cuboid\", size = [8, 8, 8], domain = \"inside\" }}\n[[table.boundary]]\n{pyramid}\n\
+         [particle]\nradius = 0.25\ninertia = \"uniform-ball\"\n\
+         [ensemble]\ncount = 20\nseed = 3\n[run]\ncollisions = 20\n[output]\ncollisions = \"csv\"\n"
+    )
+}
+
+#[test]
+fn triangles_come_from_a_file() {
+    let folder = Folder::new("mesh");
+    let inline = "shape = { name = \"trimesh\", points = [[0, 0, 1], [2, 0, 1], [2, 2, 1], [0, 2, 1], [1, 1, 2]], \
+                  triangles = [[3, 2, 1], [3, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]] }";
+    folder.done(&around(inline), &[]);
+    let expected = folder.read("out/collisions.csv");
+    assert!(expected.lines().any(|row| row.split(',').nth(3) == Some("1")), "the pyramid is hit");
+    let obj = "o pyramid\nv 0 0 0\nv 200 0 0\nv 200 200 0\nv 0 200 0\nv 100 100 100\nf 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    std::fs::write(folder.0.join("pyramid.obj"), obj).unwrap();
+    let corners = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 1]];
+    let facet = |t: [usize; 3]| {
+        let vertices = t.map(|k| format!("vertex {} {} {}\n", corners[k][0], corners[k][1], corners[k][2])).concat();
+        format!("facet normal 0 0 0\nouter loop\n{vertices}endloop\nendfacet\n")
+    };
+    let facets = [[3, 2, 1], [3, 1, 0], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]].map(facet).concat();
+    std::fs::write(folder.0.join("pyramid.STL"), format!("solid pyramid\n{facets}endsolid pyramid\n")).unwrap();
+    for mesh in ["file = \"pyramid.obj\", unit = 0.01", "file = \"pyramid.STL\""] {
+        folder.done(&around(&format!("mesh = {{ {mesh}, center = [0, 0, 1] }}")), &[]);
+        assert_eq!(folder.read("out/collisions.csv"), expected, "{mesh}");
+    }
+    let refused = |file: &str, what: &str| {
+        let output = folder.run(&around(&format!("mesh = {{ file = \"{file}\" }}")), &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains(what) && told.contains("scene.toml:7:17"), "{told}");
+    };
+    std::fs::write(folder.0.join("broken.obj"), obj.replace("f 2 3 5", "f 2 3 six")).unwrap();
+    std::fs::write(folder.0.join("short.stl"), [1; 200]).unwrap();
+    refused("none.obj", "cannot read");
+    refused("scene.toml", "a mesh is read from a file .stl or .obj");
+    refused("broken.obj", "line 9: ");
+    refused("short.stl", "neither the text nor the binary form of STL");
+}
+
 #[test]
 fn rooms_that_cannot_be_filled_are_refused() {
     let folder = Folder::new("rooms-refused");

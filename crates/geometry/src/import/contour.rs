@@ -85,7 +85,7 @@ pub(super) struct Contour {
 
 impl Contour {
     fn pieces(&self, reversed: bool) -> Result<Vec<Box<dyn Piece>>, Error> {
-        let located = |e: Error| Error::Outline { place: self.place.clone(), problem: e.to_string() };
+        let located = |e: Error| Error::Import { place: self.place.clone(), problem: e.to_string() };
         match &self.form {
             Form::Oval(oval) => Ok(vec![oval.whole(!reversed).map_err(located)?]),
             Form::Path(start, edges) => {
@@ -164,7 +164,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         let size = loops[k].iter().map(|p| p.extent().size()).fold(0.0, f64::max);
         if area.is_nan() || area.abs() <= size * slack([size]) {
             let problem = "the outline encloses no area".into();
-            return Err(Error::Outline { place: contour.place.clone(), problem });
+            return Err(Error::Import { place: contour.place.clone(), problem });
         }
         let hole = match contour.role {
             Role::Outer => false,

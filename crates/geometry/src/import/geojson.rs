@@ -19,12 +19,12 @@ use serde_json::Value;
 /// ```
 ///
 /// # Errors
-/// [`Error::Outline`] with the place of what is wrong, [`Error::Empty`] where there is no polygon.
+/// [`Error::Import`] with the place of what is wrong, [`Error::Empty`] where there is no polygon.
 pub fn geojson(text: &str) -> Result<Vec<Box<dyn Piece>>, Error> {
     let value: Value = serde_json::from_str(text).map_err(|e| {
         let problem = e.to_string();
         let problem = problem.rsplit_once(" at line").map_or(problem.as_str(), |(what, _)| what).to_string();
-        Error::Outline { place: format!("line {}, column {}", e.line(), e.column()), problem }
+        Error::Import { place: format!("line {}, column {}", e.line(), e.column()), problem }
     })?;
     let mut contours = vec![];
     object(&value, "the file", &mut contours)?;
@@ -32,7 +32,7 @@ pub fn geojson(text: &str) -> Result<Vec<Box<dyn Piece>>, Error> {
 }
 
 fn fail<T>(place: &str, problem: impl Into<String>) -> Result<T, Error> {
-    Err(Error::Outline { place: place.into(), problem: problem.into() })
+    Err(Error::Import { place: place.into(), problem: problem.into() })
 }
 
 fn object(value: &Value, place: &str, contours: &mut Vec<Contour>) -> Result<(), Error> {

@@ -1,4 +1,5 @@
-//! Outlines from files: drawings (SVG) and maps (`GeoJSON`) as pieces of a table.
+//! Outlines and surfaces from files: drawings (SVG) and maps (`GeoJSON`) as pieces of a table, triangles (STL, OBJ) as walls in
+//! space.
 //!
 //! Straight edges become segments, circular arcs arcs, elliptic arcs elliptic arcs: exactly. Bézier curves become
 //! smoothly joined circular arcs within a tolerance. Loops are oriented as a table needs them: an outline that lies in
@@ -17,9 +18,13 @@
 mod biarc;
 mod contour;
 mod geojson;
+mod obj;
+mod stl;
 mod svg;
 
 pub use geojson::geojson;
+pub use obj::obj;
+pub use stl::stl;
 pub use svg::svg;
 
 /// How far, as part of the size of the drawing, the arcs that replace Bézier curves may be from them.

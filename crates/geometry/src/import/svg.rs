@@ -21,7 +21,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 /// within `tolerance` times the greatest coordinate ([`TOLERANCE`](super::TOLERANCE) is a good one).
 ///
 /// # Errors
-/// [`Error::Outline`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, and for
+/// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, and for
 /// a `use`, which should be expanded by the drawing program; [`Error::Empty`] for a drawing without outlines;
 /// [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
 pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
@@ -31,7 +31,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     let document = Document::parse_with_options(text, options).map_err(|e| {
         let place = format!("line {}, column {}", e.pos().row, e.pos().col);
-        Error::Outline { place, problem: e.to_string() }
+        Error::Import { place, problem: e.to_string() }
     })?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" {
@@ -80,7 +80,7 @@ struct Place(String);
 
 impl Place {
     fn fail(&self, problem: impl Into<String>) -> Error {
-        Error::Outline { place: self.0.clone(), problem: problem.into() }
+        Error::Import { place: self.0.clone(), problem: problem.into() }
     }
 }
 

@@ -116,7 +116,7 @@ impl Collected<'_> {
                 return Ok(());
             }
             // the scene's reader lets these stand in space only
-            Border::Plane { .. } | Border::Shape { .. } => {
+            Border::Plane { .. } | Border::Shape { .. } | Border::Mesh { .. } => {
                 return Err(Box::new(self.scene.source.diagnostic(entry.span, "this is no planar boundary")));
             }
         };
