@@ -25,8 +25,8 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
     let read = tobj::load_obj_buf(&mut rest, &options, |_| Err(LoadError::OpenFileFailed));
     let (models, _) = read.map_err(|error| {
         // the reader stops behind the line that it does not understand
-        let line = text.as_bytes()[..text.len() - rest.len()].iter().filter(|byte| **byte == b'\n').count();
-        Error::Import { place: format!("line {}", line.max(1)), problem: format!("{error}") }
+        let line = text[..text.len() - rest.len()].lines().count();
+        Error::Import { place: format!("line {line}"), problem: format!("{error}") }
     })?;
     let (mut vertices, mut triangles) = (vec![], vec![]);
     for mesh in models.iter().map(|model| &model.mesh) {
