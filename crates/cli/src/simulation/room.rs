@@ -15,7 +15,7 @@ use super::words::short;
 pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<(Vec<Wall>, Vec<String>), Vec<Diagnostic>> {
     let (mut walls, mut names) = (vec![], vec![]);
     for entry in entries {
-        let (name, wall) = wall(scene, entry).map_err(|wrong| vec![wrong])?;
+        let (name, wall) = wall(scene, entry).map_err(|wrong| vec![*wrong])?;
         walls.push(wall);
         names.push(name.into());
     }
@@ -49,7 +49,7 @@ pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
 }
 
 /// An entry of the boundary.
-fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Diagnostic> {
+fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diagnostic>> {
     let (name, spec, center, side) = match &entry.border {
         Border::Circle { center, radius, domain } => {
             ("sphere", SolidSpec::Ball { radius: radius.value }, coordinates(&center.value), side(*domain))
@@ -64,14 +64,14 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Diagnost
         Border::Mesh { file, unit, center, domain } => {
             (&file.value[..], mesh(scene, file)?.scaled(*unit), coordinates(&center.value), side(*domain))
         }
-        _ => return Err(scene.source.diagnostic(entry.span, "this is no wall in space")),
+        _ => return Err(Box::new(scene.source.diagnostic(entry.span, "this is no wall in space"))),
     };
     Ok((name, Wall { spec, center, side }))
 }
 
 /// Triangles from a file beside the scene file.
-fn mesh(scene: &Scene, file: &Spanned<String>) -> Result<SolidSpec, Diagnostic> {
-    let complain = |what: String| scene.source.diagnostic(file.span, what);
+fn mesh(scene: &Scene, file: &Spanned<String>) -> Result<SolidSpec, Box<Diagnostic>> {
+    let complain = |what: String| Box::new(scene.source.diagnostic(file.span, what));
     let path = Path::new(scene.source.name()).with_file_name(&file.value);
     let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
     let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase).unwrap_or_default();
