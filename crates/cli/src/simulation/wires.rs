@@ -55,9 +55,10 @@ pub(crate) fn of(walls: &[Wall], shown: [[f64; 3]; 2], view: &View) -> Vec<Strok
 /// Outline and edges of a body, the outline filled if it is an obstacle.
 fn solid(wall: &Wall, view: &View) -> Vec<Stroke> {
     let chain = |points: Vec<[f64; 2]>, solid| Stroke::Chain { points, solid };
+    let (is_mesh, is_obstacle) = (matches!(wall.spec, SolidSpec::TriMesh { .. }), wall.side == Side::Outside);
     let edges = wall.spec.edges().into_iter();
-    let mut strokes: Vec<_> =
-        edges.map(|edge| chain(edge.iter().map(|point| (view.place)(wall.place(point))).collect(), false)).collect();
+    let seen = |edge: Vec<Vector3<f64>>| edge.iter().map(|point| (view.place)(wall.place(point))).collect();
+    let mut strokes: Vec<_> = edges.map(|edge| chain(seen(edge), is_mesh && is_obstacle)).collect();
     if let SolidSpec::Ball { radius } = wall.spec {
         let on_equator = |k: u32| {
             let (sin, cos) = turned(k);
@@ -66,13 +67,13 @@ fn solid(wall: &Wall, view: &View) -> Vec<Stroke> {
         strokes.push(chain((0..=POINTS).map(on_equator).collect(), false));
     }
     // what is seen of a mesh is its triangles
-    if !matches!(wall.spec, SolidSpec::TriMesh { .. }) {
+    if !is_mesh {
         let around = |k: u32| {
             let (sin, cos) = turned(k);
             wall.spec.farthest(&(view.page[0] * cos + view.page[1] * sin))
         };
         let outline = (0..=POINTS).filter_map(around).map(|point| (view.place)(wall.place(&point)));
-        strokes.insert(0, chain(outline.collect(), wall.side == Side::Outside));
+        strokes.insert(0, chain(outline.collect(), is_obstacle));
     }
     strokes
 }
