@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use assert_cmd::Command;
+
 use super::Folder;
 
 /// A can with a ball in it, for particles of some radius.
@@ -93,6 +95,13 @@ fn triangles_come_from_a_file() {
         folder.done(&around(&format!("mesh = {{ {mesh}, center = [0, 0, 1] }}")), &[]);
         assert_eq!(folder.read("out/collisions.csv"), expected, "{mesh}");
     }
+    // without its last face
+    std::fs::write(folder.0.join("open.obj"), obj.rsplit_once("f 4").unwrap().0).unwrap();
+    std::fs::write(folder.0.join("open.toml"), around("mesh = { file = \"open.obj\", unit = 0.01 }")).unwrap();
+    let mut check = Command::cargo_bin("billiards").unwrap();
+    let told = check.current_dir(&folder.0).args(["check", "open.toml"]).output().unwrap();
+    let told = String::from_utf8(told.stdout).unwrap();
+    assert!(told.contains("1  open.obj, open along 3 edges\n") && !told.contains("cuboid,"), "{told}");
     let refused = |file: &str, what: &str| {
         let output = folder.run(&around(&format!("mesh = {{ file = \"{file}\" }}")), &[]);
         let told = String::from_utf8_lossy(&output.stderr);

@@ -49,7 +49,7 @@ impl Shear {
 }
 
 /// Numbers points so that equal ones have equal numbers.
-fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
+pub(crate) fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
     let mut known = HashMap::new();
     let key = |p: &Vector3<f64>| p.map(|x| (x + 0.0).to_bits());
     points.iter().enumerate().map(|(i, p)| *known.entry(key(p)).or_insert(i)).collect()

@@ -1,5 +1,6 @@
 //! Shapes in space as plain data, as scene files have them.
 mod parallel;
+mod rims;
 mod wires;
 
 use super::{

@@ -1,0 +1,31 @@
+//! Where a surface of triangles ends.
+use super::SolidSpec;
+use crate::parry::mesh::merged;
+use nalgebra::Vector3;
+use std::collections::HashSet;
+
+impl SolidSpec {
+    /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed, as those of all other shapes
+    /// are. Through what is open a path leaves the table, or comes from behind.
+    ///
+    /// ```
+    /// use geometry::parry::SolidSpec;
+    /// let vertices = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    /// let mut triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    /// let mesh = |triangles: &[[usize; 3]]| {
+    ///     SolidSpec::TriMesh { vertices: vertices.clone(), triangles: triangles.into(), margin: 0.0 }
+    /// };
+    /// assert_eq!(mesh(&triangles).rims(), 0);
+    /// triangles.pop();
+    /// assert_eq!(mesh(&triangles).rims(), 3);
+    /// ```
+    pub fn rims(&self) -> usize {
+        let SolidSpec::TriMesh { vertices, triangles, .. } = self else { return 0 };
+        let points: Vec<Vector3<f64>> = vertices.iter().map(|v| Vector3::from(*v)).collect();
+        let number = merged(&points);
+        let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len()));
+        let corners = known.map(|t| t.map(|v| number[v]));
+        let sides: HashSet<[usize; 2]> = corners.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
+        sides.iter().filter(|[a, b]| !sides.contains(&[*b, *a])).count()
+    }
+}
