@@ -5,6 +5,7 @@ mod boundary;
 mod counter;
 mod describe;
 mod desk;
+mod drawing;
 mod engine;
 mod event;
 mod harvest;

@@ -1,13 +1,12 @@
 //! A region of space bounded entry by entry.
 
-use std::path::Path;
-
 use billiards::geometry::parry::{Room, Side, SolidSpec};
 use billiards::geometry::{Error, import};
 
 use crate::document::{Diagnostic, Spanned, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
+use super::drawing;
 use super::wires::Wall;
 use super::words::short;
 
@@ -73,18 +72,13 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diag
     Ok((name, Wall { spec, center, side }))
 }
 
-/// Triangles from a file beside the scene file.
+/// Triangles from a file.
 fn mesh(scene: &Scene, file: &Spanned<String>) -> Result<SolidSpec, Box<Diagnostic>> {
-    let complain = |what: String| Box::new(scene.source.diagnostic(file.span, what));
-    let path = Path::new(scene.source.name()).with_file_name(&file.value);
-    let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
-    let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase).unwrap_or_default();
-    let spec = match extension.to_str() {
-        Some("stl") => import::stl(&bytes),
-        Some("obj") => import::obj(&String::from_utf8_lossy(&bytes)),
-        _ => return Err(complain("a mesh is read from a file .stl or .obj".into())),
-    };
-    spec.map_err(|error| complain(format!("{}: {error}", path.display())))
+    drawing::read(scene, file, "a mesh is read from a file .stl or .obj", |ending, bytes| match ending {
+        "stl" => Some(import::stl(bytes)),
+        "obj" => Some(import::obj(&String::from_utf8_lossy(bytes))),
+        _ => None,
+    })
 }
 
 fn coordinates(p: &[f64]) -> [f64; 3] {

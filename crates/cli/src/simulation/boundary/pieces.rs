@@ -1,7 +1,5 @@
 //! The pieces of an explicit boundary.
 
-use std::path::Path;
-
 use billiards::geometry::shapes::curve::{Implicit, Polar};
 use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
 use billiards::geometry::{Error, Lattice, Piece, Table, Vector2, import, parry};
@@ -12,8 +10,8 @@ use super::scaled::Scaled;
 use crate::document::{Diagnostic, Span, Spanned};
 use crate::expression::{ImplicitCurve, PolarCurve};
 use crate::scene::{self, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, Turn};
-use crate::simulation::scale;
 use crate::simulation::words::short;
+use crate::simulation::{drawing, scale};
 
 /// Pieces of an explicit boundary, as they come.
 struct Collected<'a> {
@@ -183,19 +181,17 @@ impl Collected<'_> {
         Ok(())
     }
 
-    /// Loops from a drawing or a map, beside the scene file.
+    /// Loops from a drawing or a map.
     fn outline(&self, file: &Spanned<String>) -> Result<Vec<Box<dyn Piece>>, Box<Diagnostic>> {
-        let complain = |what: String| Box::new(self.scene.source.diagnostic(file.span, what));
-        let path = Path::new(self.scene.source.name()).with_file_name(&file.value);
-        let text =
-            std::fs::read_to_string(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
-        let extension = path.extension().map(std::ffi::OsStr::to_ascii_lowercase).unwrap_or_default();
-        let pieces = match extension.to_str() {
-            Some("svg") => import::svg(&text, import::TOLERANCE),
-            Some("json" | "geojson") => import::geojson(&text),
-            _ => return Err(complain("an outline is read from a file .svg, .json or .geojson".into())),
-        };
-        pieces.map_err(|error| complain(format!("{}: {error}", path.display())))
+        let kinds = "an outline is read from a file .svg, .json or .geojson";
+        drawing::read(self.scene, file, kinds, |ending, bytes| {
+            let text = String::from_utf8_lossy(bytes);
+            match ending {
+                "svg" => Some(import::svg(&text, import::TOLERANCE)),
+                "json" | "geojson" => Some(import::geojson(&text)),
+                _ => None,
+            }
+        })
     }
 }
 
