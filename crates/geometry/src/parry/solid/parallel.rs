@@ -1,10 +1,11 @@
 //! The surface parallel to a mesh: where the centre of a ball is that touches triangles.
 use super::{
-    super::{Side, distance::Distance, mesh::Mesh},
+    super::{distance::Distance, mesh::Mesh},
     Closest,
     rounded::{Plate, Rounded},
 };
 use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
+use core::cell::Cell;
 use nalgebra::Vector3;
 
 /// What lies on the table's side of a mesh, farther from all triangles than a margin.
@@ -12,7 +13,9 @@ use nalgebra::Vector3;
 pub(in crate::parry) struct Parallel {
     /// All that is within the margin of each triangle.
     plates: Vec<Rounded<Plate>>,
+    /// Boxes around the plates, and around their triangles.
     tree: BoxTree<3>,
+    cores: BoxTree<3>,
     /// The distance from the mesh.
     distance: Distance<3>,
     margin: f64,
@@ -32,8 +35,9 @@ impl Parallel {
             let [min, max] = plate.extent();
             Extent { min, max }
         }));
+        let cores = BoxTree::new(mesh.triangles.iter().map(|t| Extent::of(t.map(|v| mesh.vertices[v]))));
         let size = mesh.vertices.iter().map(Vector3::amax).fold(0.0, f64::max) + margin;
-        Ok(Parallel { plates, tree, distance, margin, slack: slack([size]), near: CORNER * size })
+        Ok(Parallel { plates, tree, cores, distance, margin, slack: slack([size]), near: CORNER * size })
     }
 
     pub(in crate::parry) fn plates(&self) -> &[Rounded<Plate>] {
@@ -41,15 +45,23 @@ impl Parallel {
     }
 
     /// The first plate that the path comes to, and when.
+    ///
+    /// Around small triangles a path is in the boxes of many plates: each is asked only as far as the first hit so far.
     pub(super) fn first(&self, path: &Line<3>) -> Option<(usize, f64)> {
-        let enters = |k: usize| self.plates[k].first(path, Side::Outside);
-        self.tree.first(path, |k| enters(k).map_or(Crossing::NEVER, |time| Crossing { num: time, den: 1.0 }))
+        let limit = Cell::new(f64::INFINITY);
+        self.tree.first(path, |k| match self.plates[k].enters(path, limit.get()) {
+            Some(time) => {
+                limit.set(time.min(limit.get()));
+                Crossing { num: time, den: 1.0 }
+            }
+            None => Crossing::NEVER,
+        })
     }
 
     /// The plates within rounding of a point that lies on one: their numbers and unit normals there.
     fn touched(&self, point: &Vector3<f64>, mut visit: impl FnMut(usize, Vector3<f64>)) {
-        let near = |extent: &Extent<3>| extent.distance(point) <= self.near;
-        self.tree.search(near, |k| {
+        let near = |triangle: &Extent<3>| triangle.distance(point) <= self.margin + 2.0 * self.near;
+        self.cores.search(near, |k| {
             let (foot, normal) = self.plates[k].land(point);
             if (point - foot).dot(&normal) <= self.near {
                 visit(k, normal);
@@ -72,9 +84,12 @@ impl Parallel {
     /// Whether a point of a plate is one of the surface: nearer to no other triangle, nor behind the mesh. What lies around an edge or
     /// a corner is that of the first of its plates.
     pub(in crate::parry) fn exposes(&self, k: usize, point: &Vector3<f64>) -> bool {
+        if self.closest(point).distance < -16.0 * self.slack {
+            return false;
+        }
         let mut first = k;
         self.touched(point, |other, _| first = first.min(other));
-        first == k && self.closest(point).distance >= -16.0 * self.slack
+        first == k
     }
 
     pub(super) fn closest(&self, point: &Vector3<f64>) -> Closest {

@@ -140,12 +140,13 @@ impl<C: Core> Rounded<C> {
     /// When the path crosses the surface out of the table.
     pub(super) fn first(&self, path: &Line<3>, side: Side) -> Option<f64> {
         match side {
-            Side::Outside => self.enters(path),
+            Side::Outside => self.enters(path, f64::INFINITY),
             Side::Inside => Some(self.leaves(path)),
         }
     }
 
-    fn enters(&self, path: &Line<3>) -> Option<f64> {
+    /// When the path comes in from outside, unless that is later than `limit`.
+    pub(super) fn enters(&self, path: &Line<3>, limit: f64) -> Option<f64> {
         let mut time = 0.0;
         for _ in 0..MOST_STEPS {
             let View { height, normal } = self.on_path(path, time);
@@ -156,6 +157,9 @@ impl<C: Core> Rounded<C> {
             let next = time + height / speed;
             if height <= self.near || next <= time {
                 return Some(next.max(0.0));
+            }
+            if next > limit {
+                return None;
             }
             time = next;
         }
