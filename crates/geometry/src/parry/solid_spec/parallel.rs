@@ -212,6 +212,24 @@ mod tests {
     }
 
     #[test]
+    fn a_ball_rolls_from_a_face_over_an_edge_without_a_corner() {
+        let points: Vec<_> = (0..8).map(|k| [0, 1, 2].map(|i| f64::from(k >> i & 1))).collect();
+        let (parallel, _) = SolidSpec::ConvexHull { points, rounding: 0.0 }.parallel(Side::Inside, 0.125).unwrap();
+        // the same triangles from outside
+        let around = parallel.solid([0.0; 3], Side::Outside).unwrap();
+        for exponent in 0..60 {
+            for sign in [-1.0, 1.0] {
+                let beside = sign * libm::ldexp(0.5, -exponent);
+                let path = Line { point: Vector3::new(1.0 + beside, 0.3, 2.0), velocity: -Vector3::z() };
+                let Some(hit) = around.first_hit(&path) else { continue };
+                assert!(!hit.corner, "{beside}");
+                let lean = beside.max(0.0) / 0.125;
+                assert!((hit.normal.x - lean).abs() < 1e-15, "{beside} {hit:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_ball_that_does_not_fit_is_told_what_does() {
         let largest = |spec: SolidSpec| match spec.parallel(Side::Inside, 2.0) {
             Err(Error::NothingLeft { radius: 2.0, largest }) => largest,
