@@ -64,7 +64,7 @@ pub struct PieceOf {
     /// Its length in the plane, if that is finite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
-    /// Where it is.
+    /// Where it is; in space, where it is open.
     pub place: String,
     /// The unit normal in its middle, into the table.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -200,14 +200,20 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
 fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
     let out = |x: f64| x / spatial.factor;
     let laws = spatial.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
+    let place = |i: usize| match spatial.walls.get(i).map_or(0, |wall| wall.spec.rims()) {
+        0 => String::new(),
+        1 => "open along 1 edge".into(),
+        edges => format!("open along {edges} edges"),
+    };
     description.pieces = spatial
         .pieces
         .iter()
         .zip(laws)
-        .map(|(kind, law)| PieceOf {
+        .enumerate()
+        .map(|(i, (kind, law))| PieceOf {
             kind: kind.clone(),
             length: None,
-            place: String::new(),
+            place: place(i),
             normal: None,
             law: law.to_string(),
         })

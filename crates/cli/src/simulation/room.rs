@@ -15,11 +15,7 @@ pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<(Vec<Wall>, Vec<
     let (mut walls, mut names) = (vec![], vec![]);
     for entry in entries {
         let (name, wall) = wall(scene, entry).map_err(|wrong| vec![*wrong])?;
-        names.push(match wall.spec.rims() {
-            0 => name.into(),
-            1 => format!("{name}, open along 1 edge"),
-            open => format!("{name}, open along {open} edges"),
-        });
+        names.push(name.into());
         walls.push(wall);
     }
     Ok((walls, names))

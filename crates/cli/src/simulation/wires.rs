@@ -178,4 +178,17 @@ mod tests {
             assert!((off - 0.5).abs() < 1e-14, "{x} {y}");
         }
     }
+
+    #[test]
+    fn obstacles_of_triangles_are_filled_triangle_by_triangle() {
+        let vertices = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        let mesh = SolidSpec::TriMesh { vertices, triangles, margin: 0.0 };
+        for (side, filled) in [(Side::Outside, true), (Side::Inside, false)] {
+            let drawn = of(&[wall(mesh.clone(), [0.0; 3], side)], [[0.0; 3], [1.0; 3]], &VIEW);
+            assert_eq!(drawn.len(), 4);
+            let is_so = |stroke: &Stroke| matches!(stroke, Stroke::Chain { solid, .. } if *solid == filled);
+            assert!(drawn.iter().all(is_so), "{drawn:?}");
+        }
+    }
 }

@@ -114,7 +114,10 @@ impl Solid {
         let Solid { members, side } = self;
         let parallel = |body| match body {
             Body::Mesh(mesh, distance) => Parallel::new(&mesh, distance, margin).map(Body::Parallel),
-            _ => Err(unsupported("solid", "only surfaces of triangles can be kept off")),
+            _ => Err(unsupported(
+                "solid",
+                "a ball is kept off surfaces of triangles; around other shapes, use SolidSpec::parallel",
+            )),
         };
         let members = members.into_iter().map(parallel).collect::<Result<_, _>>()?;
         Ok(Solid { members, side })

@@ -19,6 +19,7 @@ pub(in crate::parry) struct Parallel {
     /// The distance from the mesh.
     distance: Distance<3>,
     margin: f64,
+    /// How far inside a point may lie and still count as on the surface.
     slack: f64,
     /// Within this distance of a second plate a point lies on an edge.
     near: f64,
@@ -73,7 +74,7 @@ impl Parallel {
     ///
     /// Where the normals of two plates through a point form a small angle φ, either φ is that of an edge in which the surface is bent
     /// inwards, or the foot on one triangle is an edge to which the other foot is near: then that plate is `m φ²/2` off, with the
-    /// margin `m`.
+    /// margin `m`. What is so within rounding counts as no corner, with a factor of four.
     pub(super) fn land(&self, k: usize, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, bool) {
         let (point, normal) = self.plates[k].land(x);
         let mut corner = false;
@@ -84,7 +85,7 @@ impl Parallel {
     /// Whether a point of a plate is one of the surface: nearer to no other triangle, nor behind the mesh. What lies around an edge or
     /// a corner is that of the first of its plates.
     pub(in crate::parry) fn exposes(&self, k: usize, point: &Vector3<f64>) -> bool {
-        if self.closest(point).distance < -16.0 * self.slack {
+        if self.closest(point).distance < -self.slack {
             return false;
         }
         let mut first = k;
