@@ -16,9 +16,10 @@ use geometry::{
                 details::local_point_projection_on_support_map, gjk::VoronoiSimplex,
             },
             shape::{
-                Ball, Capsule, Compound, Cone, ConvexPolyhedron, Cuboid, Cylinder, FeatureId, HalfSpace, RoundShape,
-                Shape, ShapeType, SharedShape, SupportMap, TriMesh, Triangle, TypedShape, Voxels,
+                Ball, Capsule, Compound, Cone, ConvexPolyhedron, Cuboid, Cylinder, FeatureId, HalfSpace, HeightField,
+                RoundShape, Shape, ShapeType, SharedShape, SupportMap, TriMesh, Triangle, TypedShape, Voxels,
             },
+            utils::Array2,
         },
     },
 };
@@ -433,4 +434,37 @@ fn an_ellipsoid_known_by_its_support_map_is_hit_exactly() {
             }
         }
     }
+}
+
+#[test]
+fn a_ball_is_kept_off_voxels_and_height_fields() {
+    let voxels = Voxels::new(
+        Vector::new(0.5, 0.6, 0.7),
+        &[[0, 0, 0], [1, 0, 0], [1, 1, 0], [1, 1, 1], [-1, 0, 0]].map(|[i, j, k]| IVector::new(i, j, k)),
+    );
+    let heights = Array2::new(3, 3, vec![0.0, 0.3, 0.1, 0.5, 0.9, 0.2, 0.1, 0.4, 0.0]);
+    let hills = HeightField::new(heights, Vector::new(2.0, 1.0, 2.0));
+    let margin = 0.15;
+    let mut random = Random(31);
+    for (name, shape) in [("voxels", &voxels as &dyn Shape), ("hills", &hills)] {
+        let wall = Solid::new(shape, &here(), Side::Outside).unwrap();
+        let centres = Solid::new(shape, &here(), Side::Outside).unwrap().kept_off(margin).unwrap();
+        let mut hits = 0;
+        for _ in 0..3000 {
+            let point = Vector3::from_fn(|i, _| if i == 1 { 2.5 } else { random.between(-0.8, 0.8) });
+            let aim = Vector3::from_fn(|_, _| random.between(-0.6, 0.6));
+            let path = Line { point, velocity: aim - point };
+            let Some(hit) = centres.first_hit(&path) else { continue };
+            for k in 0..50 {
+                let before = path.at(hit.time * f64::from(k) / 50.0);
+                assert!(wall.distance(&before) > margin - 1e-12, "{name} {path:?}");
+            }
+            assert!((wall.distance(&hit.point) - margin).abs() < 1e-12, "{name} {path:?}");
+            hits += 1;
+        }
+        assert!(hits > 2000, "{name}: {hits}");
+    }
+    let ball = Solid::new(&Ball::new(1.0), &here(), Side::Outside).unwrap();
+    assert!(matches!(ball.kept_off(margin), Err(Error::Shape { .. })));
+    assert!(Solid::new(&voxels, &here(), Side::Outside).unwrap().kept_off(-1.0).is_err());
 }
