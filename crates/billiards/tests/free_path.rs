@@ -160,6 +160,15 @@ fn rooms() -> Vec<(&'static str, Room, f64, f64)> {
     let [v, s] = steiner([corner_volume, corner_area, curved], 0.45);
     let thick = obstacle(of_ball(&mesh, Outside, 0.45), [-0.5; 3]);
     add("a ball around a mesh", vec![hall(), thick], hall_volume - v, hall_area + s);
+    let thick = obstacle(of_ball(&divided(divided(mesh.clone())), Outside, 0.45), [-0.5; 3]);
+    add("a ball around a mesh of small triangles", vec![hall(), thick], hall_volume - v, hall_area + s);
+    // three unit cubes around an edge: at a distance r of their base, what is within r of it has the area 3 + 8 r + c r²
+    let (r, c) = (0.4, 1.25 * PI - 1.0);
+    let v = 3.0 + 8.0 * r + c * r * r + 6.0 * r + 4.0 * PI * r * r + 4.0 / 3.0 * c * r * r * r;
+    let s = 8.0 + 2.0 * c * r + 6.0 + 8.0 * PI * r + 4.0 * c * r * r;
+    let thick = obstacle(of_ball(&divided(divided(angle_iron())), Outside, r), [0.0; 3]);
+    let large = around(Cuboid { size: [4.0; 3], rounding: 0.0 });
+    add("a ball around an angle iron", vec![large, thick], 64.0 - v, 96.0 + s);
     // and in it, where the ball that touches all faces has a radius of three volumes over the area
     let left = 1.0 - 0.1 * corner_area / (3.0 * corner_volume);
     let [v, s] = [corner_volume * left * left * left, corner_area * left * left];
@@ -190,6 +199,49 @@ fn rooms() -> Vec<(&'static str, Room, f64, f64)> {
         }
     }
     rooms
+}
+
+/// Each triangle in four.
+fn divided(mesh: SolidSpec) -> SolidSpec {
+    let SolidSpec::TriMesh { mut vertices, triangles, margin } = mesh else { panic!("triangles") };
+    let mut smaller = vec![];
+    for [a, b, c] in triangles {
+        let [x, y, z] = [[b, c], [c, a], [a, b]].map(|[p, q]| {
+            vertices.push([0, 1, 2].map(|i| 0.5 * (vertices[p][i] + vertices[q][i])));
+            vertices.len() - 1
+        });
+        smaller.extend([[a, z, y], [z, b, x], [y, x, c], [x, y, z]]);
+    }
+    SolidSpec::TriMesh { vertices, triangles: smaller, margin }
+}
+
+/// The unit cubes at (0, 0), (1, 0), (0, 1) less a half of each coordinate, seen from outside.
+fn angle_iron() -> SolidSpec {
+    let (mut vertices, mut triangles) = (vec![], vec![]);
+    let full = |x: i32, y: i32, z: i32| z == 0 && [[0, 0], [1, 0], [0, 1]].contains(&[x, y]);
+    for (x, y) in [(0, 0), (1, 0), (0, 1)] {
+        for axis in 0..3 {
+            for side in [0, 1] {
+                let mut next = [x, y, 0];
+                next[axis] += 2 * side - 1;
+                if full(next[0], next[1], next[2]) {
+                    continue;
+                }
+                let first = vertices.len();
+                for (a, b) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+                    let mut at = [x, y, 0];
+                    at[axis] += side;
+                    at[(axis + 1) % 3] += a;
+                    at[(axis + 2) % 3] += b;
+                    vertices.push(at.map(|x| f64::from(x) - 0.5));
+                }
+                let order = if side == 1 { [0, 1, 2, 3] } else { [3, 2, 1, 0] };
+                let [a, b, c, d] = order.map(|k| first + k);
+                triangles.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+    }
+    SolidSpec::TriMesh { vertices, triangles, margin: 0.0 }
 }
 
 #[test]

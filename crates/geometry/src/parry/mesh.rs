@@ -128,6 +128,11 @@ impl Mesh {
         Ok(Mesh { vertices, triangles, normals, edges, tree, slack: slack([size]), near: CORNER * size })
     }
 
+    /// The boxes around its triangles.
+    pub(crate) fn tree(&self) -> &BoxTree<3> {
+        &self.tree
+    }
+
     /// When the path crosses one triangle away from the table, as [`crate::Piece::crossing`] has it.
     fn crossing(&self, path: &Line<3>, shear: &Shear, k: usize) -> Crossing {
         let [a, b, c] = self.triangles[k].map(|v| shear.see(&path.point, &self.vertices[v]));
@@ -147,6 +152,21 @@ impl Mesh {
         }
         let shear = Shear::new(path);
         self.tree.first(path, |k| self.crossing(path, &shear, k))
+    }
+
+    /// The area of a triangle, where `unit` is the inverse of the unit of length.
+    pub(crate) fn area(&self, k: usize, unit: f64) -> f64 {
+        let (twice, edge) = across(self.triangles[k].map(|v| self.vertices[v]));
+        0.5 * twice.norm() * (edge * unit) * (edge * unit)
+    }
+
+    /// A random point of a triangle, uniform by area.
+    pub(crate) fn random_point(&self, k: usize, uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
+        let [a, b, c] = self.triangles[k].map(|v| self.vertices[v]);
+        let [s, t] = [uniform(), uniform()];
+        // the half of the parallelogram beyond the diagonal, turned over
+        let [s, t] = if s + t > 1.0 { [1.0 - s, 1.0 - t] } else { [s, t] };
+        a + (b - a) * s + (c - a) * t
     }
 
     /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding.

@@ -2,7 +2,8 @@
 use super::{
     Side, Solid,
     distance::to_unit,
-    solid::area::{Bound, Trials},
+    first::first_of,
+    solid::{area::Trials, bound::Bound},
 };
 use crate::{Boundary, Error, Hit, Line, plane::slack, surface::Surface};
 use nalgebra::{Matrix3, Vector3};
@@ -146,8 +147,7 @@ fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
 impl Boundary<3> for Room {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
         let hits = self.solids.iter().enumerate();
-        hits.filter_map(|(piece, solid)| solid.first_hit(path).map(|hit| Hit { piece, ..hit }))
-            .min_by(|a, b| a.time.total_cmp(&b.time))
+        first_of(path, hits.filter_map(|(piece, solid)| solid.first_hit(path).map(|hit| Hit { piece, ..hit })))
     }
 }
 
@@ -255,6 +255,35 @@ mod tests {
             let axis = libm::hypot(point.x - 0.3, point.y);
             assert!(point.z > 1e-9 || axis > 0.5, "{point:?}");
         }
+    }
+
+    #[test]
+    fn a_path_into_an_edge_between_walls_ends_in_a_corner() {
+        let mut walls =
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]]
+                .map(|n| (n, if n.iter().sum::<f64>() > 0.0 { [0.0; 3] } else { [1.0; 3] }));
+        let hit =
+            |room: &Room, velocity| room.first_hit(&Line { point: Vector3::new(0.5, 0.25, 0.375), velocity }).unwrap();
+        let aim = |x: f64, y: f64, z: f64| Vector3::new(x - 0.5, y - 0.25, z - 0.375);
+        let mut cube = Room::new(vec![]);
+        for _ in 0..2 {
+            // whoever comes first in the list
+            walls.reverse();
+            cube = Room::new(walls.map(|(n, through)| plane(n, through)).into());
+            for at in [aim(1.0, 1.0, 0.375), aim(0.0, 0.5, 1.0), aim(1.0, 1.0, 1.0), aim(0.0, 0.0, 0.0)] {
+                assert!(hit(&cube, at).corner, "{at:?}");
+            }
+        }
+        for at in [aim(1.0, 1.0 - 1e-14, 0.375), aim(1.0, 0.9, 0.0 + 1e-13), aim(1.0, 0.5, 0.5)] {
+            assert!(!hit(&cube, at).corner, "{at:?}");
+        }
+        // the same wall twice is one wall
+        let twice = Room::new(vec![plane([0.0, 0.0, 1.0], [0.0; 3]), plane([0.0, 0.0, 2.0], [1.0, 0.0, 0.0])]);
+        assert!(!hit(&twice, Vector3::new(0.1, 0.2, -1.0)).corner);
+        // a notch between two balls that overlap
+        let balls = [-0.5, 0.5].map(|x| ball(1.0, [x, 0.0, -1.0], Side::Outside));
+        let down = Line { point: Vector3::new(0.0, 0.0, 2.0), velocity: -Vector3::z() };
+        assert!(Room::new(balls.into()).first_hit(&down).unwrap().corner);
     }
 
     #[test]

@@ -1,12 +1,14 @@
 //! Tables inside or outside of any shape in space.
 pub(super) mod area;
+pub(super) mod bound;
 mod convex;
 mod field;
 mod parallel;
 mod polyhedron;
 mod rounded;
+mod strata;
 
-use super::{Side, convert::Frame, distance::Distance, mesh::Mesh};
+use super::{Side, convert::Frame, distance::Distance, first::first_of, mesh::Mesh};
 use crate::{Boundary, Error, Hit, Line};
 use convex::Convex;
 use field::Spatial;
@@ -113,7 +115,7 @@ impl Solid {
     pub fn kept_off(self, margin: f64) -> Result<Solid, Error> {
         let Solid { members, side } = self;
         let parallel = |body| match body {
-            Body::Mesh(mesh, distance) => Parallel::new(&mesh, distance, margin).map(Body::Parallel),
+            Body::Mesh(mesh, distance) => Parallel::new(mesh, distance, margin).map(Body::Parallel),
             _ => Err(unsupported(
                 "solid",
                 "a ball is kept off surfaces of triangles; around other shapes, use SolidSpec::parallel",
@@ -211,39 +213,30 @@ impl Boundary<3> for Solid {
         if self.side == Side::Inside && matches!(self.members[0], Body::Convex(..)) {
             return self.leave(path);
         }
-        let mut first: Option<Hit<3>> = None;
-        for (i, member) in self.members.iter().enumerate() {
-            let hit = match member {
-                Body::Convex(convex, _) => {
-                    convex.entry(path).map(|(time, face)| self.hit_convex(i, convex, path, time, face))
-                }
-                Body::Rounded(rounded) => rounded.first(path, self.side).map(|time| {
-                    let (point, outward) = rounded.land(&path.at(time));
-                    let normal = if self.side == Side::Outside { outward } else { -outward };
-                    Hit { time, point, normal, piece: i, corner: false }
-                }),
-                Body::Mesh(mesh, _) => mesh.first(path).map(|(k, time)| {
-                    let (point, corner) = mesh.land(k, &path.at(time));
-                    let piece = if self.members.len() > 1 { i } else { k };
-                    Hit { time, point, normal: mesh.normals[k], piece, corner }
-                }),
-                Body::Parallel(parallel) => parallel.first(path).map(|(k, time)| {
-                    let (point, normal, corner) = parallel.land(k, &path.at(time));
-                    let piece = if self.members.len() > 1 { i } else { k };
-                    Hit { time, point, normal, piece, corner }
-                }),
-                Body::Distance(distance) => distance.first(path).map(|time| {
-                    let (point, normal, _) = distance.closest(&path.at(time));
-                    Hit { time, point, normal, piece: i, corner: false }
-                }),
-            };
-            if let Some(hit) = hit
-                && first.is_none_or(|f| hit.time < f.time)
-            {
-                first = Some(hit);
+        let several = self.members.len() > 1;
+        let hits = self.members.iter().enumerate().filter_map(|(i, member)| match member {
+            Body::Convex(convex, _) => {
+                convex.entry(path).map(|(time, face)| self.hit_convex(i, convex, path, time, face))
             }
-        }
-        first
+            Body::Rounded(rounded) => rounded.first(path, self.side).map(|time| {
+                let (point, outward) = rounded.land(&path.at(time));
+                let normal = if self.side == Side::Outside { outward } else { -outward };
+                Hit { time, point, normal, piece: i, corner: false }
+            }),
+            Body::Mesh(mesh, _) => mesh.first(path).map(|(k, time)| {
+                let (point, corner) = mesh.land(k, &path.at(time));
+                Hit { time, point, normal: mesh.normals[k], piece: if several { i } else { k }, corner }
+            }),
+            Body::Parallel(parallel) => parallel.first(path).map(|(k, time)| {
+                let (point, normal, corner) = parallel.land(k, &path.at(time));
+                Hit { time, point, normal, piece: if several { i } else { k }, corner }
+            }),
+            Body::Distance(distance) => distance.first(path).map(|time| {
+                let (point, normal, _) = distance.closest(&path.at(time));
+                Hit { time, point, normal, piece: i, corner: false }
+            }),
+        });
+        first_of(path, hits)
     }
 }
 

@@ -1,43 +1,12 @@
 //! Points on a solid, uniform by area.
-use super::{super::Side, Body, Closest, Solid, parallel::Parallel, unsupported};
+use super::{super::Side, Body, Closest, Solid, bound::Bound, parallel::Parallel, strata::Stratum, unsupported};
 use crate::{
     Error, Line,
-    parry::{
-        distance::to_unit,
-        mesh::{Mesh, across},
-    },
-    plane::slack,
-    surface::{direction, in_disk},
+    parry::{distance::to_unit, mesh::Mesh},
+    surface::in_disk,
 };
 use core::f64::consts::PI;
 use nalgebra::Vector3;
-
-/// A ball \[L\].
-#[derive(Clone, Copy, Debug)]
-pub(in crate::parry) struct Bound {
-    pub(in crate::parry) center: Vector3<f64>,
-    pub(in crate::parry) radius: f64,
-}
-
-impl Bound {
-    /// About a box, if that is finite.
-    pub(in crate::parry) fn of(extent: [Vector3<f64>; 2]) -> Option<Bound> {
-        Some(Bound::about(extent)).filter(|ball| ball.radius.is_finite())
-    }
-
-    fn about([low, high]: [Vector3<f64>; 2]) -> Bound {
-        let (center, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
-        let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([low.amax(), high.amax()]);
-        Bound { center, radius }
-    }
-
-    /// A random line that meets the ball, from far enough that it starts outside.
-    fn line(&self, uniform: &mut dyn FnMut() -> f64) -> Line<3> {
-        let velocity = direction(uniform);
-        let point = self.center + (in_disk(&velocity, uniform) - velocity * 2.0) * self.radius;
-        Line { point, velocity }
-    }
-}
 
 /// Draws points of one member of a solid: each trial finds one or none, and all have the same density by area.
 #[derive(Debug)]
@@ -56,8 +25,8 @@ enum Kind<'a> {
     Disk { about: Closest, radius: f64 },
     /// Triangles, up to each of which so many units of area come.
     Triangles { mesh: &'a Mesh, unit: f64, sums: Vec<f64> },
-    /// Lines through balls about the plates of a parallel surface, up to each of which so many units of the balls' areas come.
-    Plates { parallel: &'a Parallel, unit: f64, sums: Vec<f64> },
+    /// The parts of a parallel surface with what lies around them, up to each of which so many units of area come.
+    Strata { parallel: &'a Parallel, strata: Vec<Stratum>, unit: f64, sums: Vec<f64> },
 }
 
 impl Solid {
@@ -77,18 +46,15 @@ impl Solid {
                     (None, None) => return Err(Error::Unbounded),
                 },
                 Body::Parallel(parallel) => {
-                    let balls = || parallel.plates().iter().map(|plate| Bound::about(plate.extent()));
-                    let unit = to_unit(balls().map(|ball| ball.radius).fold(0.0, f64::max));
-                    let area = |ball: Bound| 4.0 * PI * (ball.radius * unit) * (ball.radius * unit);
-                    Kind::Plates { parallel, unit, sums: sums(balls().map(area)) }
+                    let [low, high] = parallel.extent();
+                    let unit = to_unit((high - low).amax());
+                    let strata = parallel.strata();
+                    let sums = sums(strata.iter().map(|stratum| parallel.area(stratum, unit)));
+                    Kind::Strata { parallel, strata, unit, sums }
                 }
                 Body::Mesh(mesh, _) => {
                     let unit = to_unit(mesh.vertices.iter().map(Vector3::amax).fold(0.0, f64::max));
-                    let area = |t: &[usize; 3]| {
-                        let (twice, edge) = across(t.map(|v| mesh.vertices[v]));
-                        0.5 * twice.norm() * (edge * unit) * (edge * unit)
-                    };
-                    Kind::Triangles { mesh, unit, sums: sums(mesh.triangles.iter().map(area)) }
+                    Kind::Triangles { mesh, unit, sums: sums((0..mesh.triangles.len()).map(|k| mesh.area(k, unit))) }
                 }
                 Body::Distance(_) => {
                     return Err(unsupported("shape", "points of its surface are not known, only distances from it"));
@@ -112,7 +78,7 @@ impl Trials<'_> {
         match &self.kind {
             Kind::Lines { ball, .. } => 4.0 * PI * (ball.radius * unit) * (ball.radius * unit),
             Kind::Disk { radius, .. } => PI * (radius * unit) * (radius * unit),
-            Kind::Triangles { unit: own, sums, .. } | Kind::Plates { unit: own, sums, .. } => {
+            Kind::Triangles { unit: own, sums, .. } | Kind::Strata { unit: own, sums, .. } => {
                 sums[sums.len() - 1] * (unit / own) * (unit / own)
             }
         }
@@ -122,7 +88,7 @@ impl Trials<'_> {
     pub(in crate::parry) fn size(&self) -> f64 {
         match &self.kind {
             Kind::Lines { ball: Bound { radius, .. }, .. } | Kind::Disk { radius, .. } => *radius,
-            Kind::Triangles { unit, .. } | Kind::Plates { unit, .. } => 1.0 / unit,
+            Kind::Triangles { unit, .. } | Kind::Strata { unit, .. } => 1.0 / unit,
         }
     }
 
@@ -136,19 +102,9 @@ impl Trials<'_> {
             Kind::Disk { about, radius } => (about.point + in_disk(&about.normal, uniform) * *radius, about.normal),
             Kind::Triangles { mesh, sums, .. } => {
                 let k = pick(sums, uniform);
-                let [a, b, c] = mesh.triangles[k].map(|v| mesh.vertices[v]);
-                let [s, t] = [uniform(), uniform()];
-                // the half of the parallelogram beyond the diagonal, turned over
-                let [s, t] = if s + t > 1.0 { [1.0 - s, 1.0 - t] } else { [s, t] };
-                (mesh.land(k, &(a + (b - a) * s + (c - a) * t)).0, mesh.normals[k])
+                (mesh.land(k, &mesh.random_point(k, uniform)).0, mesh.normals[k])
             }
-            Kind::Plates { parallel, sums, .. } => {
-                let k = pick(sums, uniform);
-                let plate = &parallel.plates()[k];
-                let path = Bound::about(plate.extent()).line(uniform);
-                let (point, normal) = plate.land(&path.at(plate.first(&path, Side::Outside)?));
-                parallel.exposes(k, &point).then_some((point, normal))?
-            }
+            Kind::Strata { parallel, strata, sums, .. } => parallel.draw(&strata[pick(sums, uniform)], uniform)?,
         };
         self.solid.exposes(self.member, &point).then_some((point, normal))
     }

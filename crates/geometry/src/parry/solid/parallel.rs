@@ -2,7 +2,9 @@
 use super::{
     super::{distance::Distance, mesh::Mesh},
     Closest,
+    bound::{Aim, Bound},
     rounded::{Plate, Rounded},
+    strata::{Stratum, strata},
 };
 use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
 use core::cell::Cell;
@@ -10,17 +12,19 @@ use nalgebra::Vector3;
 
 /// What lies on the table's side of a mesh, farther from all triangles than a margin.
 #[derive(Debug)]
-pub(in crate::parry) struct Parallel {
+pub(super) struct Parallel {
+    mesh: Mesh,
     /// All that is within the margin of each triangle.
     plates: Vec<Rounded<Plate>>,
-    /// Boxes around the plates, and around their triangles.
+    /// Balls around the plates, and boxes.
+    balls: Vec<Bound>,
     tree: BoxTree<3>,
-    cores: BoxTree<3>,
     /// The distance from the mesh.
     distance: Distance<3>,
     margin: f64,
     /// How far inside a point may lie and still count as on the surface.
     slack: f64,
+    size: f64,
     /// Within this distance of a second plate a point lies on an edge.
     near: f64,
 }
@@ -28,7 +32,7 @@ pub(in crate::parry) struct Parallel {
 impl Parallel {
     /// # Errors
     /// [`Error::Parameter`] unless the margin is positive and finite.
-    pub(super) fn new(mesh: &Mesh, distance: Distance<3>, margin: f64) -> Result<Parallel, Error> {
+    pub(super) fn new(mesh: Mesh, distance: Distance<3>, margin: f64) -> Result<Parallel, Error> {
         let plate =
             |(t, normal): (&[usize; 3], &Vector3<f64>)| Rounded::plate(t.map(|v| mesh.vertices[v]), *normal, margin);
         let plates = mesh.triangles.iter().zip(&mesh.normals).map(plate).collect::<Result<Vec<_>, _>>()?;
@@ -36,33 +40,33 @@ impl Parallel {
             let [min, max] = plate.extent();
             Extent { min, max }
         }));
-        let cores = BoxTree::new(mesh.triangles.iter().map(|t| Extent::of(t.map(|v| mesh.vertices[v]))));
+        let balls = mesh.triangles.iter().map(|t| Bound::around(t.map(|v| mesh.vertices[v]), margin)).collect();
         let size = mesh.vertices.iter().map(Vector3::amax).fold(0.0, f64::max) + margin;
-        Ok(Parallel { plates, tree, cores, distance, margin, slack: slack([size]), near: CORNER * size })
-    }
-
-    pub(in crate::parry) fn plates(&self) -> &[Rounded<Plate>] {
-        &self.plates
+        Ok(Parallel { mesh, plates, balls, tree, distance, margin, slack: slack([size]), size, near: CORNER * size })
     }
 
     /// The first plate that the path comes to, and when.
     ///
-    /// Around small triangles a path is in the boxes of many plates: each is asked only as far as the first hit so far.
+    /// Around small triangles a path is in the boxes of many plates: each is asked only as far as the first hit so far, and only if
+    /// the ball around it is entered before.
     pub(super) fn first(&self, path: &Line<3>) -> Option<(usize, f64)> {
         let limit = Cell::new(f64::INFINITY);
-        self.tree.first(path, |k| match self.plates[k].enters(path, limit.get()) {
-            Some(time) => {
-                limit.set(time.min(limit.get()));
-                Crossing { num: time, den: 1.0 }
+        let aim = Aim::new(path, self.size);
+        self.tree.first(path, |k| {
+            let until = limit.get();
+            if aim.misses(&self.balls[k], until) {
+                return Crossing::NEVER;
             }
-            None => Crossing::NEVER,
+            let Some(time) = self.plates[k].enters(path, until) else { return Crossing::NEVER };
+            limit.set(time.min(until));
+            Crossing { num: time, den: 1.0 }
         })
     }
 
     /// The plates within rounding of a point that lies on one: their numbers and unit normals there.
     fn touched(&self, point: &Vector3<f64>, mut visit: impl FnMut(usize, Vector3<f64>)) {
         let near = |triangle: &Extent<3>| triangle.distance(point) <= self.margin + 2.0 * self.near;
-        self.cores.search(near, |k| {
+        self.mesh.tree().search(near, |k| {
             let (foot, normal) = self.plates[k].land(point);
             if (point - foot).dot(&normal) <= self.near {
                 visit(k, normal);
@@ -82,15 +86,30 @@ impl Parallel {
         (point, normal, corner)
     }
 
-    /// Whether a point of a plate is one of the surface: nearer to no other triangle, nor behind the mesh. What lies around an edge or
-    /// a corner is that of the first of its plates.
-    pub(in crate::parry) fn exposes(&self, k: usize, point: &Vector3<f64>) -> bool {
-        if self.closest(point).distance < -self.slack {
-            return false;
+    /// The parts of the surface.
+    pub(super) fn strata(&self) -> Vec<Stratum> {
+        strata(&self.mesh)
+    }
+
+    /// The area of a part with what lies around it, where `unit` is the inverse of the unit of length.
+    pub(super) fn area(&self, stratum: &Stratum, unit: f64) -> f64 {
+        stratum.area(&self.mesh, self.margin, unit)
+    }
+
+    /// A random point of a part and the unit normal there, where that is one of the surface: nearer to no other triangle, nor behind
+    /// the mesh. What lies around several triangles is that of the first.
+    pub(super) fn draw(
+        &self,
+        stratum: &Stratum,
+        uniform: &mut dyn FnMut() -> f64,
+    ) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        let (point, normal) = self.plates[stratum.triangle].land(&stratum.draw(&self.mesh, self.margin, uniform));
+        if self.closest(&point).distance < -self.slack {
+            return None;
         }
-        let mut first = k;
-        self.touched(point, |other, _| first = first.min(other));
-        first == k
+        let mut first = stratum.triangle;
+        self.touched(&point, |other, _| first = first.min(other));
+        (first == stratum.triangle).then_some((point, normal))
     }
 
     pub(super) fn closest(&self, point: &Vector3<f64>) -> Closest {

@@ -9,8 +9,16 @@ pub(super) struct Facet {
     corners: [Vector3<f64>; 3],
     /// Unit normal, towards the front.
     normal: Vector3<f64>,
-    /// Per side, from corner `k` to the next: unit vector along it, and its length.
-    sides: [(Vector3<f64>, f64); 3],
+    /// Per side, from corner `k` to the next.
+    sides: [Edge; 3],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    /// Unit vectors along it, and across it into the triangle.
+    along: Vector3<f64>,
+    inward: Vector3<f64>,
+    length: f64,
 }
 
 impl Facet {
@@ -18,7 +26,8 @@ impl Facet {
         let sides = core::array::from_fn(|k| {
             let along = corners[(k + 1) % 3] - corners[k];
             let length = along.norm();
-            (if length > 0.0 { along / length } else { along }, length)
+            let along = if length > 0.0 { along / length } else { along };
+            Edge { along, inward: normal.cross(&along), length }
         });
         Facet { corners, normal, sides }
     }
@@ -41,39 +50,36 @@ impl Facet {
     /// Seen from in front: its plane where that is straight below, otherwise an edge or a corner.
     pub(super) fn front(&self, x: &Vector3<f64>) -> View {
         let flat = View { height: self.above(x), normal: self.normal };
-        if flat.height >= 0.0 && self.is_straight_below(x) {
-            return flat;
+        if flat.height < 0.0 {
+            return self.rim(x, [true; 3]).unwrap_or(flat);
         }
-        self.rim(x).unwrap_or(flat)
+        self.rim(x, self.passed(x)).unwrap_or(flat)
     }
 
     /// Seen from either side.
     pub(super) fn either(&self, x: &Vector3<f64>) -> View {
         let height = self.above(x);
         let flat = View { height: height.abs(), normal: self.normal * 1.0_f64.copysign(height) };
-        if self.is_straight_below(x) {
-            return flat;
-        }
-        self.rim(x).unwrap_or(flat)
+        self.rim(x, self.passed(x)).unwrap_or(flat)
     }
 
-    /// Whether the point of its plane nearest to `x` is one of the triangle.
-    fn is_straight_below(&self, x: &Vector3<f64>) -> bool {
-        (0..3).all(|k| self.normal.cross(&self.sides[k].0).dot(&(x - self.corners[k])) >= 0.0)
+    /// Beyond which edges the point of its plane nearest to `x` lies: none where it is one of the triangle.
+    fn passed(&self, x: &Vector3<f64>) -> [bool; 3] {
+        core::array::from_fn(|k| self.sides[k].inward.dot(&(x - self.corners[k])) < 0.0)
     }
 
-    /// Its edges and corners; nothing from one of their points.
-    fn rim(&self, x: &Vector3<f64>) -> Option<View> {
-        let w = self.corners.map(|corner| x - corner);
-        let away = (0..3).map(|k| {
-            let (along, length) = &self.sides[k];
-            let s = along.dot(&w[k]);
+    /// The nearest of some edges and their corners; nothing where there are none, and from one of their points.
+    fn rim(&self, x: &Vector3<f64>, of: [bool; 3]) -> Option<View> {
+        let away = (0..3).filter(|k| of[*k]).map(|k| {
+            let Edge { along, length, .. } = &self.sides[k];
+            let from_start = x - self.corners[k];
+            let s = along.dot(&from_start);
             if s <= 0.0 {
-                w[k]
+                from_start
             } else if s >= *length {
-                w[(k + 1) % 3]
+                x - self.corners[(k + 1) % 3]
             } else {
-                w[k] - along * s
+                from_start - along * s
             }
         });
         away.min_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared())).and_then(View::around)

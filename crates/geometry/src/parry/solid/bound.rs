@@ -1,0 +1,75 @@
+//! Balls around things.
+use crate::{
+    Extent, Line,
+    parry::distance::to_unit,
+    plane::slack,
+    surface::{direction, in_disk},
+};
+use nalgebra::Vector3;
+
+/// A ball \[L\].
+#[derive(Clone, Copy, Debug)]
+pub(in crate::parry) struct Bound {
+    pub(in crate::parry) center: Vector3<f64>,
+    pub(in crate::parry) radius: f64,
+}
+
+impl Bound {
+    /// About a box, if that is finite.
+    pub(in crate::parry) fn of([low, high]: [Vector3<f64>; 2]) -> Option<Bound> {
+        let (center, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
+        let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([low.amax(), high.amax()]);
+        Some(Bound { center, radius }).filter(|ball| ball.radius.is_finite())
+    }
+
+    /// About all that is within a margin of some points.
+    pub(super) fn around<const K: usize>(points: [Vector3<f64>; K], margin: f64) -> Bound {
+        let Extent { min, max } = Extent::of(points);
+        let center = min * 0.5 + max * 0.5;
+        let reach = points.iter().map(|p| (p - center).norm()).fold(0.0, f64::max);
+        Bound { center, radius: reach + margin + slack([min.amax(), max.amax(), margin]) }
+    }
+
+    /// A random line that meets the ball, from far enough that it starts outside.
+    pub(super) fn line(&self, uniform: &mut dyn FnMut() -> f64) -> Line<3> {
+        let velocity = direction(uniform);
+        let point = self.center + (in_disk(&velocity, uniform) - velocity * 2.0) * self.radius;
+        Line { point, velocity }
+    }
+}
+
+/// A path prepared to be asked for the balls that it enters.
+pub(super) struct Aim {
+    point: Vector3<f64>,
+    /// The velocity in a unit in which its square is neither too large nor too small for a number.
+    velocity: Vector3<f64>,
+    square: f64,
+    /// The units of length and time, inverse.
+    per_length: f64,
+    per_time: f64,
+}
+
+impl Aim {
+    /// A path among things of about this size \[L\].
+    pub(super) fn new(path: &Line<3>, size: f64) -> Aim {
+        let (per_length, per_speed) = (to_unit(size), to_unit(path.velocity.amax()));
+        let velocity = path.velocity * per_speed;
+        let square = velocity.norm_squared();
+        Aim { point: path.point, velocity, square, per_length, per_time: per_length / per_speed }
+    }
+
+    /// Whether the path comes into a ball after this time only, or never. Where that is within rounding, it does not count.
+    pub(super) fn misses(&self, ball: &Bound, until: f64) -> bool {
+        /// Of the square of a distance: more than all roundings in it.
+        const LITTLE: f64 = 32.0 * f64::EPSILON;
+        let way = (ball.center - self.point) * self.per_length;
+        let radius = ball.radius * self.per_length;
+        let nearer = way.norm_squared() * (1.0 - LITTLE) - radius * radius;
+        let towards = way.dot(&self.velocity);
+        let inner = towards * towards - self.square * nearer;
+        if !(nearer > 0.0) {
+            return false;
+        }
+        towards <= 0.0 || inner < 0.0 || nearer > (towards + inner.sqrt()) * (until * self.per_time * (1.0 + LITTLE))
+    }
+}

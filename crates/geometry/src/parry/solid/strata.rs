@@ -1,0 +1,176 @@
+//! Of what the surface parallel to a mesh is made: parts of planes above triangles, of cylinders around edges, of spheres around
+//! corners.
+//!
+//! Each part is drawn together with what lies around it and is not exposed. It is little, even where triangles are much smaller than
+//! the margin: then nearly all of a plate, which is all that is within the margin of a triangle, would be inside of others.
+use crate::{parry::mesh::Mesh, surface::in_disk};
+use core::f64::consts::PI;
+use nalgebra::Vector3;
+use std::collections::HashMap;
+
+/// A part of a parallel surface, or a little more.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stratum {
+    /// The first triangle of those that it is the surface around.
+    pub(super) triangle: usize,
+    form: Form,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Form {
+    /// The plane above a triangle.
+    Plane,
+    /// A sector around the edge that starts at this corner of the triangle: its middle direction, and half its angle.
+    Cylinder { start: usize, middle: Vector3<f64>, half: f64 },
+    /// A cap around this corner of the triangle: its middle direction, and its height as a part of the radius.
+    Sphere { corner: usize, middle: Vector3<f64>, height: f64 },
+}
+
+/// The triangles at an edge.
+struct Edge {
+    triangle: usize,
+    start: usize,
+    /// Unit vectors across it, into the triangles.
+    inward: Vec<Vector3<f64>>,
+    /// The sum of their normals, which leads into the table.
+    front: Vector3<f64>,
+}
+
+/// The edges at a vertex.
+#[derive(Clone, Default)]
+struct Star {
+    /// The first triangle, and which of its corners it is.
+    corner: Option<(usize, usize)>,
+    /// Unit vectors along the edges.
+    along: Vec<Vector3<f64>>,
+    /// The sum of the triangles' normals, each as often as its angle is wide, which leads into the table.
+    front: Vector3<f64>,
+}
+
+/// All parts, those of the first triangle first.
+pub(super) fn strata(mesh: &Mesh) -> Vec<Stratum> {
+    let mut known: HashMap<[usize; 2], usize> = HashMap::new();
+    let mut edges: Vec<Edge> = vec![];
+    let mut stars = vec![Star::default(); mesh.vertices.len()];
+    let mut strata = vec![];
+    for (triangle, (corners, normal)) in mesh.triangles.iter().zip(&mesh.normals).enumerate() {
+        strata.push(Stratum { triangle, form: Form::Plane });
+        for start in 0..3 {
+            let (a, b) = (corners[start], corners[(start + 1) % 3]);
+            let [along, back] = [b, corners[(start + 2) % 3]].map(|to| mesh.vertices[to] - mesh.vertices[a]);
+            let (along, back) = (along / along.norm(), back / back.norm());
+            stars[a].corner.get_or_insert((triangle, start));
+            stars[a].front += normal * libm::atan2(along.cross(&back).norm(), along.dot(&back));
+            let edge = *known.entry([a.min(b), a.max(b)]).or_insert_with(|| {
+                stars[a].along.push(along);
+                stars[b].along.push(-along);
+                edges.push(Edge { triangle, start, inward: vec![], front: Vector3::zeros() });
+                edges.len() - 1
+            });
+            edges[edge].inward.push(normal.cross(&along));
+            edges[edge].front += normal;
+        }
+    }
+    strata.extend(edges.iter().filter_map(Edge::stratum));
+    strata.extend(stars.iter().filter_map(Star::stratum));
+    strata
+}
+
+impl Edge {
+    /// From an edge the surface is seen in directions that lead away from its triangles, if those lead into the table.
+    fn stratum(&self) -> Option<Stratum> {
+        let (middle, half) = match self.inward[..] {
+            [] => return None,
+            [a] => (-a, 0.5 * PI),
+            // of more than two triangles, two leave out enough
+            [a, b, ..] => {
+                let between = -(a + b);
+                let length = between.norm();
+                let angle = libm::atan2(a.cross(&b).norm(), -a.dot(&b));
+                (if length > 0.0 { between / length } else { between }, 0.5 * angle)
+            }
+        };
+        let form = Form::Cylinder { start: self.start, middle, half };
+        (half > 0.0 && middle.dot(&self.front) >= 0.0).then_some(Stratum { triangle: self.triangle, form })
+    }
+}
+
+impl Star {
+    /// From a vertex the surface is seen in directions that lead away from its edges, if those lead into the table: a cone, of which
+    /// this is a cap around it.
+    fn stratum(&self) -> Option<Stratum> {
+        /// Of more edges than this, some leave out enough.
+        const MOST: usize = 16;
+        /// The sines of angles that are none.
+        const ALIKE: f64 = 1e-6;
+        /// So little may a direction lead towards an edge.
+        const LITTLE: f64 = 1e-8;
+        let (triangle, corner) = self.corner?;
+        let along: Vec<_> = self.along.iter().step_by(self.along.len().div_ceil(MOST)).collect();
+        let away = |u: &Vector3<f64>| along.iter().all(|a| u.dot(a) <= LITTLE);
+        let both = |across: Vector3<f64>| {
+            let length = across.norm();
+            let side = (length > ALIKE).then(|| across / length);
+            side.into_iter().flat_map(|side| [side, -side]).filter(away)
+        };
+        // the cone is spanned by those of its sides' directions that belong to it
+        let pairs = along.iter().enumerate().flat_map(|(i, a)| along[..i].iter().map(move |b| a.cross(b)));
+        let rays: Vec<Vector3<f64>> = pairs.flat_map(both).collect();
+        let line = *rays.first()?;
+        let sum: Vector3<f64> = rays.iter().sum();
+        let length = sum.norm();
+        let form = if length > ALIKE {
+            let middle = sum / length;
+            if middle.dot(&self.front) < 0.0 {
+                return None;
+            }
+            let height = rays.iter().map(|ray| 0.5 * (ray - middle).norm_squared()).fold(0.0, f64::max);
+            // with rays that are farther apart, what is between them need not be near the middle
+            Form::Sphere { corner, middle, height: if height < 1.0 { height } else { 2.0 } }
+        } else {
+            // around a vertex of a plane nothing is left but a line, unless it is one of a rim
+            let flat = rays.iter().all(|ray| ray.cross(&line).norm() <= ALIKE);
+            if flat && !along.iter().any(|a| both(line.cross(a)).next().is_some()) {
+                return None;
+            }
+            Form::Sphere { corner, middle: line, height: 2.0 }
+        };
+        Some(Stratum { triangle, form })
+    }
+}
+
+impl Stratum {
+    /// Its area, where `unit` is the inverse of the unit of length.
+    pub(super) fn area(&self, mesh: &Mesh, margin: f64, unit: f64) -> f64 {
+        let corners = mesh.triangles[self.triangle].map(|v| mesh.vertices[v]);
+        let margin = margin * unit;
+        match self.form {
+            Form::Plane => mesh.area(self.triangle, unit),
+            Form::Cylinder { start, half, .. } => {
+                2.0 * half * margin * ((corners[(start + 1) % 3] - corners[start]) * unit).norm()
+            }
+            Form::Sphere { height, .. } => 2.0 * PI * margin * margin * height,
+        }
+    }
+
+    /// A random point of it.
+    pub(super) fn draw(&self, mesh: &Mesh, margin: f64, uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
+        let corners = mesh.triangles[self.triangle].map(|v| mesh.vertices[v]);
+        match self.form {
+            Form::Plane => mesh.random_point(self.triangle, uniform) + mesh.normals[self.triangle] * margin,
+            Form::Cylinder { start, middle, half } => {
+                let along = corners[(start + 1) % 3] - corners[start];
+                let (sin, cos) = libm::sincos(half * (2.0 * uniform() - 1.0));
+                let side = along.cross(&middle) / along.norm();
+                corners[start] + along * uniform() + (middle * cos + side * sin) * margin
+            }
+            Form::Sphere { corner, middle, height } => {
+                let disk = in_disk(&middle, uniform);
+                // heights are uniform, and so are the squares of points of a disk
+                let below = height * disk.norm_squared();
+                let outward = middle * (1.0 - below) + disk * (height * (2.0 - below)).sqrt();
+                corners[corner] + outward * margin
+            }
+        }
+    }
+}
