@@ -39,7 +39,7 @@ impl ReducedState {
         let ([n1, n2], [v1, v2]) = (hit.unit_normal(), orbit.velocity);
         ReducedState {
             piece,
-            s: arc_length(table, piece, hit.point.into()),
+            s: table.arc_length(piece, &hit.point.into()),
             v0: orbit.spin[0],
             vt: v2 * n1 - v1 * n2,
             speed: square_speed(&orbit.velocity, &orbit.spin).sqrt(),
@@ -92,41 +92,6 @@ impl ReducedState {
         let Landing { point, normal } = self.landing(table)?;
         Ok(WallHit { time: 0.0, normal: normal.into(), piece: self.piece as f64, ..WallHit::never(point.into()) })
     }
-}
-
-/// The arc length along a piece of a point on it, or on a lattice on a translate of it that reaches into the unit cell.
-fn arc_length(table: &Table, piece: usize, point: Vector2<f64>) -> f64 {
-    let on = &table.pieces()[piece];
-    let Some(lattice) = table.lattice() else { return on.arc_length_at(&point) };
-    let extent = on.extent();
-    let mut best = (f64::INFINITY, point);
-    if extent.is_finite() {
-        // the cells that the piece reaches, and one more each way for rounding at their edges
-        let corners = [
-            extent.min,
-            Vector2::new(extent.min.x, extent.max.y),
-            Vector2::new(extent.max.x, extent.min.y),
-            extent.max,
-        ];
-        let cells = corners.map(|corner| lattice.reduce(&corner).1);
-        let range = |i: usize| {
-            let (low, high) =
-                cells.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), c| (l.min(c[i]), h.max(c[i])));
-            #[allow(clippy::cast_possible_truncation, reason = "a count of cells")]
-            let (low, high) = (low as i64, high as i64);
-            if i < lattice.vectors().len() { low - 1..=high + 1 } else { 0..=0 }
-        };
-        for i in range(0) {
-            for j in range(1) {
-                let lifted = point + lattice.translation([i as f64, j as f64]);
-                let distance = (on.closest(&lifted).point - lifted).norm_squared();
-                if distance < best.0 {
-                    best = (distance, lifted);
-                }
-            }
-        }
-    }
-    on.arc_length_at(&best.1)
 }
 
 impl<L: BallLaw<2, 1>> Planar<L> {

@@ -57,6 +57,9 @@ struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
 /// Twins of vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
 const TWINS: usize = 2;
 
+/// Steps between two looks at who is still there.
+const LOOK: u64 = 1024;
+
 /// A twin of vectors of orbits.
 struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     orbit: Orbit<F, N, S, K, T>,
@@ -138,7 +141,8 @@ where
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(mut orbit)) => {
                     let index = *next;
-                    (seat.index, seat.until) = (Some(index), step + self.collisions);
+                    // the last number is that of no step: nobody lives to see it
+                    (seat.index, seat.until) = (Some(index), step.saturating_add(self.collisions).min(u64::MAX - 1));
                     *next += 1;
                     idle[lane] = false;
                     self.upcoming = self.orbits.next();
@@ -286,6 +290,8 @@ where
             if until == u64::MAX {
                 break;
             }
+            // orbits may end before, and then others
+            let until = until.min(step + LOOK);
             while step < until {
                 for group in &mut groups {
                     self.step(group, &mut next, step);

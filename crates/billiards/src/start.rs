@@ -102,18 +102,23 @@ impl Starts<2, 1> for Canonical<'_> {
     }
 }
 
-/// A regular grid over the reduced phase space of a planar table: one start in the middle of each cell, all cells of equal
-/// canonical measure.
+/// A regular grid over the reduced phase space of a planar table: one start in each cell, all cells of equal canonical measure.
 ///
 /// `(s, v₀, vₜ)` are taken in arc length and polar coordinates `(v₀, vₜ) = speed · r (cos φ, sin φ)`, with `r²` and `φ` in equal
-/// steps. Numbers from [`Grid::count`] on begin again.
+/// steps. Starts lie in the middle of `r²` and `φ`, and at the golden section of `s`: the middle of an arc would often be a vertex
+/// where sides have lengths in simple ratios. Numbers from [`Grid::count`] on begin again.
 #[derive(Clone, Debug)]
 pub struct Grid<'a> {
     perimeter: Perimeter<'a>,
     speed: f64,
     /// Cells in arc length, `r²` and `φ`.
     cells: [u64; 3],
+    /// Starts.
+    count: u64,
 }
+
+/// `(√5 − 1)/2`: no fraction with a denominator `q` is nearer to it than some `1/(√5 q²)`.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl<'a> Grid<'a> {
     /// A grid of so many positions, radii and angles.
@@ -126,14 +131,14 @@ impl<'a> Grid<'a> {
         if count.is_none_or(|count| count == 0 || count >= 1 << 63) {
             return Err(Error::Grid);
         }
-        Ok(Grid { perimeter: Perimeter::of(table)?, speed: checked(speed)?, cells })
+        Ok(Grid { perimeter: Perimeter::of(table)?, speed: checked(speed)?, cells, count: a * b * c })
     }
 
-    /// A grid of at least `count` cells, about as many each way.
+    /// `count` starts in a grid with at least as many cells, about as many each way; the cells that have none are far apart.
     ///
     /// # Errors
     /// Those of [`Grid::new`].
-    pub fn of_at_least(table: &'a Table, speed: f64, count: u64) -> Result<Self, Error> {
+    pub fn with_count(table: &'a Table, speed: f64, count: u64) -> Result<Self, Error> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "below 2²²")]
         let side = libm::cbrt(count as f64) as u64;
         let mut cells = [side; 3];
@@ -142,21 +147,22 @@ impl<'a> Grid<'a> {
                 cells[i] += 1;
             }
         }
-        Grid::new(table, speed, cells)
+        Ok(Grid { count, ..Grid::new(table, speed, cells)? })
     }
 
-    /// The number of cells.
+    /// The number of starts.
     pub fn count(&self) -> u64 {
-        self.cells.iter().product()
+        self.count
     }
 }
 
 impl Starts<2, 1> for Grid<'_> {
     fn start(&self, i: u64) -> Start<2, 1> {
-        let [_, radii, angles] = self.cells;
-        let i = i % self.count();
+        let [arcs, radii, angles] = self.cells;
+        #[allow(clippy::cast_possible_truncation, reason = "less than the number of cells")]
+        let i = (u128::from(i % self.count) * u128::from(arcs * radii * angles) / u128::from(self.count)) as u64;
         let middle = |k: u64, of: u64| (k as f64 + 0.5) / of as f64;
-        let at = self.perimeter.point(middle(i / (radii * angles), self.cells[0]));
+        let at = self.perimeter.point(((i / (radii * angles)) as f64 + GOLDEN) / arcs as f64);
         let r = middle(i / angles % radii, radii).sqrt();
         let (sin, cos) = libm::sincos(core::f64::consts::TAU * middle(i % angles, angles));
         leaving(at.point, at.normal, [r * cos, r * sin], self.speed)

@@ -269,7 +269,66 @@ fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
         radii[ring] += 1;
     }
     assert_eq!(radii, [20; 3]); // rings of equal r² have equal shares
-    assert_eq!(Grid::of_at_least(&table, 1.0, 1000).unwrap().count(), 1000);
-    assert!(Grid::of_at_least(&table, 1.0, 1001).unwrap().count() >= 1001);
     assert!(Grid::new(&table, 1.0, [0, 1, 1]).is_err() && Canonical::new(&table, -1.0, 0).is_err());
+}
+
+#[test]
+fn a_grid_starts_at_no_vertex_of_a_regular_polygon() {
+    for table in [tables::square(1.0).unwrap(), tables::hexagon(1.0).unwrap()] {
+        let billiard = Planar { law: no_slip(0.5), table };
+        for count in [8, 27, 729, 1000] {
+            let grid = Grid::with_count(&billiard.table, 1.0, count).unwrap();
+            for i in 0..count {
+                let start = grid.start(i);
+                let mut orbit = Orbit::<_, 2, 1, (), ()>::new(start.position, start.velocity, start.spin, ());
+                let outcome = billiard.run(&mut orbit, &Collisions(2), &mut ());
+                assert_eq!(outcome.stop, Stop::Finished, "{} {count} {i}", billiard.table.pieces().len());
+            }
+        }
+    }
+}
+
+#[test]
+fn starts_that_do_not_fill_a_grid_leave_out_no_part_of_the_boundary() {
+    let table = tables::rectangle([2.0, 1.0]).unwrap();
+    // in a grid of 4 × 4 × 3
+    let grid = Grid::with_count(&table, 1.0, 40).unwrap();
+    assert_eq!(grid.count(), 40);
+    let mut places: Vec<[u64; 2]> = (0..40).map(|i| grid.start(i).position.map(f64::to_bits)).collect();
+    places.sort_unstable();
+    let starts: Vec<usize> = places.chunk_by(|a, b| a == b).map(<[_]>::len).collect();
+    assert_eq!(starts, [10; 4]);
+}
+
+#[test]
+fn both_of_two_observers_see_the_last_collision() {
+    struct Stops(u64);
+    impl<K, T> billiards::Observer<2, 1, K, T> for Stops {
+        fn collision(&mut self, c: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
+            self.0 = c.n;
+            if c.n == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        }
+    }
+    struct Sees(u64);
+    impl<K, T> billiards::Observer<2, 1, K, T> for Sees {
+        fn collision(&mut self, c: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
+            self.0 = c.n;
+            ControlFlow::Continue(())
+        }
+    }
+    let circle = Planar { table: tables::circle(1.0).unwrap(), law: no_slip(0.5) };
+    let [mut a, mut b] = [orbit([0.5, 0.0], [0.1, 0.7], 0.2); 2];
+    let (mut first, mut last) = ((Stops(0), Sees(0)), (Sees(0), Stops(0)));
+    assert_eq!(circle.run(&mut a, &Collisions(9), &mut first).stop, Stop::Observer);
+    assert_eq!(circle.run(&mut b, &Collisions(9), &mut last).stop, Stop::Observer);
+    assert_eq!([first.0.0, first.1.0, last.0.0, last.1.0], [3; 4]);
+}
+
+#[test]
+fn a_path_from_beyond_a_wall_by_rounding_comes_no_nearer_to_a_point_than_it_is() {
+    let square = Planar { table: tables::square(1.0).unwrap(), law: Specular };
+    let mut orbit = orbit([1.0_f64.next_up(), 0.5], [1.0, 0.0], 0.0);
+    let mut nearest = Nearest::to([1.5, 0.5], &orbit);
+    square.run(&mut orbit, &Collisions(1), &mut nearest);
+    assert!((nearest.distance() - 0.5).abs() < 1e-15);
 }

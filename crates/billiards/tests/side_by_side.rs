@@ -206,6 +206,19 @@ fn a_first_orbit_without_a_future_holds_nobody_up() {
     assert_eq!(ended.iter().map(|f| f.outcome.stop).collect::<Vec<_>>(), [Stop::Escaped; 5]);
 }
 
+#[test]
+fn orbits_without_a_last_collision_run_until_they_end() {
+    let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    let inwards = |k: u32| Start { position: [0.1, 1.0 + 0.01 * f64::from(k)], velocity: [0.3, -1.0], spin: [0.0] };
+    for most in [u64::MAX, u64::MAX - 1, u64::MAX - 5] {
+        let mut orbits = (0..70).map(|k| inwards(k).orbit(Clock::new(0.0)));
+        let mut ended: Vec<Ended> = vec![];
+        billiard.run_side_by_side(&mut orbits, most, &mut (), &mut |f| ended.push(f));
+        assert_eq!(ended.len(), 70);
+        assert!(ended.iter().all(|f| f.outcome.stop == Stop::Escaped && f.outcome.collisions > 0));
+    }
+}
+
 /// Everything that happens to each orbit, bit by bit.
 #[derive(Default)]
 struct Diary {

@@ -92,7 +92,7 @@ pub struct Run {
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Threads for many orbits [default: all processors]
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", value_parser = threads)]
     pub threads: Option<NonZeroUsize>,
 }
 
@@ -221,6 +221,12 @@ fn collisions(text: &str) -> Result<u64, String> {
     whole.filter(|n| (1..=MOST_COLLISIONS).contains(n)).ok_or_else(|| "not a whole number from 1 to 1e12".into())
 }
 
+/// A number of threads: more than the largest machines have processors would only be in each other's way.
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let threads = text.parse().ok().filter(|threads: &NonZeroUsize| threads.get() <= 1024);
+    threads.ok_or_else(|| "not a whole number from 1 to 1024".into())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -246,6 +252,14 @@ mod tests {
         assert_eq!([collisions("7"), collisions("1e6")], [Ok(7), Ok(1_000_000)]);
         for text in ["0", "-1", "1.5", "1e13", "nan", "many", ""] {
             assert!(collisions(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn threads_are_as_many_as_a_machine_may_have() {
+        assert_eq!(threads("1024").map(NonZeroUsize::get), Ok(1024));
+        for text in ["0", "1025", "18446744073709551615", "-1", "two", ""] {
+            assert!(threads(text).is_err(), "{text}");
         }
     }
 

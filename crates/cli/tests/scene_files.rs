@@ -261,7 +261,7 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (BOUNDARY, "count = 1e5", "count = 1e13", "30:9: 10000000000000 is not a whole number from 1 to 1e12"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = -1", "31:8: a seed is a whole number"),
         (BOUNDARY, "\"canonical\"", "\"random\"", "32:10: unknown sample \"random\""),
-        (BOUNDARY, "[[10, 0], [0, 10]]", "[]", "4:11: a lattice has 1 to 2 translations, not 0"),
+        (BOUNDARY, "[[10, 0], [0, 10]]", "[]", "4:11: a lattice has 1 or 2 translations, not 0"),
         (BOUNDARY, "domain = \"outside\"", "domain = \"out\"", "13:53: unknown domain \"out\""),
         (SPATIAL, "[[1, 2, -3]]", "[[1, 2]]", "2:10: expected 3 numbers, found 2"),
         (SPATIAL, "[[1, 2, -3]]", "[[1, 2, -3], [-2, -4, 6]]", "2:22: this rough direction is parallel to the first"),

@@ -26,7 +26,7 @@ pub struct Table {
     corners: Vec<Vector2<f64>>,
     lattice: Option<Lattice>,
     /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
-    nearby: Vec<(usize, Arc<dyn Piece>)>,
+    nearby: Vec<Translate>,
     /// The composite wall that answers for a chain of pieces, if there is one. This and what follows is made when it is first asked
     /// for: of many pieces or of curves that takes longer than many a run.
     enclosed: OnceLock<Option<Arc<Enclosed>>>,
@@ -34,6 +34,17 @@ pub struct Table {
     polygon: OnceLock<Option<Arc<Polygon>>>,
     /// Those pieces that no composite wall covers, on a lattice with all translates.
     parts: OnceLock<Arc<Pieces>>,
+}
+
+/// A piece, or a translate of one.
+#[derive(Clone, Debug)]
+struct Translate {
+    /// The number of the piece.
+    number: usize,
+    /// By what it is moved.
+    by: Vector2<f64>,
+    /// The piece, moved.
+    piece: Arc<dyn Piece>,
 }
 
 /// Most translates of pieces on a lattice. Tables that are meant need some tens; in a cell that is tiny beside a piece, or all but
@@ -125,9 +136,12 @@ impl Table {
         let nearby = match &lattice {
             Some(lattice) => {
                 few_cells(&pieces, lattice)?;
-                translates(&pieces, lattice, 1.0).into_iter().map(|(i, _, piece)| (i, piece)).collect()
+                translates(&pieces, lattice, 1.0)
             }
-            None => pieces.iter().cloned().enumerate().collect(),
+            None => {
+                let alone = |(number, piece)| Translate { number, by: Vector2::zeros(), piece };
+                pieces.iter().cloned().enumerate().map(alone).collect()
+            }
         };
         let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Ok(Table { pieces, next, corners, lattice, nearby, enclosed, polygon, parts })
@@ -210,7 +224,7 @@ impl Table {
             let (home, cell) = lattice.reduce(point);
             (home, Some(lattice.translation(cell)))
         });
-        let (i, mut landing) = closest_of(self.nearby.iter().map(|(i, piece)| (*i, piece)), &home);
+        let (i, mut landing) = closest_of(self.nearby(), &home);
         if let Some(back) = cell {
             landing.point += back;
         }
@@ -219,10 +233,41 @@ impl Table {
 
     /// The curvature \[L⁻¹\] of a piece at a point of it, or on a lattice of a translate of it; 0 for a number beyond the last.
     pub fn curvature(&self, piece: usize, point: &Vector2<f64>) -> f64 {
-        // on a lattice, of the translate that is there
-        let here = |p: &&Arc<dyn Piece>| (p.closest(point).point - point).norm_squared();
-        let copies = self.nearby.iter().filter(|(number, _)| *number == piece).map(|(_, p)| p);
-        copies.min_by(|a, b| here(a).total_cmp(&here(b))).map_or(0.0, |p| p.curvature(point))
+        self.copy_at(piece, point).map_or(0.0, |piece| piece.curvature(point))
+    }
+
+    /// The arc length \[L\] from the start of a piece to a point of it, or on a lattice of a translate of it; 0 for a number beyond
+    /// the last.
+    pub fn arc_length(&self, piece: usize, point: &Vector2<f64>) -> f64 {
+        self.copy_at(piece, point).map_or(0.0, |piece| piece.arc_length_at(point))
+    }
+
+    /// By what a piece is moved in its translates that reach within a cell of the unit cell; without a lattice by nothing.
+    pub fn translations(&self, piece: usize) -> impl Iterator<Item = Vector2<f64>> + '_ {
+        self.copies(piece).iter().map(|copy| copy.by)
+    }
+
+    /// All pieces with their numbers; on a lattice, all translates that reach within a cell of the unit cell.
+    pub fn nearby(&self) -> impl Iterator<Item = (usize, &dyn Piece)> {
+        self.nearby.iter().map(|copy| (copy.number, &*copy.piece))
+    }
+
+    /// The translates of one piece.
+    fn copies(&self, piece: usize) -> &[Translate] {
+        let from = self.nearby.partition_point(|copy| copy.number < piece);
+        let many = self.nearby[from..].partition_point(|copy| copy.number == piece);
+        &self.nearby[from..from + many]
+    }
+
+    /// The translate of a piece that is nearest to a point.
+    fn copy_at(&self, piece: usize, point: &Vector2<f64>) -> Option<&dyn Piece> {
+        let copies = self.copies(piece);
+        let off = |copy: &&Translate| (copy.piece.closest(point).point - point).norm_squared();
+        let nearest = match copies {
+            [one] => Some(one),
+            _ => copies.iter().min_by(|a, b| off(a).total_cmp(&off(b))),
+        };
+        nearest.map(|copy| &*copy.piece)
     }
 
     /// The distance from the boundary \[L\], negative outside the table.
@@ -251,17 +296,17 @@ impl Table {
 }
 
 /// The closest of some pieces, the point of it that is closest, and its inward normal.
-fn closest_of<'a>(pieces: impl Iterator<Item = (usize, &'a Arc<dyn Piece>)>, point: &Vector2<f64>) -> (usize, Landing) {
+fn closest_of<'a>(pieces: impl Iterator<Item = (usize, &'a dyn Piece)>, point: &Vector2<f64>) -> (usize, Landing) {
     let mut best = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
     let mut distance = f64::INFINITY;
-    for (i, piece) in pieces {
+    for (number, piece) in pieces {
         let landing = piece.closest(point);
         let d = (landing.point - point).norm_squared();
         // at a shared vertex, equally far but for rounding, the piece that the point faces decides
         let faces = |l: &Landing| l.normal.dot(&(point - l.point)).abs();
         let same = d <= distance * (1.0 + 1e-12) && distance <= d * (1.0 + 1e-12);
         if if same { faces(&landing) > faces(&best.1) } else { d < distance } {
-            best = (i, landing);
+            best = (number, landing);
             distance = d;
         }
     }
@@ -299,10 +344,10 @@ fn reach(&Extent { min, max }: &Extent, lattice: &Lattice, margin: f64) -> [[f64
     range
 }
 
-/// The translates of pieces, with their numbers and the translations, that reach within `margin` cells of the unit cell.
-fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> {
-    let mut found: Vec<(usize, Vector2<f64>, Arc<dyn Piece>)> = vec![];
-    for (i, piece) in pieces.iter().enumerate() {
+/// The translates of pieces that reach within `margin` cells of the unit cell, in the order of their numbers.
+fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<Translate> {
+    let mut found = vec![];
+    for (number, piece) in pieces.iter().enumerate() {
         let range = reach(&piece.extent(), lattice, margin);
         let mut first = range[0][0];
         while first <= range[0][1] {
@@ -311,7 +356,7 @@ fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<
                 let by = lattice.translation([first, second]);
                 let at_home = by == Vector2::zeros();
                 let moved = || -> Arc<dyn Piece> { Arc::new(shapes::Translated::new(piece.clone(), by)) };
-                found.push((i, by, if at_home { piece.clone() } else { moved() }));
+                found.push(Translate { number, by, piece: if at_home { piece.clone() } else { moved() } });
                 second += 1.0;
             }
             first += 1.0;

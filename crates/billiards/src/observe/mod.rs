@@ -74,14 +74,15 @@ impl<const N: usize, const S: usize, K, T> Observer<N, S, K, T> for () {
     }
 }
 
-/// Two observers see the same run.
+/// Two observers see the same run, which ends when either has seen enough.
 impl<const N: usize, const S: usize, K, T, A: Observer<N, S, K, T>, B: Observer<N, S, K, T>> Observer<N, S, K, T>
     for (A, B)
 {
     #[inline(always)]
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
-        self.0.collision(collision)?;
-        self.1.collision(collision)
+        let first = self.0.collision(collision);
+        self.1.collision(collision)?;
+        first
     }
     #[inline(always)]
     fn looks(&self) -> bool {

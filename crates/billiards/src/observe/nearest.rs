@@ -41,7 +41,7 @@ impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for Nearest<N, S
             ahead += (c.hit.point[i] - self.point[i]) * v[i];
             square += v[i] * v[i];
         }
-        let back = if square > 0.0 { (ahead / square).clamp(0.0, c.hit.time) } else { 0.0 };
+        let back = if square > 0.0 { (ahead / square).min(c.hit.time).max(0.0) } else { 0.0 };
         let distance = |i: usize| c.hit.point[i] - self.point[i] - back * v[i];
         self.square = self.square.min((0..N).map(|i| distance(i) * distance(i)).sum());
         self.flight = Flight::from(c.orbit);

@@ -122,6 +122,25 @@ pub fn count(item: &Item, least: u64, problems: &mut Problems) -> Option<Spanned
     found.map(|n| Spanned::new(n, item.span))
 }
 
+/// A whole number from 0 to 2⁶⁴ − 1.
+pub fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
+    let exact = match &item.value {
+        Value::Integer(n) => u64::try_from(*n).ok(),
+        Value::Text(digits) => digits.trim().parse().ok(),
+        _ => None,
+    };
+    if exact.is_some() {
+        return exact;
+    }
+    let x = number(item, problems)?.value;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within range: just checked")]
+    let seed = (x % 1.0 == 0.0 && (0.0..18_446_744_073_709_551_616.0).contains(&x)).then_some(x as u64);
+    if seed.is_none() {
+        problems.add(item.span, "a seed is a whole number from 0 to 18446744073709551615");
+    }
+    seed
+}
+
 /// An array of exactly `dimension` numbers, each read by `read`.
 pub fn vector(
     item: &Item,

@@ -1,7 +1,7 @@
 //! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`.
 
 use super::{choice, direction, list};
-use crate::document::{Item, Problems, Section, Span, Value, count, number, spell};
+use crate::document::{Item, Problems, Section, Span, Value, count, number, seed, spell};
 
 /// A collision law and where it was chosen.
 #[derive(Clone, Debug, PartialEq)]
@@ -167,7 +167,7 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
                 }
                 rank
             });
-            let seed = section.optional("seed").map_or(Some(0), |item| count(item, 0, problems).map(|n| n.value));
+            let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
             (|| Some(LawKind::Random { rank: rank?, seed: seed? }))()
         }
         Some(_) => {

@@ -44,8 +44,13 @@ pub enum Kind {
     Lengths(usize),
     /// A point of space.
     Point,
-    /// At least this many points of space.
-    Points(usize),
+    /// So many points of space.
+    Points {
+        /// At least.
+        least: usize,
+        /// At most.
+        most: usize,
+    },
     /// At least this many real numbers.
     Reals(usize),
     /// Triples of whole numbers from 0.
@@ -86,7 +91,7 @@ impl Parameter {
 
     /// Whether its numbers say how large something is.
     pub(super) fn is_length(&self) -> bool {
-        matches!(self.kind, Kind::Length | Kind::Distance | Kind::Lengths(_) | Kind::Point | Kind::Points(_))
+        matches!(self.kind, Kind::Length | Kind::Distance | Kind::Lengths(_) | Kind::Point | Kind::Points { .. })
     }
 
     fn example(&self) -> String {
@@ -96,7 +101,7 @@ impl Parameter {
             Kind::Lengths(2) => "[2, 1]",
             Kind::Lengths(_) => "[1, 1, 1]",
             Kind::Point => "[0, 0]",
-            Kind::Points(_) => "[[0, 0], [4, 0], [1, 3]]",
+            Kind::Points { .. } => "[[0, 0], [4, 0], [1, 3]]",
             Kind::Reals(_) => "[0, 0.5, 0.25]",
             Kind::Triples => "[[0, 1, 2]]",
         };
@@ -231,11 +236,12 @@ fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) 
             let triples: Vec<_> = triples.into_iter().collect::<Option<_>>()?;
             Argument::Numbers(triples.into_iter().flat_map(|t| t.value).collect())
         }
-        Kind::Points(least) => {
+        Kind::Points { least, most } => {
             let items = super::list(item, "a list of points", problems)?;
             let points: Vec<_> = items.iter().map(|item| point(item, dimension, problems)).collect();
-            if points.len() < least {
-                problems.add(item.span, format!("expected at least {least} points, found {}", points.len()));
+            if !(least..=most).contains(&points.len()) {
+                let so_many = if least == most { least.to_string() } else { format!("at least {least}") };
+                problems.add(item.span, format!("expected {so_many} points, found {}", points.len()));
                 return None;
             }
             Argument::Points(points.into_iter().collect::<Option<_>>()?)

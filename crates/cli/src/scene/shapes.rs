@@ -20,7 +20,7 @@ const NORMAL: Parameter = Parameter::required("normal", Kind::Point);
 const TRIANGLES: Parameter = Parameter::required("triangles", Kind::Triples);
 
 const fn points(least: usize) -> Parameter {
-    Parameter::required("points", Kind::Points(least))
+    Parameter::required("points", Kind::Points { least, most: usize::MAX })
 }
 
 const fn shape(name: &'static str, dimension: usize, summary: &'static str, parameters: &'static [Parameter]) -> Model {

@@ -1,7 +1,7 @@
 //! `[[orbit]]` or `[ensemble]`: where orbits start.
 
 use super::{choice, direction, list, point};
-use crate::document::{Item, Problems, Section, Span, Spanned, Value, count, positive, real};
+use crate::document::{Item, Problems, Section, Span, Spanned, Value, count, positive, real, seed};
 
 /// Where orbits start.
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ pub const SAMPLES: &[(&str, &str)] = &[
         "canonical",
         "the invariant measure: points uniform along the walls, tangential velocity and spin uniform in a ball",
     ),
-    ("grid", "middles of cells of equal measure"),
+    ("grid", "one start in each of so many cells of equal measure"),
 ];
 
 pub(super) fn read(root: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Starts> {
@@ -102,16 +102,4 @@ fn ensemble(item: &Item, problems: &mut Problems) -> Option<Ensemble> {
     let speed = section.optional("speed").map_or(Some(Spanned::new(1.0, item.span)), |item| positive(item, problems));
     section.finish(problems);
     Some(Ensemble { span: item.span, count: number?, seed: seed?, sample: sample?, speed: speed? })
-}
-
-/// A whole number from 0 to 2⁶⁴ − 1.
-fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
-    let seed = match item.value {
-        Value::Integer(n) => u64::try_from(n).ok(),
-        _ => None,
-    };
-    if seed.is_none() {
-        problems.add(item.span, "a seed is a whole number from 0 to 18446744073709551615");
-    }
-    seed
 }

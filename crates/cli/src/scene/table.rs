@@ -105,10 +105,14 @@ fn entries(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec
 }
 
 fn lattice(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Spanned<Vec<f64>>>> {
+    if dimension != 2 {
+        problems.add(item.span, "tables in space have no lattice");
+        return None;
+    }
     let items = list(item, "lattice", problems)?;
     let vectors: Vec<_> = items.iter().map(|item| direction(item, dimension, problems)).collect();
-    if vectors.is_empty() || vectors.len() > dimension {
-        problems.add(item.span, format!("a lattice has 1 to {dimension} translations, not {}", vectors.len()));
+    if !(1..=2).contains(&vectors.len()) {
+        problems.add(item.span, format!("a lattice has 1 or 2 translations, not {}", vectors.len()));
         return None;
     }
     vectors.into_iter().collect()

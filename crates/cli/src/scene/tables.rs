@@ -20,7 +20,7 @@ fn parameter(of: &'static tables::Parameter) -> Parameter {
         Measure::Displacement | Measure::Angle | Measure::Number => Kind::Real,
         Measure::Count => Kind::Count(0),
         Measure::Lengths(n) => Kind::Lengths(n),
-        Measure::Points(n) => Kind::Points(n),
+        Measure::Points(n) => Kind::Points { least: n, most: n },
     };
     let default = match &of.value {
         _ if of.required => Default::Required,

@@ -214,8 +214,8 @@ mod tests {
     fn on_a_lattice_the_copy_that_was_hit_is_found() {
         // the arcs of a channel are seen from so far off that copies come into reach
         for table in [tables::sinai_torus(0.3, 1.0).unwrap(), tables::channel(1.0, 0.75, 0.125).unwrap()] {
-            let shifts = crate::simulation::start::neighbours(&table);
-            for piece in table.pieces() {
+            for (number, piece) in table.pieces().iter().enumerate() {
+                let shifts: Vec<_> = table.translations(number).collect();
                 let bearings = Bearings::of(&**piece).unwrap();
                 for (k, shift) in (1..100).zip(shifts.iter().cycle()) {
                     let s = piece.length() * f64::from(k) / 100.0;

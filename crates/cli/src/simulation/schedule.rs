@@ -6,6 +6,7 @@ use std::panic::resume_unwind;
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Mutex, PoisonError};
+use std::thread::Builder;
 use std::time::Duration;
 
 use billiards::Merge;
@@ -53,9 +54,15 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
             desk.help_on();
             (busy, portraits)
         };
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(one)).collect();
+        // where the system has no room for so many, fewer do the same
+        let spawn = |_| Builder::new().spawn_scoped(scope, one);
+        let (workers, refused): (Vec<_>, Vec<_>) = (0..threads).map(spawn).partition(Result::is_ok);
+        if let (true, Some(Err(error))) = (workers.is_empty(), refused.into_iter().next()) {
+            return Err(error);
+        }
         let outcome = jobs.into_iter().flatten().flatten().try_for_each(consume);
-        let of_all = workers.into_iter().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        let of_all =
+            workers.into_iter().flatten().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
         let (busy, portraits) = of_all.fold((Duration::ZERO, None), |(longest, all), (busy, portraits)| {
             let portraits = match (all, portraits) {
                 (Some(all), Some(portraits)) => Some(T::Portraits::merge(all, portraits)),

@@ -121,9 +121,6 @@ impl Spatial {
     /// Builds everything and checks every start.
     pub(crate) fn new(scene: &Scene) -> Result<Spatial, Vec<Diagnostic>> {
         let factor = to_unity(boundary::lengths(scene));
-        if let Some(vector) = scene.table.lattice.first() {
-            return Err(vec![scene.source.diagnostic(vector.span, "tables in space have no lattice")]);
-        }
         let (centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let (table, shift) = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;

@@ -102,17 +102,14 @@ fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, s
     let near = |a: &Vector2<f64>, b: &Vector2<f64>| libm::hypot(a.x - b.x, a.y - b.y) <= 2.0 * slack;
     let mut normals = vec![];
     let (mut ending, mut starting) = (None, None);
-    for shift in neighbours(table) {
-        let point = point - shift;
-        for piece in table.pieces() {
-            let landing = piece.closest(&point);
-            if near(&landing.point, &point) {
-                normals.push(landing.normal);
-                match piece.ends() {
-                    Some([_, b]) if near(&b, &point) => ending = Some(landing.normal),
-                    Some([a, _]) if near(&a, &point) => starting = Some(landing.normal),
-                    _ => {}
-                }
+    for (_, piece) in table.nearby() {
+        let landing = piece.closest(point);
+        if near(&landing.point, point) {
+            normals.push(landing.normal);
+            match piece.ends() {
+                Some([_, b]) if near(&b, point) => ending = Some(landing.normal),
+                Some([a, _]) if near(&a, point) => starting = Some(landing.normal),
+                _ => {}
             }
         }
     }
@@ -120,14 +117,6 @@ fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, s
     match (&normals[..], ending, starting) {
         // the boundary turns right there, with the table on its left
         ([a, b], Some(before), Some(after)) if before.perp(&after) < 0.0 => enters(a) || enters(b),
-        _ => normals.iter().all(enters),
+        _ => !normals.is_empty() && normals.iter().all(enters),
     }
-}
-
-/// Translations to the neighbouring cells of a lattice, and none.
-pub(crate) fn neighbours(table: &Table) -> Vec<Vector2<f64>> {
-    let Some(lattice) = table.lattice() else { return vec![Vector2::zeros()] };
-    let steps = [-1.0, 0.0, 1.0];
-    let second = if lattice.vectors().len() == 2 { &steps[..] } else { &[0.0] };
-    steps.iter().flat_map(|a| second.iter().map(|b| lattice.translation([*a, *b]))).collect()
 }

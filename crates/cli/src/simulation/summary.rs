@@ -19,7 +19,7 @@ pub struct Summary {
     pub scene: String,
     /// Version of this program.
     pub version: &'static str,
-    /// Seed of the random choices; 0 where there are none.
+    /// Seed of the starts, 0 where they are given one by one. (That of a random law stands with the law.)
     pub seed: u64,
     /// Dimension of space.
     pub dimension: usize,

@@ -6,7 +6,6 @@ use billiards::geometry::{Figure, Piece, Table, Vector2};
 use lanes::{Lane, Mask};
 
 use super::bearings::Bearings;
-use super::start;
 use crate::picture::REDUCED_WIDTH;
 
 /// The arc length of all pieces laid end to end, in the unit of the picture.
@@ -15,8 +14,6 @@ pub(crate) struct Unrolled {
     table: Table,
     /// Arc length at the start of each piece.
     offsets: Vec<f64>,
-    /// To the copies of a piece on a lattice next to it.
-    shifts: Vec<Vector2<f64>>,
     /// Width of the picture per length.
     unit: f64,
     /// All pieces, where they are few segments and arcs; else nothing.
@@ -25,6 +22,8 @@ pub(crate) struct Unrolled {
     arcs: bool,
     /// Of each piece that can be looked up and would have to search; nothing where there are `stretches`, or few points.
     bearings: Vec<Option<Bearings>>,
+    /// And by what it is moved in its translates on a lattice.
+    shifts: Vec<Vec<Vector2<f64>>>,
 }
 
 /// From so many points on it is worth while to look them up.
@@ -159,8 +158,9 @@ impl Unrolled {
         // a segment or an arc knows where a point of it is, but not which of its copies is hit
         let searches = |piece: &&std::sync::Arc<dyn Piece>| !alone || Stretch::of(&***piece, 0.0, unit).is_none();
         let bearings = pieces.iter().map(|piece| Some(piece).filter(searches).and_then(|piece| Bearings::of(&**piece)));
-        let bearings = bearings.collect();
-        Unrolled { shifts: start::neighbours(table), unit, offsets, table: table.clone(), stretches, arcs, bearings }
+        let bearings: Vec<_> = bearings.collect();
+        let shifts = (0..bearings.len()).map(|piece| table.translations(piece).collect()).collect();
+        Unrolled { unit, offsets, table: table.clone(), stretches, arcs, bearings, shifts }
     }
 
     /// Where hits are, between 0 and the width of the picture.
@@ -184,16 +184,9 @@ impl Unrolled {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
         let number = (piece as usize).min(self.offsets.len() - 1);
         if let Some(Some(bearings)) = self.bearings.get(number) {
-            return (self.offsets[number] + bearings.arc_length(at, &self.shifts)) * self.unit;
+            return (self.offsets[number] + bearings.arc_length(at, &self.shifts[number])) * self.unit;
         }
-        let piece = &self.table.pieces()[number];
-        // on a lattice, the copy of the piece that was hit
-        let off = |point: &Vector2<f64>| (piece.closest(point).point - point).norm_squared();
-        let at = match &self.shifts[..] {
-            [] | [_] => at,
-            shifts => shifts.iter().map(|shift| at - shift).min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(at),
-        };
-        (self.offsets[number] + piece.arc_length_at(&at)) * self.unit
+        (self.offsets[number] + self.table.arc_length(number, &at)) * self.unit
     }
 }
 

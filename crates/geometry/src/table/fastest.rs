@@ -1,6 +1,6 @@
 //! The fastest walls for a table.
 use super::{
-    Table, closest_of,
+    Table, Translate, closest_of,
     container::{Container, Enclosed, MOST_SIDES},
     translates,
 };
@@ -130,7 +130,7 @@ impl Table {
     /// Whether a piece lies on the table's side of a chain that it does not cross.
     fn inside(&self, chain: &[usize], piece: usize) -> bool {
         let point = self.pieces[piece].point_at(0.5 * self.pieces[piece].length());
-        let (_, landing) = closest_of(chain.iter().map(|&i| (i, &self.pieces[i])), &point);
+        let (_, landing) = closest_of(chain.iter().map(|&i| (i, &*self.pieces[i])), &point);
         (point - landing.point).dot(&landing.normal) >= 0.0
     }
 
@@ -139,10 +139,10 @@ impl Table {
         self.parts.get_or_init(|| {
             let mut corners = vec![];
             let mut pieces = vec![];
-            for (i, by, piece) in translates(&self.pieces, lattice, 0.0) {
-                let ends = self.pieces[i].ends().map_or(vec![], Vec::from);
+            for Translate { number, by, piece } in translates(&self.pieces, lattice, 0.0) {
+                let ends = self.pieces[number].ends().map_or(vec![], Vec::from);
                 corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
-                pieces.push((i, piece));
+                pieces.push((number, piece));
             }
             Arc::new(Pieces::new(pieces, &corners))
         })

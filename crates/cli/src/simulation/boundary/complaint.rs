@@ -57,6 +57,7 @@ pub(crate) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error
             let value = if is_length { value / factor } else { *value };
             scene.source.diagnostic(arguments.span(name), Error::Parameter { name, must, value }.to_string())
         }
+        Error::Form { name, .. } => scene.source.diagnostic(arguments.span(name), error.to_string()),
         other => scene.source.diagnostic(*span, in_user_units(other, factor).to_string()),
     })
 }
