@@ -1,8 +1,9 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
-    energy::{Arrived, EnergyKeeper},
+    energy::{Arrived, EnergyKeeper, speed},
     laws::Mirror,
     orbit::Orbit,
+    run::GRAZING,
     track::Track,
 };
 use geometry::{WallHit, Walls};
@@ -32,10 +33,10 @@ pub trait BallLaw<const N: usize, const S: usize>: Sync {
         *velocity = [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2];
     }
 
-    /// Whether it always turns the velocity's component along the normal around, as every strict law does: what the energy lacks can
-    /// then be handed there sooner.
+    /// Whether it always turns the velocity's component along the normal around and keeps the energy, as every strict law does: what
+    /// the energy lacks can then be handed there sooner, and the speed need not be asked for again.
     #[inline(always)]
-    fn reverses_normal(&self) -> bool {
+    fn is_strict(&self) -> bool {
         false
     }
 
@@ -78,14 +79,16 @@ pub trait Motion<const N: usize, const S: usize> {
         orbit: &Orbit<F, N, S, K, T>,
         carried: &Self::Carried<F>,
     ) -> (WallHit<F, N>, Self::Arrival<F>);
-    /// Moves the orbit to the hit and through the collision there. Returns the square of the normal speed on arrival.
+    /// Moves the orbit to the hit and through the collision there. Returns whether it leaves the wall so flat that the next flight
+    /// cannot be told from rounding: under a strict law, whether the normal speed is not above `slow`.
     fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
         &self,
         orbit: &mut Orbit<F, N, S, K, T>,
         carried: &mut Self::Carried<F>,
         hit: &WallHit<F, N>,
         arrival: &Self::Arrival<F>,
-    ) -> F;
+        slow: F,
+    ) -> F::Mask;
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}
@@ -115,17 +118,21 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         (): &mut (),
         hit: &WallHit<F, N>,
         owed: &F,
-    ) -> F {
+        slow: F,
+    ) -> F::Mask {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         orbit.position = hit.point;
         let normal_speed = dot(&orbit.velocity, &hit.normal);
-        let arrived = Arrived { owed: *owed, normal_speed, reverses: self.law.reverses_normal() };
+        let arrived = Arrived { owed: *owed, normal_speed, reverses: self.law.is_strict() };
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
         if self.walls.rounds_normals() {
             orbit.keeper.straighten(&mut orbit.velocity, hit, &arrived);
         }
         orbit.keeper.leave(&mut orbit.velocity, hit, &arrived);
-        let normal_speed = normal_speed * hit.inverse;
-        normal_speed * normal_speed
+        if self.law.is_strict() {
+            return !slow.lt((normal_speed * hit.inverse).abs());
+        }
+        let leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
+        !(speed(&orbit.velocity, &orbit.spin) * GRAZING).lt(leaving.abs())
     }
 }

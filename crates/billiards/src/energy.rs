@@ -55,7 +55,7 @@ pub struct Arrived<F> {
     pub owed: F,
     /// The component of the velocity along the normal of the hit, times its length.
     pub normal_speed: F,
-    /// Whether the law [reverses](crate::BallLaw::reverses_normal) that.
+    /// Whether the law reverses that, as [strict](crate::BallLaw::is_strict) ones do.
     pub reverses: bool,
 }
 
@@ -74,6 +74,20 @@ pub(crate) fn square_speed<F: Lane, const N: usize, const S: usize>(velocity: &[
     }
     for w in spin {
         sum = sum + *w * *w;
+    }
+    sum
+}
+
+/// The sum of all components without their signs: between the length of `(velocity, spin)` and its multiple by the root of their number,
+/// without squares, which may be too large or too small for numbers.
+#[inline(always)]
+pub(crate) fn speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
+    let mut sum = velocity[0].abs();
+    for v in &velocity[1..] {
+        sum = sum + v.abs();
+    }
+    for w in spin {
+        sum = sum + w.abs();
     }
     sum
 }

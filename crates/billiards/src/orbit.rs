@@ -10,7 +10,8 @@ use lanes::Lane;
 pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
     /// Position of the centre \[L\].
     pub position: [F; N],
-    /// Velocity of the centre [L T⁻¹].
+    /// Velocity of the centre [L T⁻¹]. Round walls and keepers of the energy take squares of speeds, so these should lie between
+    /// 10⁻¹⁵⁰ and 10¹⁵⁰.
     pub velocity: [F; N],
     /// Scaled spin `γ R ω` [L T⁻¹]: kinetic energy is `(m/2)(|velocity|² + |spin|²)`.
     pub spin: [F; S],

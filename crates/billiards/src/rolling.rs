@@ -5,6 +5,7 @@ use crate::{
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
+    run::GRAZING,
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};
@@ -100,10 +101,10 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         W::ROUND && self.mirror.is_some()
     }
 
-    /// Whether every flight takes as long as the last one: between straight walls, if the normal velocity stays.
+    /// Whether every flight takes as long as the last one: between straight walls, where the normal velocity stays.
     #[inline(always)]
     fn keeps_time(&self) -> bool {
-        !W::ROUND && self.law.reverses_normal()
+        !W::ROUND && self.law.is_strict()
     }
 
     /// The frame of the first hit, with the velocity in the frame from which the path would have come.
@@ -233,7 +234,8 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         carried: &mut Frame<F>,
         hit: &WallHit<F, 2>,
         chord: &Chord<F>,
-    ) -> F {
+        slow: F,
+    ) -> F::Mask {
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         let arrival = carried.normal;
         carried.place = chord.place;
@@ -251,7 +253,11 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, owed);
             [carried.normal, carried.even.tangential] = velocity;
         }
-        arrival * arrival
+        if self.law.is_strict() {
+            return !slow.lt(arrival.abs());
+        }
+        let all = carried.normal.abs() + carried.even.tangential.abs() + orbit.spin[0].abs();
+        !(all * GRAZING).lt(carried.normal.abs())
     }
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, orbit: &mut Orbit<F, 2, 1, K, T>, carried: &Frame<F>) {

@@ -1,7 +1,7 @@
 //! The engine's loop.
 use crate::{
     billiard::Motion,
-    energy::{EnergyKeeper, square_speed},
+    energy::{EnergyKeeper, speed},
     observe::{Collision, Observer},
     orbit::Orbit,
     track::{Timed, Track},
@@ -80,7 +80,7 @@ pub struct Outcome {
 /// So many flights of no length in a row are no motion: two curves that touch can hold a particle for ever.
 pub(crate) const MOST_IDLE: u32 = 64;
 
-/// A normal speed below this fraction of the speed cannot be told from rounding.
+/// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
 /// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
@@ -130,7 +130,7 @@ where
         // copies of our own, to which nothing else points: they live in registers for as long as no observer looks at them
         let (mut orbit, mut carried) = (at.clone(), start);
         let orbit = &mut orbit;
-        let slow = GRAZING * GRAZING * square_speed(&orbit.velocity, &orbit.spin);
+        let slow = GRAZING * speed(&orbit.velocity, &orbit.spin);
         let mut n = 0;
         // flights of no length in a row, and the number of the last one
         let (mut idle, mut idle_at) = (0, 0);
@@ -152,7 +152,7 @@ where
                     break Stop::Stalled;
                 }
             }
-            let square = billiard.collide(orbit, &mut carried, &hit, &arrival);
+            let grazes = billiard.collide(orbit, &mut carried, &hit, &arrival, slow);
             n += 1;
             if observer.looks() || orbit.track.looks() {
                 billiard.settle(orbit, &carried);
@@ -160,7 +160,7 @@ where
             if let ControlFlow::Break(()) = observer.collision(&Collision { n, hit: &hit, orbit }) {
                 break Stop::Observer;
             }
-            if square <= slow {
+            if grazes {
                 break Stop::Grazing;
             }
         };

@@ -1,7 +1,7 @@
 //! Many orbits side by side: the lanes of vector registers, refilled as orbits end.
 use crate::{
     billiard::Motion,
-    energy::{Keeping, square_speed},
+    energy::{Keeping, speed},
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
@@ -66,7 +66,7 @@ struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     carried: C,
     /// What the observer knows of these orbits.
     view: V,
-    /// Square of the normal speed that counts as grazing.
+    /// The normal speed that counts as grazing.
     slow: F,
     lanes: [Seat; MOST_LANES],
 }
@@ -190,7 +190,7 @@ where
         }
         o.keeper.put(lane, &orbit.keeper);
         o.track.put(lane, &orbit.track);
-        group.slow.put(lane, square_speed(&orbit.velocity, &orbit.spin) * (GRAZING * GRAZING));
+        group.slow.put(lane, speed(&orbit.velocity, &orbit.spin) * GRAZING);
     }
 
     /// One collision of every lane.
@@ -203,12 +203,11 @@ where
             if (!moves | hit.corner).any() && self.look(group, hit.time, hit.corner, next, step) {
                 continue;
             }
-            let square = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival);
+            let slides = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival, group.slow);
             if self.observer.looks() || group.orbit.track.looks() {
                 self.billiard.settle(&mut group.orbit, &group.carried);
             }
             self.observer.collision(&mut group.view, &hit, &group.orbit);
-            let slides = !group.slow.lt(square);
             if slides.any() {
                 self.slide(group, slides, next, step + 1);
             }

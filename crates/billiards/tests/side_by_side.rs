@@ -7,7 +7,7 @@ use billiards::{
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
-use collision_laws::laws::{NoSlip, Specular};
+use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
 use geometry::{Table, WallHit, Walls, tables};
 use lanes::{Lane, MOST_LANES, Mask};
@@ -204,6 +204,41 @@ fn a_first_orbit_without_a_future_holds_nobody_up() {
     let mut ended: Vec<Ended> = vec![];
     billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.iter().map(|f| f.outcome.stop).collect::<Vec<_>>(), [Stop::Escaped; 5]);
+}
+
+#[test]
+fn under_laws_that_lose_energy_an_orbit_is_as_flat_as_it_leaves() {
+    let [half, none] = [(0.5, 0.0), (0.0, -1.0)].map(|(e, t)| Disk::new(&Restitution::new(e, t).unwrap(), 0.7));
+    // straight at a wall, slower and slower; and along it from the first collision on
+    let ways = [(half, [0.0, 1.0], Stop::Finished, 400), (none, [0.6, 0.8], Stop::Grazing, 1)];
+    let tables = [(tables::square(1.0), 0.5), (tables::strip(1.0), 0.5), (tables::circle(1.0), 0.0)];
+    for (table, x) in tables.map(|(table, x)| (table.unwrap(), x)) {
+        for (law, velocity, stop, collisions) in ways {
+            let billiard = Planar { table: table.clone(), law };
+            let orbit = Orbit::<_, 2, 1, (), _>::new([x, 0.5], velocity, [0.0], Clock::new(0.0));
+            let mut alone = orbit;
+            let outcome = billiard.run(&mut alone, &Collisions(400), &mut ());
+            assert_eq!((outcome.stop, outcome.collisions), (stop, collisions), "{law:?}");
+            let mut ended = vec![];
+            let orbits = &mut core::iter::repeat_n(orbit, 40);
+            billiard.run_side_by_side(orbits, 400, &mut (), &mut |f| ended.push(f));
+            assert!(ended.iter().all(|f| f.outcome == outcome && f.orbit.position == alone.position), "{law:?}");
+        }
+    }
+}
+
+#[test]
+fn between_straight_walls_speeds_whose_squares_are_no_numbers_are_as_good_as_others() {
+    let billiard = Planar { table: tables::hexagon(1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)) };
+    let start = |unit: f64| Orbit::<_, 2, 1, (), ()>::new([0.1, 0.2], [0.6 * unit, 0.3 * unit], [0.4 * unit], ());
+    let mut expected = start(1.0);
+    billiard.run(&mut expected, &Collisions(500), &mut ());
+    for exponent in [-700, 700] {
+        let mut orbit = start(libm::ldexp(1.0, exponent));
+        let outcome = billiard.run(&mut orbit, &Collisions(500), &mut ());
+        assert_eq!((outcome.stop, outcome.collisions), (Stop::Finished, 500));
+        assert_eq!(orbit.velocity, expected.velocity.map(|v| libm::ldexp(v, exponent)));
+    }
 }
 
 #[test]

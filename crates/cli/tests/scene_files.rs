@@ -260,6 +260,9 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (BOUNDARY, "name = \"capsule\", ", "", "26:9: shape lacks the key \"name\""),
         (BOUNDARY, "count = 1e5", "count = 1e13", "30:9: 10000000000000 is not a whole number from 1 to 1e12"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = -1", "31:8: a seed is a whole number"),
+        (BOUNDARY, "seed = 18446744073709551615", "seed = \"1/2\"", "31:8: a seed is a whole number"),
+        (BOUNDARY, "seed = 18446744073709551615", "seed = 1e20", "31:8: a seed is a whole number"),
+        (SPATIAL, "[table]\n", "[table]\nlattice = [[1, 0, 0]]\n", "tables in space have no lattice"),
         (BOUNDARY, "\"canonical\"", "\"random\"", "32:10: unknown sample \"random\""),
         (BOUNDARY, "[[10, 0], [0, 10]]", "[]", "4:11: a lattice has 1 or 2 translations, not 0"),
         (BOUNDARY, "domain = \"outside\"", "domain = \"out\"", "13:53: unknown domain \"out\""),
@@ -294,6 +297,16 @@ fn one_slip_gives_one_error() {
     ] {
         let errors = errors_of(valid, old, new);
         assert_eq!(errors.len(), 1, "{new}: {errors:?}");
+    }
+}
+
+#[test]
+fn a_seed_may_be_a_text_like_all_numbers() {
+    for (seed, expected) in [("\"18446744073709551615\"", u64::MAX), ("\"2^10\"", 1024), ("1e3", 1000), ("0", 0)] {
+        let text = BOUNDARY.replace("seed = 18446744073709551615", &format!("seed = {seed}"));
+        let scene = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap();
+        let Starts::Ensemble(ensemble) = &scene.starts else { panic!("an ensemble") };
+        assert_eq!(ensemble.seed, expected, "{seed}");
     }
 }
 

@@ -77,8 +77,13 @@ impl Copies {
     }
 }
 
+/// Most translations of one piece. Where a cell is so thin that there are more, those that are so many cells away are left out: something
+/// nearer is in between.
+const MOST: f64 = 1e6;
+
 /// The translations that may bring a box near another one.
 fn cells(lattice: &Lattice, moving: &Extent, around: &Extent, reach: f64) -> Vec<[f64; 2]> {
+    let (lattice, of_old) = lattice.reduced();
     let mut range = [[0.0, 0.0]; 2];
     for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
         let [f, g] = lattice.functional(k);
@@ -89,12 +94,19 @@ fn cells(lattice: &Lattice, moving: &Extent, around: &Extent, reach: f64) -> Vec
         let (x, y) = (span(0, f), span(1, g));
         *range = [libm::ceil(x[0] + y[0]), libm::floor(x[1] + y[1])];
     }
+    if range.iter().map(|[low, high]| (high - low + 1.0).max(0.0)).product::<f64>() > MOST {
+        let side = 0.5 * MOST.sqrt();
+        range = range.map(|[low, high]| {
+            let middle = libm::rint(0.5 * low + 0.5 * high);
+            [low.max(middle - side), high.min(middle + side)]
+        });
+    }
     let mut found = vec![];
     let mut first = range[0][0];
     while first <= range[0][1] {
         let mut second = range[1][0];
         while second <= range[1][1] {
-            found.push([first, second]);
+            found.push([0, 1].map(|i| first * of_old[0][i] + second * of_old[1][i]));
             second += 1.0;
         }
         first += 1.0;

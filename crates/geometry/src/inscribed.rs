@@ -143,18 +143,25 @@ impl Table {
     /// one of them.
     pub fn largest_disk(&self) -> LargestDisk {
         let finite = self.pieces().iter().all(|p| p.extent().is_finite());
+        let home = self.search_box();
         if finite {
-            return self.largest_disk_in(&self.search_box());
+            let far = home.max * 2.0 - home.min;
+            if self.lattice().is_none() && self.contains(&far) {
+                return LargestDisk { center: far, radius: f64::INFINITY };
+            }
+            return self.largest_disk_in(&home);
         }
         // boxes 16 times as large each: where the disk keeps growing, there is no end to it
-        let home = self.search_box();
         let (middle, half) = ((home.min + home.max) * 0.5, (home.max - home.min) * 0.5);
         let in_box = |k: f64| self.largest_disk_in(&Extent { min: middle - half * k, max: middle + half * k });
         let [small, large] = [in_box(4.0), in_box(64.0)];
-        if large.radius > 8.0 * small.radius {
+        let best = if large.radius > small.radius { large } else { small };
+        // nothing but straight walls is out there, and an ascent that goes beyond finds no end
+        let beyond = (0..2).any(|i| (best.center[i] - middle[i]).abs() > 1024.0 * half.amax());
+        if large.radius > 8.0 * small.radius || beyond {
             return LargestDisk { center: large.center, radius: f64::INFINITY };
         }
-        if large.radius > small.radius { large } else { small }
+        best
     }
 
     /// A box that contains the table, or its unit cell, or all that is finite of it.
@@ -218,7 +225,13 @@ impl Table {
                 }
             }
         }
-        field.climb(best.middle, best.half.max(best.distance.abs() * COARSE))
+        let top = field.climb(best.middle, best.half.max(best.distance.abs() * COARSE));
+        // not all translates are known beyond
+        let strays = (0..2).any(|i| (top.center[i] - best.middle[i]).abs() > sides.amax());
+        if strays && self.lattice().is_some() {
+            return LargestDisk { center: best.middle, radius: best.distance };
+        }
+        top
     }
 }
 
@@ -226,7 +239,7 @@ impl Table {
 mod tests {
     use crate::{
         Outline, Piece, Table, Turn, Vector2,
-        shapes::{Circle, Ellipse, FullLine, Ray},
+        shapes::{Circle, Ellipse, FullLine, Ray, Segment},
     };
 
     fn v(x: f64, y: f64) -> Vector2<f64> {
@@ -271,11 +284,18 @@ mod tests {
     #[test]
     fn infinite_tables_may_have_room_for_every_disk() {
         let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
+        let open = of(vec![Box::new(Circle::new(v(1.0, 1.0), 0.5, false).unwrap())]).largest_disk();
+        assert!(open.radius.is_infinite());
         let strip = of(vec![line(0.25, 1.0), line(1.25, -1.0)]).largest_disk();
         assert!((strip.radius - 0.5).abs() < 1e-15);
         assert!(of(vec![line(0.0, 1.0)]).largest_disk().radius.is_infinite());
         let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 4.0), left).unwrap()) as Box<dyn Piece>;
         assert!(of(vec![ray(1.0, true), ray(-1.0, false)]).largest_disk().radius.is_infinite());
+        // walls that open slowly
+        let end = Segment::new(v(0.0, 1.0), v(0.0, 0.0)).unwrap();
+        let [low, high] = [(0.0, 0.0, true), (1.0, 0.01, false)]
+            .map(|(y, slope, left)| Box::new(Ray::new(v(0.0, y), v(1.0, slope), left).unwrap()) as Box<dyn Piece>);
+        assert!(of(vec![Box::new(end), low, high]).largest_disk().radius.is_infinite());
     }
 
     #[test]

@@ -31,6 +31,36 @@ impl Lattice {
         &self.vectors
     }
 
+    /// The same lattice with vectors as short as possible (Lagrange, Gauss), and how many of the old ones each of the new ones is.
+    pub(crate) fn reduced(&self) -> (Lattice, [[f64; 2]; 2]) {
+        let mut of_old = [[1.0, 0.0], [0.0, 1.0]];
+        let &[mut a, mut b] = self.vectors.as_slice() else { return (self.clone(), of_old) };
+        let size = a.amax().max(b.amax());
+        (a, b) = (a / size, b / size);
+        let mut shorter = false;
+        loop {
+            if b.norm_squared() < a.norm_squared() {
+                (a, b) = (b, a);
+                of_old.swap(0, 1);
+            }
+            let share = a.dot(&b) / a.norm_squared();
+            // rounding may see a half as more
+            if share.is_nan() || share.abs() <= 0.5 + 1e-9 {
+                break;
+            }
+            let times = libm::round(share);
+            b -= a * times;
+            of_old[1] = [0, 1].map(|i| of_old[1][i] - times * of_old[0][i]);
+            shorter = true;
+        }
+        if !shorter {
+            return (self.clone(), [[1.0, 0.0], [0.0, 1.0]]);
+        }
+        // to the last digit what the old ones make of it
+        let vectors = of_old.map(|[i, j]| self.translation([i, j]));
+        Lattice::new(&vectors).map_or_else(|_| (self.clone(), [[1.0, 0.0], [0.0, 1.0]]), |lattice| (lattice, of_old))
+    }
+
     /// The functionals that give a point's lattice coordinates.
     pub(crate) fn functional(&self, i: usize) -> [f64; 2] {
         [self.coordinates[(i, 0)], self.coordinates[(i, 1)]]
@@ -79,5 +109,41 @@ impl Lattice {
     /// The translation that is `cell` multiples of the vectors.
     pub fn translation(&self, cell: [f64; 2]) -> Vector2<f64> {
         self.vectors.iter().zip(cell).map(|(v, c)| v * c).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(vectors: [[f64; 2]; 2]) -> Lattice {
+        Lattice::new(&vectors.map(Vector2::from)).unwrap()
+    }
+
+    #[test]
+    fn the_shortest_vectors_of_a_lattice_are_found() {
+        for (vectors, lengths) in [
+            ([[1.0, 0.0], [0.5, 0.866]], [f64::hypot(0.5, 0.866); 2]),
+            ([[1.0, 0.0], [1.0, 1e-5]], [1e-5, 1.0]),
+            ([[1.0, 0.0], [1e-9, 1e-5]], [1e-5, 1.0]),
+            ([[3.0, 1.0], [10.0, 3.0]], [1.0, 1.0]),
+            ([[3e150, 1e150], [10e150, 3e150]], [1e150, 1e150]),
+            ([[3e-150, 1e-150], [10e-150, 3e-150]], [1e-150, 1e-150]),
+        ] {
+            let (short, of_old) = of(vectors).reduced();
+            let mut found = [0, 1].map(|i| short.vectors()[i].norm());
+            found.sort_by(f64::total_cmp);
+            let close = |i: usize| (found[i] - lengths[i]).abs() <= 1e-7 * lengths[i];
+            assert!(close(0) && close(1), "{vectors:?} {found:?}");
+            assert_eq!((of_old[0][0] * of_old[1][1] - of_old[0][1] * of_old[1][0]).abs(), 1.0, "{of_old:?}");
+        }
+    }
+
+    #[test]
+    fn vectors_that_are_short_stay_as_they_are() {
+        for vectors in [[[1.0, 0.0], [0.0, 1.0]], [[1.0, 0.0], [0.5, 0.75_f64.sqrt()]], [[0.0, -1.0], [1.25, 0.125]]] {
+            let (short, of_old) = of(vectors).reduced();
+            assert_eq!((short, of_old), (of(vectors), [[1.0, 0.0], [0.0, 1.0]]));
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::{
     intersect::{direction_at, self_crossing},
     meetings,
     plane::slack,
-    sight::{Aim, Sight},
+    sight::{Aim, Sight, Wall},
 };
 use nalgebra::Vector2;
 use std::collections::HashSet;
@@ -149,17 +149,32 @@ impl Table {
             return Err(Error::Orientation { piece: chains[k][0] });
         }
         let infinite = sight.infinite();
+        // of two loops that disagree, the inner one is named
+        let disagree = |a: &Wall, b: &Wall| {
+            let [first, second] = [a, b].map(|wall| width(sight.chain_of[wall.number]));
+            Error::Orientation { piece: if second < first { b.number } else { a.number } }
+        };
+        // what lies behind a wall: the table, if it is a wall on both sides
+        let behind = |wall: &Wall| wall.into_table || self.pieces()[wall.number].tips().is_some();
+        // a wall behind which there is no other, where all around is one region
+        let mut last: Option<Wall> = None;
+        let surrounded = infinite.is_empty() && self.lattice().is_none();
         for k in 0..chains.len() {
             let others = [(k + 1) % chains.len()].into_iter().chain(infinite.iter().copied());
             let aims = [Aim::Inward, Aim::Outward].into_iter().chain(others.filter(|&other| other != k).map(Aim::At));
             for aim in aims {
-                let Some((walls, false)) = sight.look(k, aim, |_| true) else { continue };
-                let [from, hit] = [walls[0], walls[1]];
+                // to the end, as far as all translates are known
+                let to_the_end = if self.lattice().is_none() { sight.look(k, aim, |_| false) } else { None };
+                let Some((walls, escapes)) = to_the_end.or_else(|| sight.look(k, aim, |_| true)) else { continue };
                 // a wall seen from the table must not lead into it
-                if from.into_table == hit.into_table {
-                    // of two loops that disagree, the inner one is named
-                    let inner = width(sight.chain_of[hit.number]) < width(k);
-                    return Err(Error::Orientation { piece: if inner { hit.number } else { from.number } });
+                if let Some(pair) = walls.windows(2).find(|pair| behind(&pair[0]) == pair[1].into_table) {
+                    return Err(disagree(&pair[0], &pair[1]));
+                }
+                if let (true, true, Some(wall)) = (escapes, surrounded, walls.last()) {
+                    let other = *last.get_or_insert(*wall);
+                    if behind(wall) != behind(&other) {
+                        return Err(disagree(&other, wall));
+                    }
                 }
             }
         }

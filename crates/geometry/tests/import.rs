@@ -214,7 +214,11 @@ fn mistakes_are_named_with_line_and_element() {
         ("<g transform='spin(3)'/>", "spin(3)"),
         ("<g transform='rotate(3'/>", "parenthesis"),
         ("<polygon points='0 0 1'/>", "a number"),
-        ("<circle r='1e200' transform='scale(1e200)'/>", "overflow"),
+        ("<circle r='1e200' transform='scale(1e200)'/>", "coordinate is inf"),
+        // no tolerance is met by curves of these sizes
+        ("<path d='M 0 0 C 1e300 0 -1e300 1e300 1 -1 z'/>", "between 1e-150 and 1e150"),
+        ("<path d='M 0 0 C 1e-170 0 0 1e-170 1e-170 1e-170 z'/>", "between 1e-150 and 1e150"),
+        ("<rect x='1e16' width='3' height='3'/>", "so far from the origin"),
     ] {
         let (place, what) = problem(body);
         assert!(place.starts_with("line 2, <") && what.contains(words), "{body}: {place}: {what}");
@@ -255,6 +259,16 @@ fn mistakes_in_maps_are_named_with_their_place() {
         (r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, "x"]]]}"#, "coordinates[0][1]", "two finite numbers"),
         (r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 1]]]}"#, "coordinates[0]", "no area"),
         (r#"{"type": "Polygon", "coordinates": [[[0, 0]]]}"#, "coordinates[0]", "three different"),
+        (
+            r#"{"type": "Polygon", "coordinates": [[[0, 0], [1e200, 0], [0, 1e200]]]}"#,
+            "coordinates[0]",
+            "between 1e-150 and 1e150",
+        ),
+        (
+            r#"{"type": "Polygon", "coordinates": [[[0, 0], [1e-200, 0], [0, 1e-200]]]}"#,
+            "coordinates[0]",
+            "between 1e-150 and 1e150",
+        ),
         (
             r#"{"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": {"type": "Polygon"}}]}"#,
             "features[0].geometry",

@@ -1,7 +1,7 @@
 //! What bounds a table, and what does not.
 use core::f64::consts::PI;
 use geometry::{
-    Error, Lattice, Outline, Piece, Table, Turn, Vector2,
+    Description, Error, Lattice, Outline, Piece, Table, Turn, Vector2,
     shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment},
     tables,
 };
@@ -70,6 +70,69 @@ fn walls_with_the_table_on_the_right_are_named() {
     let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
     assert!(matches!(check([vec![line(0.0, 1.0), line(1.0, 1.0)]]), Err(Error::Orientation { .. })));
     assert!(matches!(check([vec![line(0.0, 1.0), disk(0.0, -3.0, 1.0, false)]]), Err(Error::Orientation { .. })));
+}
+
+#[test]
+fn a_wall_is_compared_with_all_that_lie_behind_it() {
+    // a room, which any line to the disk leaves through its far side first
+    let room = || square(0.0, 0.0, 1.0, true);
+    assert_eq!(check([room(), vec![disk(-2.0, 0.5, 0.25, false)]]), Err(Error::Orientation { piece: 4 }));
+    assert_eq!(check([room(), vec![disk(-2.0, 0.5, 0.25, true)]]), Ok(()));
+}
+
+#[test]
+fn of_any_disjoint_or_nested_disks_those_that_alternate_are_a_table() {
+    let mut random = Random(5);
+    let [mut good, mut bad] = [0, 0];
+    for _ in 0..1000 {
+        let mut disks: Vec<[f64; 3]> = vec![];
+        for _ in 0..2 + random.below(6) {
+            let [x, y] = [0; 2].map(|_| random.between(-2.0, 2.0));
+            let r = random.between(0.05, 1.5);
+            let clear = |[u, s, q]: &[f64; 3]| {
+                let d = f64::hypot(x - u, y - s);
+                d > r + q + 0.01 || d < (r - q).abs() - 0.01
+            };
+            if disks.iter().all(clear) {
+                disks.push([x, y, r]);
+            }
+        }
+        let depth = |k: usize| {
+            let [x, y, r] = disks[k];
+            disks.iter().filter(|[u, s, q]| *q > r && f64::hypot(x - u, y - s) < q - r).count()
+        };
+        // the table is all around, or not; and one disk may disagree
+        let around = random.below(2) == 1;
+        let wrong = (random.below(2) == 1).then(|| random.below(disks.len()));
+        let inside = |k: usize| ((depth(k) % 2 == 0) != around) != (wrong == Some(k));
+        let pieces: Vec<_> = (0..disks.len()).map(|k| disk(disks[k][0], disks[k][1], disks[k][2], inside(k))).collect();
+        let found = check([pieces]);
+        if wrong.is_some() && disks.len() > 1 {
+            bad += 1;
+            assert!(matches!(found, Err(Error::Orientation { .. })), "{disks:?} {wrong:?} {around}");
+        } else {
+            good += 1;
+            assert_eq!(found, Ok(()), "{disks:?} {around}");
+        }
+    }
+    assert!(good > 300 && bad > 300, "{good} {bad}");
+}
+
+/// Random numbers.
+struct Random(u64);
+
+impl Random {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.uniform()
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "less than a small number")]
+    fn below(&mut self, n: usize) -> usize {
+        (self.uniform() * n as f64) as usize
+    }
 }
 
 #[test]
@@ -222,4 +285,16 @@ fn pieces_that_reach_over_millions_of_cells_are_refused_and_fill_no_memory() {
         let table = Table::periodic(vec![disk(0.5, 0.5, 0.25, false)], Some(lattice));
         assert!(matches!(table, Err(Error::ManyCells { piece: 0, .. })), "{short} {long}");
     }
+}
+
+#[test]
+fn cells_as_thin_as_a_hair_fill_no_memory() {
+    let lattice = Lattice::new(&[v(1.0, 0.0), v(1.0, 1e-9)]).unwrap();
+    let table = Table::periodic(vec![disk(0.0, 0.0, 1e-10, false)], Some(lattice)).unwrap();
+    assert_eq!(table.validate(), Ok(()));
+    let Description { components, largest_disk, .. } = table.describe();
+    assert_eq!(components.len(), 1);
+    assert!((components[0].area - 1e-9).abs() < 1e-15);
+    // between two columns of disks
+    assert!((largest_disk.radius - 0.5).abs() < 1e-3, "{largest_disk:?}");
 }

@@ -102,9 +102,8 @@ impl BallLaw<2, 1> for Disk {
         in_frame(self.in_frame.in_lanes(hit.time), velocity, spin);
     }
     #[inline(always)]
-    fn reverses_normal(&self) -> bool {
-        let Coefficients([.., normal]) = self.in_frame;
-        normal == -1.0
+    fn is_strict(&self) -> bool {
+        self.mirror.is_some()
     }
     fn mirror(&self) -> Option<Mirror> {
         self.mirror

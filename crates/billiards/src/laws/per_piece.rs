@@ -39,7 +39,7 @@ impl BallLaw<2, 1> for PerPiece {
         let laws = self.at(hit);
         in_frame(Coefficients::by_lane(hit.time, |lane| &laws(lane).in_frame), velocity, spin);
     }
-    fn reverses_normal(&self) -> bool {
-        self.0.iter().all(BallLaw::reverses_normal)
+    fn is_strict(&self) -> bool {
+        self.0.iter().all(BallLaw::is_strict)
     }
 }

@@ -79,7 +79,7 @@ impl BallLaw<3, 3> for RoughBall {
         }
     }
     #[inline(always)]
-    fn reverses_normal(&self) -> bool {
+    fn is_strict(&self) -> bool {
         true
     }
 }

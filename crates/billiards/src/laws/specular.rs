@@ -29,7 +29,7 @@ impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
     }
 
     #[inline(always)]
-    fn reverses_normal(&self) -> bool {
+    fn is_strict(&self) -> bool {
         true
     }
 

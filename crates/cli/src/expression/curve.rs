@@ -1,30 +1,81 @@
 //! Formulas as boundaries: what the geometry of curves asks of `r(t)` and `f(x, y)`.
 
+use core::f64::consts::TAU;
+
 use billiards::geometry::shapes::curve::{ImplicitFormula, Interval, PolarFormula};
 use billiards::geometry::{Extent, Vector2};
 
 use super::{Expression, Program};
 
-/// A radius `r(t)` as a formula, with its first two derivatives.
+/// A radius `r(t)` for angles from 0 to 2π as a formula, with its first two derivatives.
 #[derive(Clone, Debug)]
-pub struct PolarCurve(Program<3>);
+pub struct PolarCurve {
+    jet: Program<3>,
+    /// Whether the formula itself comes back after a turn: most do, and need not be asked within the first turn only.
+    returns: bool,
+}
+
+/// Angles at which a formula is compared with itself a turn later and before.
+const PLACES: u32 = 61;
+
+/// Some ulp of a turn.
+const ROUNDING: f64 = 4.0 * TAU * f64::EPSILON;
 
 impl PolarCurve {
     /// The curve of a formula in one variable, the polar angle.
     pub fn new(radius: &Expression) -> Self {
         let slope = radius.derivative(0);
-        Self(Program::new([radius, &slope, &slope.derivative(0)]))
+        let jet = Program::new([radius, &slope, &slope.derivative(0)]);
+        let at = |angle: f64| -> f64 {
+            let [r, ..] = jet.evaluate(&[angle]);
+            r
+        };
+        let returns = (0..PLACES).all(|k| {
+            let angle = TAU * f64::from(k) / f64::from(PLACES);
+            // the rounding of an angle times a number of waves; a formula that means something else is off by more
+            let near = |r: f64| (r - at(angle)).abs() <= 1e-9 * r.abs();
+            near(at(angle + TAU)) && near(at(angle - TAU))
+        });
+        Self { jet, returns }
     }
 }
 
 impl PolarFormula for PolarCurve {
     fn jet(&self, angle: f64) -> [f64; 3] {
-        self.0.evaluate(&[angle])
+        if self.returns || (0.0..=TAU).contains(&angle) {
+            return self.jet.evaluate(&[angle]);
+        }
+        self.jet.evaluate(&[(angle - TAU * libm::floor(angle / TAU)).clamp(0.0, TAU)])
     }
 
     fn jet_over(&self, angle: Interval) -> [Interval; 3] {
-        self.0.evaluate(&[angle])
+        if self.returns || (angle.low > 0.0 && angle.high < TAU) {
+            return self.jet.evaluate(&[angle]);
+        }
+        let within = |low: f64, high: f64| -> [Interval; 3] { self.jet.evaluate(&[Interval::new(low, high)]) };
+        if !(angle.width() < TAU) {
+            let [r, slope, _] = within(0.0, TAU);
+            return [r, slope, Interval::ENTIRE];
+        }
+        let turns = TAU * libm::floor(angle.low / TAU);
+        // these differences are rounded
+        let (low, high) = ((angle.low - turns - ROUNDING).max(0.0), angle.high - turns + ROUNDING);
+        let [before, after] = [TAU, 0.0].map(|seam| within(seam, seam));
+        // the parts on either side of the seam, and the seam itself
+        let [r, slope, bend] = match (low > 0.0, high < TAU) {
+            (true, true) => return within(low, high),
+            (true, false) => union(within(low, TAU), within(0.0, high - TAU)),
+            (false, true) => union(before, within(0.0, high)),
+            (false, false) => union(within(0.0, TAU), before),
+        };
+        let jumps = (before[1].low - after[1].low).abs() > 1e-9 * before[0].magnitude();
+        [r, slope, if jumps { Interval::ENTIRE } else { bend }]
     }
+}
+
+/// The smallest intervals around both.
+fn union(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
+    [0, 1, 2].map(|i| a[i].union(b[i]))
 }
 
 /// A function `f(x, y)` as a formula, with its gradient and Hessian, and a box that holds its zeros.
@@ -80,7 +131,7 @@ impl ImplicitFormula for ImplicitCurve {
 mod tests {
     use super::*;
     use billiards::geometry::shapes::curve::{Implicit, Polar};
-    use billiards::geometry::{Line, Piece};
+    use billiards::geometry::{Error, Line, Piece};
 
     #[test]
     fn a_polar_formula_is_a_table_with_the_area_of_its_integral() {
@@ -92,12 +143,74 @@ mod tests {
     }
 
     #[test]
+    fn a_formula_that_does_not_come_back_is_meant_for_one_turn() {
+        let r = |text: &str| PolarCurve::new(&Expression::parse(text, &["t"]).unwrap());
+        assert!(r("1 + 0.2*cos(5*t) + abs(sin(t/2))").returns);
+        let (parabola, bump) = (r("1 + 0.2*t*(2*pi-t)"), r("1 + 0.01*t^2*(2*pi-t)^2"));
+        for formula in [&parabola, &bump] {
+            assert!(!formula.returns);
+            for k in -40..40 {
+                let (angle, width) = (0.5 * f64::from(k), 0.07);
+                let [r, slope, bend] = formula.jet_over(Interval::new(angle, angle + width));
+                for part in 0..=10 {
+                    let here = angle + width * f64::from(part) / 10.0;
+                    let turned = here - TAU * libm::floor(here / TAU);
+                    for (jet, over) in formula.jet(here).into_iter().zip([r, slope, bend]) {
+                        assert!(over.contains(jet), "{here}: {jet} {over:?}");
+                    }
+                    let exact: [f64; 3] = formula.jet.evaluate(&[turned]);
+                    assert_eq!(formula.jet(here), exact);
+                }
+            }
+        }
+        // its slope jumps from 0.4π to −0.4π, that of the other one is 0 from both sides
+        let around = Interval::new(-0.01, 0.01);
+        assert_eq!(parabola.jet_over(around)[2], Interval::ENTIRE);
+        assert!(bump.jet_over(around)[2].magnitude() < 10.0);
+        let pieces = |formula: PolarCurve| Polar::new(Vector2::zeros(), formula, true).unwrap().pieces();
+        let [corner] =
+            [pieces(parabola)].map(|arcs| arcs.iter().filter_map(|arc| arc.ends()).flatten().collect::<Vec<_>>());
+        assert!(corner.iter().any(|end| (end - Vector2::new(1.0, 0.0)).amax() < 1e-14), "{corner:?}");
+    }
+
+    #[test]
     fn an_implicit_formula_is_hit_where_its_equation_says() {
         let f = Expression::parse("x^2/4 + y^2 - 1", &["x", "y"]).unwrap();
         let table = Implicit::new(ImplicitCurve::new(&f, [[-2.5, -1.5], [2.5, 1.5]]), true).unwrap();
         let path = Line { point: Vector2::new(0.0, 0.0), velocity: Vector2::new(1.0, 0.5) };
         // t²/4 + t²/4 = 1; a few roundings.
         assert!((table.crossing(&path).time() - 2f64.sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_curve_that_is_not_alone_in_its_box_is_refused() {
+        let curve = |f: &str| {
+            let f = Expression::parse(f, &["x", "y"]).unwrap();
+            Implicit::new(ImplicitCurve::new(&f, [[-2.0, -2.0], [2.0, 2.0]]), true)
+        };
+        for f in [
+            "(x^2+y^2-1)*((x-0.25)^2+(y-0.25)^2-0.0004)",
+            "(x^2+y^2-1)*((x+0.3)^2+(y-0.51)^2-1e-7)",
+            "(x^2+y^2-1)*((x-1.7)^2+(y+1.6)^2-1e-6)",
+            // a single point
+            "(x^2+y^2-1)*((x-0.25)^2+(y-0.25)^2)",
+        ] {
+            let found = curve(f);
+            assert!(matches!(found, Err(Error::Curve { must: "be the only one in its extent", .. })), "{f}: {found:?}");
+        }
+        for f in [
+            "x^2+y^2-1",
+            "sqrt(x^2+y^2)-1",
+            "abs(x)^2.5+abs(y)^2.5-1",
+            "(x^2+y^2)^20-1",
+            "x^4+y^4-1",
+            "0.5-exp(-x^2-y^2)",
+            "(x^2+y^2-1)*exp(-20*(x^2+y^2))",
+            "x^2/3+y^2-1+0.1*cos(20*x)*y",
+        ] {
+            let found = curve(f);
+            assert!(found.is_ok(), "{f}: {found:?}");
+        }
     }
 
     #[test]

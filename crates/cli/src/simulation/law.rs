@@ -35,10 +35,10 @@ impl BallLaw<2, 1> for PlanarLaw {
         }
     }
     #[inline(always)]
-    fn reverses_normal(&self) -> bool {
+    fn is_strict(&self) -> bool {
         match self {
-            PlanarLaw::Uniform(law) => law.reverses_normal(),
-            PlanarLaw::PerPiece(law) => law.reverses_normal(),
+            PlanarLaw::Uniform(law) => law.is_strict(),
+            PlanarLaw::PerPiece(law) => law.is_strict(),
         }
     }
     fn mirror(&self) -> Option<Mirror> {
@@ -132,7 +132,7 @@ impl BallLaw<3, 3> for SpatialLaw {
         }
     }
     #[inline(always)]
-    fn reverses_normal(&self) -> bool {
+    fn is_strict(&self) -> bool {
         !matches!(self, SpatialLaw::Any(_))
     }
 }

@@ -196,6 +196,23 @@ fn a_formula_with_many_kinks_is_cut_in_finite_time() {
 }
 
 #[test]
+fn a_disk_rolls_around_the_corner_where_a_turn_of_a_formula_ends() {
+    let folder = Folder::new("seam");
+    for formula in ["1 + 0.2*t*(2*pi-t)", "1 + 0.2*abs(t)*abs(2*pi-t)"] {
+        let scene = format!(
+            "law = \"no-slip\"\n[[table.boundary]]\ncurve = {{ polar = \"{formula}\" }}\n[particle]\nradius = 0.2\n\
+             inertia = \"hoop\"\n[[orbit]]\nposition = [0.2, 0.02]\nvelocity = [1, 0]\n[run]\ncollisions = 1\n\
+             [output]\ncollisions = \"csv\"\n"
+        );
+        folder.done(&scene, &[]);
+        // the corner is at (1, 0), and points into the table
+        let row = &folder.rows()[0];
+        let (x, y) = (row[5], row[6]);
+        assert!((f64::hypot(x - 1.0, y) - 0.2).abs() < 1e-14 && y == 0.02, "{formula}: {x} {y}");
+    }
+}
+
+#[test]
 fn a_disk_sees_the_bends_between_the_places_where_curvature_is_looked_at() {
     let folder = Folder::new("bends");
     let scene = "law = \"no-slip\"\n[[table.boundary]]\ncurve = { polar = \"1+-0.05418429947613218*abs(sin(1*t+0.82))+0.0689474497866048*cos(7*t+2.73)^3+0.05461552238\

@@ -1,6 +1,6 @@
 //! Closed outlines, turned the right way.
 use crate::{
-    BoxTree, Error, MeetingKind, Piece, meetings,
+    BoxTree, Error, Extent, MeetingKind, Piece, meetings,
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
@@ -64,6 +64,17 @@ pub(super) enum Form {
     /// A start, and edges with the vertices that they lead to; the last one leads back.
     Path(Vector2<f64>, Vec<(Edge, Vector2<f64>)>),
     Oval(Oval),
+}
+
+/// Fails where the coordinates of an outline are so large or so small that areas were no numbers.
+pub(super) fn in_range<'a>(points: impl IntoIterator<Item = &'a Vector2<f64>>, place: &str) -> Result<(), Error> {
+    let finite = |x: &f64| if x.is_nan() { f64::INFINITY } else { x.abs() };
+    let size = points.into_iter().flatten().map(finite).fold(0.0, f64::max);
+    if size == 0.0 || (1e-150..=1e150).contains(&size) {
+        return Ok(());
+    }
+    let problem = format!("its largest coordinate is {size:e}, which is not between 1e-150 and 1e150");
+    Err(Error::Import { place: place.into(), problem })
 }
 
 /// What an outline bounds.
@@ -163,8 +174,14 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         let area: f64 = loops[k].iter().map(|p| p.area()).sum();
         let size = loops[k].iter().map(|p| p.extent().size()).fold(0.0, f64::max);
         if area.is_nan() || area.abs() <= size * slack([size]) {
-            let problem = "the outline encloses no area".into();
-            return Err(Error::Import { place: contour.place.clone(), problem });
+            let extent = loops[k].iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union);
+            let far = (extent.max - extent.min).amax() < 1e-3 * size;
+            let problem = if far {
+                "the outline is so far from the origin that its coordinates are rounded to less than its size: move it nearer"
+            } else {
+                "the outline encloses no area"
+            };
+            return Err(Error::Import { place: contour.place.clone(), problem: problem.into() });
         }
         let hole = match contour.role {
             Role::Outer => false,

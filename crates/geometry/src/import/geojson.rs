@@ -1,5 +1,5 @@
 //! Outlines from `GeoJSON`: polygons with holes.
-use super::contour::{Contour, Edge, Pen, Role, oriented};
+use super::contour::{Contour, Edge, Form, Pen, Role, in_range, oriented};
 use crate::{Error, Piece};
 use nalgebra::Vector2;
 use serde_json::Value;
@@ -91,7 +91,12 @@ fn polygon(rings: &[Value], place: &str, contours: &mut Vec<Contour>) -> Result<
             }
         }
         match pen.and_then(Pen::close) {
-            Some(form) => contours.push(Contour { place, form, role: if k == 0 { Role::Outer } else { Role::Hole } }),
+            Some(form) => {
+                if let Form::Path(start, edges) = &form {
+                    in_range(edges.iter().map(|(_, to)| to).chain([start]), &place)?;
+                }
+                contours.push(Contour { place, form, role: if k == 0 { Role::Outer } else { Role::Hole } });
+            }
             None => return fail(&place, "a ring must have at least three different positions"),
         }
     }

@@ -4,7 +4,7 @@ mod path;
 
 use super::{
     biarc::Fit,
-    contour::{Contour, Edge, Form, Oval, Pen, Role, oriented},
+    contour::{Contour, Edge, Form, Oval, Pen, Role, in_range, oriented},
 };
 use crate::{Error, Piece};
 use affine::Affine;
@@ -228,9 +228,7 @@ impl Outline {
 
     /// The closed outline in the plane of the table; `None` for a path without edges.
     fn contour(&self, fit: &Fit) -> Result<Option<Contour>, Error> {
-        if self.points().iter().any(|p| !p.iter().all(|x| x.is_finite())) {
-            return Err(self.place.fail("the coordinates overflow"));
-        }
+        in_range(&self.points(), &self.place.0)?;
         let oval = |center: Vector2<f64>, radii: [f64; 2], tilt: f64| {
             let (semi_axes, angle) = self.here.ellipse(radii, tilt);
             Oval { center: self.here.apply(center), semi_axes, angle }

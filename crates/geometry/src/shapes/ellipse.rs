@@ -33,6 +33,10 @@ pub struct Ellipse {
     unit: Circle,
 }
 
+/// Where one semi-axis is shorter than this part of the other, formulas for needles are right to rounding: what they leave out is the
+/// square of that.
+const NEEDLE: f64 = 1e-12;
+
 impl Ellipse {
     /// The ellipse with semi-axes `[a, b]` \[L\], the first at `angle` (radians, counter-clockwise) to the x₁ axis, and
     /// the table inside (`inside`) or outside.
@@ -162,7 +166,7 @@ impl Ellipse {
         let [a, b] = self.semi_axes;
         let along = |angle: f64| {
             let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            [self.quarter_to(sin, cos) - rest, b * (cos * cos + (a / b) * (a / b) * sin * sin).sqrt()]
+            [self.quarter_to(sin, cos) - rest, libm::hypot(b * cos, a * sin)]
         };
         let angle = rising_root(along, [0.0, FRAC_PI_2]);
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
@@ -178,6 +182,15 @@ impl Ellipse {
     /// Arc length from the end of the first semi-axis to the eccentric angle with this sine and cosine, both ≥ 0.
     fn quarter_to(&self, sin: f64, cos: f64) -> f64 {
         let [a, b] = self.semi_axes;
+        if a < NEEDLE * b {
+            // √(cos² + q sin²) is |cos| to rounding, but for a part as small as the ratio
+            return b * sin;
+        }
+        if b < NEEDLE * a {
+            // with κ = b/a and s = 2 sin(φ/2): ∫ √(s² + κ²) ds
+            let (k, s) = (b / a, sin * (2.0 / (1.0 + cos)).sqrt());
+            return a * 0.5 * (s * libm::hypot(s, k) + k * (k * libm::asinh(s / k)));
+        }
         b * second_kind(sin, cos, (a / b) * (a / b))
     }
 
@@ -191,7 +204,8 @@ impl Ellipse {
         let [a, b] = self.semi_axes;
         let (major, minor) = if a < b { (1, 0) } else { (0, 1) };
         let (long, short) = (self.semi_axes[major], self.semi_axes[minor]);
-        let ratio = long / short;
+        // of a needle beyond this ratio all is known of the points of its long axis, and its squares still are finite
+        let ratio = (long / short).min(1e100);
         let (n, m) = (ratio * ratio * z[major].abs(), z[minor].abs());
         let gap = (ratio - 1.0) * (ratio + 1.0); // a²/b² − 1
         let mut t = m.max(n - gap);
@@ -302,6 +316,40 @@ mod tests {
 
     fn path(x: f64, y: f64, vx: f64, vy: f64) -> Line<2> {
         Line { point: Vector2::new(x, y), velocity: Vector2::new(vx, vy) }
+    }
+
+    #[test]
+    fn a_needle_is_measured_alike_by_both_formulas() {
+        for ratio in [NEEDLE * 0.999, NEEDLE * 1e-3] {
+            for k in 0..=60 {
+                for angle in [FRAC_PI_2 * f64::from(k) / 60.0, libm::ldexp(1.0, -k)] {
+                    let (sin, cos) = if k == 60 { (1.0, 0.0) } else { libm::sincos(angle) };
+                    for axes in [[1.0, ratio], [ratio, 1.0]] {
+                        let needle = Ellipse::new(Vector2::zeros(), axes, 0.0, true).unwrap();
+                        let found = needle.quarter_to(sin, cos);
+                        let [a, b] = axes;
+                        let expected = b * second_kind(sin, cos, (a / b) * (a / b));
+                        assert!((found - expected).abs() <= 16.0 * f64::EPSILON * expected, "{axes:?} {angle}");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ellipses_as_thin_as_numbers_allow_have_lengths_and_points() {
+        for axes in [[1e150, 1e-150], [1e-150, 1e150], [1e5, 1e-150], [1e-150, 1.0], [1e150, 1e-10]] {
+            let needle = Ellipse::new(Vector2::zeros(), axes, 0.0, true).unwrap();
+            let long = axes[0].max(axes[1]);
+            assert!((needle.length() - 4.0 * long).abs() <= 4e-15 * long, "{axes:?}");
+            for k in 0..16 {
+                let s = needle.length() * f64::from(k) / 16.0;
+                let point = needle.point_at(s);
+                assert!(point.amax() <= long, "{axes:?} {s:e}: {point:?}");
+                let foot = needle.closest(&point).point;
+                assert!((foot - point).amax() <= 1e-7 * long, "{axes:?} {s:e}: {point:?} {foot:?}");
+            }
+        }
     }
 
     #[test]

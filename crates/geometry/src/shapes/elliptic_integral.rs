@@ -3,7 +3,7 @@
 /// `∫₀^φ √(cos²θ + q sin²θ) dθ` for `0 ≤ φ ≤ π/2`, given `sin φ` and `cos φ` (both ≥ 0) and `q > 0`.
 ///
 /// This is Legendre's `E(φ | m)` with `m = 1 − q`. All terms are positive in the form used on either side of `q = 1`,
-/// so that the relative error stays at a few units of rounding for every eccentricity.
+/// so that the relative error stays at a few units of rounding for every `q` between 10⁻¹⁰⁰ and 10¹⁰⁰.
 /// Reference: [DLMF, 19.25.9 and 19.25.10].
 pub(crate) fn second_kind(sin: f64, cos: f64, q: f64) -> f64 {
     let (s2, c2, m) = (sin * sin, cos * cos, 1.0 - q);

@@ -92,16 +92,18 @@ pub struct Implicit<F> {
 const STRAIGHT: f64 = 0.988_77;
 /// Most chords; a curve that needs more is not smooth, or not closed.
 const CHORDS: usize = 100_000;
-/// Points on a side of the grid on which the sign of `f` is compared with the curve.
+/// Parts of a side of the box in which other zeros of `f` are looked for, and how often these are halved: where `f` still is not known
+/// to differ from 0 then, it is taken to vanish.
 const GRID: u32 = 48;
+const HALVINGS: u32 = 10;
 
 impl<F: ImplicitFormula> Implicit<F> {
     /// The curve `f = 0`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
     /// [`Error::Parameter`] if the box is empty or infinite, or holds no curve, or if `f` is positive inside;
-    /// [`Error::Curve`] if the box cuts the curve or holds more than one (as far as a grid of 48 × 48 points can tell),
-    /// or if the curve is not smooth.
+    /// [`Error::Curve`] if the box cuts the curve or holds another zero of `f`, or if the curve is not smooth. (A zero as near to the
+    /// curve as the points are to each other from which its length is summed is not seen.)
     pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
         let given = formula.extent();
         let size = (given.max - given.min).amax();
@@ -290,24 +292,46 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
     Err(rough(here[0]))
 }
 
-/// Compares the sign of `f` with the curve that was traced.
+/// Fails unless the curve that was traced is the only one: elsewhere in the box `f` has no zero, and the sign that it should have.
 fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -> Result<(), Error> {
     let points: Vec<Vector2<f64>> = table.points().collect();
     let longest = points.windows(2).fold(0.0_f64, |m, w| m.max((w[1] - w[0]).norm()));
-    for k in 0..GRID * GRID {
-        let part = Vector2::new(f64::from(k % GRID) + 0.5, f64::from(k / GRID) + 0.5) / f64::from(GRID);
-        let p = region.min + (region.max - region.min).component_mul(&part);
-        // crossings of the half-line to the right of p
-        let crossings = points.windows(2).filter(|w| {
+    // crossings of the half-line to the right of a point
+    let is_within = |p: &Vector2<f64>| {
+        let crosses = |w: &&[Vector2<f64>]| {
             (w[0].y <= p.y) != (w[1].y <= p.y) && {
                 let side = (w[1] - w[0]).perp(&(p - w[0]));
                 (side > 0.0) == (w[0].y < w[1].y)
             }
-        });
-        let agree = (crossings.count() % 2 == 1) == (formula.value(p.into()) < 0.0);
-        if !agree && points.iter().all(|q| (q - p).norm() > longest) {
-            return Err(Error::Curve { must: "be the only one in its extent", at: p.into() });
+        };
+        points.windows(2).filter(crosses).count() % 2 == 1
+    };
+    let half = (region.max - region.min) * (0.5 / f64::from(GRID));
+    let part = |k: u32| Vector2::new(f64::from(k % GRID), f64::from(k / GRID)) * 2.0 + Vector2::repeat(1.0);
+    let mut open: Vec<(Vector2<f64>, u32)> =
+        (0..GRID * GRID).map(|k| (region.min + half.component_mul(&part(k)), 0)).collect();
+    while let Some((middle, halvings)) = open.pop() {
+        let half = half / f64::from(1 << halvings);
+        let is_near = |q: &Vector2<f64>| (q - middle).norm() <= longest + half.norm();
+        let value = formula.value(middle.into());
+        // the mean value theorem, with the gradient over the part, or with that in the middle and second derivatives
+        let over = [0, 1].map(|i| Interval::new(middle[i] - half[i], middle[i] + half[i]));
+        let [fx, fy] = formula.gradient_over(over).map(Interval::magnitude);
+        let [gx, gy] = formula.gradient(middle.into()).map(f64::abs);
+        let [fxx, fxy, fyy] = formula.hessian_over(over).map(Interval::magnitude);
+        let bend = 0.5 * (fxx * half.x * half.x + fyy * half.y * half.y) + fxy * half.x * half.y;
+        let change = (fx * half.x + fy * half.y).min(gx * half.x + gy * half.y + bend);
+        // where nothing is known of either, the sign in the middle has to do
+        let is_known = value.abs() > change || change == f64::INFINITY || value.is_nan();
+        let fails = if is_known { is_within(&middle) != (value < 0.0) } else { halvings == HALVINGS };
+        if (is_known && !fails) || points.iter().any(is_near) {
+            continue;
         }
+        if fails {
+            return Err(Error::Curve { must: "be the only one in its extent", at: middle.into() });
+        }
+        let quarters = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]].map(Vector2::from);
+        open.extend(quarters.map(|q| (middle + half.component_mul(&q), halvings + 1)));
     }
     Ok(())
 }
