@@ -145,9 +145,10 @@ impl Table {
         let finite = self.pieces().iter().all(|p| p.extent().is_finite());
         let home = self.search_box();
         if finite {
-            let far = home.max * 2.0 - home.min;
-            if self.lattice().is_none() && self.contains(&far) {
-                return LargestDisk { center: far, radius: f64::INFINITY };
+            // around holes alone there is no end
+            let enclosed: f64 = self.pieces().iter().map(|p| p.area()).sum();
+            if self.lattice().is_none() && enclosed < 0.0 {
+                return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
             }
             return self.largest_disk_in(&home);
         }
