@@ -262,7 +262,7 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (BOUNDARY, "seed = 18446744073709551615", "seed = -1", "31:8: a seed is a whole number"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = \"1/2\"", "31:8: a seed is a whole number"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = 1e20", "31:8: a seed is a whole number"),
-        (SPATIAL, "[table]\n", "[table]\nlattice = [[1, 0, 0]]\n", "tables in space have no lattice"),
+        (SPATIAL, "[table]\n", "[table]\nlattice = [[1, 0, 0]]\n", "4:11: tables in space have no lattice"),
         (BOUNDARY, "\"canonical\"", "\"random\"", "32:10: unknown sample \"random\""),
         (BOUNDARY, "[[10, 0], [0, 10]]", "[]", "4:11: a lattice has 1 or 2 translations, not 0"),
         (BOUNDARY, "domain = \"outside\"", "domain = \"out\"", "13:53: unknown domain \"out\""),
