@@ -9,13 +9,20 @@ pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
 
-    /// The impulse that is still missing where `rest = u⁻ + u⁺` is left, of which a law that reverses velocities should leave nothing.
+    /// The impulse that is still missing where the law was to lead from `u_minus` to a contact velocity `u*` and `u_plus` came out.
     ///
-    /// Rounding leaves some where `K` is ill-conditioned, as of a body that hardly resists turning: the impulse is off by the
-    /// condition number times 10⁻¹⁶. With a rest that was computed from the bodies' velocities and not by `K`,
-    /// [`Pair::collide`](crate::Pair::collide) adds this until it no longer shrinks. A law that has no such rest returns 0.
+    /// Rounding makes such a difference where `K` is ill-conditioned, as of a body that hardly resists turning: the impulse is
+    /// off by the condition number times 10⁻¹⁶. With a `u_plus` that was computed from the bodies' velocities and not by `K`,
+    /// [`Pair::collide`](crate::Pair::collide) adds this until it no longer shrinks. A law that knows its `u*` returns the
+    /// solution of `K p = u* − u⁺`, half of what [`reflect`] makes of `u⁺ − u*`; for any other nothing is missing.
     #[inline]
-    fn missing_impulse(&self, _: &Contact<N>, _: &Delassus<N>, _rest: &SVector<f64, N>) -> SVector<f64, N> {
+    fn missing_impulse(
+        &self,
+        _: &Contact<N>,
+        _: &Delassus<N>,
+        _u_minus: &SVector<f64, N>,
+        _u_plus: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
         SVector::zeros()
     }
 }
@@ -35,8 +42,14 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> CollisionLaw<N> for L {
     }
 
     #[inline]
-    fn missing_impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, rest: &SVector<f64, N>) -> SVector<f64, N> {
-        self.impulse(contact, delassus, rest) * 0.5
+    fn missing_impulse(
+        &self,
+        contact: &Contact<N>,
+        delassus: &Delassus<N>,
+        u_minus: &SVector<f64, N>,
+        u_plus: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        self.impulse(contact, delassus, &(u_plus + u_minus)) * 0.5
     }
 }
 
@@ -130,8 +143,14 @@ impl<const N: usize> CollisionLaw<N> for AnyLaw<N> {
     }
 
     #[inline]
-    fn missing_impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, rest: &SVector<f64, N>) -> SVector<f64, N> {
-        self.0.missing_impulse(contact, delassus, rest)
+    fn missing_impulse(
+        &self,
+        contact: &Contact<N>,
+        delassus: &Delassus<N>,
+        u_minus: &SVector<f64, N>,
+        u_plus: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        self.0.missing_impulse(contact, delassus, u_minus, u_plus)
     }
 }
 

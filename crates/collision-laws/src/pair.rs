@@ -123,8 +123,8 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     ) {
         let mut last = f64::INFINITY;
         loop {
-            let rest = self.contact_velocity(&collision.velocities) + collision.u_minus;
-            let missing = law.missing_impulse(&self.contact, delassus, &rest);
+            let u_plus = self.contact_velocity(&collision.velocities);
+            let missing = law.missing_impulse(&self.contact, delassus, &collision.u_minus, &u_plus);
             let size = missing.norm();
             // at most half of it remains each time, until rounding is reached; of NaN nothing is added
             if size <= ROUNDING * collision.impulse.norm() || !(size < 0.5 * last) {

@@ -4,7 +4,7 @@ use collision_laws::{
     Contact, Pair, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, RigidBody, Spatial},
     check,
-    laws::{NoSlip, Restitution, RoughPlane},
+    laws::{NoSlip, Restitution, RoughPlane, Specular},
 };
 use nalgebra::{SMatrix, SVector};
 use serde_json::Value;
@@ -234,5 +234,56 @@ fn bodies_that_hardly_resist_turning_keep_their_energy_and_reverse_the_contact_v
         // and no law that loses energy passes for strict
         let report = check::law(&pair, &Restitution::new(0.999, 1.0).unwrap(), check::Samples::default());
         assert!(!report.is_strict(tolerance), "{moment:e}:\n{report}");
+    }
+}
+
+/// A body so slim that its `K` has a condition number of up to 10¹⁴, in contact with a wall, and its moment of inertia.
+fn slim_bodies() -> impl Iterator<Item = (f64, Pair<Free<2>, Free<2>, 2>)> {
+    (0..=14).map(|exponent| {
+        let moment = libm::pow(10.0, -f64::from(exponent));
+        let body = Some(RigidBody::<2>::new(1.0, Inertia::Moment(moment)).unwrap());
+        let contact = Contact::new(SVector::<f64, 2>::zeros(), SVector::<f64, 2>::new(0.6, 0.8), 0).unwrap();
+        let pair = Pair::from_centres(contact, (body, SVector::<f64, 2>::new(0.3, 1.0)), (None, SVector::zeros()));
+        (moment, pair)
+    })
+}
+
+#[test]
+fn restitution_of_modulus_one_is_no_slip_and_specular_also_where_bodies_hardly_resist_turning() {
+    let still = Twist::planar(SVector::<f64, 2>::zeros(), 0.0);
+    let before = (Twist::planar(SVector::<f64, 2>::new(1.0, -1.5), 0.0), still);
+    for (moment, pair) in slim_bodies() {
+        let rough = pair.collide(&Restitution::new(1.0, 1.0).unwrap(), &before);
+        assert_eq!(rough, pair.collide(&NoSlip, &before), "{moment:e}");
+        let smooth = pair.collide(&Restitution::new(1.0, -1.0).unwrap(), &before);
+        assert_eq!(smooth, pair.collide(&Specular, &before), "{moment:e}");
+    }
+}
+
+#[test]
+fn restitution_loses_the_energy_it_says_also_where_bodies_hardly_resist_turning() {
+    let (v, w) = (SVector::<f64, 2>::new(1.0, -1.5), 0.25);
+    let before = (Twist::planar(v, w), Twist::planar(SVector::zeros(), 0.0));
+    for (moment, pair) in slim_bodies() {
+        let (nu, arm) = (pair.contact.normal.into_inner(), pair.arms[0]);
+        let turned = SVector::<f64, 2>::new(-arm.y, arm.x);
+        let u = pair.contact_velocity(&before);
+        // for m = 1 K = 1 + t tᵀ/I with t = J r, so K⁻¹ = 1 − t tᵀ/(I + t·t)
+        let whole = u.norm_squared() - turned.dot(&u).powi(2) / (moment + turned.norm_squared());
+        let along = nu.dot(&u).powi(2) / (1.0 + turned.dot(&nu).powi(2) / moment);
+        for (normal, tangential) in
+            [(1.0, 0.5), (0.5, 0.5), (0.25, 0.75), (0.0, 0.0), (0.0, 1.0), (0.5, -0.5), (0.5, -1.0)]
+        {
+            let after = pair.collide(&Restitution::new(normal, tangential).unwrap(), &before);
+            let u_plus = pair.contact_velocity(&after.velocities);
+            let lost = pair.kinetic_energy(&before) - pair.kinetic_energy(&after.velocities);
+            let expected =
+                0.5 * (1.0 - normal * normal) * along + 0.5 * (1.0 - tangential * tangential) * (whole - along);
+            // a spin w of which I w² is an energy moves the contact by r w, rounded accordingly: up to the root of 10¹⁴
+            let tolerance = 1e-14 / moment.sqrt();
+            let case = format!("{moment:e}, {normal}, {tangential}: {lost} {expected} {u_plus}");
+            assert!((lost - expected).abs() <= tolerance.min(TOLERANCE) * pair.kinetic_energy(&before), "{case}");
+            assert!((nu.dot(&u_plus) + normal * nu.dot(&u)).abs() <= tolerance * u.norm(), "{case}");
+        }
     }
 }

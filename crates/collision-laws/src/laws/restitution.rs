@@ -68,6 +68,25 @@ impl<const N: usize> CollisionLaw<N> for Restitution {
         reflect(&Roughness::Rough, contact, delassus, u) * rough
             + reflect(&Roughness::Smooth, contact, delassus, u) * smooth
     }
+
+    #[inline]
+    fn missing_impulse(
+        &self,
+        contact: &Contact<N>,
+        delassus: &Delassus<N>,
+        u_minus: &SVector<f64, N>,
+        u_plus: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        let nu = contact.normal.as_ref();
+        if self.tangential == -1.0 {
+            // only the normal pushes, and of the velocity it reverses the normal component alone
+            return reflect(&Roughness::Smooth, contact, delassus, &(u_plus + u_minus * self.normal)) * 0.5;
+        }
+        let pushed = delassus.apply(&contact.normal, nu); // K ν, so that K p₀ = K ν (ν·u)/(ν·K ν)
+        let along = pushed * (nu.dot(u_minus) / nu.dot(&pushed));
+        let excess = u_plus + u_minus * self.tangential + along * (self.normal - self.tangential);
+        reflect(&Roughness::Rough, contact, delassus, &excess) * 0.5
+    }
 }
 
 impl DiskLaw for Restitution {
