@@ -165,6 +165,17 @@ fn a_law_that_loses_energy_is_not_strict() {
 }
 
 #[test]
+fn a_law_without_friction_needs_no_inertia_to_speak_of() {
+    let slim = TOML.replace("\"1/2\"", "1e-20").replace("v = [0, -1]", "v = [1, -1.5]");
+    for law in ["\"specular\"", "{ name = \"restitution\", normal = 1, tangential = -1 }"] {
+        let (status, out, err) = collide_text("slim", &slim.replace("\"no-slip\"", law), &["--json"]);
+        assert_eq!((status, err.as_str()), (0, ""), "{law}");
+        let found: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!((&found["post"][0]["v"], &found["strict"]), (&json!([1.0, 1.5]), &json!(true)), "{law}");
+    }
+}
+
+#[test]
 fn free_bodies_keep_their_momenta() {
     let (_, out, _) = collide_text("momenta", SPATIAL, &["--json"]);
     let found: Value = serde_json::from_str(&out).unwrap();
@@ -214,7 +225,15 @@ fn each_mistake_has_status_2_and_its_own_message() {
         ("many", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [0, 1, 0], [1, 1, 0]]", "3 rough directions are too many"),
         ("dependent", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "3:21: error: rough direction 1 depends"),
         ("along", SPATIAL, "[[1, 0, 0]]", "[[0, 0, 2]]", "3:10: error: rough direction 0 is along the normal"),
-        ("thin", TOML, "mass = 1,", "mass = 1e150,", "6:10: error: the inverse contact mass is singular"),
+        ("thin", TOML, "mass = 1,", "mass = 1e150,", "6:56: error: the inverse contact mass is singular"),
+        ("slim", TOML, "\"1/2\"", "1e-20", "body 1 turns too easily for its arm"),
+        (
+            "slim mended",
+            TOML,
+            "\"1/2\"",
+            "1e-20",
+            "help: give body 1 more inertia, or a position nearer to the contact",
+        ),
         (
             "huge",
             TOML,

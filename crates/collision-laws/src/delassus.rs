@@ -1,6 +1,6 @@
 //! The Delassus operator: all that a law needs to know of the two bodies.
 
-use crate::symmetric::eigenframe;
+use crate::{Roughness, symmetric::eigenframe};
 use nalgebra::{SMatrix, SVector, Unit};
 
 /// The inverse contact mass `K = J G⁻¹ Jᵀ` \[M⁻¹\]: an impulse `p` at the contact changes the contact velocity by `K p`.
@@ -22,6 +22,9 @@ pub enum Delassus<const N: usize> {
 impl<const N: usize> Delassus<N> {
     /// The operator of a body that nothing moves.
     pub const ZERO: Self = Self::Isotropic { normal: 0.0, tangent: 0.0 };
+
+    /// The share of its largest entry that rounding may take from an operator.
+    const ROUNDING: f64 = 4.0 * N as f64 * f64::EPSILON;
 
     /// The operator of two bodies at one contact.
     #[inline]
@@ -82,9 +85,27 @@ impl<const N: usize> Delassus<N> {
     pub fn is_singular(&self) -> bool {
         match self {
             Self::Isotropic { normal, tangent } => !(normal.is_normal() && tangent.is_normal()),
-            Self::Dense(_) => {
-                let lost = 1.0 / (4.0 * N as f64 * f64::EPSILON);
-                !(self.condition_number() < lost)
+            Self::Dense(_) => !(self.condition_number() < 1.0 / Self::ROUNDING),
+        }
+    }
+
+    /// Whether that is so of `Q K Q`, the part of `K` on the normal and the given rough directions: all that a law needs which
+    /// pushes in no others.
+    ///
+    /// Its entries are sums of products, and rounded like the sums of their absolute values.
+    pub fn is_singular_on(&self, roughness: &Roughness<N>, normal: &Unit<SVector<f64, N>>) -> bool {
+        let nu = normal.as_ref();
+        match (self, roughness) {
+            (Self::Isotropic { normal, .. }, Roughness::Smooth) => !normal.is_normal(),
+            (Self::Isotropic { .. }, _) | (_, Roughness::Rough) => self.is_singular(),
+            (Self::Dense(k), Roughness::Smooth) => {
+                !(nu.dot(&(k * nu)) > Self::ROUNDING * nu.abs().dot(&(k.abs() * nu.abs())))
+            }
+            (Self::Dense(k), Roughness::Along(subspace)) => {
+                let q = nu * nu.transpose() + subspace.projector();
+                let elsewhere = (SMatrix::identity() - q) * nu.dot(&(k * nu));
+                let lost = Self::ROUNDING * (q.abs() * k.abs() * q.abs()).amax();
+                !eigenframe(q * k * q + elsewhere).0.iter().all(|x| *x > lost)
             }
         }
     }
@@ -105,7 +126,7 @@ impl<const N: usize> Delassus<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::Matrix2;
+    use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
     #[test]
     fn a_body_that_hardly_resists_turning_is_singular() {
@@ -113,5 +134,23 @@ mod tests {
         assert!(!k(1e12).is_singular());
         assert!(k(1e17).is_singular());
         assert!(Delassus::<2>::ZERO.is_singular());
+    }
+
+    #[test]
+    fn a_law_needs_the_inverse_only_where_it_pushes() {
+        let (normal, x, y) = (Vector3::z_axis(), Vector3::x(), Vector3::y());
+        let along = |d| Roughness::spanned_by(&normal, &[d]).unwrap();
+        let k = |least| Delassus::Dense(Matrix3::from_diagonal(&Vector3::new(2.0, least, 1.0)));
+        let singular = |k: &Delassus<3>| {
+            [Roughness::Smooth, along(x), along(y), Roughness::Rough].map(|rough| k.is_singular_on(&rough, &normal))
+        };
+        assert_eq!(singular(&k(3.0)), [false, false, false, false]);
+        assert_eq!(singular(&k(1e17)), [false, false, true, true]);
+        assert_eq!(singular(&k(f64::NAN)), [true, true, true, true]);
+        let ball = Delassus::Isotropic { normal: 1.0, tangent: f64::INFINITY };
+        assert_eq!(singular(&ball), [false, true, true, true]);
+        // askew, what the product leaves of the small eigenvalue is noise
+        let askew = Delassus::Dense(Matrix2::new(0.64, -0.48, -0.48, 0.36) * 1e17 + Matrix2::identity());
+        assert!(askew.is_singular_on(&Roughness::Smooth, &Unit::new_normalize(Vector2::new(0.6, 0.8))));
     }
 }

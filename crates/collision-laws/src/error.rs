@@ -98,7 +98,10 @@ pub enum Error {
         /// `u·ν`, negative for bodies that approach.
         normal_velocity: f64,
     },
-    /// A Delassus operator that rounding has made singular.
-    #[error("the inverse contact mass is singular to working precision")]
-    SingularDelassus,
+    /// A Delassus operator that rounding has made singular, on the directions in which the law pushes.
+    #[error("the inverse contact mass is singular to working precision: body {body} turns too easily for its arm")]
+    SingularDelassus {
+        /// Whose inverse contact mass is the larger: 1 or 2.
+        body: usize,
+    },
 }

@@ -25,6 +25,15 @@ pub trait CollisionLaw<const N: usize> {
     ) -> SVector<f64, N> {
         SVector::zeros()
     }
+
+    /// The directions in which, beside the normal, the law may push at `contact`: all of them unless it says otherwise.
+    ///
+    /// The impulse comes from the inverse of `K` on these and the normal, so only there must `K` have one
+    /// ([`Pair::try_collide`](crate::Pair::try_collide)).
+    #[inline]
+    fn pushes(&self, _: &Contact<N>) -> Roughness<N> {
+        Roughness::Rough
+    }
 }
 
 /// A law that only chooses rough directions. Every strict law is a [`CollisionLaw`].
@@ -50,6 +59,11 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> CollisionLaw<N> for L {
         u_plus: &SVector<f64, N>,
     ) -> SVector<f64, N> {
         self.impulse(contact, delassus, &(u_plus + u_minus)) * 0.5
+    }
+
+    #[inline]
+    fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
+        self.roughness(contact)
     }
 }
 
@@ -151,6 +165,11 @@ impl<const N: usize> CollisionLaw<N> for AnyLaw<N> {
         u_plus: &SVector<f64, N>,
     ) -> SVector<f64, N> {
         self.0.missing_impulse(contact, delassus, u_minus, u_plus)
+    }
+
+    #[inline]
+    fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
+        self.0.pushes(contact)
     }
 }
 

@@ -139,8 +139,8 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     /// The collision, if there is one: the same as [`collide`](Self::collide) for bodies that can move and do approach.
     ///
     /// # Errors
-    /// [`Error::BothFixed`], [`Error::NotApproaching`] if `u·ν ≥ 0`, [`Error::SingularDelassus`] if `K` has a
-    /// condition number above 1/ε ≈ 1e16, so that the tangential impulse would be noise.
+    /// [`Error::BothFixed`], [`Error::NotApproaching`] if `u·ν ≥ 0`, [`Error::SingularDelassus`] if `K`, on the normal and the
+    /// directions in which the law [pushes](CollisionLaw::pushes), is lost in rounding, so that the impulse would be noise.
     pub fn try_collide<L: CollisionLaw<N> + ?Sized>(
         &self,
         law: &L,
@@ -153,10 +153,17 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
         if normal_velocity.is_nan() || normal_velocity >= 0.0 {
             return Err(Error::NotApproaching { normal_velocity });
         }
-        if self.delassus().is_singular() {
-            return Err(Error::SingularDelassus);
+        if self.delassus().is_singular_on(&law.pushes(&self.contact), &self.contact.normal) {
+            return Err(Error::SingularDelassus { body: self.easier_to_move() });
         }
         Ok(self.collide(law, v))
+    }
+
+    /// The body, 1 or 2, whose touching point yields the more to an impulse.
+    fn easier_to_move(&self) -> usize {
+        let normal = &self.contact.normal;
+        let [first, second] = [self.first.delassus(&self.arms[0], normal), self.second.delassus(&self.arms[1], normal)];
+        if second.to_matrix(normal).amax() > first.to_matrix(normal).amax() { 2 } else { 1 }
     }
 
     /// The matrix of the collision map `C_q` of a law that is linear in the velocity, in the coordinates of

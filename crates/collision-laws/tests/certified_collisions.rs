@@ -1,7 +1,7 @@
 //! Every certified single collision of `tests/data/collisions`, dimensions 2 to 5, all k.
 
 use collision_laws::{
-    Contact, Pair, TangentVector, Twist,
+    Contact, Error, Pair, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, RigidBody, Spatial},
     check,
     laws::{NoSlip, Restitution, RoughPlane, Specular},
@@ -286,4 +286,40 @@ fn restitution_loses_the_energy_it_says_also_where_bodies_hardly_resist_turning(
             assert!((nu.dot(&u_plus) + normal * nu.dot(&u)).abs() <= tolerance * u.norm(), "{case}");
         }
     }
+}
+
+/// The specular law and its relative that loses energy push along the normal alone, and need of `K` only `ν·Kν`.
+#[test]
+fn what_pushes_along_the_normal_alone_needs_no_more_of_a_body_than_its_mass() {
+    let normal = SVector::<f64, 2>::new(0.0, 1.0);
+    let contact = Contact::new(SVector::zeros(), normal, 0).unwrap();
+    let body: Free<2> = Some(RigidBody::new(1.0, Inertia::Moment(1e-20)).unwrap());
+    let still = Twist::planar(SVector::zeros(), 0.0);
+    let falling = Twist::planar(SVector::<f64, 2>::new(1.0, -1.5), 0.5);
+    let pair = Pair::from_centres(contact, (body, normal), (None::<RigidBody<2>>, SVector::zeros()));
+    let halved = Restitution::new(0.5, -1.0).unwrap();
+    let after = pair.try_collide(&Specular, &(falling, still)).unwrap().velocities.0;
+    assert_eq!(after, Twist::planar(SVector::<f64, 2>::new(1.0, 1.5), 0.5));
+    let after = pair.try_collide(&halved, &(falling, still)).unwrap().velocities.0;
+    assert_eq!(after, Twist::planar(SVector::<f64, 2>::new(1.0, 0.75), 0.5));
+    assert_eq!(pair.try_collide(&NoSlip, &(falling, still)), Err(Error::SingularDelassus { body: 1 }));
+    let flipped = Contact::new(SVector::zeros(), -normal, 0).unwrap();
+    let pair = Pair::from_centres(flipped, (None::<RigidBody<2>>, SVector::zeros()), (body, normal));
+    assert_eq!(pair.try_collide(&NoSlip, &(still, falling)), Err(Error::SingularDelassus { body: 2 }));
+
+    // in space, turning easily about x: a law that is rough along x alone turns it about y
+    let (x, z) = (SVector::<f64, 3>::x(), SVector::<f64, 3>::z());
+    let tensor = SMatrix::<f64, 3, 3>::from_diagonal(&SVector::<f64, 3>::new(1e-20, 1e-5, 1e-5));
+    let body = Some(Spatial::new(1.0, tensor).unwrap());
+    let contact = Contact::new(SVector::zeros(), z, 0).unwrap();
+    let pair = Pair::from_centres(contact, (body, z), (None::<Spatial>, SVector::zeros()));
+    let before = (Twist::spatial(x - z, x * 0.5), Twist::spatial(SVector::zeros(), SVector::zeros()));
+    let after = pair.try_collide(&Specular, &before).unwrap().velocities.0;
+    assert_eq!(after, Twist::spatial(x + z, x * 0.5));
+    assert!(pair.try_collide(&halved, &before).is_ok());
+    let combed = pair.try_collide(&RoughPlane::new(&[x]).unwrap(), &before).unwrap();
+    let reversed = pair.contact_velocity(&combed.velocities) + combed.u_minus;
+    // roundings of a contact velocity of size 1
+    assert!(reversed.x.abs().max(reversed.z.abs()) <= 1e-15, "{reversed}");
+    assert_eq!(pair.try_collide(&NoSlip, &before), Err(Error::SingularDelassus { body: 1 }));
 }

@@ -105,17 +105,7 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
     let before = (v1, v2);
     let collision = match pair.try_collide(&law, &before) {
         Ok(collision) => collision,
-        Err(error) => {
-            let moving = matches!(error, Error::NotApproaching { .. });
-            let span = if moving { file.before.span } else { file.bodies.span };
-            let diagnostic = file.source.diagnostic(span, error.to_string());
-            return Err(vec![match error {
-                Error::NotApproaching { .. } => {
-                    diagnostic.with_help("the normal points from body 2 towards body 1; is it the other way round?")
-                }
-                _ => diagnostic,
-            }]);
-        }
+        Err(error) => return Err(vec![refusal(file, &error)]),
     };
     let report = check::law(&pair, &law, Samples::default());
     let named = |(axiom, defect): (Axiom, f64)| (axiom.to_string(), defect);
@@ -133,6 +123,22 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
     }
     let what = "masses, lengths and speeds are of so different sizes that the result is not a finite number";
     Err(vec![file.source.diagnostic(file.bodies.span, what)])
+}
+
+/// Why there is no collision, with the mend.
+fn refusal(file: &ContactFile, error: &Error) -> Diagnostic {
+    let at = |span| file.source.diagnostic(span, error.to_string());
+    match error {
+        Error::NotApproaching { .. } => {
+            at(file.before.span).with_help("the normal points from body 2 towards body 1; is it the other way round?")
+        }
+        Error::SingularDelassus { body } => {
+            let free = body.checked_sub(1).and_then(|i| file.bodies.value.get(i)?.free.as_ref());
+            at(free.map_or(file.bodies.span, |(_, inertia)| inertia.span))
+                .with_help(format!("give body {body} more inertia, or a position nearer to the contact point"))
+        }
+        _ => at(file.bodies.span),
+    }
 }
 
 fn kept<T>(found: Result<T, Fault>, problems: &mut Problems) -> Option<T> {

@@ -1,6 +1,6 @@
 //! Different laws on different pieces of one table.
 
-use crate::{CollisionLaw, Contact, Delassus};
+use crate::{CollisionLaw, Contact, Delassus, Roughness};
 use nalgebra::SVector;
 
 /// A law per surface label, itself a law.
@@ -57,5 +57,10 @@ impl<const N: usize, L: CollisionLaw<N>> CollisionLaw<N> for PerSurface<L> {
         u_plus: &SVector<f64, N>,
     ) -> SVector<f64, N> {
         self.on(contact.surface).missing_impulse(contact, delassus, u_minus, u_plus)
+    }
+
+    #[inline]
+    fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
+        self.on(contact.surface).pushes(contact)
     }
 }

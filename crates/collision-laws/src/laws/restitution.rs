@@ -55,6 +55,11 @@ impl Restitution {
         self.tangential
     }
 
+    /// Whether the impulse has a part beside the normal: at `eₜ = −1` it has none.
+    fn pushes_tangentially(&self) -> bool {
+        self.tangential > -1.0
+    }
+
     /// The share of the no-slip map and that of the specular map whose sum the law is, before the loss in the normal.
     fn shares(&self) -> (f64, f64) {
         (0.5 * (1.0 + self.tangential), 0.5 * (self.normal - self.tangential))
@@ -65,6 +70,9 @@ impl<const N: usize> CollisionLaw<N> for Restitution {
     #[inline]
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
         let (rough, smooth) = self.shares();
+        if !self.pushes_tangentially() {
+            return reflect(&Roughness::Smooth, contact, delassus, u) * smooth; // K need have no inverse
+        }
         reflect(&Roughness::Rough, contact, delassus, u) * rough
             + reflect(&Roughness::Smooth, contact, delassus, u) * smooth
     }
@@ -78,14 +86,18 @@ impl<const N: usize> CollisionLaw<N> for Restitution {
         u_plus: &SVector<f64, N>,
     ) -> SVector<f64, N> {
         let nu = contact.normal.as_ref();
-        if self.tangential == -1.0 {
-            // only the normal pushes, and of the velocity it reverses the normal component alone
+        if !self.pushes_tangentially() {
             return reflect(&Roughness::Smooth, contact, delassus, &(u_plus + u_minus * self.normal)) * 0.5;
         }
         let pushed = delassus.apply(&contact.normal, nu); // K ν, so that K p₀ = K ν (ν·u)/(ν·K ν)
         let along = pushed * (nu.dot(u_minus) / nu.dot(&pushed));
         let excess = u_plus + u_minus * self.tangential + along * (self.normal - self.tangential);
         reflect(&Roughness::Rough, contact, delassus, &excess) * 0.5
+    }
+
+    #[inline]
+    fn pushes(&self, _: &Contact<N>) -> Roughness<N> {
+        if self.pushes_tangentially() { Roughness::Rough } else { Roughness::Smooth }
     }
 }
 
