@@ -272,6 +272,9 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (SPATIAL, "dimension = 3", "dimension = 4", "4:13: the dimension is 2 or 3"),
         (SPATIAL, "rank = 1", "rank = 3", "6:56: in dimension 3 the rank is at most 2"),
         (SPATIAL, "4 =", "floor =", "6:10: \"floor\" is not the number of a piece"),
+        (SPATIAL, "4 =", "04 =", "6:10: \"04\" is not the number of a piece"),
+        (SPATIAL, "4 =", "\"+4\" =", "6:10: \"+4\" is not the number of a piece"),
+        (SPATIAL, "4 =", "5 =", "6:26: duplicate key \"5\""),
         (SPATIAL, "spin =", "angle = 0\nspin =", "12:1: unknown key \"angle\" in [[orbit]]"),
     ] {
         let errors = errors_of(valid, old, new);

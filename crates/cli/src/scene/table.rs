@@ -118,19 +118,26 @@ fn lattice(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec
     vectors.into_iter().collect()
 }
 
+/// A key that is the number of a piece. Each number has one spelling, so that a second law for a piece is a key given twice.
+fn piece_number(key: &Spanned<String>, problems: &mut Problems) -> Option<usize> {
+    let number: Option<usize> = key.value.parse().ok();
+    if number.is_some_and(|n| n.to_string() == key.value) {
+        return number;
+    }
+    let help = match number {
+        Some(n) => format!("write {n}"),
+        None => "write for instance laws = { 0 = \"specular\" }".into(),
+    };
+    problems.add_with_help(key.span, format!("\"{}\" is not the number of a piece", key.value), help);
+    None
+}
+
 fn laws(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<PieceLaw>> {
     let section = Section::new(item, "laws", problems)?;
     let read: Vec<_> = section
         .others()
         .map(|(key, item)| {
-            let piece = key.value.parse().ok();
-            if piece.is_none() {
-                problems.add_with_help(
-                    key.span,
-                    format!("\"{}\" is not the number of a piece", key.value),
-                    "write for instance laws = { 0 = \"specular\" }",
-                );
-            }
+            let piece = piece_number(key, problems);
             let law = law::named(item, dimension, problems);
             Some(PieceLaw { piece: Spanned::new(piece?, key.span), law: law? })
         })
