@@ -165,6 +165,23 @@ fn a_law_that_loses_energy_is_not_strict() {
 }
 
 #[test]
+fn rough_directions_may_stand_as_a_law() {
+    let beside = collide_text("beside", SPATIAL, &["--json"]);
+    let within = SPATIAL.replace("rough = [[1, 0, 0]]", "law = { rough = [[1, 0, 0]] }");
+    assert_eq!(collide_text("within", &within, &["--json"]), beside);
+    // directions that agree in their first three coordinates are not parallel
+    let unit = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]);
+    let body = |x: f64| json!({ "mass": 1, "position": [x, 0, 0, 0], "S": unit });
+    let still = json!({ "v": [0, 0, 0, 0], "w": vec![vec![0; 4]; 4] });
+    let contact = json!({
+        "dim": 4, "law": { "rough": [[0, 1, 0, 0], [0, 1, 0, 1]] }, "contact_point": [0, 0, 0, 0], "normal": [1, 0, 0, 0],
+        "bodies": [body(1.0), body(-1.0)], "pre": [{ "v": [-1, 0, 0, 0], "w": still["w"] }, still],
+    });
+    let (status, out, err) = collide_text("four", &contact.to_string(), &["--json"]);
+    assert!(status == 0 && out.contains("\"k\": 2"), "{out}{err}");
+}
+
+#[test]
 fn a_law_without_friction_needs_no_inertia_to_speak_of() {
     let slim = TOML.replace("\"1/2\"", "1e-20").replace("v = [0, -1]", "v = [1, -1.5]");
     for law in ["\"specular\"", "{ name = \"restitution\", normal = 1, tangential = -1 }"] {
@@ -226,6 +243,13 @@ fn each_mistake_has_status_2_and_its_own_message() {
         ("dependent", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "3:21: error: rough direction 1 depends"),
         ("along", SPATIAL, "[[1, 0, 0]]", "[[0, 0, 2]]", "3:10: error: rough direction 0 is along the normal"),
         ("thin", TOML, "mass = 1,", "mass = 1e150,", "6:56: error: the inverse contact mass is singular"),
+        (
+            "random",
+            TOML,
+            "\"no-slip\"",
+            "\"random\"",
+            "help: write { name = \"random\", rank = 1, seed = 0 } in place of",
+        ),
         ("slim", TOML, "\"1/2\"", "1e-20", "body 1 turns too easily for its arm"),
         (
             "slim mended",

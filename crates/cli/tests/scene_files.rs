@@ -4,8 +4,10 @@
 
 use billiards_cli::document::Source;
 use billiards_cli::scene::{
-    Border, Curve, Domain, EdgePath, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES, TableShape, Turn,
+    Border, Curve, Domain, EdgePath, LawKind, Limit, RecordFormat, Request, SHAPES, Scene, Starts, TABLES, TableShape,
+    Turn,
 };
+use billiards_cli::simulation::Simulation;
 use proptest::prelude::*;
 
 const NAMED: &str = r#"
@@ -275,6 +277,13 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (SPATIAL, "4 =", "04 =", "6:10: \"04\" is not the number of a piece"),
         (SPATIAL, "4 =", "\"+4\" =", "6:10: \"+4\" is not the number of a piece"),
         (SPATIAL, "4 =", "5 =", "6:26: duplicate key \"5\""),
+        (SPATIAL, "name = \"random\",", "name = \"random\", rough = [],", "6:49: law has both \"name\" and \"rough\""),
+        (
+            SPATIAL,
+            "\"random\", rank = 1",
+            "\"rough\", directions = []",
+            "6:30: the law \"rough\" is given by its directions alone",
+        ),
         (SPATIAL, "spin =", "angle = 0\nspin =", "12:1: unknown key \"angle\" in [[orbit]]"),
     ] {
         let errors = errors_of(valid, old, new);
@@ -331,6 +340,76 @@ fn mistakes_are_shown_with_caret_and_help() {
         "scenes/x.toml:16:1: error: unknown key \"velocty\" in [[orbit]]\n   16 | velocty = [0.6, 0.8]\n      | ^^^^^^^\n\
          help: did you mean \"velocity\"?"
     );
+}
+
+/// The valid scene with one replacement, and what that is told to do.
+fn help_with(valid: &str, old: &str, new: &str) -> String {
+    assert!(valid.contains(old), "{old}");
+    let text = valid.replacen(old, new, 1);
+    let errors = Scene::parse(&Source::new("x.toml", &text), &Request::default()).expect_err(new);
+    errors[0].help.clone().unwrap_or_else(|| panic!("{new}: no help with {errors:?}"))
+}
+
+#[test]
+fn laws_with_parameters_work_where_they_are_told_to_go() {
+    for (valid, old) in [(SPATIAL, "\"specular\""), (NAMED, "\"no-slip\"")] {
+        for law in ["rough", "random", "restitution"] {
+            let word = format!("\"{law}\"");
+            let help = help_with(valid, old, &word);
+            let table = help.strip_prefix("write ").and_then(|help| help.strip_suffix(&format!(" in place of {word}")));
+            parse(&valid.replacen(old, table.expect("a table"), 1)).unwrap_or_else(|e| panic!("{help}: {e:?}"));
+        }
+    }
+    assert_eq!(help_with(SPATIAL, "4 =", "04 ="), "write 4");
+    let rough = parse(&SPATIAL.replacen("\"specular\"", "{ rough = [[1, 0, 0]] }", 1)).unwrap();
+    assert_eq!(rough.table.laws[0].law, LawKind::Rough(vec![vec![1.0, 0.0, 0.0]]));
+    let all = parse(&NAMED.replacen("\"no-slip\"", "{ rough = [[1, 0]] }", 1)).unwrap();
+    assert_eq!(all.law.kind, LawKind::Rough(vec![vec![1.0, 0.0]]));
+}
+
+#[test]
+fn examples_for_missing_parameters_make_a_shape() {
+    for model in SHAPES.iter().filter(|model| model.name != "compound") {
+        let n = model.dimension;
+        let far = ["50"].repeat(n).join(", ");
+        // in the plane the outside of a polygon is a table only within something else
+        let around = match (n, model.name) {
+            (3, _) | (_, "half-space") => "",
+            _ => "[[table.boundary]]\ncircle = { center = [0, 0], radius = 100 }\n",
+        };
+        let scene = |more: &str| {
+            format!(
+                "law = \"specular\"\n[table]\ndimension = {n}\n{around}[[table.boundary]]\n\
+                 shape = {{ name = \"{}\"{more} }}\n[[orbit]]\nposition = [{far}]\nvelocity = [{far}]\n[run]\ntime = 1\n",
+                model.name
+            )
+        };
+        let errors = Scene::parse(&Source::new("x.toml", &scene("")), &Request::default()).expect_err(model.name);
+        let examples = errors.iter().map(|e| e.help.as_ref()?.strip_prefix("write for instance "));
+        let examples: Vec<&str> = examples.collect::<Option<_>>().unwrap_or_else(|| panic!("{errors:?}"));
+        let followed = parse(&scene(&format!(", {}", examples.join(", "))));
+        let followed = followed.unwrap_or_else(|e| panic!("{}: {examples:?}: {e:?}", model.name));
+        if model.name == "heightfield" {
+            continue; // a graph bounds a table only with other pieces
+        }
+        Simulation::new(followed).unwrap_or_else(|e| panic!("{}: {examples:?}: {e:?}", model.name));
+    }
+}
+
+/// What is wrong with a table, once it is drawn, and how to mend it.
+fn drawn_wrong(table: &str) -> (String, String) {
+    let orbit = "[[orbit]]\nposition = [0.1, 0.05]\nvelocity = [0.6, 0.8]\n[run]\ncollisions = 1\n";
+    let scene = parse(&format!("law = \"specular\"\n{table}\n{orbit}")).unwrap_or_else(|e| panic!("{table}: {e:?}"));
+    let errors = Simulation::new(scene).expect_err(table);
+    (errors[0].what.clone(), errors[0].help.clone().unwrap_or_default())
+}
+
+#[test]
+fn pieces_of_a_built_in_table_are_mended_by_its_parameters() {
+    for table in ["name = \"mushroom\"\nstem_width = \"2-1e-15\"", "name = \"stadium\"\nhalf_length = 1e-17"] {
+        let (what, help) = drawn_wrong(&format!("[table]\n{table}"));
+        assert!(what.contains("has a length of only") && help.contains("parameters"), "{table}: {what}; {help}");
+    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`.
+//! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`, the last also as `law = { rough = … }`.
 
 use super::{choice, direction, list};
 use crate::document::{Item, Problems, Section, Span, Value, count, number, seed, spell};
@@ -132,31 +132,36 @@ fn read((key, item): (&str, &Item), dimension: usize, problems: &mut Problems) -
     kind.map(|kind| Law { kind, span: item.span })
 }
 
-/// A law by name, or by name with parameters.
+/// A law by name, by name with parameters, or by its rough directions: a value that stands wherever a law may.
 pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
-    let names: Vec<_> = LAWS.iter().filter(|law| law.name != "rough").map(|law| (law.name, law.name)).collect();
-    if let Value::Text(word) = &item.value {
-        if word == "rough" {
+    let names: Vec<_> = LAWS.iter().map(|law| (law.name, law)).collect();
+    if let Value::Text(_) = &item.value {
+        let model = choice(item, "law", &names, problems)?;
+        let kind = model.name.parse().ok();
+        if kind.is_none() {
             problems.add_with_help(
                 item.span,
-                "the law \"rough\" needs its directions",
-                "write rough = [[...]] in place of law",
+                format!("the law \"{}\" has parameters", model.name),
+                format!("write {} in place of \"{}\"", table(model, dimension), model.name),
             );
-            return None;
         }
-        let name = choice(item, "law", &names, problems)?;
-        return match name.parse() {
-            Ok(kind) => Some(kind),
-            Err(what) => {
-                problems.add(item.span, what);
-                None
-            }
-        };
+        return kind;
     }
     let mut section = Section::new(item, "law", problems)?;
-    let name =
+    if let Some(("rough", directions)) = section.at_most_one_of(&["name", "rough"], problems) {
+        let kind = rough(directions, dimension, problems);
+        section.finish(problems);
+        return kind;
+    }
+    let named =
         section.required("name", "name = \"restitution\"").and_then(|item| choice(item, "law", &names, problems));
-    let kind = match name {
+    let kind = match named.map(|model| model.name) {
+        Some("rough") => {
+            let what = "the law \"rough\" is given by its directions alone";
+            problems.add_with_help(item.span, what, format!("write {}", rough_example(dimension)));
+            section.finish_leniently(problems);
+            return None;
+        }
         Some("specular") => Some(LawKind::Specular),
         Some("no-slip") => Some(LawKind::NoSlip),
         Some("random") => {
@@ -184,6 +189,19 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
     };
     section.finish(problems);
     kind
+}
+
+/// How one writes a law with parameters as a value.
+fn table(model: &LawModel, dimension: usize) -> String {
+    match model.example.strip_prefix("law = ") {
+        Some(table) => table.into(),
+        None => rough_example(dimension),
+    }
+}
+
+/// A law that is rough along the first axis.
+fn rough_example(dimension: usize) -> String {
+    format!("{{ rough = [[1{}]] }}", ", 0".repeat(dimension - 1))
 }
 
 fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> {
@@ -215,13 +233,13 @@ fn rough(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKi
     Some(LawKind::Rough(directions))
 }
 
-/// Whether two nonzero vectors of space are parallel up to a few roundings of their components.
+/// Whether two nonzero vectors are parallel up to a few roundings of their components.
 fn parallel(a: &[f64], b: &[f64]) -> bool {
-    let scaled = |v: &[f64]| {
+    let scaled = |v: &[f64]| -> Vec<f64> {
         let size = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        [v[0] / size, v[1] / size, v[2] / size]
+        v.iter().map(|x| x / size).collect()
     };
     let (a, b) = (scaled(a), scaled(b));
-    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    cross.iter().all(|c| c.abs() <= 8.0 * f64::EPSILON)
+    let crosses = |i: usize, j: usize| (a[i] * b[j] - a[j] * b[i]).abs() > 8.0 * f64::EPSILON;
+    !(0..a.len()).any(|i| (0..i).any(|j| crosses(i, j)))
 }

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{point, text, unknown};
+use super::{direction, point, text, unknown};
 use crate::document::{self, Item, Problems, Section, Span, Spanned};
 
 /// Something a scene can name, with its parameters.
@@ -44,6 +44,8 @@ pub enum Kind {
     Lengths(usize),
     /// A point of space.
     Point,
+    /// A vector that is not zero; its length does not matter.
+    Direction,
     /// So many points of space.
     Points {
         /// At least.
@@ -94,16 +96,26 @@ impl Parameter {
         matches!(self.kind, Kind::Length | Kind::Distance | Kind::Lengths(_) | Kind::Point | Kind::Points { .. })
     }
 
-    fn example(&self) -> String {
+    /// How one may write it in this dimension: values that make a shape with those of its other parameters.
+    fn example(&self, dimension: usize) -> String {
         let value = match self.kind {
             Kind::Length | Kind::Distance | Kind::Real => "1",
             Kind::Count(_) => "5",
             Kind::Lengths(2) => "[2, 1]",
             Kind::Lengths(_) => "[1, 1, 1]",
-            Kind::Point => "[0, 0]",
-            Kind::Points { .. } => "[[0, 0], [4, 0], [1, 3]]",
+            Kind::Point => match (self.name, dimension) {
+                ("to", 2) => "[1, 0]", // not where "from" is
+                ("to", _) => "[1, 0, 0]",
+                (_, 2) => "[0, 0]",
+                _ => "[0, 0, 0]",
+            },
+            Kind::Direction if dimension == 2 => "[0, 1]",
+            Kind::Direction => "[0, 0, 1]",
+            Kind::Points { .. } if dimension == 2 => "[[0, 0], [4, 0], [1, 3]]",
+            Kind::Points { .. } => "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]",
             Kind::Reals(_) => "[0, 0.5, 0.25]",
-            Kind::Triples => "[[0, 1, 2]]",
+            Kind::Triples if dimension == 2 => "[[0, 1, 2]]",
+            Kind::Triples => "[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]",
         };
         format!("{} = {value}", self.name)
     }
@@ -195,7 +207,7 @@ pub(super) fn arguments(
     let mut complete = true;
     for parameter in model.parameters.iter() {
         let given = match parameter.default {
-            Default::Required => section.required(parameter.name, &parameter.example()),
+            Default::Required => section.required(parameter.name, &parameter.example(model.dimension)),
             Default::Numbers(_) => section.optional(parameter.name),
         };
         let value = match (given, parameter.default) {
@@ -218,6 +230,7 @@ fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) 
         Kind::Count(least) => Argument::Numbers(vec![document::count(item, least, problems)?.value as f64]),
         Kind::Lengths(n) => Argument::Numbers(document::vector(item, n, document::positive, problems)?.value),
         Kind::Point => Argument::Numbers(point(item, dimension, problems)?.value),
+        Kind::Direction => Argument::Numbers(direction(item, dimension, problems)?.value),
         Kind::Reals(least) => {
             let items = super::list(item, "a list of numbers", problems)?;
             let numbers: Vec<_> = items.iter().map(|item| document::real(item, problems)).collect();

@@ -16,7 +16,7 @@ const RADIUS: Parameter = Parameter::required("radius", Kind::Length);
 const FROM: Parameter = Parameter::required("from", Kind::Point);
 const TO: Parameter = Parameter::required("to", Kind::Point);
 const HEIGHT: Parameter = Parameter::required("height", Kind::Length);
-const NORMAL: Parameter = Parameter::required("normal", Kind::Point);
+const NORMAL: Parameter = Parameter::required("normal", Kind::Direction);
 const TRIANGLES: Parameter = Parameter::required("triangles", Kind::Triples);
 
 const fn points(least: usize) -> Parameter {
@@ -109,7 +109,7 @@ pub(super) fn read(
     };
     let arguments = parameters::arguments(section, item.span, model, problems)?;
     let (members, mut lengths) = members?;
-    for parameter in model.parameters.iter().filter(|p| p.is_length() && p.name != "normal") {
+    for parameter in model.parameters.iter().filter(|p| p.is_length()) {
         lengths.extend(arguments.numbers(parameter.name));
         lengths.extend(arguments.points(parameter.name).iter().flat_map(|p| &p.value));
     }

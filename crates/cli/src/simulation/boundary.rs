@@ -71,7 +71,7 @@ impl Drawn {
             Error::Crossing { second, .. } => at(*second),
             _ => scene.table.span,
         };
-        with_advice(scene.source.diagnostic(span, self.in_user_units(error).to_string()), error)
+        with_advice(scene.source.diagnostic(span, self.in_user_units(error).to_string()), error, &scene.table.shape)
     }
 
     /// An error whose lengths are those of the user.

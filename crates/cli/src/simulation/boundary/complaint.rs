@@ -24,8 +24,20 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
 }
 
 /// Adds how to mend an error of the geometry, where its words do not say so.
-pub(super) fn with_advice(diagnostic: Diagnostic, error: &Error) -> Diagnostic {
-    let advice = match error {
+pub(super) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableShape) -> Diagnostic {
+    let advice = match shape {
+        TableShape::Named { .. } => about_parameters(error),
+        TableShape::Boundary(_) => about_pieces(error),
+    };
+    match advice {
+        Some(advice) => diagnostic.with_help(advice),
+        None => diagnostic,
+    }
+}
+
+/// The mend where the scene says what the pieces are.
+fn about_pieces(error: &Error) -> Option<&'static str> {
+    Some(match error {
         Error::ZeroLength => "leave it out, or move one of its ends",
         Error::TooShort { .. } => "leave it out, or move its ends apart",
         Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
@@ -38,9 +50,22 @@ pub(super) fn with_advice(diagnostic: Diagnostic, error: &Error) -> Diagnostic {
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
         Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
         Error::Orientation { .. } => "list the vertices in the opposite order, or exchange inside and outside",
-        _ => return diagnostic,
-    };
-    diagnostic.with_help(advice)
+        _ => return None,
+    })
+}
+
+/// The mend where they follow from the parameters of a built-in table.
+fn about_parameters(error: &Error) -> Option<&'static str> {
+    Some(match error {
+        Error::TooShort { .. } => {
+            "change the parameters of the table so that this piece is longer, or take a table without it"
+        }
+        Error::Flat { .. } => "change the parameters of the table so that this arc is less flat",
+        Error::Crossing { .. } | Error::SelfCrossing { .. } => {
+            "change the parameters of the table so that no piece crosses another or itself"
+        }
+        _ => return None,
+    })
 }
 
 /// What is wrong with the parameters of a built-in table, at the parameter's place.

@@ -41,7 +41,7 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
             _ => None,
         };
         let what = in_user_units(&error, factor).to_string();
-        vec![with_advice(scene.source.diagnostic(span.unwrap_or(scene.table.span), what), &error)]
+        vec![with_advice(scene.source.diagnostic(span.unwrap_or(scene.table.span), what), &error, &scene.table.shape)]
     })?;
     Ok(Drawn { table, spans, laws, factor })
 }
@@ -70,7 +70,7 @@ impl Collected<'_> {
     #[allow(clippy::unnecessary_box_returns, reason = "it goes into a Result, where a large error costs every success")]
     fn wrong(&self, span: Span, error: &Error) -> Box<Diagnostic> {
         let diagnostic = self.scene.source.diagnostic(span, in_user_units(error, self.factor).to_string());
-        Box::new(with_advice(diagnostic, error))
+        Box::new(with_advice(diagnostic, error, &self.scene.table.shape))
     }
 
     fn entry(&mut self, entry: &Entry) -> Result<(), Box<Diagnostic>> {
