@@ -413,6 +413,35 @@ fn pieces_of_a_built_in_table_are_mended_by_its_parameters() {
 }
 
 #[test]
+fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
+    let polar = |formula: &str| drawn_wrong(&format!("[[table.boundary]]\ncurve = {{ polar = \"{formula}\" }}"));
+    for (formula, expected) in [
+        ("1+0.1*cos(t/2)", "r(2π) must be r(0) = 1.1, not 0.9"),
+        ("1+abs(t)", "r(2π) must be r(0) = 1, not 7.283185307179586"),
+        ("1000*(1+0.1*cos(t/2))", "r(2π) must be r(0) = 1100, not 900"),
+        ("1+0.2*tan(t/4)^2", "r(φ) must be positive and finite at every angle, not inf"),
+    ] {
+        let (what, help) = polar(formula);
+        assert!(what.ends_with(expected), "{formula}: {what}");
+        assert_eq!(help.contains("period 2π"), expected.contains("r(2π)"), "{formula}: {help}");
+    }
+    // the radius falls by at most √3/2 over a sector of 2π/4096, and the bound is that of the first sector below 0
+    let (what, _) = polar("0.5+cos(t)");
+    let least: f64 = what.rsplit(' ').next().and_then(|x| x.parse().ok()).expect("a number");
+    assert!((-0.0015..=0.0).contains(&least), "{what}");
+}
+
+#[test]
+fn a_formula_that_is_positive_inside_is_told_to_change_its_sign() {
+    let table = |formula: &str| {
+        format!("[[table.boundary]]\ncurve = {{ implicit = \"{formula}\", within = [[-2, -2], [2, 2]] }}")
+    };
+    let (what, help) = drawn_wrong(&table("1-x^2-y^2"));
+    assert_eq!(what, "the formula must be negative inside its curve; it is positive there");
+    assert!(help.starts_with("change the sign of the formula"), "{help}");
+}
+
+#[test]
 fn a_key_in_the_wrong_place_is_sent_to_its_own() {
     for (text, key, help) in [
         (NAMED.replace("[particle]", "spin = 1\n[particle]"), "spin", "\"spin\" goes under [[orbit]]"),

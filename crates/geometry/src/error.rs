@@ -32,6 +32,27 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
+    /// A length \[L\] outside its range.
+    #[error("{name} must be {must}, not {value}")]
+    Length {
+        /// Its name.
+        name: &'static str,
+        /// What it must be.
+        must: &'static str,
+        /// What it is.
+        value: f64,
+    },
+    /// A radius as a function of the angle that is another after a whole turn.
+    #[error("the curve does not close: r(2π) must be r(0) = {start}, not {end}")]
+    Unclosed {
+        /// The radius at angle 0.
+        start: f64,
+        /// The radius at angle 2π.
+        end: f64,
+    },
+    /// A formula that is positive inside its curve.
+    #[error("the formula must be negative inside its curve; it is positive there")]
+    Inverted,
     /// A formula that does not bound a table.
     #[error("the curve of the formula must {must}; it does not near ({}, {})", at[0], at[1])]
     Curve {

@@ -56,7 +56,7 @@ impl Parallel {
     /// are given and as near as rounding; a whole closed base has a closed parallel.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Parameter`] where `distance` is not
+    /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Length`] where `distance` is not
     /// positive and finite or reaches beyond a centre of curvature of the base.
     pub fn new(
         base: Arc<dyn Piece>,
@@ -68,7 +68,7 @@ impl Parallel {
             return Err(Error::ZeroLength);
         }
         if !(distance > 0.0 && distance.is_finite()) {
-            return Err(Error::Parameter { name: "distance", must: "positive and finite", value: distance });
+            return Err(Error::Length { name: "distance", must: "positive and finite", value: distance });
         }
         let node = |s: f64| Node::new(&*base, distance, s);
         let mut nodes = vec![node(range[0])];
@@ -79,7 +79,7 @@ impl Parallel {
         // the ends may be cusps
         if nodes[1..nodes.len() - 1].iter().any(|n| n.stretch <= 0.0) {
             let must = "less than the base's least radius of curvature";
-            return Err(Error::Parameter { name: "distance", must, value: distance });
+            return Err(Error::Length { name: "distance", must, value: distance });
         }
         let mut along = 0.0;
         for k in 1..nodes.len() {
@@ -499,6 +499,6 @@ mod tests {
     fn beyond_a_centre_of_curvature_there_is_no_parallel() {
         let base = ellipse(true); // least radius of curvature 1/2
         let far = Parallel::new(Arc::new(base), 0.6, [0.0, base.length()], None);
-        assert!(matches!(far, Err(Error::Parameter { name: "distance", .. })));
+        assert!(matches!(far, Err(Error::Length { name: "distance", .. })));
     }
 }

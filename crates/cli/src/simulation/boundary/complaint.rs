@@ -10,6 +10,8 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
     let back = |x: f64| x / factor;
     match error.clone() {
         Error::Radius { radius } => Error::Radius { radius: back(radius) },
+        Error::Length { name, must, value } => Error::Length { name, must, value: back(value) },
+        Error::Unclosed { start, end } => Error::Unclosed { start: back(start), end: back(end) },
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
         Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
@@ -48,6 +50,8 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         }
         Error::Crossing { .. } => "pieces may touch but not cross: move one of them, or make one loop of both",
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
+        Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
+        Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
         Error::Orientation { .. } => "list the vertices in the opposite order, or exchange inside and outside",
         _ => return None,

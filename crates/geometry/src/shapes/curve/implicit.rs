@@ -101,7 +101,7 @@ impl<F: ImplicitFormula> Implicit<F> {
     /// The curve `f = 0`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the box is empty or infinite, or holds no curve, or if `f` is positive inside;
+    /// [`Error::Parameter`] if the box is empty or infinite, or holds no curve; [`Error::Inverted`] if `f` is positive inside;
     /// [`Error::Curve`] if the box cuts the curve or holds another zero of `f`, or if the curve is not smooth. (A zero as near to the
     /// curve as the points are to each other from which its length is summed is not seen.)
     pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
@@ -124,7 +124,7 @@ impl<F: ImplicitFormula> Implicit<F> {
         let table = ArcLength::new(&chords, (0..count).map(f64::from));
         let area = table.enclosed_area(&chords, vertices[0]);
         if area <= 0.0 || area.is_nan() {
-            return Err(Error::Parameter { name: "formula", must: "negative inside the curve", value: area });
+            return Err(Error::Inverted);
         }
         single(&formula, &region, &table)?;
         let extent = table.extent(&chords);

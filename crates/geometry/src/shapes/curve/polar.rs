@@ -76,7 +76,8 @@ impl<F: PolarFormula> Polar<F> {
     /// The curve about `center`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::Parameter`] unless `r` is finite and provably positive, and the same after a whole turn (to 10⁻⁹).
+    /// [`Error::Length`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn (to
+    /// 10⁻⁹).
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
         let mut greatest = 0.0_f64;
@@ -85,18 +86,15 @@ impl<F: PolarFormula> Polar<F> {
             let jet @ [r, ..] = formula.jet_over(Interval::new(whole(k), whole(k + 1)));
             jets.push(jet);
             if !(r.low > 0.0 && r.high.is_finite()) {
-                return Err(Error::Parameter {
-                    name: "r(φ)",
-                    must: "positive and finite at every angle",
-                    value: r.low,
-                });
+                let value = if r.low > 0.0 { r.high } else { r.low };
+                return Err(Error::Length { name: "r(φ)", must: "positive and finite at every angle", value });
             }
             greatest = greatest.max(r.high);
         }
         let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
         // the angle 2π is rounded, and formulas may turn it by some multiple; a jump that anybody sees is no rounding
         if (start - end).abs() > 1e-9 * greatest || end.is_nan() {
-            return Err(Error::Parameter { name: "r(2π)", must: "equal to r(0)", value: end });
+            return Err(Error::Unclosed { start, end });
         }
         let slack = slack([center.x, center.y, greatest]);
         let about = About { center, formula: &formula };
