@@ -140,19 +140,20 @@ pub struct Expression {
 /// assert_eq!(billiards_cli::expression::value("1 + sqrt(-1)").unwrap_err().column, 5);
 /// ```
 pub fn value(text: &str) -> Result<f64, Error> {
-    Expression::parse(text, &[])?.checked_value()
+    Ok(Expression::parse(text, &[])?.evaluate(&[]))
 }
 
 impl Expression {
     /// Parses a formula in the given variables.
     ///
     /// # Errors
-    /// A syntax error, an unknown name, more than [`MAX_CHARACTERS`] or [`MAX_LEVELS`].
+    /// A syntax error, an unknown name, more than [`MAX_CHARACTERS`] or [`MAX_LEVELS`], or a part without variables whose value is not
+    /// a finite real number.
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, Error> {
         if let Some((i, _)) = text.chars().enumerate().nth(MAX_CHARACTERS) {
             return Err(Error::new(i + 1, format!("expression is longer than {MAX_CHARACTERS} characters")));
         }
-        Parser::new(variables).parse(&tokens(text)?)
+        Parser::new(variables).parse(&tokens(text)?)?.folded()
     }
 
     /// The value at a point, one number per variable; NaN or infinite where the formula has no finite real value.
@@ -164,17 +165,31 @@ impl Expression {
         }
     }
 
-    /// The value of an expression without variables, every step checked.
-    fn checked_value(&self) -> Result<f64, Error> {
-        let mut values = Vec::with_capacity(self.nodes.len());
-        for (node, &column) in self.nodes.iter().zip(&self.columns) {
-            let y: f64 = node.apply(&values, &[]);
-            if !y.is_finite() {
-                return Err(Error::new(column, node.complaint(&values)));
+    /// The same formula with numbers in place of its parts without variables, every step of which is checked.
+    ///
+    /// Evaluated in numbers or in intervals, a formula then has the same constants: `x^(4/2)` is a square to both.
+    fn folded(mut self) -> Result<Self, Error> {
+        let mut values = vec![f64::NAN; self.nodes.len()];
+        for (i, &column) in self.columns.iter().enumerate() {
+            let node = self.nodes[i].without_root_of_square(&self.nodes);
+            let known = |a: usize| matches!(self.nodes[a], Node::Constant(_));
+            let constant = match node {
+                Node::Constant(_) => true,
+                Node::Variable(_) => false,
+                Node::Negate(a) | Node::Unary(_, a) => known(a),
+                Node::Binary(_, a, b) => known(a) && known(b),
+            };
+            self.nodes[i] = node;
+            if constant {
+                let value: f64 = node.apply(&values, &[]);
+                if !value.is_finite() {
+                    return Err(Error::new(column, node.complaint(&values)));
+                }
+                values[i] = value;
+                self.nodes[i] = Node::Constant(value);
             }
-            values.push(y);
         }
-        values.pop().ok_or_else(|| Error::new(1, "empty expression"))
+        Ok(self)
     }
 
     /// Whether the formula depends on the variable with this index.
@@ -204,6 +219,19 @@ impl Node {
         }
     }
 
+    /// `|x|` for `√x²`: it is right to the last bit, and its derivative is a sign and no quotient.
+    fn without_root_of_square(self, nodes: &[Self]) -> Self {
+        match self {
+            Self::Unary(Function::Sqrt, a) => match nodes[a] {
+                Self::Binary(Operation::Power, x, two) if matches!(nodes[two], Self::Constant(2.0)) => {
+                    Self::Unary(Function::Abs, x)
+                }
+                _ => self,
+            },
+            _ => self,
+        }
+    }
+
     /// Why this node has no finite value, its operands being finite.
     fn complaint(self, values: &[f64]) -> String {
         match self {
@@ -226,6 +254,7 @@ impl Node {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use billiards::geometry::shapes::curve::Interval;
     use proptest::prelude::*;
 
     fn error(text: &str) -> (usize, String) {
@@ -303,6 +332,26 @@ mod tests {
         assert_eq!(error("1e999").0, 1);
         assert!(value("nan").is_err());
         assert!(value("inf").is_err());
+    }
+
+    #[test]
+    fn parts_without_variables_are_numbers_once_parsed() {
+        for (text, same) in [
+            ("t^(4/2)", "t^2"),
+            ("t^sqrt(4)", "t^2"),
+            ("t^(exp(0)*3)", "t^3"),
+            ("sqrt(t^sqrt(4))", "abs(t)"),
+            ("t^-2", "t^(1-3)"),
+            ("sin(1)*t", "0.8414709848078965*t"),
+        ] {
+            let [a, b] = [text, same].map(|text| Program::new([&Expression::parse(text, &["t"]).unwrap()]));
+            let over = [Interval::new(-0.5, 1.5)];
+            assert_eq!(a.evaluate(&over), b.evaluate(&over), "{text}");
+            assert_eq!(a.evaluate(&[-0.3]), b.evaluate(&[-0.3]), "{text}");
+        }
+        let wrong = |text: &str| Expression::parse(text, &["t"]).unwrap_err();
+        assert_eq!(wrong("t + sqrt(1-2)").to_string(), "column 5: sqrt of the negative number -1");
+        assert_eq!(wrong("t^(1/0)").column, 5);
     }
 
     #[test]

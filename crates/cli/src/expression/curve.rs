@@ -182,6 +182,39 @@ mod tests {
         assert!((table.crossing(&path).time() - 2f64.sqrt()).abs() < 1e-15);
     }
 
+    /// Paths from one point into all directions.
+    fn fan(point: Vector2<f64>) -> impl Iterator<Item = Line<2>> {
+        let angles = (0..1000).map(|k| 0.37 + 0.011 * f64::from(k));
+        angles.map(move |angle| Line { point, velocity: Vector2::new(libm::cos(angle), libm::sin(angle)) })
+    }
+
+    #[test]
+    fn no_path_leaves_a_circle_whose_exponents_are_formulas() {
+        for two in ["sqrt(4)", "4/2"] {
+            let f = Expression::parse(&format!("x^({two}) + y^({two}) - 1"), &["x", "y"]).unwrap();
+            let table = Implicit::new(ImplicitCurve::new(&f, [[-2.0; 2], [2.0; 2]]), true).unwrap();
+            for path in fan(Vector2::new(-0.5, 0.02)) {
+                let distance = path.at(table.crossing(&path).time()).norm();
+                // a few roundings
+                assert!((distance - 1.0).abs() < 1e-15, "{two} {path:?} {distance}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_path_leaves_a_curve_with_whole_exponents_of_any_size() {
+        for (exponent, n) in [("sqrt(4)", 2.0), ("1002", 1002.0), ("2000", 2000.0)] {
+            let r = Expression::parse(&format!("2 + 0.5*cos(t)^{exponent}"), &["t"]).unwrap();
+            let table = Polar::new(Vector2::zeros(), PolarCurve::new(&r), true).unwrap();
+            for path in fan(Vector2::new(-0.5, 0.02)) {
+                let p = path.at(table.crossing(&path).time());
+                let radius = r.evaluate(&[libm::atan2(p.y, p.x)]);
+                // the power of a rounded cosine, and a few roundings
+                assert!((p.norm() - radius).abs() < (n + 8.0) * f64::EPSILON, "{exponent} {path:?} {p}");
+            }
+        }
+    }
+
     #[test]
     fn a_curve_that_is_not_alone_in_its_box_is_refused() {
         let curve = |f: &str| {

@@ -103,7 +103,11 @@ impl Arena {
     }
 
     fn unary(&mut self, f: Function, a: usize) -> usize {
-        self.push(Node::Unary(f, a))
+        match self.known(a) {
+            // over an interval a jump has no bound, even where its place is a number
+            Some(x) if f != Function::Jump => self.constant(x.function(f)),
+            _ => self.push(Node::Unary(f, a)),
+        }
     }
 
     fn binary(&mut self, f: Operation, a: usize, b: usize) -> usize {

@@ -65,7 +65,8 @@ fn power(a: f64, b: f64) -> f64 {
 
 impl Number for Interval {
     fn constant(x: f64) -> Self {
-        Self::new(x, x)
+        // an infinite end stands for numbers of any size, and is none itself
+        if x.is_finite() { Self::from(x) } else { Self::ENTIRE }
     }
 
     fn negate(self) -> Self {
@@ -100,10 +101,7 @@ impl Number for Interval {
             Operation::Subtract => self - other,
             Operation::Multiply => self * other,
             Operation::Divide => self / other,
-            Operation::Power => match whole(other) {
-                Some(n) => self.powi(n),
-                None => self.powf(other),
-            },
+            Operation::Power => self.powf(other),
             Operation::SignedPower => signed_power(self, other),
             Operation::Atan2 => self.atan2(other),
         }
@@ -112,7 +110,7 @@ impl Number for Interval {
 
 /// `sign(x) |x|ʸ`, which rises with `x` for `y ≥ 0`.
 fn signed_power(x: Interval, y: Interval) -> Interval {
-    let of_size = |x: Interval| x.abs().operation(Operation::Power, y);
+    let of_size = |x: Interval| x.abs().powf(y);
     if x.low > 0.0 {
         of_size(x)
     } else if x.high < 0.0 {
@@ -122,11 +120,4 @@ fn signed_power(x: Interval, y: Interval) -> Interval {
     } else {
         (-of_size(Interval::new(x.low, 0.0))).union(of_size(Interval::new(0.0, x.high)))
     }
-}
-
-/// The integer that is the only number in an interval, if there is one.
-fn whole(x: Interval) -> Option<i32> {
-    let single = x.width() == 0.0 && x.low % 1.0 == 0.0 && x.low.abs() <= 1000.0;
-    #[allow(clippy::cast_possible_truncation, reason = "at most a thousand: just checked")]
-    single.then_some(x.low as i32)
 }

@@ -240,18 +240,7 @@ impl<'a> Parser<'a> {
             None => {}
             Some("atan2") if commas == 1 => self.apply_binary(Operation::Atan2, opened),
             Some(name) => match Function::ALL.iter().find(|f| f.0 == name) {
-                Some(&(_, f)) => {
-                    let node = |nodes: &[Node], a: usize| match (f, nodes[a]) {
-                        // the root of a square is right to the last bit, and its derivative is a sign and no quotient
-                        (Function::Sqrt, Node::Binary(Operation::Power, base, two))
-                            if matches!(nodes[two], Node::Constant(2.0)) =>
-                        {
-                            Node::Unary(Function::Abs, base)
-                        }
-                        _ => Node::Unary(f, a),
-                    };
-                    self.apply_unary(node, opened);
-                }
+                Some(&(_, f)) => self.apply_unary(|a| Node::Unary(f, a), opened),
                 None => {
                     return Err(Error::new(opened, format!("{name} takes two arguments"))
                         .with_help(format!("write {}", signature(name))));
@@ -274,16 +263,16 @@ impl<'a> Parser<'a> {
             }
             self.pending.pop();
             match pending {
-                Pending::Negate => self.apply_unary(|_, a| Node::Negate(a), column),
+                Pending::Negate => self.apply_unary(Node::Negate, column),
                 Pending::Binary(operation) => self.apply_binary(operation, column),
                 Pending::Open { .. } => {}
             }
         }
     }
 
-    fn apply_unary(&mut self, node: impl FnOnce(&[Node], usize) -> Node, column: usize) {
+    fn apply_unary(&mut self, node: impl FnOnce(usize) -> Node, column: usize) {
         if let Some(a) = self.operands.pop() {
-            self.push(node(&self.nodes, a), column);
+            self.push(node(a), column);
         }
     }
 

@@ -123,9 +123,20 @@ impl Interval {
         result
     }
 
-    /// `xʸ = exp(y ln x)`, of the positive part of `x`.
+    /// `xʸ`: [`powi`](Interval::powi) where `y` is one whole number, and else `exp(y ln x)` of the part of `x` that is not negative.
+    ///
+    /// Negative numbers have powers with whole exponents: where `x` reaches below 0 and there may be one among several `y`, this is
+    /// everything. It also is where `x` is negative throughout, and has no power.
     #[must_use]
     pub fn powf(self, y: Interval) -> Interval {
+        let single = y.low == y.high;
+        if let Some(n) = whole(y.low).filter(|_| single) {
+            return self.powi(n);
+        }
+        let fractional = single && y.low % 1.0 != 0.0;
+        if self.high < 0.0 || (self.low < 0.0 && !fractional) {
+            return Interval::ENTIRE;
+        }
         (y * self.ln()).exp()
     }
 
@@ -220,6 +231,13 @@ impl Interval {
         let around = angles.into_iter().fold(angles[0], Interval::union);
         Interval::widened(around.low, around.high, 2)
     }
+}
+
+/// A whole number of up to 2³¹ − 1 as such: the powers of everything that is not 1 to nine digits are 0 or infinite long before.
+fn whole(y: f64) -> Option<i32> {
+    let is_whole = y % 1.0 == 0.0 && y.abs() <= f64::from(i32::MAX);
+    #[expect(clippy::cast_possible_truncation, reason = "a whole number within range: just checked")]
+    is_whole.then_some(y as i32)
 }
 
 impl Neg for Interval {
@@ -325,6 +343,20 @@ mod tests {
                 prop_assert!(a.asin().contains(libm::asin(x)));
                 prop_assert!(a.acos().contains(libm::acos(x)));
             }
+        }
+
+        #[test]
+        fn powers_with_whole_exponents_of_any_size_enclose_those_of_negative_numbers(
+            (a, x) in interval(),
+            n in prop_oneof![-9..10_i32, -3000..3000_i32, Just(i32::MAX), Just(-i32::MAX)],
+        ) {
+            // near 1, where high powers are no zeros
+            let (a, x) = (a * 0.125, x * 0.125);
+            let power = libm::pow(x, f64::from(n));
+            prop_assert!(a.powi(n).contains(power));
+            prop_assert!(a.powf(f64::from(n).into()).contains(power));
+            // one of these exponents is whole
+            prop_assert!(a.powf(Interval::new(f64::from(n) - 0.25, f64::from(n) + 0.25)).contains(power));
         }
 
         #[test]
