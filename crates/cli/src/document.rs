@@ -11,7 +11,9 @@ mod toml;
 
 pub use diagnostic::{Diagnostic, Place, Problems};
 pub use json::parse as parse_json;
-pub use number::{LARGEST, SMALLEST, count, formula, nonnegative, number, positive, real, seed, spell, vector};
+pub use number::{
+    LARGEST, SMALLEST, count, formula, nonnegative, number, polar_formula, positive, real, seed, spell, vector,
+};
 pub use section::Section;
 pub use source::{Source, Span, Spanned};
 pub use toml::parse as parse_toml;

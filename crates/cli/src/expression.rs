@@ -6,6 +6,7 @@
 
 mod curve;
 mod derivative;
+mod domain;
 mod number;
 mod parser;
 mod program;

@@ -419,13 +419,13 @@ fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
         ("1+0.1*cos(t/2)", "r(2π) must be r(0) = 1.1, not 0.9"),
         ("1+abs(t)", "r(2π) must be r(0) = 1, not 7.283185307179586"),
         ("1000*(1+0.1*cos(t/2))", "r(2π) must be r(0) = 1100, not 900"),
-        ("1+0.2*tan(t/4)^2", "r(φ) must be positive and finite at every angle, not inf"),
+        ("1+0.2*tan(t/4)^2", "r(φ) must be positive and finite at every angle; near φ = 6.2824 it may be -inf"),
     ] {
         let (what, help) = polar(formula);
         assert!(what.ends_with(expected), "{formula}: {what}");
         assert_eq!(help.contains("period 2π"), expected.contains("r(2π)"), "{formula}: {help}");
     }
-    // the radius falls by at most √3/2 over a sector of 2π/4096, and the bound is that of the first sector below 0
+    // the radius falls by at most √3/2 over a sector of 2π/4096, and it is that in the middle of one of the first two below 0
     let (what, _) = polar("0.5+cos(t)");
     let least: f64 = what.rsplit(' ').next().and_then(|x| x.parse().ok()).expect("a number");
     assert!((-0.0015..=0.0).contains(&least), "{what}");

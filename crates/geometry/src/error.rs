@@ -53,6 +53,22 @@ pub enum Error {
     /// A formula that is positive inside its curve.
     #[error("the formula must be negative inside its curve; it is positive there")]
     Inverted,
+    /// A formula for a radius that is none in some direction, or cannot be shown to be one.
+    #[error("r(φ) must be positive and finite at every angle; near φ = {angle:.4} {}", comes_to(*radius, *certain))]
+    PolarRadius {
+        /// About where, in radians.
+        angle: f64,
+        /// What the formula says there, or what it may be by the bounds on it.
+        radius: f64,
+        /// Whether the formula says so.
+        certain: bool,
+    },
+    /// A formula for a radius without a derivative in some direction.
+    #[error("r(φ) has no slope near φ = {angle:.4}: at a kink, its derivative must be one of the two slopes")]
+    PolarSlope {
+        /// About where, in radians.
+        angle: f64,
+    },
     /// A formula that does not bound a table.
     #[error("the curve of the formula must {must}; it does not near ({}, {})", at[0], at[1])]
     Curve {
@@ -222,4 +238,13 @@ pub enum Error {
         /// Its dimension.
         dimension: usize,
     },
+}
+
+/// What is wrong with a radius.
+fn comes_to(radius: f64, certain: bool) -> String {
+    if radius.is_nan() {
+        "it has no real value".into()
+    } else {
+        format!("it {} {radius}", if certain { "is" } else { "may be" })
+    }
 }

@@ -334,8 +334,45 @@ fn formulas_that_are_no_single_smooth_closed_curve_are_refused() {
     let corner = cut_near(|x, y| x.abs() + y.abs() - 1.0);
     assert!((corner.amax() - 1.0).abs() < 1e-3 && corner.amin() < 1e-3, "corners, named: {corner}");
     assert!(refused(|x, _| x), "open");
-    let clover = |amount| Polar::new(v(0.0, 0.0), Clover { radius: 1.0, amount, leaves: 3 }, true).is_err();
-    assert!(!clover(0.9) && clover(1.1), "the radius must be positive");
+}
+
+/// `r = 2 + √(a − cos φ)/5`
+#[derive(Clone, Copy, Debug)]
+struct Rooted(f64);
+
+impl PolarFormula for Rooted {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(angle);
+        let root = (self.0 - cos).sqrt();
+        let slope = 0.5 * sin / root;
+        [2.0 + 0.2 * root, 0.2 * slope, 0.2 * (0.5 * cos - slope * slope) / root]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [sin, cos] = angle.sin_cos();
+        let root = (-cos + self.0).sqrt();
+        let slope = sin * 0.5 / root;
+        [root * 0.2 + 2.0, slope * 0.2, (cos * 0.5 - slope.square()) / root * 0.2]
+    }
+}
+
+#[test]
+fn a_radius_is_positive_and_real_in_every_direction_or_refused_with_one_where_it_is_not() {
+    let clover = |amount| Polar::new(v(0.0, 0.0), Clover { radius: 1.0, amount, leaves: 3 }, true).map(|_| ());
+    assert_eq!(clover(0.9), Ok(()));
+    let Err(Error::PolarRadius { angle, radius, certain: true }) = clover(1.1) else { panic!("a negative radius") };
+    // 1 + 1.1 cos 3φ
+    assert!(radius < 0.0 && (radius - 1.0 - 1.1 * libm::cos(3.0 * angle)).abs() < 1e-14);
+    let rooted = |a| Polar::new(v(0.0, 0.0), Rooted(a), true).map(|_| ());
+    assert_eq!(rooted(1.01), Ok(()));
+    // on an arc of 16° about 0; half of a turn
+    for (a, half) in [(0.99, 0.1415), (0.0, 1.571)] {
+        let error = rooted(a).unwrap_err();
+        let Error::PolarRadius { angle, radius, certain: true } = error else { panic!("{error}") };
+        assert!(radius.is_nan() && angle < half, "{error}");
+        assert!(error.to_string().contains("it has no real value"), "{error}");
+    }
+    // at φ = 0 the derivative is 0/0
+    assert_eq!(rooted(1.0), Err(Error::PolarSlope { angle: 0.0 }));
 }
 
 #[test]

@@ -1,5 +1,9 @@
 //! Numbers of input files: literals or formulas, finite and of a sensible size.
 
+use core::f64::consts::PI;
+
+use billiards::geometry::shapes::curve::Interval;
+
 use super::{Item, Problems, Span, Spanned, Value};
 use crate::expression::{self, Expression};
 
@@ -44,6 +48,18 @@ pub fn formula(text: &Spanned<String>, variables: &[&str], problems: &mut Proble
             None
         }
     }
+}
+
+/// A radius as a formula in the polar angle `t`, with a real value in every direction.
+pub fn polar_formula(text: &Spanned<String>, problems: &mut Problems) -> Option<Expression> {
+    let radius = formula(text, &["t"], problems)?;
+    if let Some((mut error, at)) = radius.unreal(Interval::new(0.0, 2.0 * PI)) {
+        error.what = format!("near t = {at:.4}: {}", error.what);
+        error.help = Some("r must be a positive finite number for every t from 0 to 2*pi".into());
+        complain(&text.value, text.span, &error, problems);
+        return None;
+    }
+    Some(radius)
 }
 
 /// Records an error of an expression, at its own column where the string is written without escapes.

@@ -3,7 +3,7 @@
 use super::law::{self, Law};
 use super::shapes::{self, Shape};
 use super::{choice, direction, list, point, text};
-use crate::document::{Item, Problems, Section, Span, Spanned, positive, real, vector};
+use crate::document::{Item, Problems, Section, Span, Spanned, formula, polar_formula, positive, real, vector};
 use crate::expression::Expression;
 
 /// One entry of an explicit boundary.
@@ -292,29 +292,25 @@ fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -
 
 fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
     let domain = domain(section, Domain::Inside, problems);
-    let (curve, formula) = match section.one_of(&["polar", "implicit"], problems)? {
+    let (curve, text) = match section.one_of(&["polar", "implicit"], problems)? {
         ("polar", item) => {
             let center = section
                 .optional("center")
                 .map_or(Some(Spanned::new(vec![0.0; 2], section.span())), |item| point(item, 2, problems));
-            let (radius, formula) = formula(item, &["t"], problems)?;
-            (Curve::Polar { radius, center: center? }, formula)
+            let text = text(item, problems)?;
+            let radius = polar_formula(&text, problems)?;
+            (Curve::Polar { radius, center: center? }, text)
         }
         (_, item) => {
             let within = section
                 .required("within", "within = [[-3, -2], [3, 2]], a box that contains the curve")
                 .and_then(|item| corners(item, problems));
-            let (function, formula) = formula(item, &["x", "y"], problems)?;
-            (Curve::Implicit { function, within: within? }, formula)
+            let text = text(item, problems)?;
+            let function = formula(&text, &["x", "y"], problems)?;
+            (Curve::Implicit { function, within: within? }, text)
         }
     };
-    Some(Border::Curve { curve, formula, domain: domain? })
-}
-
-fn formula(item: &Item, variables: &[&str], problems: &mut Problems) -> Option<(Expression, Spanned<String>)> {
-    let formula = text(item, problems)?;
-    let expression = crate::document::formula(&formula, variables, problems)?;
-    Some((expression, formula))
+    Some(Border::Curve { curve, formula: text, domain: domain? })
 }
 
 /// Two opposite corners of a box, the lower left one first.

@@ -101,6 +101,36 @@ collisions = 1
 }
 
 #[test]
+fn a_polar_formula_without_a_radius_somewhere_is_refused_at_once() {
+    let folder = Folder::new("no-radius");
+    for (formula, column, message) in [
+        ("2+0.2*sqrt(sin(t)+0.99)", 26, "near t = 4.5743: sqrt of the negative number"),
+        ("2+0.2*asin(sin(t)*1.0000001)", 26, "near t = 1.5706: asin of 1.00000008"),
+        ("2+0.5*sqrt(cos(2*t))", 26, "near t = 0.7946: sqrt of the negative number"),
+        ("2+0.5*cos(t)^0.5", 32, "near t = 1.5800: the negative number"),
+        ("2+0.2*cos(t)^1.5", 32, "to the power 1.5, which is not an integer"),
+        ("2+0.2*cos(t)^(1/3)", 32, "near t = 1.5800: the negative number"),
+        ("2+0.2*sqrt(cos(t))", 26, "near t = 1.5800: sqrt of the negative number"),
+        ("2+sqrt(1-2)*cos(t)", 22, "sqrt of the negative number -1"),
+        ("2+3*cos(t)", 19, "r(φ) must be positive and finite at every angle; near φ = 2.3017 it is -0.00"),
+        ("2+0.2*sqrt(1-cos(t)^2)", 19, "write kinks with abs"),
+    ] {
+        let scene = format!(
+            "law = \"no-slip\"\n[[table.boundary]]\ncurve = {{ polar = \"{formula}\" }}\n\
+             [[orbit]]\nposition = [0.01, 0.02]\nvelocity = [1, 0.35]\n[run]\ncollisions = 3000\n"
+        );
+        fs::write(folder.0.join("scene.toml"), scene).unwrap();
+        let mut command = Command::cargo_bin("billiards").unwrap();
+        let minute = std::time::Duration::from_secs(60);
+        let output = command.current_dir(&folder.0).args(["run", "scene.toml"]).timeout(minute).output().unwrap();
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{formula}: {text}");
+        assert!(text.contains(&format!("scene.toml:3:{column}: error: ")), "{formula}: {column} expected in\n{text}");
+        assert!(text.contains(message), "{formula}: \"{message}\" expected in\n{text}");
+    }
+}
+
+#[test]
 fn errors_give_lengths_in_the_units_of_the_scene() {
     let folder = Folder::new("units");
     let scene = "law = \"specular\"\ntable = { name = \"moon\", radius = 1000, bite_radius = 750, bite_distance = 5000 }\n\

@@ -12,6 +12,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Radius { radius } => Error::Radius { radius: back(radius) },
         Error::Length { name, must, value } => Error::Length { name, must, value: back(value) },
         Error::Unclosed { start, end } => Error::Unclosed { start: back(start), end: back(end) },
+        Error::PolarRadius { angle, radius, certain } => Error::PolarRadius { angle, radius: back(radius), certain },
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
         Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
@@ -53,6 +54,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
+        Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",
         Error::Orientation { .. } => "list the vertices in the opposite order, or exchange inside and outside",
         _ => return None,
     })

@@ -76,6 +76,16 @@ impl ArcLength {
         self.nodes.last().map_or(0.0, |node| node.s)
     }
 
+    /// The first parameter up to which the curve has no finite length, if it has none.
+    pub(crate) fn endless(&self) -> Option<f64> {
+        self.nodes.iter().find(|node| !node.s.is_finite()).map(|node| node.u)
+    }
+
+    /// The parameters of the table.
+    pub(crate) fn parameters(&self) -> impl Iterator<Item = f64> + '_ {
+        self.nodes.iter().map(|node| node.u)
+    }
+
     /// `½ ∮ (x dy − y dx)` of a closed curve, positive if it is traversed counter-clockwise; `about` is a point not far from it.
     pub(crate) fn enclosed_area(&self, curve: &impl Parametric, about: Vector2<f64>) -> f64 {
         let form = |u: f64| {

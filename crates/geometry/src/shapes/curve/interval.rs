@@ -7,6 +7,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// Every operation returns an interval that contains all values the exact operation takes on its arguments: results are
 /// widened by a unit in the last place, those of `libm`'s functions by two (they are accurate to less than one).
 ///
+/// Of numbers outside its domain a function has no value. Where some of an interval is inside, which may be rounding, its result is
+/// that of this part; where nothing is, the result is [`Interval::ENTIRE`], about which nothing can be proved.
+///
 /// ```
 /// use geometry::shapes::curve::Interval;
 /// let x = Interval::new(-1.0, 2.0);
@@ -21,6 +24,11 @@ pub struct Interval {
     /// Greatest number.
     pub high: f64,
 }
+
+/// The domain of roots and logarithms.
+const NOT_NEGATIVE: Interval = Interval { low: 0.0, high: f64::INFINITY };
+/// That of arcsines and arccosines.
+const SINES: Interval = Interval { low: -1.0, high: 1.0 };
 
 impl From<f64> for Interval {
     fn from(a: f64) -> Interval {
@@ -71,9 +79,12 @@ impl Interval {
         Interval::widened(f(self.low), f(self.high), 2)
     }
 
-    /// The part between `low` and `high`: the domain of a function.
-    fn within(self, low: f64, high: f64) -> Interval {
-        Interval { low: self.low.clamp(low, high), high: self.high.clamp(low, high) }
+    /// What `f` makes of the part in `domain`; everything if there is none.
+    fn where_defined(self, domain: Interval, f: impl Fn(Interval) -> Interval) -> Interval {
+        if self.high < domain.low || self.low > domain.high {
+            return Interval::ENTIRE;
+        }
+        f(Interval { low: self.low.max(domain.low), high: self.high.min(domain.high) })
     }
 
     /// `|x|`
@@ -126,7 +137,7 @@ impl Interval {
     /// `xʸ`: [`powi`](Interval::powi) where `y` is one whole number, and else `exp(y ln x)` of the part of `x` that is not negative.
     ///
     /// Negative numbers have powers with whole exponents: where `x` reaches below 0 and there may be one among several `y`, this is
-    /// everything. It also is where `x` is negative throughout, and has no power.
+    /// everything.
     #[must_use]
     pub fn powf(self, y: Interval) -> Interval {
         let single = y.low == y.high;
@@ -134,18 +145,19 @@ impl Interval {
             return self.powi(n);
         }
         let fractional = single && y.low % 1.0 != 0.0;
-        if self.high < 0.0 || (self.low < 0.0 && !fractional) {
+        if self.low < 0.0 && !fractional {
             return Interval::ENTIRE;
         }
-        (y * self.ln()).exp()
+        self.where_defined(NOT_NEGATIVE, |x| (y * x.ln()).exp())
     }
 
     /// `√x`, of the part of `x` that is not negative.
     #[must_use]
     pub fn sqrt(self) -> Interval {
-        let x = self.within(0.0, f64::INFINITY);
-        let root = Interval::widened(x.low.sqrt(), x.high.sqrt(), 1);
-        Interval { low: root.low.max(0.0), high: root.high }
+        self.where_defined(NOT_NEGATIVE, |x| {
+            let root = Interval::widened(x.low.sqrt(), x.high.sqrt(), 1);
+            Interval { low: root.low.max(0.0), high: root.high }
+        })
     }
 
     /// `eˣ`
@@ -155,10 +167,10 @@ impl Interval {
         Interval { low: exp.low.max(0.0), high: exp.high }
     }
 
-    /// The natural logarithm of the positive part of `x`.
+    /// The natural logarithm of the part of `x` that is not negative, −∞ for 0.
     #[must_use]
     pub fn ln(self) -> Interval {
-        self.within(0.0, f64::INFINITY).rising(libm::log)
+        self.where_defined(NOT_NEGATIVE, |x| x.rising(libm::log))
     }
 
     /// `cos x`
@@ -204,14 +216,13 @@ impl Interval {
     /// The arcsine of the part of `x` in [−1, 1].
     #[must_use]
     pub fn asin(self) -> Interval {
-        self.within(-1.0, 1.0).rising(libm::asin)
+        self.where_defined(SINES, |x| x.rising(libm::asin))
     }
 
     /// The arccosine of the part of `x` in [−1, 1].
     #[must_use]
     pub fn acos(self) -> Interval {
-        let x = self.within(-1.0, 1.0);
-        Interval::widened(libm::acos(x.high), libm::acos(x.low), 2)
+        self.where_defined(SINES, |x| Interval::widened(libm::acos(x.high), libm::acos(x.low), 2))
     }
 
     /// `arctan x`
@@ -233,7 +244,7 @@ impl Interval {
     }
 }
 
-/// A whole number of up to 2³¹ − 1 as such: the powers of everything that is not 1 to nine digits are 0 or infinite long before.
+/// A whole number of up to 2³¹ − 1 as such.
 fn whole(y: f64) -> Option<i32> {
     let is_whole = y % 1.0 == 0.0 && y.abs() <= f64::from(i32::MAX);
     #[expect(clippy::cast_possible_truncation, reason = "a whole number within range: just checked")]
@@ -357,6 +368,18 @@ mod tests {
             prop_assert!(a.powf(f64::from(n).into()).contains(power));
             // one of these exponents is whole
             prop_assert!(a.powf(Interval::new(f64::from(n) - 0.25, f64::from(n) + 0.25)).contains(power));
+        }
+
+        #[test]
+        fn of_numbers_outside_the_domain_of_a_function_nothing_is_known((a, _) in interval()) {
+            // what is certainly negative, and certainly greater than 1
+            let (negative, great) = (-a.abs() + -1e-300, a.abs() + 1.5);
+            for of in [negative.sqrt(), negative.ln(), negative.powf(1.5.into()), (-great).asin(), great.asin(), great.acos()] {
+                prop_assert_eq!(of, Interval::ENTIRE);
+            }
+            // zero is inside, and rounding beside it
+            let touching = Interval::new(-1e-16, 1e-16);
+            prop_assert!(touching.sqrt().magnitude() <= 2e-8 && touching.powf(1.5.into()).magnitude() <= 2e-24);
         }
 
         #[test]

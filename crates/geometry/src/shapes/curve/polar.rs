@@ -76,21 +76,23 @@ impl<F: PolarFormula> Polar<F> {
     /// The curve about `center`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::Length`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn (to
-    /// 10⁻⁹).
+    /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
+    /// (to 10⁻⁹), and [`Error::PolarSlope`] where `r′` is not a number, so that the curve has no length or no normal.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
-        let mut greatest = 0.0_f64;
-        let mut jets = vec![];
-        for k in 0..SECTORS {
-            let jet @ [r, ..] = formula.jet_over(Interval::new(whole(k), whole(k + 1)));
-            jets.push(jet);
-            if !(r.low > 0.0 && r.high.is_finite()) {
-                let value = if r.low > 0.0 { r.high } else { r.low };
-                return Err(Error::Length { name: "r(φ)", must: "positive and finite at every angle", value });
-            }
-            greatest = greatest.max(r.high);
+        let sector = |k: u32| Interval::new(whole(k), whole(k + 1));
+        let jets: Vec<_> = (0..SECTORS).map(|k| formula.jet_over(sector(k))).collect();
+        let is_radius = |r: f64| r > 0.0 && r.is_finite();
+        let doubtful = (0..SECTORS).zip(&jets).filter(|(_, [r, ..])| !(r.low > 0.0 && r.high.is_finite()));
+        let middles = doubtful.map(|(k, [bounds, ..])| (0.5 * (whole(k) + whole(k + 1)), bounds));
+        let values = middles.map(|(angle, bounds)| (angle, bounds, formula.jet(angle)[0]));
+        // an angle at which r is no radius says more than one near which it might be none
+        if let Some((angle, bounds, r)) = values.min_by_key(|(.., r)| is_radius(*r)) {
+            let bound = if bounds.low > 0.0 { bounds.high } else { bounds.low };
+            let certain = !is_radius(r);
+            return Err(Error::PolarRadius { angle, radius: if certain { r } else { bound }, certain });
         }
+        let greatest = jets.iter().fold(0.0_f64, |m, [r, ..]| m.max(r.high));
         let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
         // the angle 2π is rounded, and formulas may turn it by some multiple; a jump that anybody sees is no rounding
         if (start - end).abs() > 1e-9 * greatest || end.is_nan() {
@@ -107,8 +109,12 @@ impl<F: PolarFormula> Polar<F> {
         let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
         let calm = |[.., second]: &[Interval; 3]| second.width() <= varies;
         let rough = (0..SECTORS).zip(&jets).filter(|(_, jet)| !calm(jet));
-        let kinks =
-            kinks(rough.map(|(k, _)| Interval::new(whole(k), whole(k + 1))), |part| calm(&formula.jet_over(part)));
+        let kinks = kinks(rough.map(|(k, _)| sector(k)), |part| calm(&formula.jet_over(part)));
+        // a curve that is cut at its kinks is not asked for normals there
+        let undirected = || table.parameters().find(|angle| formula.jet(*angle)[1].is_nan());
+        if let Some(angle) = table.endless().or_else(|| if kinks.is_none() { undirected() } else { None }) {
+            return Err(Error::PolarSlope { angle });
+        }
         Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), kinks, table, area, extent })
     }
 
