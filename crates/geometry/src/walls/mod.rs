@@ -51,7 +51,8 @@ use lanes::{Lane, Mask};
 /// The first hit, in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct WallHit<F: Lane, const N: usize> {
-    /// Time of flight; infinite where there is no hit, and then nothing else means anything.
+    /// Time of flight; infinite where there is no hit, and then nothing else means anything. Of a path that starts beyond a wall, which
+    /// only rounding does, it may be as much below 0.
     pub time: F,
     /// The point hit, on the wall.
     pub point: [F; N],
