@@ -133,15 +133,12 @@ impl Table {
                 return Err(Error::Open { piece: i, gap });
             }
         }
-        let nearby = match &lattice {
-            Some(lattice) => {
-                few_cells(&pieces, lattice)?;
-                translates(&pieces, lattice, 1.0)
-            }
-            None => {
-                let alone = |(number, piece)| Translate { number, by: Vector2::zeros(), piece };
-                pieces.iter().cloned().enumerate().map(alone).collect()
-            }
+        let nearby = if let Some(lattice) = &lattice {
+            few_cells(&pieces, lattice)?;
+            translates(&pieces, lattice, 1.0)
+        } else {
+            let alone = |(number, piece)| Translate { number, by: Vector2::zeros(), piece };
+            pieces.iter().cloned().enumerate().map(alone).collect()
         };
         let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Ok(Table { pieces, next, corners, lattice, nearby, enclosed, polygon, parts })

@@ -167,8 +167,9 @@ impl Table {
                 let to_the_end = if self.lattice().is_none() { sight.look(k, aim, |_| false) } else { None };
                 let Some((walls, escapes)) = to_the_end.or_else(|| sight.look(k, aim, |_| true)) else { continue };
                 // a wall seen from the table must not lead into it
-                if let Some(pair) = walls.windows(2).find(|pair| behind(&pair[0]) == pair[1].into_table) {
-                    return Err(disagree(&pair[0], &pair[1]));
+                let mut pairs = walls.iter().zip(&walls[1..]);
+                if let Some((from, hit)) = pairs.find(|(from, hit)| behind(from) == hit.into_table) {
+                    return Err(disagree(from, hit));
                 }
                 if let (true, true, Some(wall)) = (escapes, surrounded, walls.last()) {
                     let other = *last.get_or_insert(*wall);

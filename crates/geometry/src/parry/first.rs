@@ -5,12 +5,15 @@ use crate::{Hit, Line, walls::CORNER};
 pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Option<Hit<3>> {
     /// Normals that differ by less belong to walls that continue one another, as those of a mesh do.
     const SMOOTH: f64 = 1e-9;
+    /// Places farther apart than this part of the coordinates are no edge, however flat the path comes to the second wall there.
+    const FAR: f64 = 1e-3;
     hits.reduce(|a, b| {
         let [first, second] = if b.time < a.time { [b, a] } else { [a, b] };
         // how far in front of the second wall the path meets the first
         let apart = (first.time - second.time) * path.velocity.dot(&second.normal);
-        let near = CORNER * path.point.amax().max(first.point.amax());
-        let edge = apart <= near && (first.normal - second.normal).norm() > SMOOTH;
+        let size = path.point.amax().max(first.point.amax());
+        let near = apart <= CORNER * size && (second.point - first.point).amax() <= FAR * size;
+        let edge = near && (first.normal - second.normal).norm() > SMOOTH;
         Hit { corner: first.corner || edge, ..first }
     })
 }
