@@ -40,7 +40,16 @@ pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, O>(
 {
     // lanes that nobody has sat in yet hold the first orbit
     let Some(first) = orbits.next() else { return };
-    lanes::dispatch(Many { billiard, orbits, upcoming: Some(first.clone()), first, collisions, observer, finished });
+    lanes::dispatch(Many {
+        billiard,
+        orbits,
+        upcoming: Some(first.clone()),
+        first,
+        collisions,
+        observer,
+        finished,
+        changed: false,
+    });
 }
 
 struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
@@ -52,13 +61,12 @@ struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
     collisions: u64,
     observer: &'a mut O,
     finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
+    /// Whether somebody else sits in some lane since the next end was looked for.
+    changed: bool,
 }
 
 /// Twins of vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
 const TWINS: usize = 2;
-
-/// Steps between two looks at who is still there.
-const LOOK: u64 = 1024;
 
 /// A twin of vectors of orbits.
 struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
@@ -114,6 +122,7 @@ where
         step: u64,
         ended: &[Option<Stop>; MOST_LANES],
     ) {
+        self.changed = true;
         let zero = group.slow.same(0.0);
         let mask = |of: &[bool; MOST_LANES]| zero.lt(zero.each(|k| if of[k % MOST_LANES] { 1.0 } else { 0.0 }));
         let mut idle = [false; MOST_LANES];
@@ -289,9 +298,9 @@ where
             if until == u64::MAX {
                 break;
             }
-            // orbits may end before, and then others
-            let until = until.min(step + LOOK);
-            while step < until {
+            // who comes later in place of an orbit that ends early may end before
+            self.changed = false;
+            while step < until && !self.changed {
                 for group in &mut groups {
                     self.step(group, &mut next, step);
                 }

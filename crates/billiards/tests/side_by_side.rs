@@ -1,15 +1,15 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
 use billiards::observe::{LaneObserver, Watch};
 use billiards::{
-    BallLaw, Billiard, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start, Stop, Timed,
-    laws::Disk, run, run_side_by_side,
+    BallLaw, Billiard, Canonical, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start, Starts,
+    Stop, Timed, laws::Disk, run, run_side_by_side,
 };
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
-use geometry::{Table, WallHit, Walls, tables};
+use geometry::{Piece, Table, WallHit, Walls, shapes::Circle, tables};
 use lanes::{Lane, MOST_LANES, Mask};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -238,6 +238,40 @@ fn between_straight_walls_speeds_whose_squares_are_no_numbers_are_as_good_as_oth
         let outcome = billiard.run(&mut orbit, &Collisions(500), &mut ());
         assert_eq!((outcome.stop, outcome.collisions), (Stop::Finished, 500));
         assert_eq!(orbit.velocity, expected.velocity.map(|v| libm::ldexp(v, exponent)));
+    }
+}
+
+#[test]
+fn an_orbit_that_ends_between_beats_leaves_its_lane_to_another() {
+    let square = Planar { table: tables::square(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    // after one collision in a corner
+    let short = Start { position: [0.5, 0.5], velocity: [0.75, 0.25], spin: [0.0] };
+    for at in [0, 1, 7, 40, 69] {
+        let mut starts = starts(&square.table, 70);
+        starts[at] = short;
+        let mut ended: Vec<Ended> = vec![];
+        let mut orbits = starts.iter().map(|start| start.orbit(Clock::new(0.0)));
+        square.run_side_by_side(&mut orbits, 300, &mut (), &mut |f| ended.push(f));
+        assert_eq!(ended.len(), starts.len());
+        for f in ended {
+            let expected = if f.index == at as u64 { (Stop::Corner, 1) } else { (Stop::Finished, 300) };
+            assert_eq!((f.outcome.stop, f.outcome.collisions), expected, "{}", f.index);
+        }
+    }
+    // disks in the open plane, between which most orbits stay for a few collisions and some for many
+    let disk = |x: f64, y: f64| Box::new(Circle::new([x, y].into(), 1.0, false).unwrap()) as Box<dyn Piece>;
+    let table = Table::new(vec![disk(0.0, 0.0), disk(2.1, 0.0), disk(1.05, 1.8187)]).unwrap();
+    let billiard = Planar { law: Disk::new(&Specular, 1.0), table };
+    let canonical = Canonical::new(&billiard.table, 1.0, 3).unwrap();
+    let mut ended: Vec<Ended> = vec![];
+    let mut orbits = (0..2000).map(|i| canonical.start(i).orbit(Clock::new(0.0)));
+    billiard.run_side_by_side(&mut orbits, 18, &mut (), &mut |f| ended.push(f));
+    ended.sort_by_key(|f| f.index);
+    assert_eq!(ended.len(), 2000);
+    for f in ended {
+        let mut alone: Disks = canonical.start(f.index).orbit(Clock::new(0.0));
+        let outcome = billiard.run(&mut alone, &Collisions(18), &mut ());
+        assert_eq!((f.outcome, f.orbit.position), (outcome, alone.position), "{}", f.index);
     }
 }
 

@@ -145,9 +145,10 @@ impl Table {
         let finite = self.pieces().iter().all(|p| p.extent().is_finite());
         let home = self.search_box();
         if finite {
-            // around holes alone there is no end
+            // around holes alone, and walls on both sides, there is no end
             let enclosed: f64 = self.pieces().iter().map(|p| p.area()).sum();
-            if self.lattice().is_none() && enclosed < 0.0 {
+            let is_open = enclosed < 0.0 || self.pieces().iter().all(|p| p.tips().is_some());
+            if self.lattice().is_none() && is_open {
                 return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
             }
             return self.largest_disk_in(&home);

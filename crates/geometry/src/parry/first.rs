@@ -3,8 +3,9 @@ use crate::{Hit, Line, walls::CORNER};
 
 /// The first of the hits of a path with several walls: a corner where within rounding another one with another normal is hit as well.
 pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Option<Hit<3>> {
-    /// Normals that differ by less belong to walls that continue one another, as those of a mesh do.
-    const SMOOTH: f64 = 1e-9;
+    /// Normals that differ by less belong to walls that continue one another. Next to where one is tangent to another, with a radius of
+    /// `r`, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: radii from 10⁻⁵ of the size on.
+    const SMOOTH: f64 = 1e-5;
     /// Places farther apart than this part of the coordinates are no edge, however flat the path comes to the second wall there.
     const FAR: f64 = 1e-3;
     hits.reduce(|a, b| {

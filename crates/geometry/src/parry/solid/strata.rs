@@ -8,6 +8,9 @@ use core::f64::consts::PI;
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
+/// The sines of angles that are none.
+const ALIKE: f64 = 1e-6;
+
 /// A part of a parallel surface, or a little more.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stratum {
@@ -91,7 +94,8 @@ impl Edge {
             }
         };
         let form = Form::Cylinder { start: self.start, middle, half };
-        (half > 0.0 && middle.dot(&self.front) >= 0.0).then_some(Stratum { triangle: self.triangle, form })
+        // at a rim they are at right angles
+        (half > 0.0 && middle.dot(&self.front) >= -ALIKE).then_some(Stratum { triangle: self.triangle, form })
     }
 }
 
@@ -101,12 +105,14 @@ impl Star {
     fn stratum(&self) -> Option<Stratum> {
         /// Of more edges than this, some leave out enough.
         const MOST: usize = 16;
-        /// The sines of angles that are none.
-        const ALIKE: f64 = 1e-6;
         /// So little may a direction lead towards an edge.
         const LITTLE: f64 = 1e-8;
         let (triangle, corner) = self.corner?;
         let along: Vec<_> = self.along.iter().step_by(self.along.len().div_ceil(MOST)).collect();
+        // on a straight side what is left lies in a plane: the edges' cylinders have it
+        if along.iter().enumerate().any(|(i, a)| along[..i].iter().any(|b| (*a + *b).norm() <= ALIKE)) {
+            return None;
+        }
         let away = |u: &Vector3<f64>| along.iter().all(|a| u.dot(a) <= LITTLE);
         let both = |across: Vector3<f64>| {
             let length = across.norm();
@@ -121,7 +127,7 @@ impl Star {
         let length = sum.norm();
         let form = if length > ALIKE {
             let middle = sum / length;
-            if middle.dot(&self.front) < 0.0 {
+            if middle.dot(&self.front) < -ALIKE {
                 return None;
             }
             let height = rays.iter().map(|ray| 0.5 * (ray - middle).norm_squared()).fold(0.0, f64::max);

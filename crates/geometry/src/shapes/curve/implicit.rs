@@ -96,6 +96,8 @@ const CHORDS: usize = 100_000;
 /// to differ from 0 then, it is taken to vanish.
 const GRID: u32 = 48;
 const HALVINGS: u32 = 10;
+/// Most parts of which more than the sign in the middle is looked at.
+const MOST_PARTS: u32 = 1 << 18;
 
 impl<F: ImplicitFormula> Implicit<F> {
     /// The curve `f = 0`, with the table inside (`inside`) or outside.
@@ -310,7 +312,9 @@ fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -
     let part = |k: u32| Vector2::new(f64::from(k % GRID), f64::from(k / GRID)) * 2.0 + Vector2::repeat(1.0);
     let mut open: Vec<(Vector2<f64>, u32)> =
         (0..GRID * GRID).map(|k| (region.min + half.component_mul(&part(k)), 0)).collect();
+    let mut looked_at = 0;
     while let Some((middle, halvings)) = open.pop() {
+        looked_at += 1;
         let half = half / f64::from(1 << halvings);
         let is_near = |q: &Vector2<f64>| (q - middle).norm() <= longest + half.norm();
         let value = formula.value(middle.into());
@@ -321,8 +325,8 @@ fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -
         let [fxx, fxy, fyy] = formula.hessian_over(over).map(Interval::magnitude);
         let bend = 0.5 * (fxx * half.x * half.x + fyy * half.y * half.y) + fxy * half.x * half.y;
         let change = (fx * half.x + fy * half.y).min(gx * half.x + gy * half.y + bend);
-        // where nothing is known of either, the sign in the middle has to do
-        let is_known = value.abs() > change || change == f64::INFINITY || value.is_nan();
+        // where nothing is known of either, or `f` changes too fast everywhere, the sign in the middle has to do
+        let is_known = value.abs() > change || change == f64::INFINITY || value.is_nan() || looked_at > MOST_PARTS;
         let fails = if is_known { is_within(&middle) != (value < 0.0) } else { halvings == HALVINGS };
         if (is_known && !fails) || points.iter().any(is_near) {
             continue;

@@ -145,7 +145,8 @@ impl Interval {
             return self.powi(n);
         }
         let fractional = single && y.low % 1.0 != 0.0;
-        if self.low < 0.0 && !fractional {
+        // below 0 by rounding does not count
+        if self.low < -4.0 * f64::EPSILON * self.magnitude() && !fractional {
             return Interval::ENTIRE;
         }
         self.where_defined(NOT_NEGATIVE, |x| (y * x.ln()).exp())
