@@ -262,6 +262,8 @@ fn open_polylines_and_segments_are_walls_on_both_sides() {
     let wall = Segment::new(Vector::new(0.0, 0.0), Vector::new(1.0, 0.0));
     assert_eq!(pieces(&wall, &here(), Side::Outside).unwrap().len(), 1);
     assert!(Screen::new(Vector2::zeros(), Vector2::zeros()).is_err());
+    // there is room for every disk beside them
+    assert!(Table::new(walls).unwrap().largest_disk().radius.is_infinite());
 
     // they may meet at their tips, or a tip may touch another wall, but they may not cross
     let valid = |points: &[[f64; 2]]| {

@@ -3,7 +3,8 @@
 
 use core::f64::consts::PI;
 use geometry::{
-    Error, Figure, SVector, Table, Vector2,
+    Error, Figure, Lattice, SVector, Table, Vector2,
+    shapes::Circle,
     tables::{self, Build, Kind, Value, Values},
 };
 use serde_json::Value as Json;
@@ -348,4 +349,21 @@ fn tables_in_space_know_their_size_and_where_they_are() {
     let slab = tables::slab(1.0).unwrap();
     assert_eq!((slab.volume(), slab.signed_distance(&p(1e9, 0.0, 0.75))), (f64::INFINITY, 0.25));
     assert_eq!(slab.pieces(), ["floor", "ceiling"]);
+}
+
+#[test]
+fn on_a_lattice_the_arc_length_is_that_on_the_translate_that_is_there() {
+    let v = |x: f64, y: f64| Vector2::new(x, y);
+    let lattice = Lattice::new(&[v(1.0, 0.0), v(0.0, 1.0)]).unwrap();
+    // far from the cell in which it is hit; from its right end it is traversed clockwise
+    let disk = Circle::new(v(2.5, -3.5), 0.25, false).unwrap();
+    let table = Table::periodic(vec![Box::new(disk)], Some(lattice)).unwrap();
+    for (x, y, quarters) in [(0.75, 0.5, 0.0), (0.5, 0.25, 1.0), (0.25, 0.5, 2.0), (0.5, 0.75, 3.0)] {
+        let s = table.arc_length(0, &v(x, y));
+        assert!((s - quarters * 0.125 * PI).abs() < 1e-15, "({x}, {y}): {s}");
+        assert_eq!(table.curvature(0, &v(x, y)), -4.0);
+    }
+    assert_eq!(table.arc_length(7, &v(0.0, 0.0)), 0.0);
+    let home = table.translations(0).find(|by| (v(2.5, -3.5) + by - v(0.5, 0.5)).amax() < 1e-15);
+    assert!(home.is_some());
 }

@@ -78,6 +78,13 @@ fn a_wall_is_compared_with_all_that_lie_behind_it() {
     let room = || square(0.0, 0.0, 1.0, true);
     assert_eq!(check([room(), vec![disk(-2.0, 0.5, 0.25, false)]]), Err(Error::Orientation { piece: 4 }));
     assert_eq!(check([room(), vec![disk(-2.0, 0.5, 0.25, true)]]), Ok(()));
+    // where a wall without end leaves no one region all around
+    let below = || vec![Box::new(FullLine::new(v(0.0, -10.0), v(-1.0, 0.0)).unwrap()) as Box<dyn Piece>];
+    assert_eq!(check([room(), vec![disk(-2.0, 0.5, 0.25, true)], below()]), Ok(()));
+    for x in [-2.0, -1.0, 2.5] {
+        let found = check([room(), vec![disk(x, 0.5, 0.25, false)], below()]);
+        assert!(matches!(found, Err(Error::Orientation { .. })), "{x}: {found:?}");
+    }
 }
 
 #[test]

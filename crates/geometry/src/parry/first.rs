@@ -6,15 +6,12 @@ pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Op
     /// Normals that differ by less belong to walls that continue one another. Next to where one is tangent to another, with a radius of
     /// `r`, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: radii from 10⁻⁵ of the size on.
     const SMOOTH: f64 = 1e-5;
-    /// Places farther apart than this part of the coordinates are no edge, however flat the path comes to the second wall there.
-    const FAR: f64 = 1e-3;
     hits.reduce(|a, b| {
         let [first, second] = if b.time < a.time { [b, a] } else { [a, b] };
         // how far in front of the second wall the path meets the first
         let apart = (first.time - second.time) * path.velocity.dot(&second.normal);
         let size = path.point.amax().max(first.point.amax());
-        let near = apart <= CORNER * size && (second.point - first.point).amax() <= FAR * size;
-        let edge = near && (first.normal - second.normal).norm() > SMOOTH;
+        let edge = apart.abs() <= CORNER * size && (first.normal - second.normal).norm() > SMOOTH;
         Hit { corner: first.corner || edge, ..first }
     })
 }

@@ -280,6 +280,23 @@ mod tests {
         // the same wall twice is one wall
         let twice = Room::new(vec![plane([0.0, 0.0, 1.0], [0.0; 3]), plane([0.0, 0.0, 2.0], [1.0, 0.0, 0.0])]);
         assert!(!hit(&twice, Vector3::new(0.1, 0.2, -1.0)).corner);
+        // beside where walls are tangent to each other nothing happens
+        let tile = SolidSpec::Cuboid { size: [1.0, 1.0, 0.5], rounding: 0.25 };
+        let tile = tile.solid([0.0, 0.0, -0.5], Side::Outside).unwrap();
+        let tiles = Room::new(vec![tile, plane([0.0, 0.0, 1.0], [0.0; 3])]);
+        for exponent in 2..52 {
+            let x = 0.5 + libm::ldexp(1.0, -exponent);
+            let path = Line { point: Vector3::new(x, 0.0, 2.0), velocity: -Vector3::z() };
+            assert!(!tiles.first_hit(&path).unwrap().corner, "{x}");
+        }
+        // nor where another wall is touched far behind
+        let floor = plane([0.0, 0.0, 1.0], [0.0; 3]);
+        let behind =
+            Room::new(vec![plane([1.0, 0.0, 0.0], [0.0; 3]), ball(1.0, [-3.0, 0.0, 0.5], Side::Outside), floor]);
+        for z in [1.5_f64.next_down(), 1.5, 1.5_f64.next_up()] {
+            let path = Line { point: Vector3::new(2.0, 0.0, z), velocity: -Vector3::x() };
+            assert!(!behind.first_hit(&path).unwrap().corner, "{z}");
+        }
         // a notch between two balls that overlap
         let balls = [-0.5, 0.5].map(|x| ball(1.0, [x, 0.0, -1.0], Side::Outside));
         let down = Line { point: Vector3::new(0.0, 0.0, 2.0), velocity: -Vector3::z() };

@@ -180,3 +180,70 @@ impl Stratum {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::FRAC_PI_2;
+
+    /// The strata of triangles as seen from outside: how many planes, cylinders and spheres.
+    fn count(vertices: Vec<Vector3<f64>>, triangles: &[[usize; 3]]) -> [usize; 3] {
+        let mut found = [0; 3];
+        for stratum in strata(&Mesh::new(vertices, triangles, true, false).unwrap()) {
+            match stratum.form {
+                Form::Plane => found[0] += 1,
+                Form::Cylinder { .. } => found[1] += 1,
+                Form::Sphere { .. } => found[2] += 1,
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn a_triangle_alone_has_a_cylinder_at_each_edge_however_it_lies() {
+        let mut state = 1_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        for _ in 0..1000 {
+            let corners =
+                vec![Vector3::from_fn(|_, _| random()), Vector3::from_fn(|_, _| random()), Vector3::x() * 3.0];
+            assert_eq!(count(corners, &[[0, 1, 2]]), [1, 3, 3]);
+        }
+    }
+
+    #[test]
+    fn along_straight_edges_vertices_have_nothing() {
+        // a square in four triangles about its middle, and a vertex in the middle of one of its sides
+        let v = |x: f64, y: f64| Vector3::new(x, y, 0.0);
+        let vertices = vec![v(0.0, 0.0), v(2.0, 0.0), v(2.0, 2.0), v(0.0, 2.0), v(1.0, 1.0), v(1.0, 0.0)];
+        let triangles = [[0, 5, 4], [5, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+        // flat edges have no cylinders
+        assert_eq!(count(vertices, &triangles), [5, 5, 4]);
+    }
+
+    #[test]
+    fn a_cube_has_a_quarter_of_a_cylinder_at_each_edge_and_an_eighth_of_a_sphere_within_each_cap() {
+        let vertices = (0..8).map(|k| Vector3::from([0, 1, 2].map(|i| f64::from(k >> i & 1)))).collect();
+        let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5], [4, 5, 7, 6]];
+        let triangles: Vec<_> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+        let mesh = Mesh::new(vertices, &triangles, true, false).unwrap();
+        let [mut edges, mut corners] = [0, 0];
+        for stratum in strata(&mesh) {
+            match stratum.form {
+                Form::Plane => {}
+                Form::Cylinder { half, .. } => {
+                    edges += 1;
+                    assert!((2.0 * half - FRAC_PI_2).abs() < 1e-15);
+                }
+                // at least from the diagonal to the axes; the diagonals of sides draw the middle away from it
+                Form::Sphere { height, .. } => {
+                    corners += 1;
+                    assert!((1.0 - 1.0 / 3.0_f64.sqrt()..0.75).contains(&(height + 1e-15)), "{height}");
+                }
+            }
+        }
+        assert_eq!([edges, corners], [12, 8]);
+    }
+}
