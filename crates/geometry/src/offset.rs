@@ -7,6 +7,7 @@
 //! centres.
 mod arrangement;
 mod raw;
+mod tips;
 mod vertices;
 
 use crate::{Error, Piece, Table};

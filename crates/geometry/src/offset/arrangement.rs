@@ -240,18 +240,30 @@ impl<'a> Arrangement<'a> {
         if drawn.nearest(&at, self.radius - self.tolerance).is_some() {
             return false;
         }
-        // walls on both sides: a corridor exactly as wide as the disk is closed
+        // walls on both sides: a corridor exactly as wide as the disk is closed; and what goes around the tip of a wall that ends on
+        // another one may be behind that
         let normal = piece.closest(&at).normal;
-        let mut clear = true;
+        let (mut pinched, mut before, mut behind) = (false, false, false);
         let reach = self.radius + self.tolerance;
         drawn.search(
             |e| e.distance(&at) <= reach,
             |index| {
-                let off = at - drawn.get(index).0.piece.closest(&at).point;
-                clear &= !(libm::hypot(off.x, off.y) <= reach && off.dot(&normal) < -0.5 * self.radius);
+                let wall = &drawn.get(index).0.piece;
+                let landing = wall.closest(&at);
+                let off = at - landing.point;
+                if libm::hypot(off.x, off.y) > reach {
+                    return;
+                }
+                let [ends, tips] = [wall.ends(), wall.tips()];
+                let mut ends = ends.iter().chain(&tips).flatten();
+                let at_end = ends.any(|end| (end - landing.point).amax() <= self.tolerance);
+                let side = off.dot(&landing.normal);
+                pinched |= off.dot(&normal) < -0.5 * self.radius;
+                before |= side > 0.5 * self.radius && !at_end;
+                behind |= side < -0.5 * self.radius && !at_end;
             },
         );
-        clear
+        !pinched && (before || !behind)
     }
 
     /// Strings the sections together.

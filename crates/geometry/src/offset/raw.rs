@@ -1,6 +1,7 @@
 //! All pieces moved inwards, whatever becomes of them.
 use super::{
     Origin,
+    tips::Tips,
     vertices::{Site, Vertices, minus},
 };
 use crate::{
@@ -54,7 +55,12 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
             pieces.push(arc);
         }
     }
+    let mut tips = Tips::default();
     for (i, piece) in table.pieces().iter().enumerate() {
+        if let Some(ends) = piece.tips() {
+            tips.faces(ends, i, radius, &mut vertices, &mut pieces)?;
+            continue;
+        }
         // an end without a neighbour to share it, or at a convex corner
         for (k, end) in piece.ends().into_iter().flatten().enumerate() {
             if ends[i][k].is_none() && end.iter().all(|x| x.is_finite()) {
@@ -73,6 +79,7 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
             });
         }
     }
+    tips.arcs(radius, &mut pieces)?;
     Ok(RawBoundary { pieces, vertices })
 }
 
