@@ -117,13 +117,13 @@ pub trait Lane:
         let any = self.lt(self);
         any & !any
     }
-    /// The larger of two numbers; `other` where `self` is NaN.
+    /// The larger of two numbers; where one is NaN, either, as the processor has it.
     #[must_use]
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         other.lt(self).select(self, other)
     }
-    /// The smaller of two numbers; `other` where `self` is NaN.
+    /// The smaller of two numbers; where one is NaN, either, as the processor has it.
     #[must_use]
     #[inline(always)]
     fn min(self, other: Self) -> Self {

@@ -57,18 +57,29 @@ impl Arc {
     /// The arc from `a` to `b` about `center`; focusing (`inside`, counter-clockwise) or dispersing (clockwise).
     ///
     /// The vertices are kept as they are, since neighbours share them; the radius is their mean distance from the
-    /// centre.
+    /// centre. Where these differ by more than rounding, the centre is moved to where they do not, so that the circle passes through
+    /// the vertices.
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if `a = b` (use [`Circle`]), [`Error::Radius`] for a vertex at the centre, and
-    /// [`Error::OffCircle`] if the distances differ by more than 10⁻⁹ of the radius: such data were not meant.
+    /// [`Error::OffCircle`] if the distances differ by more than 10⁻⁹ of the radius, or the centre would have to move by more than
+    /// 10⁻⁶ of it: such data were not meant.
     pub fn new(center: Vector2<f64>, a: Vector2<f64>, b: Vector2<f64>, inside: bool) -> Result<Arc, Error> {
         let (ra, rb) = (libm::hypot(a.x - center.x, a.y - center.y), libm::hypot(b.x - center.x, b.y - center.y));
         let radius = 0.5 * (ra + rb);
         if (ra - rb).abs() > 1e-9 * radius + slack([center.x, center.y]) {
             return Err(Error::OffCircle { start: ra, end: rb });
         }
-        Arc::with_radius(center, radius, a, b, inside)
+        if (ra - rb).abs() <= slack([center.x, center.y, radius]) || a == b {
+            return Arc::with_radius(center, radius, a, b, inside);
+        }
+        let (middle, chord) = (0.5 * (a + b), b - a);
+        let off = chord * ((center - middle).dot(&chord) / chord.norm_squared());
+        if !(off.amax() <= 1e-6 * radius) {
+            return Err(Error::OffCircle { start: ra, end: rb });
+        }
+        let center = center - off;
+        Arc::with_radius(center, libm::hypot(a.x - center.x, a.y - center.y), a, b, inside)
     }
 
     /// The same with the radius given, for vertices that were computed from it.
@@ -275,6 +286,22 @@ mod tests {
         assert_eq!(time(&pocket, v(0.0, 2.0), v(0.0, -1.0)), 3.25);
         assert_eq!(time(&pocket, v(0.0, 0.0), v(0.0, 1.0)), f64::INFINITY);
         assert_eq!(time(&pocket, v(0.0, 0.0), v(1.0, 0.0)), 1.25);
+    }
+
+    #[test]
+    fn a_circle_given_to_ten_digits_passes_through_its_vertices() {
+        let (a, b) = (v(1.0, 0.0), v(-0.999_999_999_1, 0.0));
+        let arc = Arc::new(Vector2::zeros(), a, b, true).unwrap();
+        for vertex in [a, b] {
+            assert!(
+                ((vertex - Vector2::from(arc.circle.center)).norm() - arc.circle.radius).abs() < 4.0 * f64::EPSILON
+            );
+        }
+        // and one whose centre is right but for rounding keeps it
+        assert_eq!(Arc::new(v(0.1, 0.2), v(1.1, 0.2), v(0.1, 1.2), true).unwrap().circle.center, [0.1, 0.2]);
+        // almost a whole circle between vertices off by 10⁻¹⁰ may be anywhere
+        let slit = Arc::new(Vector2::zeros(), a, v(1.0 + 1e-10, -1e-6), true);
+        assert!(matches!(slit, Err(Error::OffCircle { .. })));
     }
 
     #[test]

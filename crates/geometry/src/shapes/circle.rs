@@ -89,7 +89,8 @@ impl Circle {
         if self.inside {
             // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
             let coming = !zero.lt(b);
-            let really = allowed & (coming | c.lt(off));
+            // one that starts outside the disk leaves it after it has entered it, if ever
+            let really = allowed & ((coming & roots.meets) | c.lt(off));
             Candidate { really, num: coming.select(q, -c), den: coming.select(a, q) }
         } else {
             // entering the disk: the earlier root
@@ -107,7 +108,7 @@ impl Circle {
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let roots = self.roots(x, v);
-        let allowed = if self.inside { x[0].lt(x[0].same(f64::INFINITY)) } else { roots.meets };
+        let allowed = if self.inside { !x[0].never() } else { roots.meets };
         self.outward(&roots, allowed)
     }
 
@@ -218,6 +219,14 @@ mod tests {
         let at = circle.landing(&p, t);
         assert!((at.point.norm() - 1.0).abs() < 2.0 * f64::EPSILON);
         assert!((at.normal + at.point).norm() == 0.0);
+    }
+
+    #[test]
+    fn a_path_from_outside_leaves_a_disk_only_where_it_has_entered_it() {
+        let room = Circle::new(Vector2::new(3.0, 0.0), 1.0, true).unwrap();
+        assert_eq!(room.crossing(&path(0.0, -0.5, 0.1, 1.0)).num, f64::INFINITY); // comes closer, and passes it
+        assert_eq!(room.crossing(&path(0.0, 0.0, -1.0, 0.0)).num, f64::INFINITY);
+        assert_eq!(room.crossing(&path(0.0, 0.0, 1.0, 0.0)).time(), 4.0);
     }
 
     #[test]

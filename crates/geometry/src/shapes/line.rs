@@ -42,8 +42,8 @@ impl FullLine {
         let to_line = from(x, self.through);
         let distance = -(to_line[0] * self.normal[0] + to_line[1] * self.normal[1]);
         let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
-        // an infinite wall bounds the whole table, so a start beyond it is rounding
-        Candidate { really: zero.lt(speed), num: distance, den: speed }
+        let far = (x[0].abs() + x[1].abs()) * (16.0 * f64::EPSILON) + self.slack;
+        Candidate { really: zero.lt(speed) & (-far).lt(distance), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -113,5 +113,18 @@ impl Piece for FullLine {
     }
     fn figure(&self) -> Figure {
         Figure::Line { through: self.through.into(), direction: self.direction() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_that_starts_beyond_a_line_does_not_cross_it() {
+        let floor = FullLine::new(Vector2::zeros(), Vector2::new(1.0, 0.0)).unwrap();
+        let time =
+            |y: f64| floor.crossing(&Line { point: Vector2::new(0.5, y), velocity: Vector2::new(0.3, -1.0) }).time();
+        assert_eq!([time(1.0), time(-1e-16), time(-7.0)], [1.0, 0.0, f64::INFINITY]);
     }
 }

@@ -1,5 +1,6 @@
 //! The shapes that answer in lanes.
 use super::{Arc, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment};
+use crate::Piece;
 use nalgebra::Vector2;
 
 /// A piece whose crossings and landings are formulas in [`Lane`](lanes::Lane)s: a list of such pieces is asked for many
@@ -46,6 +47,18 @@ impl Shape {
             Shape::Circle(s) => Shape::Circle(s.translated(by)),
             Shape::EllipticArc(s) => Shape::EllipticArc(s.translated(by)),
             Shape::Ellipse(s) => Shape::Ellipse(s.translated(by)),
+        }
+    }
+
+    pub(crate) fn as_piece(&self) -> &dyn Piece {
+        match self {
+            Shape::Segment(s) => s,
+            Shape::Ray(s) => s,
+            Shape::Line(s) => s,
+            Shape::Arc(s) => s,
+            Shape::Circle(s) => s,
+            Shape::EllipticArc(s) => s,
+            Shape::Ellipse(s) => s,
         }
     }
 

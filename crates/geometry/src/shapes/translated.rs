@@ -11,12 +11,15 @@ use std::sync::Arc;
 pub struct Translated {
     piece: Arc<dyn Piece>,
     by: Vector2<f64>,
+    /// The moved shape, where it has one: walls in lanes ask that, and so do single paths, which then round alike.
+    shape: Option<Shape>,
 }
 
 impl Translated {
     /// `piece` moved by the vector `by` \[L\].
     pub fn new(piece: Arc<dyn Piece>, by: Vector2<f64>) -> Translated {
-        Translated { piece, by }
+        let shape = piece.shape().map(|shape| shape.translated(by));
+        Translated { piece, by, shape }
     }
     fn back(&self, path: &Line<2>) -> Line<2> {
         Line { point: path.point - self.by, velocity: path.velocity }
@@ -28,10 +31,16 @@ impl Translated {
 
 impl Piece for Translated {
     fn crossing(&self, path: &Line<2>) -> Crossing {
-        self.piece.crossing(&self.back(path))
+        match &self.shape {
+            Some(shape) => shape.as_piece().crossing(path),
+            None => self.piece.crossing(&self.back(path)),
+        }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
-        self.forth(self.piece.landing(&self.back(path), time))
+        match &self.shape {
+            Some(shape) => shape.as_piece().landing(path, time),
+            None => self.forth(self.piece.landing(&self.back(path), time)),
+        }
     }
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
         self.piece.curvature(&(point - self.by))
@@ -67,7 +76,7 @@ impl Piece for Translated {
         self.piece.tips().map(|tips| tips.map(|p| p + self.by))
     }
     fn shape(&self) -> Option<Shape> {
-        self.piece.shape().map(|shape| shape.translated(self.by))
+        self.shape
     }
     fn graphs(&self) -> Option<Vec<Graph>> {
         let moved = |graph: Graph| graph.translated(self.by.into());

@@ -77,7 +77,12 @@ impl Container {
             if n[1 - axis] != 0.0 || s.start()[axis] != s.end()[axis] {
                 return None;
             }
-            pieces[axis][usize::from(n[axis] < 0.0)] = first + k;
+            // the table lies between them
+            let side = usize::from(n[axis] < 0.0);
+            if s.start()[axis] != [low, high][side][axis] {
+                return None;
+            }
+            pieces[axis][side] = first + k;
         }
         if pieces.iter().flatten().any(|&p| p == usize::MAX) {
             return None;

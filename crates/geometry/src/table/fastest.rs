@@ -116,7 +116,8 @@ impl Table {
             if let Some(container) = Container::of(&chain, &of_chain) {
                 let rest: Vec<usize> = rest(&chain);
                 // what else there is must lie inside: a table may have several rooms
-                return rest.iter().all(|&i| self.inside(&chain, i)).then_some(Enclosed { container, rest });
+                let fits = !self.has_flat_vertex(&of_chain) && rest.iter().all(|&i| self.inside(&chain, i));
+                return fits.then_some(Enclosed { container, rest });
             }
         }
         if let [Figure::Line { .. }, Figure::Line { .. }] = figures[..]
@@ -125,6 +126,16 @@ impl Table {
             return Some(Enclosed { container: slab, rest: vec![] });
         }
         None
+    }
+
+    /// Whether a polygon has a vertex that is no corner of the table: composite walls of straight sides call each of theirs one.
+    fn has_flat_vertex(&self, chain: &[Figure]) -> bool {
+        let start = |figure: &Figure| match figure {
+            Figure::Segment { ends: [start, _] } => Some(*start),
+            _ => None,
+        };
+        let starts: Option<Vec<_>> = chain.iter().map(start).collect();
+        starts.is_some_and(|starts| starts.iter().any(|start| !self.corners.contains(start)))
     }
 
     /// Whether a piece lies on the table's side of a chain that it does not cross.

@@ -5,8 +5,8 @@ use lanes::{Double, Lane, Mask};
 
 /// Walls on a channel or a flat torus: the particle is followed from unit cell to unit cell.
 ///
-/// The walls inside must contain, besides those of the unit cell, every translate that reaches into it. A hit is
-/// reported in the unit cell.
+/// The walls inside must contain, besides those of the unit cell, every translate that reaches into it. A path starts in the unit
+/// cell (see [`Lattice::reduce`]), and a hit is reported there.
 #[derive(Clone, Debug)]
 pub struct Periodic<W> {
     walls: W,
@@ -26,6 +26,10 @@ const MOST_CELLS: usize = 10_000_000;
 /// nor for a division. The error of that grows with the number of cells, but through many stretches only with its
 /// square root.
 const STRETCH: usize = 8;
+
+/// How late a hit on an edge may seem, as part of the time of flight and of that through a cell. The edge's coordinate is computed to
+/// 2 ulp of the cell, the times of both to 2 ulp of their own and one for each cell of a stretch.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// After so many cells, a power of two and no less than a stretch, a flight may be one along a corridor.
 const PATIENCE: usize = 16;
@@ -102,8 +106,9 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             let hit = self.walls.first_hit(&at, v);
             let other = next[1].lt(next[0]);
             let exit = other.select(next[1], next[0]);
-            // a hit within this cell, or in a direction that leaves none
-            let here = flying & !exit.lt(flown + hit.time);
+            // a hit within this cell or, but for rounding, on its edge; or in a direction that leaves none
+            let period = other.select(second.period, first.period);
+            let here = flying & !(exit + (exit + period) * ROUNDING).lt(flown + hit.time);
             best = best.or(here, &WallHit { time: begun.high + (begun.low + (flown + hit.time)), ..hit });
             flying = flying & !here;
             if !flying.any() {

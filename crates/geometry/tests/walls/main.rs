@@ -10,7 +10,7 @@ mod side_by_side;
 
 use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, Translated};
 use geometry::{
-    Interior, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
+    Interior, Lattice, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
     tables::{Build, Entry},
     walls::{Few, List},
 };
@@ -92,6 +92,23 @@ fn planar() -> Vec<(String, Table)> {
         let corners = [turned(1.0, 0.0), turned(0.4, 0.9), turned(-1.0, 0.0), turned(-0.4, -0.9)];
         let side = |i: usize| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as _;
         add("turned parallelogram", Table::new((0..4).map(side).collect()).unwrap());
+        // rooms with rectangular pillars, before and after the walls around, and beside other rooms
+        let pillar = polygon([[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0]].map(|[x, y]| v(x, y) * size));
+        let bent = [[0.0, 0.0], [6.0, 0.0], [6.0, 3.0], [3.0, 3.0], [3.0, 6.0], [0.0, 6.0]];
+        let square = [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]];
+        let (bent, square) = (polygon(bent.map(|[x, y]| v(x, y) * size)), polygon(square.map(|[x, y]| v(x, y) * size)));
+        let round = |x: f64, r: f64| Box::new(Circle::new(v(x, 1.5) * size, r * size, true).unwrap()) as Box<dyn Piece>;
+        let both = |a: &[Segment], b: &[Segment]| a.iter().chain(b).map(|s| Box::new(*s) as Box<dyn Piece>).collect();
+        add("bent room with a pillar", Table::new(both(&bent, &pillar)).unwrap());
+        add("pillar in a square", Table::new(both(&pillar, &square)).unwrap());
+        add(
+            "pillar in a disk",
+            Table::new(pillar.iter().map(|s| Box::new(*s) as _).chain([round(1.5, 3.0)]).collect()).unwrap(),
+        );
+        add(
+            "square beside a disk",
+            Table::new(square.iter().map(|s| Box::new(*s) as _).chain([round(8.0, 1.0)]).collect()).unwrap(),
+        );
         if k < 4 {
             for (name, table) in formulas::tables(by, size) {
                 add(name, table);
@@ -99,6 +116,11 @@ fn planar() -> Vec<(String, Table)> {
         }
     }
     all
+}
+
+/// The sides of the polygon with these vertices.
+fn polygon<const K: usize>(vertices: [Vector2<f64>; K]) -> Vec<Segment> {
+    (0..K).map(|i| Segment::new(vertices[i], vertices[(i + 1) % K]).unwrap()).collect()
 }
 
 /// The size of a table's coordinates, infinite directions left out.
@@ -201,6 +223,17 @@ impl WithWalls<2> for Ask {
     fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
         walls.hit(&self.0)
     }
+}
+
+#[test]
+fn a_vertex_flatter_than_any_corner_is_none() {
+    let v = Vector2::new;
+    let corner = |depth: f64| {
+        let sides = polygon([v(0.0, 0.0), v(0.5, -depth), v(1.0, 0.0), v(1.0, 1.0), v(0.0, 1.0)]);
+        let table = Table::new(sides.into_iter().map(|s| Box::new(s) as _).collect()).unwrap();
+        table.with_walls(Ask(Line { point: v(0.5, 0.5), velocity: v(0.0, -1.0) })).unwrap().corner
+    };
+    assert!(corner(1e-3) && !corner(1e-11));
 }
 
 #[test]

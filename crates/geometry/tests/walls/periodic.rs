@@ -52,6 +52,69 @@ fn lattice_walls_agree_with_all_translates() {
     }
 }
 
+/// Tables on lattices with walls along the edges of cells.
+fn walled() -> Vec<(&'static str, Table)> {
+    let v = Vector2::new;
+    let boxed = |pieces: Vec<Segment>| pieces.into_iter().map(|s| Box::new(s) as Box<dyn Piece>).collect::<Vec<_>>();
+    let torus = |a, b| Some(Lattice::new(&[a, b]).unwrap());
+    let upright = || torus(v(1.0, 0.0), v(0.0, 1.0));
+    // up to an edge, and from an edge on
+    let right = boxed(polygon([v(0.5, 0.25), v(0.5, 0.75), v(1.0, 0.75), v(1.0, 0.25)]));
+    let low = boxed(polygon([v(0.25, 0.0), v(0.25, 0.5), v(0.5, 0.5), v(0.5, 0.0)]));
+    let both = boxed(polygon([v(0.25, 0.0), v(0.25, 1.0 / 3.0), v(0.5, 1.0 / 3.0), v(0.5, 0.0)]).into_iter().collect());
+    // a wall with two sides along an edge, and part of one along a slanted edge
+    let two = |a, b| boxed(polygon([a, b]));
+    let (e, f) = (v(0.7, 0.1), v(-0.2, 0.9));
+    let thirds = two(f / 3.0, f * (2.0 / 3.0));
+    let channel = boxed(vec![
+        Segment::new(v(0.0, 0.0), v(0.7, 0.0)).unwrap(),
+        Segment::new(v(0.7, 1.0), v(0.0, 1.0)).unwrap(),
+        Segment::new(v(0.0, 0.25), v(0.0, 0.6)).unwrap(),
+        Segment::new(v(0.0, 0.6), v(0.0, 0.25)).unwrap(),
+    ]);
+    vec![
+        ("an obstacle up to an edge", Table::periodic(right, upright()).unwrap()),
+        ("an obstacle from an edge on", Table::periodic(low, upright()).unwrap()),
+        ("another one", Table::periodic(both, upright()).unwrap()),
+        ("a wall along an edge", Table::periodic(two(v(0.0, 0.0), v(0.0, 0.01)), upright()).unwrap()),
+        ("a wall along a slanted edge", Table::periodic(thirds, torus(e, f)).unwrap()),
+        ("a channel with a baffle", Table::periodic(channel, Some(Lattice::new(&[v(0.7, 0.0)]).unwrap())).unwrap()),
+    ]
+}
+
+#[test]
+fn no_path_passes_a_wall_along_an_edge_of_cells() {
+    let mut random = Random(12);
+    for (name, table) in &walled() {
+        table.validate().unwrap();
+        let mut paths = vec![];
+        while paths.len() < 4000 {
+            let lattice = table.lattice().unwrap();
+            let mut at = || random.uniform();
+            let point = lattice.translation([at(), at()]) + Vector2::new(0.0, at());
+            let (point, _) = lattice.reduce(&point);
+            let piece = &table.pieces()[paths.len() % table.pieces().len()];
+            let cell = [at(), at()].map(|a| f64::from(a < 0.5));
+            let aim = piece.point_at(at() * piece.length()) + lattice.translation(cell) - point;
+            if table.contains(&point) && aim.norm() < 2.5 {
+                paths.push(Line { point, velocity: aim * at() });
+            }
+        }
+        table.with_walls(CompareLifted { name, table, paths: &paths });
+    }
+}
+
+#[test]
+fn single_paths_and_lanes_agree_on_lattices_with_many_translates() {
+    let mut random = Random(13);
+    let disk = |k: i32| Circle::new(Vector2::new(0.98, 0.05 + 0.1 * f64::from(k)), 0.04, false).unwrap();
+    let pieces = (0..10).map(|k| Box::new(disk(k)) as Box<dyn Piece>).collect();
+    let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0)]).unwrap();
+    let table = Table::periodic(pieces, Some(lattice)).unwrap();
+    let paths = orbit_starts(&table, 4096, &mut random);
+    table.with_walls(side_by_side::SameBits { name: "ten disks on a torus", paths: &paths });
+}
+
 #[test]
 fn a_hit_at_a_joint_of_the_lattice_is_a_corner() {
     // the cusps of a channel with dispersing walls, where one cell meets the next
