@@ -25,6 +25,8 @@ pub struct Table {
     next: Vec<Option<usize>>,
     corners: Vec<Vector2<f64>>,
     lattice: Option<Lattice>,
+    /// Whether the plane around all pieces is meant to belong to the table.
+    pub(crate) unbounded: bool,
     /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
     nearby: Vec<Translate>,
     /// The composite wall that answers for a chain of pieces, if there is one. This and what follows is made when it is first asked
@@ -141,7 +143,23 @@ impl Table {
             pieces.iter().cloned().enumerate().map(alone).collect()
         };
         let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Ok(Table { pieces, next, corners, lattice, nearby, enclosed, polygon, parts })
+        Ok(Table { pieces, next, corners, lattice, unbounded: false, nearby, enclosed, polygon, parts })
+    }
+
+    /// The same table, said to be the plane around its outermost loops: [`Table::validate`] then wants these to run clockwise.
+    ///
+    /// ```
+    /// use geometry::{Outline, Table, Vector2};
+    /// let v = Vector2::new;
+    /// let triangle = Outline::from(v(0.0, 0.0)).line_to(v(0.0, 1.0))?.line_to(v(1.0, 0.0))?.line_to(v(0.0, 0.0))?;
+    /// let table = Table::new(triangle.close()?)?;
+    /// assert!(table.validate().is_err()); // more often than not, vertices in the wrong order
+    /// table.unbounded().validate()?;
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    #[must_use]
+    pub fn unbounded(self) -> Table {
+        Table { unbounded: true, ..self }
     }
 
     /// The pieces, in the order of their numbers.
@@ -334,6 +352,9 @@ fn reach(&Extent { min, max }: &Extent, lattice: &Lattice, margin: f64) -> [[f64
         let at = corners_of.map(|c| [f * c.x, g * c.y].iter().filter(|a| !a.is_nan()).sum::<f64>());
         let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
         if low.is_finite() && high.is_finite() {
+            // a wall along an edge of cells bounds those on both sides of it
+            let rounding = slack([1.0, low, high]);
+            let margin = if high - low <= rounding { margin + rounding } else { margin };
             // translates by t reach that far where low + t < 1 + margin and high + t ≥ −margin
             *range = [-libm::floor(high + margin), libm::ceil(1.0 + margin - low) - 1.0];
         }

@@ -22,8 +22,8 @@ impl Table {
     /// Checks that the boundary bounds a table: no piece is shorter or flatter than rounding, no two pieces cross (they may touch),
     /// and the table lies on the left of all of them.
     ///
-    /// Outermost loops run counter-clockwise and holes clockwise. A closed curve that is one piece says itself on which
-    /// side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a million are
+    /// Outermost loops run counter-clockwise and holes clockwise, unless the table is [unbounded](Table::unbounded). A closed curve
+    /// that is one piece says itself on which side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a million are
     /// checked in about a microsecond each.
     ///
     /// # Errors
@@ -133,7 +133,12 @@ impl Table {
     /// Fails where a piece has the table on its right.
     fn orientation(&self, sight: &Sight) -> Result<(), Error> {
         let chains = &sight.chains;
-        let area = |chain: &[usize]| chain.iter().map(|&i| self.pieces()[i].area()).sum::<f64>();
+        // the area on the left of a loop; a wall with two sides has none, but for rounding
+        let area = |chain: &[usize]| {
+            let areas = || chain.iter().map(|&i| self.pieces()[i].area());
+            let area = areas().sum::<f64>();
+            if area.abs() > slack(areas()) { area } else { 0.0 }
+        };
         let width = |k: usize| {
             let e = &sight.extents[k];
             (e.max.x - e.min.x) + (e.max.y - e.min.y)
@@ -144,7 +149,7 @@ impl Table {
             && self.lattice().is_none()
             && chains.iter().all(|c| self.is_closed(c))
             && chains[k].len() > 1
-            && area(&chains[k]) < 0.0
+            && (if self.unbounded { area(&chains[k]) > 0.0 } else { area(&chains[k]) < 0.0 })
         {
             return Err(Error::Orientation { piece: chains[k][0] });
         }

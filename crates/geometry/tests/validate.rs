@@ -49,6 +49,22 @@ fn tables_of_every_kind_are_valid() {
 }
 
 #[test]
+fn a_table_said_to_be_unbounded_lies_around_its_outermost_loops() {
+    let check = |loops: Vec<Vec<Box<dyn Piece>>>| {
+        Table::new(loops.into_iter().flatten().collect()).unwrap().unbounded().validate()
+    };
+    assert_eq!(check(vec![square(0.0, 0.0, 1.0, false)]), Ok(()));
+    assert_eq!(check(vec![square(0.0, 0.0, 1.0, false), square(3.0, 0.5, 2.0, false)]), Ok(()));
+    assert_eq!(check(vec![square(0.0, 0.0, 1.0, false), vec![disk(3.0, 0.0, 1.0, false)]]), Ok(()));
+    // a wall with two sides has neither inside nor outside
+    assert_eq!(check(vec![polygon(&[[0.1, 0.2], [1.3, 0.7], [2.1, 0.3], [1.3, 0.7]])]), Ok(()));
+    let around = check(vec![square(0.0, 0.0, 1.0, true)]);
+    assert_eq!(around, Err(Error::Orientation { piece: 0 }));
+    let both = check(vec![square(0.0, 0.0, 1.0, true), square(3.0, 0.5, 2.0, false)]);
+    assert!(matches!(both, Err(Error::Orientation { piece: 0..4 })), "{both:?}");
+}
+
+#[test]
 fn infinite_tables_are_valid() {
     let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
     assert_eq!(check([vec![line(0.0, 1.0), line(1.0, -1.0)]]), Ok(()));

@@ -20,7 +20,7 @@ pub struct Entry {
 /// What a boundary entry can be. Points and vectors have as many coordinates as the scene has dimensions.
 #[derive(Clone, Debug)]
 pub enum Border {
-    /// `loop = { from = [x1, x2], edges = […] }`: a closed chain with the domain on its left; `chain = { … }`: one that
+    /// `loop = { from = [x1, x2], edges = […], domain }`: a closed chain with the domain on its left; `chain = { … }`: one that
     /// goes on in the next cell of a lattice.
     Loop {
         /// First vertex; of a loop also the last.
@@ -29,6 +29,8 @@ pub enum Border {
         edges: Vec<Edge>,
         /// Whether it is a loop.
         closed: bool,
+        /// Where the domain lies, if the loop says so besides the order of its vertices.
+        domain: Option<Domain>,
     },
     /// `circle` (in space: `sphere`) `= { center, radius, domain }`.
     Circle {
@@ -115,6 +117,19 @@ impl Border {
     pub(super) fn edges(&self) -> &[Edge] {
         if let Border::Loop { edges, .. } = self { edges } else { &[] }
     }
+
+    /// Whether the entry says by itself that the domain is around it.
+    pub(crate) fn is_obstacle(&self) -> bool {
+        match self {
+            Border::Loop { domain, .. } => *domain == Some(Domain::Outside),
+            Border::Circle { domain, .. }
+            | Border::Ellipse { domain, .. }
+            | Border::Curve { domain, .. }
+            | Border::Shape { domain, .. }
+            | Border::Mesh { domain, .. } => *domain == Domain::Outside,
+            Border::Line { .. } | Border::Ray { .. } | Border::Plane { .. } | Border::Outline { .. } => false,
+        }
+    }
 }
 
 /// An edge of a loop.
@@ -193,6 +208,7 @@ pub enum Curve {
     },
 }
 
+const DOMAINS: [(&str, Domain); 2] = [("inside", Domain::Inside), ("outside", Domain::Outside)];
 const PLANAR: &[&str] = &["loop", "chain", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
 const SPATIAL: &[&str] = &["sphere", "plane", "shape", "mesh"];
 
@@ -217,7 +233,10 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
             let edges = section
                 .required("edges", "edges = [{ line_to = [1, 0] }, ...]")
                 .and_then(|item| edges(item, key == "loop", problems));
-            (|| Some(Border::Loop { from: from?, edges: edges?, closed: key == "loop" }))()
+            let closed = key == "loop";
+            let domain = if closed { section.optional("domain") } else { None };
+            let domain = domain.map_or(Some(None), |item| choice(item, "domain", &DOMAINS, problems).map(Some));
+            (|| Some(Border::Loop { from: from?, edges: edges?, closed, domain: domain? }))()
         }
         "circle" | "sphere" => {
             let center =
@@ -286,8 +305,7 @@ fn shape(mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<
 }
 
 fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -> Option<Domain> {
-    let domains = [("inside", Domain::Inside), ("outside", Domain::Outside)];
-    section.optional("domain").map_or(Some(default), |item| choice(item, "domain", &domains, problems))
+    section.optional("domain").map_or(Some(default), |item| choice(item, "domain", &DOMAINS, problems))
 }
 
 fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {

@@ -180,6 +180,42 @@ fn every_shape_bounds_a_table_from_outside() {
             assert!(pieces.contains(&0.0) && pieces.iter().any(|piece| *piece > 0.0), "{name} {parameters}: never hit");
         }
     }
+    // and as the only thing in the open plane, for points and for disks
+    let around = "[[table.boundary]]\ncircle = { center = [0, 0], radius = 4 }\n";
+    for (name, parameters) in planar {
+        let alone = scene(2, name, parameters).replace(around, "");
+        for scene in [alone.clone(), format!("particle = {{ radius = 0.1, inertia = \"hoop\" }}\n{alone}")] {
+            let summary = folder.done(&scene, &[]);
+            assert_eq!(summary["stops"]["escaped"], 1, "{name} {parameters}: {}", summary["stops"]);
+            assert!(summary["collisions"].as_u64().unwrap() > 0, "{name} {parameters}: never hit");
+        }
+    }
+}
+
+#[test]
+fn a_loop_that_says_so_is_an_obstacle_in_the_open_plane() {
+    let folder = Folder::new("obstacle");
+    let scene = |domain: &str, turned: bool| {
+        let (first, last) = if turned { ("[0, 1]", "[1, 0]") } else { ("[1, 0]", "[0, 1]") };
+        format!(
+            "law = \"specular\"\n[[table.boundary]]\nloop = {{ from = [0, 0], {domain} edges = [{{ line_to = {first} }}, \
+             {{ line_to = [1, 1] }}, {{ line_to = {last} }}, {{ line_to = [0, 0] }}] }}\n[[table.boundary]]\n\
+             shape = {{ name = \"cuboid\", size = [1, 3], center = [3, 0.5] }}\n[[orbit]]\nposition = [2, 0.125]\n\
+             velocity = [1, 0.25]\n[run]\ncollisions = 9\n[output]\ncollisions = \"csv\"\n"
+        )
+    };
+    let summary = folder.done(&scene("domain = \"outside\",", true), &[]);
+    assert_eq!((summary["collisions"].as_u64(), summary["stops"]["escaped"].as_u64()), (Some(3), Some(1)));
+    let hits: Vec<_> = folder.rows().iter().map(|row| (row[3], row[5])).collect();
+    assert_eq!(hits, [(4.0, 2.5), (2.0, 1.0), (4.0, 2.5)]);
+    for (domain, turned, message) in [
+        ("domain = \"outside\",", false, "runs counter-clockwise, so that the domain is inside, and not outside"),
+        ("domain = \"inside\",", true, "runs clockwise, so that the domain is outside, and not inside"),
+        ("", true, "domain = \"outside\""),
+    ] {
+        let told = String::from_utf8(folder.run(&scene(domain, turned), &[]).stderr).unwrap();
+        assert!(told.contains(message), "{domain}: {told}");
+    }
 }
 
 #[test]

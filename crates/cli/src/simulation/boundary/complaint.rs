@@ -55,7 +55,10 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
         Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",
-        Error::Orientation { .. } => "list the vertices in the opposite order, or exchange inside and outside",
+        Error::Orientation { .. } => {
+            "list the vertices in the opposite order, or exchange inside and outside; in the open plane an obstacle is a shape or a \
+             loop = { domain = \"outside\", from = ..., edges = ... }"
+        }
         _ => return None,
     })
 }

@@ -35,6 +35,7 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
     }
     let lattice = lattice(scene, factor)?;
     let Collected { pieces, spans, laws, .. } = all;
+    let unbounded = entries.iter().all(|entry| entry.border.is_obstacle());
     let table = Table::periodic(pieces, lattice).map_err(|error| {
         let span = match &error {
             Error::Open { piece, .. } => spans.get(*piece).copied(),
@@ -43,6 +44,7 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
         let what = in_user_units(&error, factor).to_string();
         vec![with_advice(scene.source.diagnostic(span.unwrap_or(scene.table.span), what), &error, &scene.table.shape)]
     })?;
+    let table = if unbounded { table.unbounded() } else { table };
     Ok(Drawn { table, spans, laws, factor })
 }
 
@@ -77,7 +79,11 @@ impl Collected<'_> {
         let law = entry.law.as_ref();
         let inside = |domain: &Domain| *domain == Domain::Inside;
         let piece: Result<Box<dyn Piece>, Error> = match &entry.border {
-            Border::Loop { from, edges, closed } => return self.edges(&from.value, edges, *closed, law),
+            Border::Loop { from, edges, closed, domain } => {
+                let first = self.pieces.len();
+                self.edges(&from.value, edges, *closed, law)?;
+                return domain.map_or(Ok(()), |domain| self.runs_around(first, domain, entry.span));
+            }
             Border::Circle { center, radius, domain } => {
                 Circle::new(self.at(&center.value), radius.value * self.factor, inside(domain))
                     .map(|c| Box::new(c) as _)
@@ -179,6 +185,18 @@ impl Collected<'_> {
             at = end;
         }
         Ok(())
+    }
+
+    /// Fails where the loop of the pieces from this one on has the domain on its left elsewhere than the scene says.
+    fn runs_around(&self, first: usize, domain: Domain, span: Span) -> Result<(), Box<Diagnostic>> {
+        let area: f64 = self.pieces[first..].iter().map(|piece| piece.area()).sum();
+        let (way, other) = match domain {
+            Domain::Inside if area < 0.0 => ("clockwise, so that the domain is outside", "inside"),
+            Domain::Outside if area > 0.0 => ("counter-clockwise, so that the domain is inside", "outside"),
+            _ => return Ok(()),
+        };
+        let what = format!("the loop runs {way}, and not {other}");
+        Err(Box::new(self.scene.source.diagnostic(span, what).with_help("list its vertices in the opposite order")))
     }
 
     /// Loops from a drawing or a map.
