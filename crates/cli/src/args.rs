@@ -194,7 +194,7 @@ pub struct Bench {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-    /// Fewer orbits and pieces, shorter rounds: less than twenty seconds
+    /// Fewer orbits and pieces, shorter rounds: some ten seconds
     #[arg(long)]
     pub quick: bool,
     /// Only the table, or the case under stress, of that name

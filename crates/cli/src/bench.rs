@@ -27,9 +27,9 @@ use score::{Exam, Score};
 /// How long it may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
-    /// Seconds.
+    /// Some ten seconds.
     Quick,
-    /// A minute or two.
+    /// About a minute.
     Full,
 }
 

@@ -113,6 +113,9 @@ impl Scale {
             svg.line([left, at], [right, at], faint);
             svg.text([left - 4.0, at + 2.5], NUMBER, Anchor::End, &power(decade));
         }
+        // what is drawn on the frame is as large as that or larger, or as small or smaller
+        svg.text([left - 4.0, top + 2.5], NUMBER, Anchor::End, "lost");
+        svg.text([left - 4.0, bottom + 2.5], NUMBER, Anchor::End, &format!("\u{2264} {}", power(self.y[0])));
         svg.rectangle(CORNER, [right, bottom], HAIR);
         let what = format!("median error after {} collisions, of the table’s size", STOPS[SHOWN]);
         svg.text([left, top - 7.0], TEXT, Anchor::Start, &what);

@@ -53,7 +53,7 @@ pub fn preamble(law: Law, effort: Effort, out: &mut dyn Write) -> io::Result<()>
     writeln!(out, "{}; {} collisions of a uniform disk or ball.", crate::simulation::host(), law.name())?;
     writeln!(
         out,
-        "Errors of position and velocity, as parts of the table's size and of the speed: medians of {} orbits after {},\n\
+        "Errors of position and velocity, as parts of half the table's width (of a strip or a slab, all of it) and of the speed: medians of {} orbits after {},\n\
          {} and {} collisions, against 106 bits. Drifts of the energy, and of what else the table keeps: the largest in 1e5\n\
          collisions, or in 1e4 or 1e3 where those take too long.",
         effort.orbits(),
@@ -152,9 +152,11 @@ pub fn stress(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     )
 }
 
-/// An error in two digits; "lost" if it has no bound.
+/// An error in two digits; "lost" if it has no bound, a dash if there is none.
 fn short(error: f64) -> String {
-    if error == 0.0 {
+    if error.is_nan() {
+        "\u{2013}".into()
+    } else if error == 0.0 {
         "0".into()
     } else if error.is_finite() {
         format!("{error:.1e}")

@@ -46,7 +46,7 @@ pub struct Score {
     pub lost: Lost,
 }
 
-/// Errors of several orbits.
+/// Errors of several orbits: those whose right states are known, which end in no corner before. None of them are not a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
     /// That of which half of the orbits are better.
@@ -55,7 +55,7 @@ pub struct Spread {
     pub worst: f64,
 }
 
-/// How far conserved quantities have moved.
+/// How far conserved quantities have moved; without bound where an orbit was lost on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
     /// After so many collisions.
@@ -128,7 +128,12 @@ impl<'a> Exam<'a> {
     /// # Errors
     /// It cannot be prepared.
     pub fn score(&self, entry: &method::Entry, pieces: Option<usize>) -> Result<Score, Box<dyn Error>> {
-        let (method, build) = timed(|| (entry.build)(self.case, self.law, pieces));
+        // walls are prepared when a path first asks for them
+        let (method, build) = timed(|| {
+            let method = (entry.build)(self.case, self.law, pieces)?;
+            method.bulk(&self.starts, 1);
+            Ok::<_, Box<dyn Error>>(method)
+        });
         let method = &*method?;
         let nanoseconds = self.nanoseconds(method);
         let (errors, ordinary) = self.errors(method);
@@ -200,13 +205,16 @@ impl<'a> Exam<'a> {
         for start in self.starts.iter().take(LONG_ORBITS) {
             let mut first = None;
             let stops = [1, collisions / 100, collisions / 10, collisions];
-            method.trace(start, &stops, &mut |_, state| {
+            let end = method.trace(start, &stops, &mut |_, state| {
                 energy = worse(energy, state.energy_drift(start));
                 if let Some(invariant) = &invariant {
                     let value = (invariant.of)(state);
                     moved = worse(moved, (value - *first.get_or_insert(value)).abs());
                 }
             });
+            if matches!(end, End::Lost(_)) {
+                (energy, moved) = (f64::INFINITY, f64::INFINITY);
+            }
         }
         Drift { collisions, energy, invariant: invariant.map(|invariant| (invariant.name, moved)) }
     }

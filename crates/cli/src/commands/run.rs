@@ -11,7 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Failure;
 use crate::args;
-use crate::document::Source;
+use crate::document::{Source, spell};
 use crate::scene::{Request, Scene};
 use crate::simulation::{Control, Done, Simulation};
 
@@ -45,7 +45,7 @@ fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnc
     }
     let over = AtomicBool::new(false);
     thread::scope(|scope| {
-        scope.spawn(|| {
+        let bar = scope.spawn(|| {
             let begun = Instant::now();
             let mut bar = None;
             while !over.load(Ordering::Relaxed) {
@@ -58,10 +58,23 @@ fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnc
                 bar.finish_and_clear();
             }
         });
-        let result = work();
-        over.store(true, Ordering::Relaxed);
-        result
+        // also where the work panics: the scope waits for the bar
+        let _over = Over { flag: &over, watcher: bar.thread() };
+        work()
     })
+}
+
+/// Ends the watch when it is dropped.
+struct Over<'a> {
+    flag: &'a AtomicBool,
+    watcher: &'a thread::Thread,
+}
+
+impl Drop for Over<'_> {
+    fn drop(&mut self) {
+        self.flag.store(true, Ordering::Relaxed);
+        self.watcher.unpark();
+    }
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {
@@ -76,7 +89,7 @@ fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Wr
         writeln!(out, "{title}")?;
     }
     writeln!(out, "  table       {}", summary.table)?;
-    writeln!(out, "  law         {}, gamma^2 = {}", summary.law, summary.gamma_squared)?;
+    writeln!(out, "  law         {}, gamma^2 = {}", summary.law, spell(summary.gamma_squared))?;
     let stops: Vec<_> = summary.stops.iter().map(|(name, count)| format!("{count} {name}")).collect();
     writeln!(out, "  orbits      {}: {}", summary.orbits, stops.join(", "))?;
     let seconds = Duration::from_secs_f64(summary.seconds);

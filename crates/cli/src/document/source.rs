@@ -1,6 +1,6 @@
 //! An input file and places in it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Diagnostic;
@@ -9,13 +9,15 @@ use super::Diagnostic;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     name: Arc<str>,
+    /// The name as the system has it, which need not be Unicode.
+    path: Arc<Path>,
     text: Arc<str>,
 }
 
 impl Source {
     /// A source from a text already in memory.
     pub fn new(name: &str, text: &str) -> Self {
-        Self { name: name.into(), text: text.into() }
+        Self { name: name.into(), path: Path::new(name).into(), text: text.into() }
     }
 
     /// Reads a file.
@@ -26,7 +28,7 @@ impl Source {
         let name = path.display().to_string();
         let bytes = std::fs::read(path)
             .map_err(|error| Box::new(Diagnostic::of_file(&name, format!("cannot read it: {error}"))))?;
-        Self::from_bytes(&name, &bytes)
+        Ok(Self { path: path.into(), ..Self::from_bytes(&name, &bytes)? })
     }
 
     /// A source from the bytes of a file.
@@ -48,6 +50,11 @@ impl Source {
     /// The name the user gave, usually a path.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// A file of this name beside the source.
+    pub fn beside(&self, file: &str) -> PathBuf {
+        self.path.with_file_name(file)
     }
 
     /// The whole text.

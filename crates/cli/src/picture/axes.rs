@@ -64,6 +64,9 @@ impl Axis {
 /// Room that axes need beside the frame: left, below.
 pub const MARGIN: [f64; 2] = [31.0, 25.0];
 
+/// White on the right of the frame.
+pub(super) const BESIDE: f64 = 3.0;
+
 /// Draws a frame around a view, with ticks and numbers below and on the left.
 pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
     let [left, top] = view.corner();
@@ -78,7 +81,10 @@ pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
         svg.line([at, top], [at, top + TICK], hair);
         // A minus sign should not push its digit off the tick.
         let shift = if name.starts_with('\u{2212}') { -0.22 * NUMBER } else { 0.0 };
-        svg.text([at + shift, bottom + 0.75 * NUMBER + 3.0], NUMBER, Anchor::Middle, name);
+        // the last number may reach as far beyond the frame as the page does
+        let half = 0.25 * NUMBER * name.chars().count() as f64;
+        let middle = (at + shift).min(right + BESIDE - half);
+        svg.text([middle, bottom + 0.75 * NUMBER + 3.0], NUMBER, Anchor::Middle, name);
     }
     let names = numbers(&y.ticks);
     for (&tick, name) in y.ticks.iter().zip(&names) {

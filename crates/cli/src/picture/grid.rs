@@ -10,7 +10,6 @@ use super::view::Window;
 /// the same grid.
 #[derive(Clone, Debug)]
 pub struct Grid {
-    window: Window,
     colours: Vec<Colour>,
     /// A layer for each colour, rows from the top.
     density: Density,
@@ -31,8 +30,6 @@ struct Tally {
 pub enum Shading {
     /// By the logarithm of the count, up to the count that 1 in 200 cells exceeds: true to orders of magnitude.
     Log,
-    /// By the rank of the count among all counts: every depth is used for equally many cells.
-    Equalised,
     /// By the logarithm, in the colours themselves and never near black: thin curves keep their colour, single points show.
     Tinted,
 }
@@ -51,22 +48,12 @@ impl Grid {
         let height = ((width as f64 * h / w + 0.5).clamp(1.0, 16_384.0)) as usize;
         let Window { low, high } = window;
         let density = Density::new([low[0], high[1]], [high[0], low[1]], [width, height]).in_layers(colours.len());
-        Self { window, colours: colours.into(), density }
-    }
-
-    /// The window.
-    pub fn window(&self) -> Window {
-        self.window
+        Self { colours: colours.into(), density }
     }
 
     /// Width and height in cells.
     pub fn size(&self) -> [usize; 2] {
         self.density.size()
-    }
-
-    /// How many points were counted inside the window.
-    pub fn total(&self) -> u64 {
-        self.density.inside()
     }
 
     /// Counts a point; one outside the window is left out.
@@ -174,12 +161,6 @@ impl Tally {
                 }
                 Shading::Log if most == 1 => 1.0,
                 Shading::Log => (libm::log(count as f64) / libm::log(most as f64)).min(1.0),
-                Shading::Equalised => {
-                    // The middle of the ranks of equal counts.
-                    let below = sorted.partition_point(|c| *c < count);
-                    let upto = sorted.partition_point(|c| *c <= count);
-                    (below + upto) as f64 / (2 * sorted.len()) as f64
-                }
             };
             faintest + (1.0 - faintest) * share
         }
@@ -200,7 +181,7 @@ mod tests {
         assert_eq!(grid.tally().counts, [1, 0, 0, 0, 0, 0, 0, 1]);
         let mut doubled = grid.clone();
         doubled.merge(&grid.into_density());
-        assert_eq!((doubled.total(), doubled.tally().counts[7]), (4, 2));
+        assert_eq!((doubled.density.inside(), doubled.tally().counts[7]), (4, 2));
     }
 
     #[test]
@@ -221,9 +202,7 @@ mod tests {
             }
         }
         let tally = grid.tally();
-        for shading in [Shading::Log, Shading::Equalised] {
-            let depth = tally.depths(shading, FAINTEST);
-            assert!(depth(1) < depth(10) && depth(10) < depth(100) && depth(100) <= 1.0);
-        }
+        let depth = tally.depths(Shading::Log, FAINTEST);
+        assert!(depth(1) < depth(10) && depth(10) < depth(100) && depth(100) <= 1.0);
     }
 }

@@ -13,7 +13,7 @@ use super::{COLUMN, File, Material, Needs, Picture};
 
 /// Width of the portrait, where its height is 2.
 pub const WIDTH: f64 = 2.6;
-/// White around the picture.
+/// White above the picture.
 const MARGIN: f64 = 3.0;
 /// Pixels of the grid for dense portraits.
 const PIXELS: usize = 1000;
@@ -62,7 +62,7 @@ impl Reduced {
 /// A portrait, each orbit in its colour, where points are counted from the file they are shaded to; thin lines part the pieces.
 fn draw(reduced: &Reduced, shaded: Option<&[u8]>) -> Svg {
     let [left, below] = axes::MARGIN;
-    let width = COLUMN - left - MARGIN;
+    let width = COLUMN - left - axes::BESIDE;
     let view = View::fit(reduced.cloud.window(), [left, MARGIN], width, width);
     let [_, height] = view.size();
     let mut svg = Svg::new(COLUMN, height + MARGIN + below);

@@ -30,12 +30,12 @@ impl Format for JsonLines {
         next(to);
         push_integer(to, row.n);
         next(to);
-        push_number(to, row.time);
+        push(to, row.time);
         next(to);
         push_integer(to, row.piece);
         for &x in row.state {
             next(to);
-            push_number(to, x);
+            push(to, x);
         }
         for &cell in row.cell {
             next(to);
@@ -45,9 +45,24 @@ impl Format for JsonLines {
     }
 }
 
+/// Appends a number, or null for one that JSON does not have: an angle or a time may be infinite where lengths and speeds differ by
+/// 10³⁰⁰.
+fn push(to: &mut Vec<u8>, x: f64) {
+    if x.is_finite() { push_number(to, x) } else { to.extend_from_slice(b"null") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_no_number_is_null() {
+        let (json, mut line) = (JsonLines::new(Columns { dimension: 2, lattice: false }), vec![]);
+        let state = [f64::INFINITY, 0.0, 0.0, 0.0, f64::NAN, 0.0];
+        json.row(&Row { orbit: 0, n: 1, time: f64::INFINITY, piece: 0, state: &state, cell: &[] }, &mut line);
+        let object: serde_json::Value = serde_json::from_slice(&line).unwrap();
+        assert_eq!(object.as_object().unwrap().values().filter(|value| value.is_null()).count(), 3);
+    }
 
     #[test]
     fn each_line_is_an_object_with_the_columns_as_keys() {

@@ -90,7 +90,7 @@ impl std::fmt::Display for LawKind {
             }
             Self::Random { rank, seed } => write!(f, "random rank {rank} seed {seed}"),
             Self::Restitution { normal, tangential } => {
-                write!(f, "restitution normal {normal} tangential {tangential}")
+                write!(f, "restitution normal {} tangential {}", spell(*normal), spell(*tangential))
             }
         }
     }
@@ -105,7 +105,10 @@ impl std::str::FromStr for LawKind {
             "specular" => Ok(Self::Specular),
             "no-slip" => Ok(Self::NoSlip),
             _ => match LAWS.iter().find(|law| law.name == name) {
-                Some(law) => Err(format!("this law has parameters: write {} in the scene", law.example)),
+                Some(law) => Err(format!(
+                    "this law has parameters: write {} in place of the scene's law; `billiards guide` tells more",
+                    law.example
+                )),
                 None => Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
                     Some(near) => format!("unknown law; did you mean \"{near}\"?"),
                     None => "unknown law; `billiards laws` lists them".into(),
@@ -209,7 +212,7 @@ fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> 
     if (least..=1.0).contains(&x) {
         return Some(x);
     }
-    problems.add(item.span, format!("{x} is not between {least} and 1"));
+    problems.add(item.span, format!("{} is not between {least} and 1", spell(x)));
     None
 }
 

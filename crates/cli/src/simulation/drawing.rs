@@ -1,7 +1,5 @@
 //! Drawings and meshes beside the scene file.
 
-use std::path::Path;
-
 use billiards::geometry::Error;
 
 use crate::document::{Diagnostic, Spanned};
@@ -15,7 +13,7 @@ pub(super) fn read<T>(
     reader: impl FnOnce(&str, &[u8]) -> Option<Result<T, Error>>,
 ) -> Result<T, Box<Diagnostic>> {
     let complain = |what: String| Box::new(scene.source.diagnostic(file.span, what));
-    let path = Path::new(scene.source.name()).with_file_name(&file.value);
+    let path = scene.source.beside(&file.value);
     let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     match reader(&ending, &bytes) {

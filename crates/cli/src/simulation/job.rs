@@ -14,7 +14,7 @@ use super::portraits::Portraits;
 use super::results::{Ended, Results};
 use super::scale::Scale;
 use super::trail::Trail;
-use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work};
+use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work, together};
 use crate::picture::{MOST_DOTS, layer};
 
 /// A few orbits on one thread.
@@ -156,24 +156,26 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             while !going.is_empty() && !interrupted.load(Ordering::Relaxed) {
                 let begun = Instant::now();
                 let block = BLOCK.min(most - n);
-                let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
-                let outcomes = match &mut self.portraits {
-                    Some(portraits) => {
-                        portraits.side_by_side(going.iter().map(|&k| first + k as u64));
-                        self.engine.counted(&mut these, block, portraits)
-                    }
-                    None => self.engine.side_by_side(&mut these, block),
-                };
-                for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
-                    orbits[k] = orbit;
-                    let course = &mut courses[k];
-                    course.collisions += outcome.collisions;
-                    course.drift = course.drift.max(energies[k].drift_to(orbits[k].restored()));
-                    if outcome.stop != Stop::Finished || course.collisions == most {
-                        course.stop = Some(outcome.stop);
-                        progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
-                    } else {
-                        progress.fetch_add(progress_of(n + block, most) - progress_of(n, most), Ordering::Relaxed);
+                for going in going.chunks(together(block)).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
+                    let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
+                    let outcomes = match &mut self.portraits {
+                        Some(portraits) => {
+                            portraits.side_by_side(going.iter().map(|&k| first + k as u64));
+                            self.engine.counted(&mut these, block, portraits)
+                        }
+                        None => self.engine.side_by_side(&mut these, block),
+                    };
+                    for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
+                        orbits[k] = orbit;
+                        let course = &mut courses[k];
+                        course.collisions += outcome.collisions;
+                        course.drift = course.drift.max(energies[k].drift_to(orbits[k].restored()));
+                        if outcome.stop != Stop::Finished || course.collisions == most {
+                            course.stop = Some(outcome.stop);
+                            progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
+                        } else {
+                            progress.fetch_add(progress_of(n + block, most) - progress_of(n, most), Ordering::Relaxed);
+                        }
                     }
                 }
                 going.retain(|&k| courses[k].stop.is_none());

@@ -2,7 +2,7 @@
 
 use billiards::geometry::{Table, Vector2};
 
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, spell};
 use crate::scene::{Orbit, Scene};
 
 use super::scale::{Scale, to_unity};
@@ -81,7 +81,8 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
         let radius = scene.particle.radius.value;
         let what = if radius > 0.0 {
             format!(
-                "a disk of radius {radius} does not fit there: its centre would be {beyond} of the region of centres"
+                "a disk of radius {} does not fit there: its centre would be {beyond} of the region of centres",
+                spell(radius)
             )
         } else {
             format!("the start lies outside the table, {beyond}")

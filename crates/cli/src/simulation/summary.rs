@@ -50,6 +50,8 @@ pub struct Summary {
     pub horizon: Horizons,
     /// How many orbits ended for which reason.
     pub stops: BTreeMap<&'static str, u64>,
+    /// The other files that were written. What else lies in the folder is of an earlier run.
+    pub files: Vec<String>,
     /// Time that the simulation itself took, in seconds.
     pub seconds: f64,
     /// The same per collision, in nanoseconds; 0 without collisions.
@@ -71,6 +73,7 @@ impl Summary {
         orbits: u64,
         totals: &Totals,
         horizon: Horizons,
+        files: Vec<String>,
         busy: Duration,
         threads: usize,
     ) -> Summary {
@@ -110,12 +113,13 @@ impl Summary {
             energy_drift: totals.drift,
             horizon,
             stops,
+            files,
             seconds,
             ns_per_collision,
             threads,
             host: host(),
             date: date(SystemTime::now()),
-            command: std::env::args().collect::<Vec<_>>().join(" "),
+            command: std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
         }
     }
 

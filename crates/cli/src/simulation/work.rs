@@ -20,6 +20,14 @@ const MOST_SIDE_BY_SIDE: u64 = 512;
 /// stays there for as long as its orbits run.
 const MOST_COUNTED: u64 = 1 << 16;
 const COUNTED: u64 = 1 << 28;
+/// Collisions of all orbits together between two looks at the user.
+const GLANCE: u64 = 1 << 18;
+
+/// So many orbits side by side make about as many collisions between two looks at the user, in blocks of this many each.
+pub(super) fn together(block: u64) -> usize {
+    usize::try_from(GLANCE / block.max(1)).unwrap_or(usize::MAX).max(1)
+}
+
 /// Steps in which the progress of an orbit is counted.
 pub(super) const STEPS: u64 = 1 << 20;
 

@@ -156,3 +156,38 @@ fn pictures_are_well_formed_and_dense_ones_come_as_pixels_too() {
         assert_eq!(png.exists(), name != "orbit", "{name}");
     }
 }
+
+#[test]
+fn a_summary_names_the_files_of_its_run() {
+    let folder = Folder::new("files");
+    let scene = format!("{CHAOS}\n[output]\npictures = [\"orbit\"]\ncollisions = \"npy\"\n");
+    let summary = folder.done(&scene, &["-n", "100"]);
+    assert_eq!(summary["files"], serde_json::json!(["collisions.npy", "orbit.svg"]));
+}
+
+#[cfg(unix)]
+#[test]
+fn names_of_files_need_not_be_unicode() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = Folder::new("names");
+    let name = std::ffi::OsStr::from_bytes(b"caf\xe9");
+    let scene = folder.0.join(name).join("scene.toml");
+    fs::create_dir(folder.0.join(name)).unwrap();
+    fs::write(
+        &scene,
+        "law = \"specular\"\ntable = { boundary = [{ outline = \"room.svg\" }] }\nrun = { collisions = 5 }\n\
+                       orbit = [{ position = [0.5, -0.5], velocity = [1, 0.5] }]\n",
+    )
+    .unwrap();
+    fs::write(
+        scene.with_file_name("room.svg"),
+        "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H1V1H0Z'/></svg>",
+    )
+    .unwrap();
+    let mut command = assert_cmd::Command::cargo_bin("billiards").unwrap();
+    let output = command.arg("run").arg(&scene).arg("--out").arg(folder.0.join(name).join("out")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let summary = fs::read(folder.0.join(name).join("out").join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
+    assert_eq!(summary["collisions"], 5);
+}

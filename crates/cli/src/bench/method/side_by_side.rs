@@ -3,11 +3,11 @@
 use super::super::case::{Case, Space};
 use super::super::law::Law;
 use super::super::state::{State, first};
-use super::{End, Entry, Method, always, exact};
+use super::{End, Entry, Method, always};
 use crate::simulation::{PlanarLaw, SpatialLaw};
 use billiards::geometry::tables::SpatialTable;
 use billiards::geometry::{Walls, WithWalls};
-use billiards::{Billiard, Conserved, Finished, Orbit, Planar, run_side_by_side};
+use billiards::{Billiard, Conserved, EnergyKeeper, Finished, Orbit, Planar, Stop, run_side_by_side};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact, side by side",
@@ -17,21 +17,18 @@ pub(super) const ENTRY: Entry = Entry {
 };
 
 fn build(case: &Case, law: Law) -> Box<dyn Method> {
-    let alone = exact::build(case, law);
     match &case.space {
-        Space::Plane(table) => Box::new(Plane { alone, billiard: Planar { table: table.clone(), law: law.planar() } }),
-        Space::Room(table) => Box::new(Room { alone, table: table.clone(), law: law.spatial() }),
+        Space::Plane(table) => Box::new(Plane { billiard: Planar { table: table.clone(), law: law.planar() } }),
+        Space::Room(table) => Box::new(Room { table: table.clone(), law: law.spatial() }),
     }
 }
 
 /// Orbits of the same bits as those run alone.
 struct Plane {
-    alone: Box<dyn Method>,
     billiard: Planar<PlanarLaw>,
 }
 
 struct Room {
-    alone: Box<dyn Method>,
     table: SpatialTable,
     law: SpatialLaw,
 }
@@ -41,6 +38,32 @@ type Kept<const N: usize, const S: usize> = Orbit<f64, N, S, Conserved<f64, N>>;
 
 /// Enough orbits to keep all lanes of all vectors busy.
 const ORBITS: usize = 512;
+
+/// Runs one orbit, in a lane of its own, and shows its state on the way.
+fn follow<const N: usize, const S: usize>(
+    start: &State<f64>,
+    stops: &[u64],
+    look: &mut dyn FnMut(usize, &State<f64>),
+    mut run: impl FnMut(Kept<N, S>, u64, &mut dyn FnMut(Finished<N, S, Conserved<f64, N>, ()>)),
+) -> End
+where
+    Conserved<f64, N>: EnergyKeeper<f64, N, S>,
+{
+    let mut orbit: Kept<N, S> = Orbit::new(first(&start.position), first(&start.velocity), first(&start.spin), ());
+    let mut done = 0;
+    for (k, &stop) in stops.iter().enumerate() {
+        let mut why = Stop::Finished;
+        run(orbit, stop - done, &mut |finished| (orbit, why) = (finished.orbit, finished.outcome.stop));
+        match why {
+            Stop::Finished => {}
+            Stop::Corner => return End::Corner,
+            _ => return End::Lost(why),
+        }
+        done = stop;
+        look(k, &State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin));
+    }
+    End::Whole
+}
 
 /// The starts, again and again until there are enough.
 fn many<const N: usize, const S: usize>(starts: &[State<f64>]) -> impl Iterator<Item = Kept<N, S>> {
@@ -55,7 +78,9 @@ fn share(starts: &[State<f64>], collisions: u64) -> u64 {
 
 impl Method for Plane {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
-        self.alone.trace(start, stops, look)
+        follow(start, stops, look, |orbit, collisions, finished| {
+            self.billiard.run_side_by_side(&mut std::iter::once(orbit), collisions, &mut (), finished);
+        })
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
         let mut made = 0;
@@ -68,7 +93,10 @@ impl Method for Plane {
 
 impl Method for Room {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
-        self.alone.trace(start, stops, look)
+        follow(start, stops, look, |orbit, collisions, finished| {
+            let starts = &mut std::iter::once(orbit);
+            self.table.with_walls(On { law: &self.law, starts, collisions, finished });
+        })
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
         let mut made = 0;

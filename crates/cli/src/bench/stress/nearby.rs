@@ -36,7 +36,7 @@ fn on(effort: Effort, points: impl Fn(&Table) -> Vec<Vector2<f64>>) -> Result<Ta
     let collisions = if effort == Effort::Quick { 30 } else { 1000 };
     let mut tally = Tally::default();
     for entry in tables::all().iter().filter(|entry| entry.dimension() == 2) {
-        let table = entry.planar(&entry.complete(&typical(entry))?)?;
+        let table = entry.planar(&entry.typical())?;
         if table.lattice().is_some() || !table.perimeter().is_finite() {
             continue;
         }
@@ -58,12 +58,6 @@ fn on(effort: Effort, points: impl Fn(&Table) -> Vec<Vector2<f64>>) -> Result<Ta
         tally.join(Trial { table: &table, law: Law::NoSlip.planar(), collisions, open: false }.run(&starts));
     }
     Ok(tally)
-}
-
-/// Typical values for what a table requires.
-fn typical(entry: &tables::Entry) -> tables::Values {
-    let required = entry.parameters.iter().filter(|parameter| parameter.required);
-    required.fold(tables::Values::new(), |values, parameter| values.with(parameter.name, parameter.value.clone()))
 }
 
 /// The normals of the walls that meet at a point of the boundary.
