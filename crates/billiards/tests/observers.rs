@@ -95,6 +95,25 @@ fn a_period_on_the_torus_is_seen_across_the_edge_of_the_cell() {
 }
 
 #[test]
+fn a_period_and_a_first_return_are_counted_over_several_runs() {
+    // from the middle of each side to that of the next: top, right, floor, left
+    let square = Planar { table: tables::square(1.0).unwrap(), law: Specular };
+    for first in [1, 2] {
+        let mut diamond = orbit([0.0, 0.5], [1.0, 1.0], 0.0);
+        let mut floor = FirstReturn::to(|c: &Collision<'_, 2, 1, _, _>| c.piece() == 0);
+        square.run(&mut diamond, &Collisions(first), &mut floor);
+        square.run(&mut diamond, &Collisions(9), &mut floor);
+        assert_eq!(floor.found().map(|entry| (entry.collisions, entry.time)), Some((3, 1.5)), "after {first}");
+
+        let mut diamond = orbit([0.0, 0.5], [1.0, 1.0], 0.0);
+        let mut period = Period::new(1e-12, 1.0);
+        square.run(&mut diamond, &Collisions(first), &mut period);
+        square.run(&mut diamond, &Collisions(9), &mut period);
+        assert_eq!(period.found().map(|found| found.period), Some(4), "after {first}");
+    }
+}
+
+#[test]
 fn energy_drift_is_the_energy_that_is_missing() {
     let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), FRAC_1_SQRT_2);
     let strip = Planar { table: tables::strip(1.0).unwrap(), law };

@@ -23,6 +23,7 @@ use lanes::Double;
 #[derive(Clone)]
 pub struct FirstReturn<F> {
     is_in: F,
+    collisions: u64,
     time: Double,
     found: Option<Entry>,
 }
@@ -30,9 +31,9 @@ pub struct FirstReturn<F> {
 /// When an orbit entered a set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
-    /// The number of the collision, from 1.
+    /// The number of the collision, from 1, of those seen in one run or several.
     pub collisions: u64,
-    /// The time since the start of the run \[T\].
+    /// The time from the start of the first of these runs \[T\].
     pub time: f64,
 }
 
@@ -42,7 +43,7 @@ impl<F> FirstReturn<F> {
     where
         F: FnMut(&Collision<'_, N, S, K, T>) -> bool,
     {
-        FirstReturn { is_in, time: Double::new(0.0), found: None }
+        FirstReturn { is_in, collisions: 0, time: Double::new(0.0), found: None }
     }
 
     /// When it came, if it did.
@@ -63,9 +64,10 @@ where
 {
     #[inline]
     fn collision(&mut self, c: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
+        self.collisions += 1;
         self.time.add(c.hit.time);
         if (self.is_in)(c) {
-            self.found = Some(Entry { collisions: c.n, time: self.time.value() });
+            self.found = Some(Entry { collisions: self.collisions, time: self.time.value() });
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())

@@ -6,6 +6,7 @@ use lanes::Double;
 
 /// Finds the smallest number of collisions after which an orbit returns to where its first collision left it, in the
 /// reduced phase space: the piece, the position and the velocities, but not the spin position `x₀`. Then it stops the run.
+/// It counts itself, so one orbit may come to it in several runs.
 ///
 /// Many no-slip orbits have a period there and yet turn a little further each time: whether `x₀` returns too,
 /// [`Return::drift`] says.
@@ -40,7 +41,8 @@ struct Reference {
     speed: f64,
     flight: Flight<2, 1>,
     turned: Double,
-    n: u64,
+    /// Collisions since.
+    collisions: u64,
 }
 
 /// A return to the start in the reduced phase space.
@@ -91,11 +93,12 @@ impl<K, T> Observer<2, 1, K, T> for Period {
             let speed = norm3(o.spin[0], o.velocity);
             let (position, turned) = (o.position, Double::new(0.0));
             let piece = c.piece();
-            self.reference = Some(Reference { piece, position, start: now, speed, flight: now, turned, n: c.n });
+            self.reference = Some(Reference { piece, position, start: now, speed, flight: now, turned, collisions: 0 });
             return ControlFlow::Continue(());
         };
         reference.turned.add(reference.flight.spin[0] * c.hit.time);
         reference.flight = now;
+        reference.collisions += 1;
         self.reference = Some(reference);
         if c.piece() != reference.piece {
             return ControlFlow::Continue(());
@@ -107,7 +110,7 @@ impl<K, T> Observer<2, 1, K, T> for Period {
         if error <= self.tolerance {
             let drift = reference.turned.value();
             let drift_free = drift.abs() <= self.tolerance * self.length;
-            self.found = Some(Return { period: c.n - reference.n, error, drift, drift_free });
+            self.found = Some(Return { period: reference.collisions, error, drift, drift_free });
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
