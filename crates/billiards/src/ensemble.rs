@@ -79,7 +79,10 @@ impl Ensemble {
                 .filter(|orbits| !orbits.is_empty())
                 .map(|orbits| {
                     let mut statistics = empty();
-                    orbits.for_each(|i| orbit(i, &mut statistics));
+                    for i in orbits {
+                        statistics.next_orbit();
+                        orbit(i, &mut statistics);
+                    }
                     statistics
                 })
                 .collect();

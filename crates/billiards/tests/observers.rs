@@ -218,6 +218,22 @@ fn statistics_of_an_ensemble_do_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
+fn an_orbit_of_an_ensemble_does_not_go_on_with_the_flight_of_another() {
+    let square = Planar { table: tables::square(1.0).unwrap(), law: no_slip(0.5) };
+    let canonical = Canonical::new(&square.table, 1.0, 1).unwrap();
+    let index = |c: &Collision<'_, 2, 1, (), ()>| c.n as f64;
+    for block in [1, 7, 256] {
+        let empty = || (FreePath::new(), Invariant::new(index).relative_to(1.0));
+        let (paths, counted) = Ensemble::of(100).in_blocks_of(block).run(empty, |i, seen| {
+            square.run(&mut canonical.start(i).orbit::<(), ()>(()), &Collisions(10), seen);
+        });
+        // the first flight of each orbit has no start that was seen, and its first collision is what the others drift from
+        assert_eq!((paths.time().count, paths.length().count), (900, 900), "in blocks of {block}");
+        assert!((counted.rms_drift() - (285.0_f64 / 9.0).sqrt()).abs() < 1e-14, "in blocks of {block}");
+    }
+}
+
+#[test]
 fn survivors_of_a_hole_decay_by_its_share_of_the_boundary() {
     // specular stadium with a hole of 1/20 of the boundary: the first collision finds it with the canonical probability
     let stadium = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Specular };

@@ -6,8 +6,8 @@
 use crate::{
     law::{UNIFORM, no_slip},
     random::Stream,
-    statistics::Mean,
 };
+use billiards::observe::{Mean, Moments};
 use nalgebra::{Matrix3, Vector2, Vector3};
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ pub struct Node {
 /// length, then by name. `velocities` is the size of the sample.
 pub fn tree(length: usize, velocities: usize) -> Vec<Node> {
     let walls = Walls::new();
-    let mut shares: BTreeMap<String, Mean> = BTreeMap::new();
+    let mut shares: BTreeMap<String, Moments> = BTreeMap::new();
     let mut of_one = BTreeMap::new();
     for sample in 0..velocities {
         let [v0, vt] = Stream::new(240, sample).in_disk();
@@ -49,11 +49,9 @@ pub fn tree(length: usize, velocities: usize) -> Vec<Node> {
     }
     let mut nodes: Vec<Node> = shares
         .iter()
-        .map(|(word, mean)| Node {
-            word: word.clone(),
-            share: mean.value(),
-            standard_error: mean.standard_error(),
-            occurs: true,
+        .map(|(word, shares)| {
+            let Mean { mean: share, standard_error, .. } = shares.mean();
+            Node { word: word.clone(), share, standard_error, occurs: true }
         })
         .collect();
     for word in shares.keys().filter(|word| word.len() < length) {

@@ -1,38 +1,4 @@
-//! Means and their standard errors.
-
-/// The mean of a sample, with its standard error.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Mean {
-    n: f64,
-    center: f64,
-    /// Sum of squares about the mean (Welford).
-    squares: f64,
-}
-
-impl Mean {
-    pub(crate) fn add(&mut self, x: f64) {
-        self.n += 1.0;
-        let off = x - self.center;
-        self.center += off / self.n;
-        self.squares += off * (x - self.center);
-    }
-
-    pub(crate) fn value(&self) -> f64 {
-        self.center
-    }
-
-    pub(crate) fn standard_error(&self) -> f64 {
-        libm::sqrt(self.squares / (self.n - 1.0) / self.n)
-    }
-}
-
-impl FromIterator<f64> for Mean {
-    fn from_iter<I: IntoIterator<Item = f64>>(sample: I) -> Mean {
-        let mut mean = Mean::default();
-        sample.into_iter().for_each(|x| mean.add(x));
-        mean
-    }
-}
+//! Ranges, worst cases and errors of shares.
 
 /// The standard error of a share `p` of `n` independent samples.
 pub(crate) fn standard_error_of_share(p: f64, n: usize) -> f64 {

@@ -1,8 +1,11 @@
 //! Mean free time and mean free path.
-use super::{Collision, Observer, flight::Flight};
+use super::{
+    Collision, Observer,
+    flight::Flight,
+    moments::{Mean, Moments},
+};
 use crate::{merge::Merge, orbit::Orbit};
 use core::ops::ControlFlow;
-use lanes::Double;
 
 /// Sums over the flights between collisions: their times and their lengths.
 ///
@@ -16,57 +19,14 @@ pub struct FreePath<const N: usize, const S: usize> {
     length: Moments,
 }
 
-/// Count, sum and sum of squares.
-#[derive(Clone, Copy, Debug)]
-struct Moments {
-    count: u64,
-    sum: Double,
-    squares: Double,
-}
-
-impl Moments {
-    fn add(&mut self, x: f64) {
-        self.count += 1;
-        self.sum.add(x);
-        self.squares.add(x * x);
-    }
-
-    fn summary(&self) -> Mean {
-        let n = self.count as f64;
-        let mean = self.sum.value() / n;
-        let variance = (self.squares.value() / n - mean * mean).max(0.0);
-        Mean { count: self.count, mean, standard_error: (variance / (n - 1.0)).sqrt() }
-    }
-}
-
-impl Merge for Moments {
-    fn merge(mut self, other: Self) -> Self {
-        self.count += other.count;
-        for (sum, other) in [(&mut self.sum, other.sum), (&mut self.squares, other.squares)] {
-            sum.add(other.high);
-            sum.add(other.low);
-        }
-        self
-    }
-}
-
-/// A mean over flights.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mean {
-    /// Of how many; without any, the mean is NaN.
-    pub count: u64,
-    /// The mean.
-    pub mean: f64,
-    /// Its standard error, where the flights are independent of one another: one flight of each of many orbits.
-    pub standard_error: f64,
-}
-
 impl<const N: usize, const S: usize> FreePath<N, S> {
-    /// No flights yet. A flight counts if its start was seen: the first collision, or [`FreePath::follow`].
+    /// No flights yet. A flight counts if its start was seen: a collision, or where [`FreePath::follow`] was called.
+    ///
+    /// Whoever runs one orbit after another without an [`Ensemble`](crate::Ensemble) calls that, or
+    /// [`next_orbit`](Merge::next_orbit), for each.
     #[allow(clippy::new_without_default, reason = "one way to begin")]
     pub fn new() -> Self {
-        let none = Moments { count: 0, sum: Double::new(0.0), squares: Double::new(0.0) };
-        FreePath { flight: None, time: none, length: none }
+        FreePath { flight: None, time: Moments::default(), length: Moments::default() }
     }
 
     /// The next flight begins where this orbit is. An orbit that starts on the wall has its first flight counted so.
@@ -74,14 +34,15 @@ impl<const N: usize, const S: usize> FreePath<N, S> {
         self.flight = Some(Flight::from(orbit));
     }
 
-    /// Mean time between collisions \[T\].
+    /// Mean time between collisions \[T\]; its standard error is that of flights independent of one another: one of each of many
+    /// orbits.
     pub fn time(&self) -> Mean {
-        self.time.summary()
+        self.time.mean()
     }
 
     /// Mean distance between collisions that the centre travels \[L\].
     pub fn length(&self) -> Mean {
-        self.length.summary()
+        self.length.mean()
     }
 }
 
@@ -102,5 +63,8 @@ impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for FreePath<N, 
 impl<const N: usize, const S: usize> Merge for FreePath<N, S> {
     fn merge(self, other: Self) -> Self {
         FreePath { flight: self.flight, time: self.time.merge(other.time), length: self.length.merge(other.length) }
+    }
+    fn next_orbit(&mut self) {
+        self.flight = None;
     }
 }

@@ -3,7 +3,7 @@ use super::{Collision, Observer, energy_drift::larger};
 use crate::merge::Merge;
 use core::{fmt, ops::ControlFlow};
 
-/// How far a quantity of your own strays from its value at the first collision: the largest and the mean square drift.
+/// How far a quantity of your own strays from its value at the first collision of an orbit: the largest and the mean square drift.
 ///
 /// ```
 /// use billiards::{Collision, Collisions, Conserved, Orbit, Planar, laws::Disk};
@@ -45,17 +45,12 @@ impl<F> Invariant<F> {
         Invariant { scale: Some(scale), ..self }
     }
 
-    /// The next collision gives a new reference value: another orbit begins. The drifts seen stay.
-    pub fn restart(&mut self) {
-        self.reference = None;
-    }
-
     /// The largest relative drift.
     pub fn largest_drift(&self) -> f64 {
         self.largest
     }
 
-    /// The root of the mean square of the relative drift, over all collisions but the first.
+    /// The root of the mean square of the relative drift, over all collisions but the first of each orbit.
     pub fn rms_drift(&self) -> f64 {
         if self.count == 0 { 0.0 } else { (self.squares / self.count as f64).sqrt() }
     }
@@ -89,6 +84,7 @@ where
     }
 }
 
+/// The first collision of the [next orbit](Merge::next_orbit) gives a new reference value; the drifts seen stay.
 impl<F> Merge for Invariant<F> {
     fn merge(self, other: Self) -> Self {
         Invariant {
@@ -97,5 +93,8 @@ impl<F> Merge for Invariant<F> {
             count: self.count + other.count,
             ..self
         }
+    }
+    fn next_orbit(&mut self) {
+        self.reference = None;
     }
 }

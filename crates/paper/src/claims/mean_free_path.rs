@@ -4,9 +4,11 @@ use crate::{
     law::UNIFORM,
     motion::{canonical_start, fly, no_slip, specular},
     random::Stream,
-    statistics::Mean,
 };
-use billiards::geometry::{Error, Table, tables};
+use billiards::{
+    geometry::{Error, Table, tables},
+    observe::{Mean, Moments},
+};
 use core::{f64::consts::PI, ops::ControlFlow};
 
 pub(super) const CLAIM: Claim = Claim {
@@ -22,7 +24,7 @@ pub(super) const CLAIM: Claim = Claim {
 /// Mean flight `n`: its length in three dimensions, in the plane, and in `|x₀|`.
 fn flights(table: &Result<Table, Error>, smooth: bool, n: usize, samples: usize) -> [Mean; 3] {
     let billiard = if smooth { specular(table.clone()) } else { no_slip(table.clone(), UNIFORM) };
-    let mut means = [Mean::default(); 3];
+    let mut means = [Moments::default(); 3];
     for sample in 0..samples {
         let start = canonical_start(&billiard, &mut Stream::new(160 + n as u64, sample));
         let (mut time, mut v) = (0.0, start.v);
@@ -37,7 +39,7 @@ fn flights(table: &Result<Table, Error>, smooth: bool, n: usize, samples: usize)
             ControlFlow::Continue(())
         });
     }
-    means
+    means.map(|flights| flights.mean())
 }
 
 fn measure(effort: Effort) -> Measurement {
@@ -60,12 +62,7 @@ fn measure(effort: Effort) -> Measurement {
             for ((what, expected), mean) in [("time", 4.0), ("planar path", PI), ("|Δx₀|", 2.0)].into_iter().zip(means)
             {
                 let label = format!("{name}, {law}, flight {n}: mean {what} × P/A");
-                quantities.push(Quantity::sampled(
-                    label,
-                    mean.value() / scale,
-                    mean.standard_error() / scale,
-                    expected,
-                ));
+                quantities.push(Quantity::sampled(label, mean.mean / scale, mean.standard_error / scale, expected));
             }
         }
     }

@@ -5,10 +5,10 @@ use crate::{
     law::{OTHERS, UNIFORM, beta, cos_beta, sin_beta},
     motion::{bounces, no_slip},
     random::Stream,
-    statistics::{Mean, worst},
+    statistics::worst,
     strip::{centre, cross, ladder, seen},
 };
-use billiards::geometry::tables;
+use billiards::{geometry::tables, observe::Moments};
 
 pub(super) const CLAIM: Claim = Claim {
     name: "sliding-ladder",
@@ -30,7 +30,7 @@ fn measure(effort: Effort) -> Measurement {
     let mut quantities = vec![];
     for gamma_squared in [UNIFORM, 1.0].into_iter().chain(OTHERS) {
         let strip = no_slip(tables::strip(1.0), gamma_squared);
-        let (mut lengths, mut supports, mut far, mut constant) = (vec![], vec![], vec![], Mean::default());
+        let (mut lengths, mut supports, mut far, mut constant) = (vec![], vec![], vec![], Moments::default());
         for sample in 0..orbits {
             let start = random_start(&mut Stream::new(203, sample));
             let ell = ladder(&start);
@@ -62,12 +62,12 @@ fn measure(effort: Effort) -> Measurement {
             Quantity::residual(label("| length of a flight / ℓ − 1 |, greatest"), worst(lengths), rounding),
             Quantity::residual(label("support function / ℓ against the formula"), worst(supports), rounding),
             Quantity::at_most(label("distance from the crossing / (ℓ/sin β), greatest"), worst(far), 1.0, rounding),
-            Quantity::equal(label("distance from an astroid / ℓ"), constant.value(), parallel, rounding),
+            Quantity::equal(label("distance from an astroid / ℓ"), constant.mean().mean, parallel, rounding),
         ]);
         if gamma_squared == UNIFORM {
             quantities.push(Quantity::differs(
                 "distance from an astroid / ℓ, against the paper's 0",
-                constant.value(),
+                constant.mean().mean,
                 0.0,
                 0.1,
             ));

@@ -4,9 +4,11 @@ use crate::{
     law::UNIFORM,
     motion::{Billiard, State, bounces, distance, no_slip, specular},
     random::Stream,
-    statistics::Mean,
 };
-use billiards::geometry::tables;
+use billiards::{
+    geometry::tables,
+    observe::{Mean, Moments},
+};
 use core::f64::consts::PI;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -23,7 +25,7 @@ pub(super) const CLAIM: Claim = Claim {
 /// from a point of the middle line without spin.
 fn growth(billiard: &Billiard, collisions: usize, samples: usize) -> Mean {
     let tiny = 1e-8;
-    let mut mean = Mean::default();
+    let mut logs = Moments::default();
     for sample in 0..samples {
         let mut stream = Stream::new(198, sample);
         let (x1, angle) = (stream.uniform(), PI * stream.between(0.15, 0.85));
@@ -33,10 +35,10 @@ fn growth(billiard: &Billiard, collisions: usize, samples: usize) -> Mean {
         // neighbours hit the same wall, about a front's length apart, or across the edge of the cell
         let place = |s: &State| [libm::sin(2.0 * PI * s.x[1]), libm::cos(2.0 * PI * s.x[1]), 2.0 * PI * s.x[2]];
         if a.piece == b.piece {
-            mean.add(libm::log(distance(place(&a.state), place(&b.state)) / tiny));
+            logs.add(libm::log(distance(place(&a.state), place(&b.state)) / tiny));
         }
     }
-    mean
+    logs.mean()
 }
 
 fn measure(effort: Effort) -> Measurement {
@@ -52,18 +54,18 @@ fn measure(effort: Effort) -> Measurement {
                     "{kind} walls, sagitta {amount}: mean ln growth of a no-slip front in {collisions} hits, {what}"
                 )
             };
-            let within = |other: &Mean| STANDARD_ERRORS * libm::hypot(rough.standard_error(), other.standard_error());
+            let within = |other: &Mean| STANDARD_ERRORS * libm::hypot(rough.standard_error, other.standard_error);
             if amount > 0.0 {
                 let smooth = growth(&specular(channel), collisions, samples);
                 let bound = -within(&smooth);
-                quantities.push(Quantity::at_most(label("below a smooth one's"), rough.value(), smooth.value(), bound));
+                quantities.push(Quantity::at_most(label("below a smooth one's"), rough.mean, smooth.mean, bound));
             }
             if let Some((flatter, before)) = less {
                 let bound = -within(&before);
                 quantities.push(Quantity::at_least(
                     label(&format!("above that at {flatter}")),
-                    rough.value(),
-                    before.value(),
+                    rough.mean,
+                    before.mean,
                     bound,
                 ));
             }
