@@ -1,7 +1,7 @@
 //! Laws that are one constant matrix for a disk: no-slip, specular, restitution.
 use super::{Mirror, coefficients::Coefficients, slip::Slip};
 use crate::billiard::BallLaw;
-use collision_laws::DiskLaw;
+use collision_laws::{DiskLaw, DiskMap};
 use geometry::WallHit;
 use lanes::Lane;
 
@@ -20,12 +20,15 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// `law` for a disk with mass distribution parameter γ.
+    /// `law` for a disk with mass distribution parameter γ, which is finite and not negative.
     ///
     /// Its [map](DiskLaw::disk_map) must be one of impulses at the contact: with each change of the tangential velocity,
-    /// the scaled spin changes by −1/γ times that.
+    /// the scaled spin changes by −1/γ times that. Each way to run an orbit uses the entries of the map that suit it, so any other
+    /// map would be a different law on different tables; where debug assertions are on, that is refused.
     pub fn new(law: &impl DiskLaw, gamma: f64) -> Disk {
+        debug_assert!(gamma.is_finite() && gamma >= 0.0, "γ must be finite and not negative, not {gamma}");
         let map = law.disk_map(gamma);
+        debug_assert!(acts_at_the_contact(&map, gamma), "{map:?} for γ = {gamma} is no impulse at the contact");
         let Slip { push, pull, reflects } = Slip::of(&map, gamma);
         Disk {
             in_plane: Coefficients([push[0], push[1], pull[0], pull[1], map.normal - 1.0]),
@@ -40,6 +43,14 @@ impl Disk {
             smooth: pull == [0.0; 2],
         }
     }
+}
+
+/// Whether `(1, −γ)` is the direction of what a map changes, within 10⁻⁹ of its entries.
+fn acts_at_the_contact(map: &DiskMap, gamma: f64) -> bool {
+    let &DiskMap { spin_spin, spin_tangent, tangent_spin, tangent_tangent, .. } = map;
+    let near = |a: f64, b: f64, size: f64| (a - b).abs() <= 1e-9 * size;
+    near(tangent_spin, gamma * (1.0 - spin_spin), tangent_spin.abs() + gamma * (1.0 + spin_spin.abs()))
+        && near(1.0 - tangent_tangent, gamma * spin_tangent, 1.0 + tangent_tangent.abs() + gamma * spin_tangent.abs())
 }
 
 /// Applies the law to what happens at a hit.

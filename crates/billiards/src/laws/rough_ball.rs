@@ -28,13 +28,18 @@ enum Rough {
 }
 
 impl RoughBall {
-    /// No-slip: both tangential directions are rough.
+    /// No-slip: both tangential directions are rough. γ is finite and not negative, or the velocities become NaN.
     pub fn no_slip(gamma: f64) -> RoughBall {
+        debug_assert!(gamma.is_finite() && gamma >= 0.0, "γ must be finite and not negative, not {gamma}");
         RoughBall { gamma, factor: 2.0 / (1.0 + gamma * gamma), rough: Rough::All }
     }
 
-    /// Rough along the tangential part of `direction` alone (k = 1); smooth where the direction is normal to the wall.
+    /// Rough along the tangential part of `direction` alone (k = 1), which may have any finite length; smooth where the direction is
+    /// normal to the wall, and everywhere if it is zero.
     pub fn along(gamma: f64, direction: Vector3<f64>) -> RoughBall {
+        // by a power of two, which rounds nothing: neither its square nor the slip's part along it over- or underflows
+        let (_, exponent) = libm::frexp(direction.amax());
+        let direction = direction.map(|x| libm::ldexp(x, -exponent));
         RoughBall { rough: Rough::Along(direction.into()), ..RoughBall::no_slip(gamma) }
     }
 }
@@ -66,8 +71,8 @@ impl BallLaw<3, 3> for RoughBall {
                 }
                 let square = dot(&t, &t);
                 // a direction along the normal, within rounding, leaves the wall smooth
-                let smooth = square.lt(dot(&d, &d) * (f64::EPSILON * f64::EPSILON * 16.0));
-                let part = smooth.select(vn.same(0.0), dot(&t, &slip) / square);
+                let rough = (dot(&d, &d) * (f64::EPSILON * f64::EPSILON * 16.0)).lt(square);
+                let part = rough.select(dot(&t, &slip) / square, vn.same(0.0));
                 [t[0] * part, t[1] * part, t[2] * part]
             }
         };
@@ -81,5 +86,29 @@ impl BallLaw<3, 3> for RoughBall {
     #[inline(always)]
     fn is_strict(&self) -> bool {
         true
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_line_of_a_rough_direction_matters() {
+        let hit = WallHit { normal: [0.6, 0.0, 0.8], inverse: 1.0, ..WallHit::never([0.0; 3]) };
+        let after = |law: RoughBall| {
+            let (mut v, mut w) = ([0.3, -0.4, -0.7], [0.2, 0.5, -0.1]);
+            law.collide(&hit, &mut v, &mut w);
+            (v, w)
+        };
+        let direction = Vector3::new(0.25, -0.75, 1.5);
+        let once = after(RoughBall::along(0.6, direction));
+        for power in [-1000, -570, -1, 1, 530, 1000] {
+            let length = libm::ldexp(1.0, power);
+            assert_eq!(after(RoughBall::along(0.6, direction * length)), once, "2^{power}");
+        }
+        let smooth = after(RoughBall::along(0.6, Vector3::zeros()));
+        assert_eq!(smooth.1, [0.2, 0.5, -0.1]);
+        assert_eq!(after(RoughBall::along(0.6, Vector3::new(0.6, 0.0, 0.8) * 1e-200)), smooth);
     }
 }
