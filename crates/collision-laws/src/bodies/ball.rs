@@ -8,6 +8,10 @@ use nalgebra::{SVector, Unit};
 ///
 /// `γ² = 2λ/R²`, where `λ·1` is the matrix of second moments per unit mass; the moment of inertia about any 2-plane is
 /// `m γ² R²`. The contact lies on the sphere, so its arm is `±R ν`, and `K = ν νᵀ/m + (1 + 1/γ²)/m · (1 − ν νᵀ)`.
+///
+/// An arm `a ν` of another length is that of a smaller or larger sphere around the same inertia, with `1/m + a²/(m γ² R²)` along
+/// the contact plane. An arm that is not along `ν` is no contact of a ball: `K` would not be the one that its velocities obey, and
+/// the law would not conserve energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball<const N: usize> {
     mass: f64,
@@ -89,10 +93,31 @@ impl<const N: usize> Body<N> for Ball<N> {
     }
 
     #[inline]
-    fn delassus(&self, _: &SVector<f64, N>, _: &Unit<SVector<f64, N>>) -> Delassus<N> {
-        Delassus::Isotropic {
-            normal: 1.0 / self.mass,
-            tangent: 1.0 / self.mass + (self.radius / self.moment) * self.radius,
+    fn delassus(&self, arm: &SVector<f64, N>, normal: &Unit<SVector<f64, N>>) -> Delassus<N> {
+        let along = arm.dot(normal);
+        Delassus::Isotropic { normal: 1.0 / self.mass, tangent: 1.0 / self.mass + (along / self.moment) * along }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Contact, Fixed, Pair, check, laws::NoSlip};
+    use nalgebra::Vector3;
+
+    #[test]
+    fn an_arm_of_any_length_along_the_normal_keeps_the_energy() {
+        let normal = Vector3::new(0.48, -0.6, 0.64);
+        let contact = Contact::new(Vector3::zeros(), normal, 0).unwrap();
+        let ball = Ball::<3>::uniform(2.0, 1.0).unwrap();
+        for length in [-1.0, -0.5, 0.25, 3.0, 0.0] {
+            let arm = normal * length;
+            assert!(check::body(&ball, &contact, &arm, check::Samples::default()).worst() < 1e-14, "{length}");
+            let pair = Pair::new(contact, (ball, arm), (Fixed, Vector3::zeros()));
+            let before = (Twist::spatial(Vector3::new(1.0, 2.0, 3.0) - normal * 9.0, Vector3::new(3.0, 2.0, -1.0)), ());
+            let after = pair.try_collide(&NoSlip, &before).unwrap();
+            let [energy, kept] = [before, after.velocities].map(|v| pair.kinetic_energy(&v));
+            assert!((kept - energy).abs() < 1e-13 * energy, "{length}");
         }
     }
 }
