@@ -84,7 +84,9 @@ fn defects<const N: usize>(space: &TangentSpace<N>, c: &DMatrix<f64>) -> Report 
     report.note(Axiom::OutgoingToIngoing, (&image + space.normal() * factor).norm());
     let inside = space.impulse_space() * space.impulse_space().tr_mul(&change);
     report.note(Axiom::ContactImpulse, (change - inside).norm());
-    report.note_measure_ratio((c.determinant() * space.normal().dot(&image)).abs());
+    let (determinant, along) = (c.determinant(), space.normal().dot(&image));
+    let aslant = (&image - space.normal() * along).norm();
+    report.note_measure_ratio((determinant * along).abs(), determinant.abs() * aslant);
     report
 }
 

@@ -2,12 +2,12 @@
 
 use collision_laws::{
     Contact, Error, Fixed, Pair, Roughness,
-    bodies::{Inertia, RigidBody},
-    check::{Axiom, TOLERANCE},
+    bodies::{Inertia, Point, RigidBody},
+    check::{self, Axiom, TOLERANCE},
     classify,
     laws::{NoSlip, RoughPlane, Specular},
 };
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector2, Vector3};
 
 type Free = Pair<RigidBody<3>, RigidBody<3>, 3>;
 
@@ -116,6 +116,31 @@ fn a_loss_along_one_direction_breaks_energy_reversibility_and_measure_by_that_mu
         found.iter().zip(expected).all(|((_, found), (_, expected))| (found - expected).abs() < 1e-12),
         "{found:?}"
     );
+}
+
+#[test]
+fn the_measure_is_lost_where_the_normal_velocity_takes_in_a_tangential_one() {
+    // diag(−1, 1) + 0.3 e₀ e₁ᵀ for a point: a normal velocity of −1 and a tangential one of 1 leave with 1.3, so along the normal
+    // alone the ratio is 1
+    let contact = Contact::new(Vector2::zeros(), Vector2::new(1.0, 0.0), 0).expect("a normal");
+    let point = Point::new(1.0).expect("a mass");
+    let pair = Pair::new(contact, (point, Vector2::zeros()), (Fixed, Vector2::zeros()));
+    let map = DMatrix::from_row_slice(2, 2, &[-1.0, 0.3, 0.0, 1.0]);
+    let report = classify(&pair.tangent_space(), &map, TOLERANCE).expect("a square matrix").report;
+    assert_eq!(report.measure_ratio(), 1.0);
+    assert!((report.defect(Axiom::Measure).expect("a matrix has one") - 0.3).abs() < 1e-15, "{report}");
+}
+
+#[test]
+fn what_was_not_tried_is_not_strict() {
+    let pair = pair();
+    let none = check::law(&pair, &Specular, check::Samples { count: 0, seed: 0 });
+    assert!(!none.is_strict(TOLERANCE));
+    let some = check::law(&pair, &Specular, check::Samples::default());
+    assert!(some.is_strict(TOLERANCE));
+    assert!(!some.is_strict(f64::NAN) && some.broken(f64::NAN).count() == Axiom::ALL.len());
+    let found = classify(&pair.tangent_space(), &pair.collision_map(&Specular), f64::NAN).expect("a square matrix");
+    assert_eq!(found.strict, None);
 }
 
 #[test]

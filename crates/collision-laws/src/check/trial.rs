@@ -83,7 +83,7 @@ pub fn map<const N: usize>(
         report.note(Axiom::OutgoingToIngoing, axioms::outgoing_to_ingoing(space, &v, &after));
         report.note(Axiom::ContactImpulse, axioms::contact_impulse(space, &v, &after));
         report.note(Axiom::Linearity, axioms::linearity(space, &map, &v, &w));
-        report.note_measure_ratio(axioms::measure_ratio(space, &map, &v));
+        report.note_measure_ratio(axioms::measure_ratio(space, &map, &v), 0.0);
     }
     report
 }
