@@ -1,11 +1,14 @@
 //! The horizon is where an orbit's digits really end.
 use billiards::{
     Billiard, Bounce, Clock, Collisions, Conserved, Felt, Horizon, Orbit, Planar, Spatial, Start,
-    laws::{Disk, RoughBall},
-    reverse,
+    laws::{Custom, Disk, RoughBall},
+    reverse, run,
 };
-use collision_laws::laws::{NoSlip, Specular};
-use core::f64::consts::FRAC_1_SQRT_2;
+use collision_laws::{
+    CollisionLaw, Contact, Delassus,
+    laws::{NoSlip, RandomGrassmannian, Specular},
+};
+use core::f64::consts::{FRAC_1_SQRT_2, TAU};
 use geometry::{Table, Walls, WithWalls, tables, tables::SpatialTable};
 
 struct With<'a, R>(&'a Disk, &'a dyn Fn(&dyn Bounce<2, 1>) -> R);
@@ -201,4 +204,54 @@ fn in_space_the_curvature_of_walls_counts() {
     let billiard = Billiard { walls: &walls, law: &specular };
     let chaotic = Horizon::of(&billiard, &Felt::<3, 3>(&billiard), start, 1.0, [400.0, f64::INFINITY]);
     assert!(chaotic.lost && chaotic.collisions < 200, "{chaotic:?}");
+}
+
+/// A floor that pushes along itself by the sine of the place: between two of them, the standard map.
+struct Kicks;
+
+impl CollisionLaw<2> for Kicks {
+    fn impulse(&self, contact: &Contact<2>, _: &Delassus<2>, u: &geometry::Vector2<f64>) -> geometry::Vector2<f64> {
+        let nu = contact.normal.as_ref();
+        nu * (-2.0 * nu.dot(u)) + geometry::Vector2::new(libm::sin(TAU * contact.point.x), 0.0)
+    }
+}
+
+#[test]
+fn where_the_law_depends_on_the_place_twins_part_at_the_horizon() {
+    let strip = geometry::walls::Slab::<2, 1>::new(0.0, 1.0, [0, 1]).unwrap();
+    let law = Custom::disk(Kicks, 1.0).unwrap();
+    let billiard = Billiard { walls: &strip, law: &law };
+    for k in 0..8 {
+        let start = Start { position: [0.1 + 0.07 * f64::from(k), 0.5], velocity: [0.3, 1.0], spin: [0.0] };
+        let horizon = Horizon::of(&billiard, &Felt(&billiard), start, 1.0, [400.0, f64::INFINITY]);
+        let mut twin = start;
+        twin.position[0] += f64::EPSILON;
+        let [mut a, mut b] = [start, twin].map(|start| start.orbit::<(), ()>(()));
+        let mut parted = 0;
+        while (a.position[0] - b.position[0]).abs() < 0.25 {
+            for orbit in [&mut a, &mut b] {
+                run(&billiard, orbit, &Collisions(1), &mut ());
+            }
+            parted += 1;
+            assert!(parted < 200, "{k}");
+        }
+        assert!(horizon.lost, "{k}: {horizon:?}");
+        // the bound is for many more errors than the one of the twin
+        let ratio = horizon.collisions as f64 / f64::from(parted);
+        assert!((0.5..1.1).contains(&ratio), "{k}: {horizon:?}, parted at {parted}");
+    }
+}
+
+#[test]
+fn of_an_orbit_that_meets_another_law_at_each_ulp_nothing_is_left_after_two_collisions() {
+    let cube = geometry::walls::Cuboid::new([0.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap();
+    let start = Start { position: [0.3, 0.4, 0.2], velocity: [0.5, 0.4, 0.6], spin: [0.1, 0.2, 0.3] };
+    let horizon = |law: &dyn Bounce<3, 3>| Horizon::of(law, &Felt(law), start, 1.0, [200.0, f64::INFINITY]);
+    let drawn = Custom::ball(RandomGrassmannian::new(1, 5).unwrap(), 0.6).unwrap();
+    let found = horizon(&Billiard { walls: &cube, law: &drawn });
+    assert!(found.lost && found.collisions <= 2, "{found:?}");
+    // a law that is the same everywhere keeps its digits
+    let rough = Custom::ball(NoSlip, 0.6).unwrap();
+    let found = horizon(&Billiard { walls: &cube, law: &rough });
+    assert!(!found.lost && found.error < 1e-4, "{found:?}");
 }
