@@ -1,7 +1,7 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
     billiard::{BallLaw, Motion},
-    energy::{EnergyKeeper, LITTLE},
+    energy::{EnergyKeeper, LITTLE, MOST},
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
@@ -140,12 +140,13 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
 }
 
 /// A velocity that has, with the spin, the energy that it should have: along itself, so that its direction stays; as it is
-/// where nearly all energy is spin.
+/// where nearly all energy is spin, or a law has taken it.
 fn with_energy(velocity: [Double; 2], spin: f64, square: Option<Double>) -> [Double; 2] {
     let own = velocity[0].times(velocity[0]).plus(velocity[1].times(velocity[1]));
     match square {
         Some(all) if own.high > LITTLE * all.high => {
             let lacks = all.plus(-own).plus(-Double::product(spin, spin)).value();
+            let lacks = if lacks.abs() < MOST * all.high { lacks } else { 0.0 };
             velocity.map(|x| x.plus(Double::new(x.high * (0.5 * lacks / own.high))))
         }
         _ => velocity,
