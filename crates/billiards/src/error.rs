@@ -45,6 +45,14 @@ pub enum Error {
         /// Speed, spin included.
         speed: f64,
     },
+    /// A law that has no time reversal, because it does not undo itself.
+    #[error(
+        "the law is no involution: applied twice it changes the velocity by {defect:e} of the speed, so nothing leads back"
+    )]
+    Irreversible {
+        /// By how much, in parts of the speed.
+        defect: f64,
+    },
     /// A step of the billiard map that ends before the next collision.
     #[error("the orbit ends before the next collision: {}", stop.name())]
     Ended {

@@ -94,6 +94,9 @@ impl ReducedState {
     }
 }
 
+/// What rounding may leave of `R R − 1`, in parts of the speed: a law of a point that spins loses half of its digits.
+const REVERSIBLE: f64 = 1e-6;
+
 impl<L: BallLaw<2, 1>> Planar<L> {
     /// The billiard map `T`: from right after one collision to right after the next.
     ///
@@ -122,7 +125,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// The inverse billiard map `T⁻¹ = R T R` of a law that is an involution, as strict laws are; see [`reverse()`].
     ///
     /// # Errors
-    /// As [`Planar::map`].
+    /// Those of [`Planar::map`] and [`Planar::reverse`].
     pub fn inverse(&self, state: &ReducedState) -> Result<ReducedState, Error> {
         self.reverse(&self.map(&self.reverse(state)?)?)
     }
@@ -130,11 +133,19 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// The time reversal `R(x, v⁺) = (x, −C v⁺)`.
     ///
     /// # Errors
-    /// Those of [`ReducedState::orbit`].
+    /// Those of [`ReducedState::orbit`], and [`Error::Irreversible`] unless `R R` leads back to this state within 10⁻⁶ of the speed.
     pub fn reverse(&self, state: &ReducedState) -> Result<ReducedState, Error> {
         let hit = state.hit(&self.table)?;
         let mut orbit = state.orbit::<(), ()>(&self.table, ())?;
+        let before = orbit;
         reverse(&self.law, &mut orbit, &hit);
+        let mut again = orbit;
+        reverse(&self.law, &mut again, &hit);
+        let off = [0, 1].map(|i| again.velocity[i] - before.velocity[i]);
+        let defect = libm::hypot(again.spin[0] - before.spin[0], libm::hypot(off[0], off[1])) / state.speed;
+        if !(defect <= REVERSIBLE) {
+            return Err(Error::Irreversible { defect });
+        }
         Ok(ReducedState { s: state.s, ..ReducedState::after(&self.table, &hit, &orbit) })
     }
 }

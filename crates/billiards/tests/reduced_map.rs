@@ -1,10 +1,13 @@
 //! The billiard map on the reduced phase space: it has an inverse, by time reversal, and keeps the canonical measure.
 use billiards::{
     BallLaw, Canonical, Error, Orbit, Planar, ReducedState, Starts,
-    laws::{Disk, Specular},
+    laws::{Custom, Disk, Specular},
     reverse,
 };
-use collision_laws::{check::jacobian_determinant, laws::NoSlip};
+use collision_laws::{
+    check::jacobian_determinant,
+    laws::{NoSlip, Restitution},
+};
 use core::f64::consts::FRAC_1_SQRT_2;
 use geometry::{Table, WallHit, tables};
 use nalgebra::DVector;
@@ -225,4 +228,18 @@ fn impossible_states_are_refused() {
     let away = ReducedState { piece: 0, s: 1.0, v0: 0.0, vt: 0.9, speed: 1.0 };
     let ends = [wedge.map(&away), wedge.map(&ReducedState { vt: -0.9, ..away })];
     assert!(ends.contains(&Err(Error::Ended { stop: billiards::Stop::Escaped })), "{ends:?}");
+}
+
+#[test]
+fn a_law_that_does_not_undo_itself_has_no_inverse() {
+    let table = tables::stadium(1.0, 1.0).unwrap();
+    let state = states(&table, 1)[0];
+    let lossy = Disk::new(&Restitution::new(0.9, 0.5).unwrap(), FRAC_1_SQRT_2);
+    let billiard = Planar { table: table.clone(), law: lossy };
+    let next = billiard.map(&state).unwrap();
+    assert!(matches!(billiard.inverse(&next), Err(Error::Irreversible { defect }) if defect > 0.01));
+    // one of which nothing is known beforehand has, if it does undo itself
+    let billiard = Planar { table: table.clone(), law: Custom::disk(NoSlip, FRAC_1_SQRT_2).unwrap() };
+    let back = billiard.inverse(&billiard.map(&state).unwrap()).unwrap();
+    assert!(distance(&table, &back, &state) < 1e-12);
 }
