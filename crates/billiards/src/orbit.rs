@@ -1,5 +1,8 @@
 //! Where a particle is and how it moves.
-use crate::{energy::EnergyKeeper, track::Track};
+use crate::{
+    energy::EnergyKeeper,
+    track::{Timed, Track},
+};
 use lanes::Lane;
 
 /// The state of a ball between two collisions, or of as many as there are lanes.
@@ -57,5 +60,29 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
             }
         }
         (velocity, spin)
+    }
+}
+
+impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T: Timed<f64>> Orbit<f64, N, S, K, T> {
+    /// Where the centre is at `time` \[T\], on the flight that begins here: `x + (t − t₀) v`, with the [restored](Orbit::restored)
+    /// velocity. Before that flight it is where the flight begins; after its end the law is not asked, and a lattice has no cells.
+    ///
+    /// A run for so much [`Time`](crate::Time) leaves the orbit at its last collision before; this says how far it has come since.
+    ///
+    /// ```
+    /// use billiards::{Clock, Orbit, Planar, Time, laws::Specular};
+    /// use billiards::geometry::tables;
+    ///
+    /// let strip = Planar { table: tables::strip(1.0)?, law: Specular };
+    /// let mut orbit = Orbit::<_, 2, 1, (), _>::new([0.0, 0.5], [1.0, 1.0], [0.0], Clock::new(0.0));
+    /// strip.run(&mut orbit, &Time(2.25), &mut ());
+    /// assert_eq!((orbit.position, orbit.track.0.value()), ([1.5, 0.0], 1.5)); // the next wall is hit at 2.5
+    /// assert_eq!(orbit.position_at(2.25), [2.25, 0.75]);
+    /// # Ok::<(), billiards::geometry::Error>(())
+    /// ```
+    pub fn position_at(&self, time: f64) -> [f64; N] {
+        let (velocity, _) = self.restored();
+        let flown = (time - self.track.time()).max(0.0);
+        core::array::from_fn(|i| self.position[i] + velocity[i] * flown)
     }
 }

@@ -19,7 +19,8 @@ pub trait Limit<T> {
 #[derive(Clone, Copy, Debug)]
 pub struct Collisions(pub u64);
 
-/// So much time \[T\] since the start.
+/// So much time \[T\] since the start. The run ends at the last collision before;
+/// [`position_at`](crate::Orbit::position_at) knows the rest of the way.
 #[derive(Clone, Copy, Debug)]
 pub struct Time(pub f64);
 
@@ -68,7 +69,8 @@ impl Stop {
     }
 }
 
-/// How a run ended: why, and after how many collisions. The orbit holds the state at that moment.
+/// How a run ended: why, and after how many collisions. The orbit holds the state right after the last of these, or that of the
+/// start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Outcome {
     /// Why.

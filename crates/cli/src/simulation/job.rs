@@ -252,10 +252,17 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
-    fn position(&self) -> &[f64; N] {
+    fn position(&self) -> [f64; N] {
         match self {
-            Running::Watched(orbit) => &orbit.position,
-            Running::Bare(orbit) => &orbit.position,
+            Running::Watched(orbit) => orbit.position,
+            Running::Bare(orbit) => orbit.position,
+        }
+    }
+
+    fn position_at(&self, time: f64) -> [f64; N] {
+        match self {
+            Running::Watched(orbit) => orbit.position_at(time),
+            Running::Bare(orbit) => orbit.position_at(time),
         }
     }
 
@@ -275,13 +282,11 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
 
     /// Position and velocity at the end: at the end of time, or at the last collision.
     fn end(&self, end: f64, stop: Option<Stop>) -> ([f64; 3], [f64; 3]) {
-        let (at, (v, _)) = (self.position(), self.restored());
-        let flown = if stop == Some(Stop::Finished) && end.is_finite() { (end - self.time()).max(0.0) } else { 0.0 };
+        let flies_on = stop == Some(Stop::Finished) && end.is_finite();
+        let (at, (v, _)) = (if flies_on { self.position_at(end) } else { self.position() }, self.restored());
         let (mut position, mut velocity) = ([0.0; 3], [0.0; 3]);
-        for i in 0..N {
-            position[i] = at[i] + v[i] * flown;
-            velocity[i] = v[i];
-        }
+        position[..N].copy_from_slice(&at);
+        velocity[..N].copy_from_slice(&v);
         (position, velocity)
     }
 }
