@@ -16,7 +16,8 @@ use nalgebra::SVector;
 #[derive(Debug, Clone, PartialEq)]
 pub struct PerSurface<L> {
     elsewhere: L,
-    own: Vec<Option<L>>,
+    /// By their labels, in order.
+    own: Vec<(usize, L)>,
 }
 
 impl<L> PerSurface<L> {
@@ -25,20 +26,26 @@ impl<L> PerSurface<L> {
         Self { elsewhere, own: Vec::new() }
     }
 
-    /// Gives the surface with this label a law of its own. Labels count from 0; space is used up to the largest.
+    /// Gives the surface with this label a law of its own, in place of any before.
     #[must_use]
     pub fn with(mut self, surface: usize, law: L) -> Self {
-        if self.own.len() <= surface {
-            self.own.resize_with(surface + 1, || None);
+        match self.place(surface) {
+            Ok(known) => self.own[known].1 = law,
+            Err(place) => self.own.insert(place, (surface, law)),
         }
-        self.own[surface] = Some(law);
         self
+    }
+
+    /// Where the law of a surface is in the list, or where it would be.
+    #[inline]
+    fn place(&self, surface: usize) -> Result<usize, usize> {
+        self.own.binary_search_by_key(&surface, |(label, _)| *label)
     }
 
     /// The law on the surface with this label.
     #[inline]
     pub fn on(&self, surface: usize) -> &L {
-        self.own.get(surface).and_then(Option::as_ref).unwrap_or(&self.elsewhere)
+        self.place(surface).map_or(&self.elsewhere, |place| &self.own[place].1)
     }
 }
 
@@ -62,5 +69,18 @@ impl<const N: usize, L: CollisionLaw<N>> CollisionLaw<N> for PerSurface<L> {
     #[inline]
     fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
         self.on(contact.surface).pushes(contact)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_may_be_any_number_and_the_last_law_counts() {
+        let laws = PerSurface::new('-').with(usize::MAX, 'a').with(3, 'b').with(1 << 40, 'c').with(0, 'd').with(3, 'e');
+        assert_eq!([usize::MAX, 3, 1 << 40, 0, 1, 4].map(|surface| *laws.on(surface)), ['a', 'e', 'c', 'd', '-', '-']);
+        let again = PerSurface::new('-').with(0, 'd').with(3, 'e').with(1 << 40, 'c').with(usize::MAX, 'a');
+        assert_eq!(laws, again);
     }
 }
