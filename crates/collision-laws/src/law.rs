@@ -5,6 +5,10 @@ use nalgebra::{SMatrix, SVector};
 use std::{fmt, sync::Arc};
 
 /// From the contact velocity `u` to the impulse `p` on body 1. Object safe.
+///
+/// Each method is a pure function of its arguments: it may be called more than once in a collision, or for a collision that is
+/// thrown away, as where orbits run side by side and some of them idle. Chance and memory have no place in it but as functions of the
+/// contact, as in [`RandomGrassmannian`](crate::laws::RandomGrassmannian).
 pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
@@ -38,9 +42,11 @@ pub trait CollisionLaw<const N: usize> {
 
 /// A law that only chooses rough directions. Every strict law is a [`CollisionLaw`].
 ///
-/// The choice may depend on the contact but not on the velocity, or the collision map is not linear.
+/// The choice may depend on the contact but not on the velocity, or the collision map is not linear. It is a function of the contact,
+/// since a collision may ask for it more than once and the answers must agree: a law drawn from a stream of random numbers at each call
+/// would not conserve energy. [`RandomGrassmannian`](crate::laws::RandomGrassmannian) draws by seed and place.
 pub trait StrictLaw<const N: usize> {
-    /// The rough directions at `contact`.
+    /// The rough directions at `contact`: with its normal, not with that of another wall, or energy is not conserved.
     fn roughness(&self, contact: &Contact<N>) -> Roughness<N>;
 }
 
@@ -94,6 +100,9 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> StrictLaw<N> for Arc<L> {
 /// in words, the components of `u` along the normal and the rough directions reverse, and the impulse lies in their span.
 /// (The term `1 − Q` only makes the matrix invertible; it is scaled to the size of `K`.)
 ///
+/// The subspace of the roughness lies in the contact plane, `P ν = 0`; that of another normal gives an impulse that does not conserve
+/// energy, and is refused where debug assertions are on.
+///
 /// The result is NaN if `K` is singular to working precision; [`Pair::try_collide`](crate::Pair::try_collide) says so.
 #[inline]
 pub fn reflect<const N: usize>(
@@ -110,11 +119,13 @@ pub fn reflect<const N: usize>(
             nu * (-2.0 * along / normal) + (u - nu * along) * (-2.0 / tangent)
         }
         (Delassus::Isotropic { normal, tangent }, Roughness::Along(subspace)) => {
+            debug_assert!(subspace.is_tangent(nu), "the rough subspace of another normal");
             nu * (-2.0 * nu.dot(u) / normal) + subspace.projector() * u * (-2.0 / tangent)
         }
         (Delassus::Dense(k), Roughness::Smooth) => nu * (-2.0 * nu.dot(u) / nu.dot(&(k * nu))),
         (Delassus::Dense(k), Roughness::Rough) => solve(*k, u * -2.0),
         (Delassus::Dense(k), Roughness::Along(subspace)) => {
+            debug_assert!(subspace.is_tangent(nu), "the rough subspace of another normal");
             let q = nu * nu.transpose() + subspace.projector();
             let size = nu.dot(&(k * nu)); // between the extreme eigenvalues of K on the span
             solve(q * k * q + (SMatrix::identity() - q) * size, q * u * -2.0)
@@ -176,5 +187,21 @@ impl<const N: usize> CollisionLaw<N> for AnyLaw<N> {
 impl<const N: usize> fmt::Debug for AnyLaw<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("AnyLaw")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    #[test]
+    #[cfg(debug_assertions)]
+    #[should_panic(expected = "the rough subspace of another normal")]
+    fn the_rough_direction_of_a_floor_is_refused_on_a_wall() {
+        let of_the_floor = Roughness::spanned_by(&Vector3::z_axis(), &[Vector3::x()]).unwrap();
+        let wall = Contact::new(Vector3::zeros(), Vector3::new(0.6, 0.0, 0.8), 0).unwrap();
+        let ball = Delassus::Isotropic { normal: 1.0, tangent: 3.5 };
+        reflect(&of_the_floor, &wall, &ball, &Vector3::new(1.0, 2.0, -3.0));
     }
 }

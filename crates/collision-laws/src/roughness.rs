@@ -82,7 +82,8 @@ impl<const N: usize> Roughness<N> {
     }
 }
 
-/// A proper subspace of the contact plane, stored as its orthogonal projector, so that equal subspaces are equal values.
+/// A proper subspace of the contact plane, stored as its orthogonal projector, so that equal subspaces are equal values up to
+/// rounding. It belongs to the normal with which it was made.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoughSubspace<const N: usize> {
     projector: SMatrix<f64, N, N>,
@@ -94,6 +95,11 @@ impl<const N: usize> RoughSubspace<N> {
     #[inline]
     pub fn projector(&self) -> &SMatrix<f64, N, N> {
         &self.projector
+    }
+
+    /// Whether it lies in the contact plane of this normal, within 10⁻⁹.
+    pub(crate) fn is_tangent(&self, normal: &SVector<f64, N>) -> bool {
+        (self.projector * normal).norm() <= 1e-9
     }
 
     /// The dimension k of the subspace.

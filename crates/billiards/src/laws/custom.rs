@@ -13,7 +13,8 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 ///
 /// The law sees the contact as [`collision_laws`] describes it: the point where the ball touches the wall (its centre is at
 /// the hit, so this is `centre − R ν`), the unit normal ν, and the number of the piece as surface label. It runs one lane
-/// after the other; [`Disk`](super::Disk), [`Specular`](super::Specular) and [`RoughBall`](super::RoughBall) are the fast
+/// after the other, those in which no orbit is too: its impulse must be a [pure function](CollisionLaw) of its arguments, or results
+/// depend on how many lanes a CPU has. [`Disk`](super::Disk), [`Specular`](super::Specular) and [`RoughBall`](super::RoughBall) are the fast
 /// ways of the laws that they cover.
 ///
 /// The contact velocity of a spinning ball is `u = v − (1/γ) W × ν` with the scaled spin `W = γ R ω`, so it is right to about
