@@ -46,7 +46,8 @@ impl DiskMap {
 /// assert_eq!(hoop.apply(0.25, 0.5, -1.0), (0.5, 0.25, 1.0));
 /// ```
 pub trait DiskLaw: CollisionLaw<2> {
-    /// The map for a disk with mass distribution parameter `gamma` = γ ≥ 0; γ = 0 is the limit of a point.
+    /// The map for a disk with mass distribution parameter `gamma` = γ ≥ 0; γ = 0 is the limit of a disk with all mass in its centre,
+    /// which spins and leaves a rough wall as a smooth one. It is not a [`Point`](crate::bodies::Point), which no-slip throws straight back.
     fn disk_map(&self, gamma: f64) -> DiskMap;
 }
 
