@@ -124,7 +124,11 @@ impl BallLaw<2, 1> for Disk {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use collision_laws::laws::{NoSlip, Restitution, Specular};
+    use collision_laws::{
+        CollisionLaw, Contact, Delassus,
+        laws::{NoSlip, Restitution, Specular},
+    };
+    use geometry::Vector2;
 
     #[test]
     fn a_law_without_slip_moves_a_disk_as_its_matrix_does() {
@@ -143,5 +147,24 @@ mod tests {
             in_plane(law.in_plane, &hit, &mut expected, &mut spin);
             assert_eq!((found, spun), (expected, spin));
         }
+    }
+
+    #[test]
+    #[cfg(debug_assertions)]
+    #[should_panic(expected = "is no impulse at the contact")]
+    fn a_map_of_impulses_elsewhere_is_refused() {
+        // both reversed: no push at the rim does that
+        struct Elsewhere;
+        impl CollisionLaw<2> for Elsewhere {
+            fn impulse(&self, _: &Contact<2>, _: &Delassus<2>, _: &Vector2<f64>) -> Vector2<f64> {
+                Vector2::zeros()
+            }
+        }
+        impl DiskLaw for Elsewhere {
+            fn disk_map(&self, _: f64) -> DiskMap {
+                DiskMap { spin_spin: -1.0, spin_tangent: 0.0, tangent_spin: 0.0, tangent_tangent: -1.0, normal: -1.0 }
+            }
+        }
+        let _ = Disk::new(&Elsewhere, 0.5);
     }
 }

@@ -5,8 +5,8 @@ use crate::merge::Merge;
 ///
 /// Each number `x` moves the mean `m` of the `n` so far by `(x − m)/n`, and the sum of squares about it grows by
 /// `(x − m)(x − m′)`; two samples merge by `m = m₁ + d n₂/n`, `s = s₁ + s₂ + d² n₁n₂/n` with `d = m₂ − m₁`. Nothing large
-/// cancels, however small the scatter is beside the mean. Source: Welford, Technometrics 4 (1962) 419; Chan, Golub and LeVeque,
-/// Stanford STAN-CS-79-773 (1979).
+/// cancels, however small the scatter is beside the mean. Source: Welford, Technometrics 4 (1962) 419; Chan et al.,
+/// Stanford report STAN-CS-79-773 (1979).
 ///
 /// ```
 /// use billiards::observe::Moments;
