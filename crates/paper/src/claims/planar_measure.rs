@@ -4,9 +4,9 @@ use crate::{
     law::UNIFORM,
     motion::{Billiard, canonical_start, fly, no_slip, specular},
     random::Stream,
-    statistics::{Mean, worst},
+    statistics::worst,
 };
-use billiards::{ReducedState, collision_laws::check::jacobian_determinant, geometry::tables};
+use billiards::{ReducedState, collision_laws::check::jacobian_determinant, geometry::tables, observe::Moments};
 use core::ops::ControlFlow;
 use nalgebra::{DVector, dvector};
 
@@ -73,7 +73,7 @@ fn measure(effort: Effort) -> Measurement {
     }
     // a sample of the measure, 20 collisions later, is one again: in the disk each square has the mean 1/4
     let stadium = no_slip(tables::stadium(1.0, 1.0), UNIFORM);
-    let (mut spin, mut tangent, mut product) = (Mean::default(), Mean::default(), Mean::default());
+    let (mut spin, mut tangent, mut product) = (Moments::default(), Moments::default(), Moments::default());
     for sample in 0..effort.of(20_000, 1_000_000) {
         fly(&stadium, canonical_start(&stadium, &mut Stream::new(121, sample)), 20, &mut |bounce| {
             if bounce.n == 20 {
@@ -85,15 +85,16 @@ fn measure(effort: Effort) -> Measurement {
             ControlFlow::Continue(())
         });
     }
+    let [spin, tangent, product] = [spin, tangent, product].map(|sample| sample.mean());
     quantities.extend([
         Quantity::sampled(
             "stadium, 20 collisions after a canonical start: mean v₀²",
-            spin.value(),
-            spin.standard_error(),
+            spin.mean,
+            spin.standard_error,
             0.25,
         ),
-        Quantity::sampled("mean vₜ²", tangent.value(), tangent.standard_error(), 0.25),
-        Quantity::sampled("mean v₀ vₜ", product.value(), product.standard_error(), 0.0),
+        Quantity::sampled("mean vₜ²", tangent.mean, tangent.standard_error, 0.25),
+        Quantity::sampled("mean v₀ vₜ", product.mean, product.standard_error, 0.0),
     ]);
     quantities.into()
 }
