@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
+use billiards_cli::reproduce::page::{self, Measured};
 use billiards_cli::reproduce::{Effort, figures};
+use paper::{Measurement, Quantity};
 
 fn folder(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("billiards-reproduce-{name}-{}", std::process::id()));
@@ -75,6 +77,33 @@ fn an_unknown_name_is_bad_input_and_writes_nothing() {
     let out = folder("unknown");
     let output = reproduce(&["--only", "hexagn"], &out).failure().code(2).get_output().clone();
     assert!(String::from_utf8(output.stderr).unwrap().contains("hexagon"));
+#[test]
+fn the_page_prints_the_inequality_that_was_tried() {
+    let quantities = vec![
+        Quantity::at_least("narrow", 0.99, 1.0, 0.02),
+        Quantity::at_most("wide", 0.9, 1.0, -0.05),
+        Quantity::differs("apart", 0.75, 0.5, 0.125),
+    ];
+    let measured = Measured { claim: &paper::claims::all()[0], measurement: Measurement { quantities } };
+    let page = page::html(&[], &[measured], Effort::Quick);
+    for text in ["0.99 ≥ 0.98", "0.9 ≤ 0.95", "0.75 differs from 0.5 by more than 0.125"] {
+        assert!(page.contains(text), "{text}");
+    }
+    assert!(!page.contains("disagrees</b>"));
+}
+
+#[test]
+fn every_link_within_the_page_has_its_goal() {
+    for claim in paper::claims::all() {
+        let measurement = Measurement { quantities: vec![] };
+        let page = page::html(&[], &[Measured { claim, measurement }], Effort::Quick);
+        let goals = page.split("href=\"#").skip(1).filter_map(|rest| rest.split_once('"')).map(|(goal, _)| goal);
+        let goals: Vec<_> = goals.collect();
+        assert!(!goals.is_empty());
+        assert!(goals.iter().all(|goal| page.contains(&format!("id=\"{goal}\""))), "{}: {goals:?}", claim.name);
+    }
+}
+
     assert!(!out.exists());
 }
 

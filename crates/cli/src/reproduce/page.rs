@@ -142,8 +142,11 @@ fn introduction(page: &mut String, figures: &[Drawn], claims: &[Measured], effor
     for Drawn { figure, .. } in figures {
         writeln!(page, "<a href=\"#{}\">{}</a>", figure.name, escape(figure.title))?;
     }
-    if !claims.is_empty() {
+    if claims.iter().any(|m| !m.claim.place.contains(BEYOND)) {
         writeln!(page, "<a href=\"#claims\">The claims</a>")?;
+    }
+    if claims.iter().any(|m| m.claim.place.contains(BEYOND)) {
+        writeln!(page, "<a href=\"#beyond\">Beyond the paper</a>")?;
     }
     writeln!(page, "</nav>")
 }
@@ -221,19 +224,19 @@ fn table(page: &mut String, claims: &[&Measured]) -> fmt::Result {
     writeln!(page, "</tbody>\n</table>")
 }
 
-/// A measured number beside the one expected.
+/// A measured number beside the one expected: what makes it agree.
 fn numbers(q: &Quantity) -> String {
     let (measured, expected, off) = (short(q.measured), short(q.expected), q.deviation());
     match q.relation {
         Relation::Equal if q.measured == q.expected => format!("{measured}, exactly"),
-        Relation::Equal if q.expected == 0.0 => format!("{} ≤ {}", small(q.measured), small(q.bound)),
+        Relation::Equal if q.expected == 0.0 => format!("{} ≤ {}", small(off), small(q.bound)),
         Relation::Equal => format!("{measured}, expected {expected}, off by {}", small(off)),
         Relation::Sampled { standard_error } => {
             format!("{measured} ± {}, expected {expected}", small(standard_error))
         }
-        Relation::AtMost => format!("{measured} ≤ {expected}"),
-        Relation::AtLeast => format!("{measured} ≥ {expected}"),
-        Relation::Differs => format!("{measured} ≠ {expected}"),
+        Relation::AtMost => format!("{measured} ≤ {}", short(q.expected + q.bound)),
+        Relation::AtLeast => format!("{measured} ≥ {}", short(q.expected - q.bound)),
+        Relation::Differs => format!("{measured} differs from {expected} by more than {}", small(q.bound)),
     }
 }
 
