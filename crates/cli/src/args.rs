@@ -158,7 +158,9 @@ pub struct Collide {
 /// Arguments of `billiards reproduce`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-Writes DIR/index.html with the pictures beside it, and DIR/claims.json; same bits every time.
+Writes DIR/index.html with the pictures beside it, and DIR/claims.json; with --only NAME, DIR/NAME.html in their place,
+with NAME.svg of a figure and NAME.json of a claim. Same bits every time. The exit status is 1 if a measurement disagrees
+with its verdict.
 
 Examples:
   billiards reproduce --out report
@@ -172,7 +174,7 @@ pub struct Reproduce {
     /// Smaller samples: under a minute
     #[arg(long)]
     pub quick: bool,
-    /// Only the figure and the claim of that name
+    /// Only the figure and the claim of that name, in files of that name
     #[arg(long, value_name = "NAME")]
     pub only: Option<String>,
     /// List the names of figures and claims, and do nothing else

@@ -52,8 +52,8 @@ fn one_figure_makes_its_page_and_its_picture() {
     let mut files: Vec<_> =
         fs::read_dir(&out).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
     files.sort();
-    assert_eq!(files, ["claims.json", "index.html", "strip.svg"]);
-    let page = fs::read_to_string(out.join("index.html")).unwrap();
+    assert_eq!(files, ["strip.html", "strip.svg"]);
+    let page = fs::read_to_string(out.join("strip.html")).unwrap();
     assert!(page.contains("src=\"data:image/svg+xml,%3C?xml") && page.contains("href=\"strip.svg\""));
     let addresses = page.split("http").skip(1).filter(|rest| !rest.starts_with("://www.w3.org/2000/svg%22"));
     assert!(!page.contains("<script") && addresses.count() == 0, "the page needs nothing from elsewhere");
@@ -63,20 +63,20 @@ fn one_figure_makes_its_page_and_its_picture() {
 #[test]
 fn one_claim_is_measured_with_its_verdict() {
     let out = folder("claim");
+    fs::create_dir_all(&out).unwrap();
+    let whole = ["index.html", "claims.json"];
+    whole.iter().for_each(|name| fs::write(out.join(name), "of a whole run").unwrap());
     reproduce(&["--quick", "--only", "strip-width"], &out).success();
-    let json: serde_json::Value = serde_json::from_str(&fs::read_to_string(out.join("claims.json")).unwrap()).unwrap();
+    let json: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(out.join("strip-width.json")).unwrap()).unwrap();
     let claim = &json["claims"][0];
     assert_eq!((claim["name"].as_str(), claim["consistent"].as_bool()), (Some("strip-width"), Some(true)));
     assert!(claim["measured"].as_array().is_some_and(|m| !m.is_empty()));
-    assert!(fs::read_to_string(out.join("index.html")).unwrap().contains("id=\"claim-strip-width\""));
+    assert!(fs::read_to_string(out.join("strip-width.html")).unwrap().contains("id=\"claim-strip-width\""));
+    assert!(whole.iter().all(|name| fs::read_to_string(out.join(name)).unwrap() == "of a whole run"));
     fs::remove_dir_all(out).unwrap();
 }
 
-#[test]
-fn an_unknown_name_is_bad_input_and_writes_nothing() {
-    let out = folder("unknown");
-    let output = reproduce(&["--only", "hexagn"], &out).failure().code(2).get_output().clone();
-    assert!(String::from_utf8(output.stderr).unwrap().contains("hexagon"));
 #[test]
 fn the_page_prints_the_inequality_that_was_tried() {
     let quantities = vec![
@@ -104,6 +104,11 @@ fn every_link_within_the_page_has_its_goal() {
     }
 }
 
+#[test]
+fn an_unknown_name_is_bad_input_and_writes_nothing() {
+    let out = folder("unknown");
+    let output = reproduce(&["--only", "hexagn"], &out).failure().code(2).get_output().clone();
+    assert!(String::from_utf8(output.stderr).unwrap().contains("hexagon"));
     assert!(!out.exists());
 }
 

@@ -40,10 +40,20 @@ enum Done {
     Measured(Measurement),
 }
 
+/// What came of all, each in the order of the paper.
+#[derive(Default)]
+struct Results {
+    drawn: Vec<Drawn>,
+    measured: Vec<Measured>,
+    /// What could not be drawn or measured, by name and with the reason.
+    failed: Vec<String>,
+}
+
 /// Recomputes figures and claims, and writes the page.
 ///
 /// # Errors
-/// There is no figure or claim of that name, one of them fails, or something cannot be written.
+/// There is no figure or claim of that name; or, after all else is written, one of them fails or a measurement disagrees with its
+/// verdict; or something cannot be written.
 pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Failure> {
     let all = figures::all().iter().map(Job::Draw).chain(claims::all().iter().map(Job::Measure));
     if arguments.list {
@@ -58,17 +68,31 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     super::on_ctrl_c(move || flag.swap(true, Ordering::Relaxed))?;
-    let done = in_parallel(&jobs, effort, &interrupted)?;
-    let (drawn, measured) = done.iter().fold((0, 0), |(d, m), (job, _)| match job {
-        Job::Draw(_) => (d + 1, m),
-        Job::Measure(_) => (d, m + 1),
-    });
-    let rest = jobs.len() - done.len();
-    write(done, effort, &arguments.out)
-        .map_err(|error| Failure::Work(format!("{}: {error}", arguments.out.display())))?;
-    let page = arguments.out.join("index.html");
-    let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
-    Ok(writeln!(out, "{}: {drawn} figures, {measured} claims{missing}", page.display())?)
+    let results = in_parallel(&jobs, effort, &interrupted);
+    let Results { drawn, measured, failed } = &results;
+    let files = match &arguments.only {
+        Some(name) => {
+            Files { page: format!("{name}.html"), claims: (!measured.is_empty()).then(|| format!("{name}.json")) }
+        }
+        None => Files { page: "index.html".into(), claims: Some("claims.json".into()) },
+    };
+    if !(drawn.is_empty() && measured.is_empty()) {
+        write(&results, effort, &arguments.out, &files)
+            .map_err(|error| Failure::Work(format!("{}: {error}", arguments.out.display())))?;
+        let rest = jobs.len() - drawn.len() - measured.len() - failed.len();
+        let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
+        let page = arguments.out.join(files.page);
+        writeln!(out, "{}: {} figures, {} claims{missing}", page.display(), drawn.len(), measured.len())?;
+    }
+    let wrong: Vec<String> = failed.iter().cloned().chain(measured.iter().filter_map(disagreement)).collect();
+    if wrong.is_empty() { Ok(()) } else { Err(Failure::Work(wrong.join("\nerror: "))) }
+}
+
+/// What disagrees with a claim's verdict, if anything does.
+fn disagreement(Measured { claim, measurement }: &Measured) -> Option<String> {
+    let off: Vec<String> = measurement.quantities.iter().filter(|q| !q.agrees()).map(ToString::to_string).collect();
+    (!measurement.is_consistent())
+        .then(|| format!("{}: the measurement disagrees with the verdict\n  {}", claim.name, off.join("\n  ")))
 }
 
 fn unknown(name: &str, names: impl Iterator<Item = &'static str>) -> Failure {
@@ -91,11 +115,11 @@ fn list(out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Does the jobs on all processors, each on its own, and hands back those done in their order: all, unless interrupted.
-fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Result<Vec<(Job, Done)>, Failure> {
+/// Does the jobs on all processors, each on its own: all, unless interrupted.
+fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Results {
     let bar = progress_bar(jobs.len());
     let next = AtomicUsize::new(0);
-    let results: Vec<Mutex<Option<Result<Done, String>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
+    let slots: Vec<Mutex<Option<Result<Done, String>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
     let threads = thread::available_parallelism().map_or(1, usize::from).min(jobs.len());
     thread::scope(|scope| {
         for _ in 0..threads {
@@ -105,7 +129,7 @@ fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Result
                     let Some(job) = jobs.get(i) else { break };
                     bar.set_message(job.name());
                     let result = one(*job, effort);
-                    if let Ok(mut slot) = results[i].lock() {
+                    if let Ok(mut slot) = slots[i].lock() {
                         *slot = Some(result);
                     }
                     bar.inc(1);
@@ -114,24 +138,32 @@ fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Result
         }
     });
     bar.finish_and_clear();
-    let results = jobs.iter().zip(results).filter_map(|(job, slot)| {
-        let result = slot.into_inner().ok()??;
-        Some(result.map(|done| (*job, done)).map_err(|error| Failure::Work(format!("{}: {error}", job.name()))))
-    });
-    results.collect()
+    let mut results = Results::default();
+    for (job, slot) in jobs.iter().zip(slots) {
+        match (job, slot.into_inner().ok().flatten()) {
+            (Job::Draw(figure), Some(Ok(Done::Drawn(svg, size)))) => {
+                results.drawn.push(Drawn { figure: **figure, svg, size });
+            }
+            (Job::Measure(claim), Some(Ok(Done::Measured(measurement)))) => {
+                results.measured.push(Measured { claim, measurement });
+            }
+            (job, Some(Err(error))) => results.failed.push(format!("{}: {error}", job.name())),
+            _ => {}
+        }
+    }
+    results
 }
 
+/// A figure or claim whose set-up is impossible panics: an error of this program, which costs no other job.
 fn one(job: Job, effort: Effort) -> Result<Done, String> {
-    match job {
+    let work = || match job {
         Job::Draw(figure) => {
             let svg = (figure.draw)(effort).map_err(|error| error.to_string())?;
             Ok(Done::Drawn(svg.to_string(), svg.size()))
         }
-        // A claim whose set-up is impossible panics: an error of this program, told as one.
-        Job::Measure(claim) => panic::catch_unwind(AssertUnwindSafe(|| claim.measure(effort)))
-            .map(Done::Measured)
-            .map_err(|_| "the measurement failed".to_string()),
-    }
+        Job::Measure(claim) => Ok(Done::Measured(claim.measure(effort))),
+    };
+    panic::catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err("the computation failed".into()))
 }
 
 fn progress_bar(jobs: usize) -> ProgressBar {
@@ -143,20 +175,21 @@ fn progress_bar(jobs: usize) -> ProgressBar {
     ProgressBar::new(jobs as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
+/// The names of the page and of the measurements. Those of one figure or claim are named after it, and leave the whole page alone.
+struct Files {
+    page: String,
+    claims: Option<String>,
+}
+
 /// The pictures, then the claims, then the page that shows them.
-fn write(results: Vec<(Job, Done)>, effort: Effort, folder: &Path) -> io::Result<()> {
-    let (mut drawn, mut measured) = (Vec::new(), Vec::new());
-    for (job, done) in results {
-        match (job, done) {
-            (Job::Draw(figure), Done::Drawn(svg, size)) => {
-                WholeFile::write(&folder.join(format!("{}.svg", figure.name)), svg.as_bytes())?;
-                drawn.push(Drawn { figure: *figure, svg, size });
-            }
-            (Job::Measure(claim), Done::Measured(measurement)) => measured.push(Measured { claim, measurement }),
-            _ => {}
-        }
+fn write(results: &Results, effort: Effort, folder: &Path, files: &Files) -> io::Result<()> {
+    let Results { drawn, measured, .. } = results;
+    for Drawn { figure, svg, .. } in drawn {
+        WholeFile::write(&folder.join(format!("{}.svg", figure.name)), svg.as_bytes())?;
     }
-    let json = format!("{:#}\n", page::claims_json(&measured));
-    WholeFile::write(&folder.join("claims.json"), json.as_bytes())?;
-    WholeFile::write(&folder.join("index.html"), page::html(&drawn, &measured, effort).as_bytes())
+    if let Some(claims) = &files.claims {
+        let json = format!("{:#}\n", page::claims_json(measured));
+        WholeFile::write(&folder.join(claims), json.as_bytes())?;
+    }
+    WholeFile::write(&folder.join(&files.page), page::html(drawn, measured, effort).as_bytes())
 }
