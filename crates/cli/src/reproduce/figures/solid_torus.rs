@@ -37,14 +37,19 @@ fn draw(effort: Effort) -> Drawing {
     let chaotic = starts(table, 3, 1)?;
     let begin = [
         ([0.0, -0.2, 0.0], [0.12, 0.05, 1.0]),
-        ([0.0, 0.1, 0.0], [0.25, 0.2, 1.0]),
+        ([0.0, 0.1, 0.0], [0.2, 0.16, 1.0]),
         (
             [0.0, chaotic[0].position[0], chaotic[0].position[1]],
             [chaotic[0].spin[0], chaotic[0].velocity[0], chaotic[0].velocity[1]],
         ),
     ];
     for (i, (x, v)) in begin.into_iter().enumerate() {
-        for hit in follow(&billiard, x, unit(v), collisions).hits {
+        let hits = follow(&billiard, x, unit(v), collisions).hits;
+        // the caps are the odd pieces
+        if i < 2 && hits.iter().any(|hit| hit.piece % 2 == 1) {
+            return Err("an orbit leaves the straight sides".into());
+        }
+        for hit in hits {
             let [p1, p2] = hit.place();
             let s = offsets[hit.piece] + table.pieces()[hit.piece].arc_length_at(&Vector2::new(p1, p2));
             points.push((place(s / length, hit.tangential()), colour([1, 2, 0][i])));
