@@ -13,10 +13,11 @@ pub(super) const FIGURE: Figure = Figure {
     name: "wedges",
     title: "Wedges of four angles",
     place: "Figure 9",
-    caption: "Bounded orbits in open wedges. For most angles they are not periodic (left and right). For θ = π/3 they have period 4 and for \
-              θ = 0.27092 period 10, whatever the start, up to rotation: after a period the disk is turned by some angle.",
+    caption: "Bounded orbits in open wedges. For most angles they are not periodic (left and right). For θ = π/3 they have period 4 in \
+              the reduced phase space, whatever the start, and the disk is turned by some angle after each period; for θ = 0.27092 \
+              they have period 10, and the rotation returns too.",
     parameters: "θ = 0.8, π/3, 0.27092 (α = 6π/5) and 2; uniform disk, γ² = 1/2. The disk starts on the bisector, its velocity 0.6 ρ from \
-                 the axis of periodicity, ρ the radius of the cap of velocities that never escape. 90 collisions, periodic orbits 24.",
+                 the axis of periodicity, ρ the radius of the cap of velocities that never escape. 90 collisions; 24 at π/3, 40 at 0.27092.",
     draw,
 };
 
