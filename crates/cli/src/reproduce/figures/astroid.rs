@@ -6,15 +6,16 @@ use super::super::{Drawing, Effort, Figure, UNIFORM};
 use super::strip;
 use crate::picture::{AXES_MARGIN, Axis, COLUMN, Colour, Label, Style, View, Window, axes};
 use billiards::geometry::tables;
-use core::f64::consts::TAU;
+use core::f64::consts::FRAC_PI_2;
 
 pub(super) const FIGURE: Figure = Figure {
     name: "astroid",
-    title: "The astroid of a strip",
+    title: "The strip as a sliding ladder",
     place: "Figure 8",
     caption: "The same orbit seen along x₂, from the point where the lines of contact points cross. Each flight is a segment of length ℓ with \
-              an end on each line, a ladder that slides; its envelope is an oblique astroid. The box is √(3/2) ℓ wide in x₀ and √3 ℓ \
-              wide in x₁: the astroid touches it, and the orbit comes as near as one likes.",
+              an end on each line, a ladder that slides; the curve it touches, drawn where the touching point lies on the ladder, is a \
+              parallel curve of an astroid. The box is √(3/2) ℓ wide in x₀ and √3 ℓ wide in x₁. Its corners are the farthest points \
+              that contact points could reach; the orbit comes as near to them as one likes.",
     parameters: "As the previous two figures, 160 collisions.",
     draw,
 };
@@ -27,18 +28,20 @@ fn ladder(l: f64, u: [f64; 2]) -> [[f64; 2]; 2] {
     [[UNIFORM * a, a], [UNIFORM * b, -b]]
 }
 
-/// The envelope of the ladders: where neighbouring ones cross.
-pub(super) fn envelope(l: f64) -> Vec<[f64; 2]> {
+/// The envelope of the ladders, where neighbouring ones cross, as far as it lies on them: four arcs.
+///
+/// In the direction `(cos t, sin t)` the crossing lies on the ladder if `t` is within `arctan γ` of a multiple of π/2.
+fn envelope(l: f64) -> [Vec<[f64; 2]>; 4] {
     let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
-    let at = |i: i32| {
-        let t = TAU * f64::from(i) / 720.0;
+    let at = |t: f64| {
         let (u, w) = ([libm::cos(t), libm::sin(t)], [-libm::sin(t), libm::cos(t)]);
         let ([p, _], [dp, _]) = (ladder(l, u), ladder(l, w));
         // P + s u with (P' + s w) × u = 0
         let s = -cross(dp, u) / cross(w, u);
         [p[0] + s * u[0], p[1] + s * u[1]]
     };
-    (0..=720).map(at).collect()
+    let part = |i: i32| libm::atan(UNIFORM) * f64::from(i) / 90.0;
+    [0.0, 1.0, 2.0, 3.0].map(|k| (-90..=90).map(|i| at(k * FRAC_PI_2 + part(i))).collect())
 }
 
 fn draw(_: Effort) -> Drawing {
@@ -65,7 +68,9 @@ fn draw(_: Effort) -> Drawing {
         let line = [[-UNIFORM * t, -side * t], [UNIFORM * t, side * t]];
         sheet.chain(&view, line, Style::line(Colour::BLACK, 0.5));
     }
-    sheet.chain(&view, envelope(l), Style::line(colour(1), 0.8));
+    for arc in envelope(l) {
+        sheet.chain(&view, arc, Style::line(colour(1), 0.8));
+    }
     let axis = |low: f64, high: f64, index: &str| Axis::between(low, high, 4, Label::indexed("x", index));
     axes(&mut sheet.svg, &view, &axis(window.low[0], window.high[0], "0"), &axis(window.low[1], window.high[1], "1"));
     Ok(sheet.svg)
