@@ -70,14 +70,16 @@ fn measure(effort: Effort) -> Measurement {
         Quantity::count("square, γ² = 1/2: velocity maps, counted up to 1000", order(UNIFORM, &normals(4), 1000), 1000),
     ];
     let square = motion::no_slip(tables::square(1.0), 1.0);
-    let mut most = 0;
+    let (mut most, mut whole) = (0, 0);
     let orbits = effort.of(50, 1000);
     for sample in 0..orbits {
         let mut stream = Stream::new(170, sample);
         // multiples of 1/64, so that squares and sums are exact
         let mut dyadic = || libm::floor(stream.between(-64.0, 64.0)) / 64.0 + 1.0 / 128.0;
         let start = State { x: [0.0, 0.375, 0.5], v: [dyadic(), dyadic(), dyadic()] };
-        most = velocities(&bounces(&square, start, 5000)).max(most);
+        let orbit = bounces(&square, start, 5000);
+        whole += usize::from(orbit.len() == 5000);
+        most = velocities(&orbit).max(most);
     }
     quantities.push(Quantity::at_most(
         format!("square, γ = 1: different velocities, to the last bit, in 5000 collisions, most of {orbits} orbits"),
@@ -85,6 +87,7 @@ fn measure(effort: Effort) -> Measurement {
         24.0,
         0.0,
     ));
+    quantities.push(Quantity::count("square, γ = 1: orbits of 5000 collisions", whole, orbits));
     let hexagon = motion::no_slip(tables::hexagon(1.0), UNIFORM);
     let starts = effort.of(4000, 100_000);
     let (mut confined, mut of_period) = (0, 0);

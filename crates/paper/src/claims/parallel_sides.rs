@@ -6,7 +6,10 @@ use crate::{
     random::Stream,
     strip::{centre, ladder},
 };
-use billiards::geometry::{Error, Table, Vector2, tables};
+use billiards::{
+    Stop,
+    geometry::{Error, Table, Vector2, tables},
+};
 use core::ops::ControlFlow;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -52,14 +55,11 @@ impl Sides {
     }
 }
 
-/// Whether an orbit hits nothing but the two sides.
-fn stays(billiard: &Billiard, pieces: [usize; 2], start: State, most: usize) -> bool {
-    let mut left = false;
+/// How an orbit ends that is watched until it hits something else than the two sides.
+fn watched(billiard: &Billiard, pieces: [usize; 2], start: State, most: usize) -> Stop {
     fly(billiard, start, most, &mut |bounce| {
-        left = !pieces.contains(&bounce.piece);
-        if left { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-    });
-    !left
+        if pieces.contains(&bounce.piece) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    })
 }
 
 fn measure(effort: Effort) -> Measurement {
@@ -117,18 +117,19 @@ fn measure(effort: Effort) -> Measurement {
             let two = bounces(&strip, start, 2);
             let (middle, reach) = (centre(gamma_squared, &two[0], &two[1])[1], half_width * sides.gap * ladder(&start));
             let fits = middle - reach > 0.0 && middle + reach < sides.length;
-            let stays = stays(&billiard, pieces, sides.place(start), collisions);
+            let stop = watched(&billiard, pieces, sides.place(start), collisions);
             fit += usize::from(fits);
-            fitting_leave += usize::from(fits && !stays);
+            fitting_leave += usize::from(fits && stop != Stop::Finished);
             // an orbit fills its width up to the square of 10π/n of it, as in the claim strip-width
             let phase = 10.0 * core::f64::consts::PI / (0.5 * collisions as f64);
             let by_far =
                 middle - reach * (1.0 - phase * phase) < 0.0 || middle + reach * (1.0 - phase * phase) > sides.length;
-            others_stay += usize::from(by_far && stays);
+            others_stay += usize::from(by_far && stop != Stop::Observer);
         }
         let label = |what: &str| format!("{}: {what}", sides.name);
         let share = fit as f64 / samples as f64;
         quantities.extend([
+            // some to follow: forty of the smaller sample
             Quantity::at_least(
                 label("share of steep enough starts on a side whose width fits on it"),
                 share,
@@ -136,11 +137,11 @@ fn measure(effort: Effort) -> Measurement {
                 0.0,
             ),
             Quantity::count(
-                label(&format!("of these {fit}, leaving within {collisions} collisions")),
+                label(&format!("of these {fit}, not staying for {collisions} collisions")),
                 fitting_leave,
                 0,
             ),
-            Quantity::count(label("starts whose width does not fit, still there"), others_stay, 0),
+            Quantity::count(label("starts whose width does not fit, not seen to leave"), others_stay, 0),
         ]);
     }
     quantities.into()

@@ -5,7 +5,7 @@ use crate::{
     motion::{State, fly, no_slip},
     random::Stream,
 };
-use billiards::geometry::tables;
+use billiards::{Stop, geometry::tables};
 use core::ops::ControlFlow;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -21,26 +21,24 @@ pub(super) const CLAIM: Claim = Claim {
     measure,
 };
 
-/// How many of some orbits that start within 10⁻³ of the period-two orbit go to and fro between the same two disks for so many collisions.
-fn staying(gamma_squared: f64, radius: f64, orbits: usize, collisions: usize) -> usize {
+/// How orbits that start within 10⁻³ of the period-two orbit end that are watched until they no longer go to and fro between the same two
+/// disks.
+fn watched(gamma_squared: f64, radius: f64, orbits: usize, collisions: usize) -> Vec<Stop> {
     let torus = no_slip(tables::sinai_torus(radius, 1.0), gamma_squared);
-    let stays = |sample: &usize| {
-        let mut stream = Stream::new(150, *sample);
+    let watch = |sample: usize| {
+        let mut stream = Stream::new(150, sample);
         let near: [f64; 3] = core::array::from_fn(|_| 1e-3 * stream.between(-1.0, 1.0));
         let [angle, v0, vt] = near;
         let (n1, n2, vn) = (libm::cos(angle), libm::sin(angle), libm::sqrt(1.0 - v0 * v0 - vt * vt));
         let start =
             State { x: [0.0, 0.5 + radius * n1, 0.5 + radius * n2], v: [v0, vn * n1 - vt * n2, vn * n2 + vt * n1] };
-        let mut left = false;
         fly(&torus, start, collisions, &mut |bounce| {
             // far from the two points of the period-two orbit, or at the same one twice
             let side = if bounce.n % 2 == 1 { -1.0 } else { 1.0 };
-            left = bounce.normal[0] * side < 0.7;
-            if left { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
-        !left
+            if bounce.normal[0] * side < 0.7 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
     };
-    (0..orbits).filter(stays).count()
+    (0..orbits).map(watch).collect()
 }
 
 fn measure(effort: Effort) -> Measurement {
@@ -52,12 +50,16 @@ fn measure(effort: Effort) -> Measurement {
         for radius in radii {
             let over = (1.0 - 2.0 * radius) / radius;
             let elliptic = over < 2.0 * gamma_squared;
-            let stay = staying(gamma_squared, radius, orbits, collisions);
-            let kind = if elliptic { "elliptic" } else { "hyperbolic" };
+            let stops = watched(gamma_squared, radius, orbits, collisions);
+            let (kind, do_so, stop) = if elliptic {
+                ("elliptic", "still near", Stop::Finished)
+            } else {
+                ("hyperbolic", "gone", Stop::Observer)
+            };
             quantities.push(Quantity::count(
-                format!("γ² = {gamma_squared}, R = {radius}, {kind}: orbits of {orbits} still near after {collisions} collisions"),
-                stay,
-                if elliptic { orbits } else { 0 },
+                format!("γ² = {gamma_squared}, R = {radius}, {kind}: orbits of {orbits} {do_so} after {collisions} collisions"),
+                stops.iter().filter(|s| **s == stop).count(),
+                orbits,
             ));
         }
     }
