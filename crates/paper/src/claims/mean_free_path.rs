@@ -52,9 +52,10 @@ fn measure(effort: Effort) -> Measurement {
         ("mushroom", tables::mushroom(1.0, 0.5, 0.75)),
         ("flower", tables::flower(4, 1.25, 2.0)),
         ("Sinai", tables::sinai(1.0, 0.25)),
-        ("Sinai torus", tables::sinai_torus(0.25, 1.0)),
+        // a finite horizon, R > √3/4: without one the variance is infinite
+        ("triangular Lorentz gas", tables::lorentz(0.45, 1.0)),
     ] {
-        let Ok(shape) = &table else { continue };
+        let shape = table.as_ref().expect("a table with parameters in range");
         let scale = shape.area() / shape.perimeter();
         // the first flight knows nothing of the law
         for (law, smooth, n) in [("either law", false, 1), ("no-slip", false, 5), ("specular", true, 5)] {

@@ -68,7 +68,7 @@ fn measure(effort: Effort) -> Measurement {
     for (gamma_squared, p, q) in
         [(0.15, 1, 4), (0.15, 2, 7), (0.4, 1, 3), (0.4, 3, 10), (0.85, 2, 5), (1.0, 1, 3), (1.0, 3, 8)]
     {
-        let Some(theta) = opening(PI * f64::from(p) / f64::from(q), gamma_squared) else { continue };
+        let theta = opening(PI * f64::from(p) / f64::from(q), gamma_squared).expect("an angle below π");
         let name = format!("γ² = {gamma_squared}, δ = {p}π/{q}, θ = {theta:.5}");
         quantities.extend(Survey::new(theta, gamma_squared, period(q), orbits).quantities(&name, q % 2 == 1));
     }
