@@ -6,7 +6,7 @@ use crate::{
     law::{OTHERS, UNIFORM, cos_beta, sin_beta},
     motion::{bounces, distance, no_slip},
     random::Stream,
-    statistics::worst,
+    statistics::{Range, worst},
 };
 use billiards::geometry::tables;
 use core::f64::consts::{PI, TAU};
@@ -25,8 +25,8 @@ pub(super) const CLAIM: Claim = Claim {
 
 fn measure(effort: Effort) -> Measurement {
     let orbits = effort.of(20, 500);
-    let (mut closed, mut sides, mut early) = (vec![], vec![], f64::INFINITY);
-    let (mut families, mut families_early) = (vec![], f64::INFINITY);
+    let (mut closed, mut sides, mut early) = (vec![], vec![], Range::EMPTY);
+    let (mut families, mut families_early) = (vec![], Range::EMPTY);
     for sample in 0..orbits {
         let mut stream = Stream::new(232, sample);
         let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
@@ -40,7 +40,7 @@ fn measure(effort: Effort) -> Measurement {
             let orbit = bounces(&circle, start, n as usize + 1);
             let place = |i: usize| [orbit[i].state.x[1], orbit[i].state.x[2]];
             closed.push(distance(place(0), place(n as usize)));
-            early = (1..n as usize).map(|i| distance(place(0), place(i))).fold(early, f64::min);
+            (1..n as usize).for_each(|i| early.add(distance(place(0), place(i))));
             let side = 2.0 * libm::sin(PI / f64::from(n));
             sides.extend((0..n as usize).map(|i| (distance(place(i), place(i + 1)) - side).abs()));
         }
@@ -53,17 +53,17 @@ fn measure(effort: Effort) -> Measurement {
             let size = libm::sqrt(1.0 + t1 * t1 + v0 * v0);
             let orbit = bounces(&circle, state(1.0, phi, v0 / size, t1 / size, 1.0 / size), 2 * k as usize + 1);
             families.push(apart(&orbit[0], &orbit[2 * k as usize]));
-            families_early = (1..k as usize).map(|i| apart(&orbit[0], &orbit[2 * i])).fold(families_early, f64::min);
+            (1..k as usize).for_each(|i| families_early.add(apart(&orbit[0], &orbit[2 * i])));
         }
     }
     // up to 14 collisions of some ten roundings, with normal velocities of 0.05 or more to divide by
     let rounding = 14.0 * 16.0 * f64::EPSILON / 0.05;
     [
         Quantity::residual("n-gons, n = 3 … 12: off after n collisions", worst(closed), rounding),
-        Quantity::at_least("n-gons: nearest return before", early, 2.0 * libm::sin(PI / 12.0), rounding),
+        Quantity::at_least("n-gons: nearest return before", early.min, 2.0 * libm::sin(PI / 12.0), rounding),
         Quantity::residual("n-gons: length of a side against 2 sin(π/n)", worst(sides), rounding),
         Quantity::residual("θ₁ + θ₂ = πm/k, random θ₁: off after 2k collisions", worst(families), rounding),
-        Quantity::at_least("θ₁ + θ₂ = πm/k, random θ₁: nearest return before", families_early, 0.5, 0.0),
+        Quantity::at_least("θ₁ + θ₂ = πm/k, random θ₁: nearest return before", families_early.min, 0.5, 0.0),
     ]
     .into()
 }

@@ -1,5 +1,9 @@
 //! The canonical measure under fields of strict laws that are not parallel, and under laws that are not strict.
-use crate::{Claim, Effort, Measurement, Quantity, Verdict, random::Stream, statistics::worst};
+use crate::{
+    Claim, Effort, Measurement, Quantity, Verdict,
+    random::Stream,
+    statistics::{Range, worst},
+};
 use billiards::collision_laws::{
     CollisionLaw, Contact, Fixed, Pair, Twist,
     bodies::Ball,
@@ -125,11 +129,15 @@ fn measure(effort: Effort) -> Measurement {
     let samples = effort.of(10, 300);
     let mut quantities = vec![];
     let defects = |field: Field<'_>, fit: fn(&Meeting) -> bool, expected: f64| {
-        worst((0..samples).filter_map(|sample| determinant(field, sample, fit)).map(|det| (det.abs() - expected).abs()))
+        let fit = (0..samples).filter_map(|sample| determinant(field, sample, fit));
+        fit.map(|det| (det.abs() - expected).abs()).collect::<Vec<_>>()
     };
+    let mut fewest = Range::EMPTY;
     let mut keeps = |name: &str, field: Field<'_>, fit: fn(&Meeting) -> bool| {
-        let label = format!("{name}: | |det| − 1 |, ten coordinates");
-        quantities.push(Quantity::residual(label, defects(field, fit, 1.0), TOLERANCE));
+        let defects = defects(field, fit, 1.0);
+        fewest.add(defects.len() as f64);
+        let label = format!("{name}: | |det| − 1 |, ten coordinates, {} states", defects.len());
+        quantities.push(Quantity::residual(label, worst(defects), TOLERANCE));
     };
     let along = Vector3::new(1.0, 2.0, -3.0);
     let turning = |contact: &Contact<3>| {
@@ -156,11 +164,13 @@ fn measure(effort: Effort) -> Measurement {
     // ψ has a cut, and turns fast where the slip is small
     let fit = |m: &Meeting| m.slip.x.abs().min(m.slip.y.abs()) > 0.2;
     let chasing = defects(&always(Chasing), fit, 0.3);
+    fewest.add(chasing.len() as f64);
     quantities.push(Quantity::residual(
         "control, direction 0.35ψ + 0.2 of the slip: | |det| − 0.3 |",
-        chasing,
+        worst(chasing),
         TOLERANCE,
     ));
+    quantities.push(Quantity::at_least("states of a field, fewest", fewest.min, 0.3 * samples as f64, 0.0));
     for psi in [0.3, -1.2, 0.9] {
         let (pair, v) = approach(psi);
         let space = pair.tangent_space();

@@ -1,5 +1,5 @@
 //! Rational cosines of rational angles.
-use crate::{Claim, Effort, Measurement, Quantity, Verdict};
+use crate::{Claim, Effort, Measurement, Quantity, Verdict, statistics::Range};
 use core::f64::consts::TAU;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -15,10 +15,9 @@ fn gcd(a: u32, b: u32) -> u32 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// `2 cos(2πp/q)` is an algebraic integer, so it is rational only if it is an integer.
 fn measure(effort: Effort) -> Measurement {
     let most = effort.of(300, 3000);
-    let (mut integers, mut nearest) = (vec![], f64::INFINITY);
+    let (mut integers, mut nearest) = (vec![], Range::EMPTY);
     for q in 1..=most {
         for p in (0..=q / 2).filter(|p| gcd(*p, q) == 1) {
             let twice = 2.0 * libm::cos(TAU * f64::from(p) / f64::from(q));
@@ -26,7 +25,7 @@ fn measure(effort: Effort) -> Measurement {
             if q <= 6 && gap < 1e-12 {
                 integers.push(libm::round(twice));
             } else {
-                nearest = nearest.min(gap);
+                nearest.add(gap);
             }
         }
     }
@@ -34,7 +33,11 @@ fn measure(effort: Effort) -> Measurement {
     // near an integer value a cosine goes like its angle, or its square near ±2: two angles differ by 1/(6 q) turns or more
     let apart = TAU / (6.0 * f64::from(most));
     [
-        Quantity::count("rational values found", integers.len(), 5),
+        Quantity::count(
+            "values of 2 cos θ that are integers (2 cos θ is an algebraic integer: rational only if an integer)",
+            integers.len(),
+            5,
+        ),
         Quantity::residual(
             "2 cos θ against −2, −1, 0, 1, 2",
             integers.iter().zip(-2..).map(|(x, n)| (x - f64::from(n)).abs()).sum(),
@@ -42,7 +45,7 @@ fn measure(effort: Effort) -> Measurement {
         ),
         Quantity::at_least(
             format!("any other 2 cos(2πp/q), q ≤ {most}, from the nearest integer"),
-            nearest,
+            nearest.min,
             apart * apart,
             0.0,
         ),

@@ -5,7 +5,7 @@ use crate::{
     law::{UNIFORM, beta},
     motion::{State, bounces, distance, no_slip},
     random::Stream,
-    statistics::{Range, worst},
+    statistics::{Range, least, worst},
 };
 use billiards::geometry::tables;
 
@@ -26,7 +26,7 @@ fn measure(effort: Effort) -> Measurement {
     let strip = no_slip(tables::strip(1.0), UNIFORM);
     let alpha = libm::acos(-7.0 / 9.0);
     // after n turns the velocity is off by 2 |sin(nα/2)| of its part along the wall
-    let expected = (1..turns).map(|n| 2.0 * libm::sin(0.5 * alpha * f64::from(n)).abs()).fold(f64::INFINITY, f64::min);
+    let expected = least((1..turns).map(|n| 2.0 * libm::sin(0.5 * alpha * f64::from(n)).abs()));
     let (mut angles, mut nearest) = (Range::EMPTY, Range::EMPTY);
     for sample in 0..orbits {
         let orbit = bounces(&strip, random_start(&mut Stream::new(206, sample)), 2 * turns as usize);
@@ -34,7 +34,7 @@ fn measure(effort: Effort) -> Measurement {
         let (size, [w0, w1, _]) = (libm::hypot(v[0], v[1]), orbit[2].state.v);
         angles.add(libm::acos((v[0] * w0 + v[1] * w1) / (size * size)));
         let returns = orbit.iter().step_by(2).skip(1).map(|b| distance(v, b.state.v) / size);
-        nearest.add(returns.fold(f64::INFINITY, f64::min));
+        nearest.add(least(returns));
     }
     let vertical = bounces(&strip, State { x: [0.0, 0.25, 0.5], v: [0.0, 0.0, 1.0] }, 1000);
     let still =

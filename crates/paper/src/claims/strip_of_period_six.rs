@@ -5,7 +5,7 @@ use crate::{
     law::{UNIFORM, beta},
     motion::{Bounce, bounces, distance, no_slip},
     random::Stream,
-    statistics::worst,
+    statistics::{Range, least, worst},
 };
 use billiards::geometry::tables;
 use core::f64::consts::PI;
@@ -35,11 +35,11 @@ fn measure(effort: Effort) -> Measurement {
         let gamma = libm::tan(0.5 * PI * f64::from(p) / f64::from(q));
         let strip = no_slip(tables::strip(1.0), gamma * gamma);
         let period = 2 * q as usize;
-        let (mut closed, mut early) = (vec![], f64::INFINITY);
+        let (mut closed, mut early) = (vec![], Range::EMPTY);
         for sample in 0..orbits {
             let orbit = bounces(&strip, random_start(&mut Stream::new(210, sample)), 50 * period + 1);
             closed.push(off(&orbit[0], &orbit[50 * period]));
-            early = (1..period).map(|n| off(&orbit[0], &orbit[n])).fold(early, f64::min);
+            (1..period).for_each(|n| early.add(off(&orbit[0], &orbit[n])));
         }
         // in places as far out as ℓ√(1+γ²)/γ, with ℓ up to 3.2 and γ down to tan(π/14) = 0.23
         let rounding = 15.0 * rounding(50.0 * period as f64);
@@ -51,14 +51,22 @@ fn measure(effort: Effort) -> Measurement {
         // by the least turn of a velocity of 0.14 or more along the wall
         quantities.push(Quantity::at_least(
             format!("β = {p}π/{q}: nearest return before"),
-            early,
+            early.min,
             0.14 * libm::sin(PI / f64::from(q)),
             0.0,
         ));
     }
     let uniform = no_slip(tables::strip(1.0), UNIFORM);
     let orbit = bounces(&uniform, random_start(&mut Stream::new(210, 0)), 1000);
-    let nearest = orbit.iter().skip(1).map(|b| off(&orbit[0], b)).fold(f64::INFINITY, f64::min);
-    quantities.push(Quantity::at_least("uniform disk: nearest return in 1000 collisions", nearest, 1e-4, 0.0));
+    let nearest = least(orbit.iter().skip(1).map(|b| off(&orbit[0], b)));
+    // the velocity alone is off by 2 |sin kβ| of its part along the wall after 2k collisions
+    let [v0, v1, _] = orbit[0].state.v;
+    let turned = least((1..500_u32).map(|k| 2.0 * libm::sin(f64::from(k) * beta(UNIFORM)).abs()));
+    quantities.push(Quantity::at_least(
+        "uniform disk: nearest return in 1000 collisions",
+        nearest,
+        libm::hypot(v0, v1) * turned,
+        rounding(1000.0),
+    ));
     quantities.into()
 }

@@ -4,7 +4,7 @@ use crate::{
     law::UNIFORM,
     motion::{State, bounces, fly},
     random::Stream,
-    statistics::{Range, worst},
+    statistics::{Range, least, worst},
     wedge::{axis, billiard, bounded_start, inradius, near_axis, opening, period},
 };
 use billiards::Stop;
@@ -73,12 +73,7 @@ fn measure(effort: Effort) -> Measurement {
         // a direction may be half a step from the middle of a side: tan r = tan ρ / cos(azimuth)
         let inradius = inradius(theta, UNIFORM);
         let step = PI / f64::from(directions);
-        quantities.push(Quantity::equal(
-            label("inradius"),
-            radii.iter().copied().fold(f64::INFINITY, f64::min),
-            inradius,
-            step * step + 1e-8,
-        ));
+        quantities.push(Quantity::equal(label("inradius"), least(radii), inradius, step * step + 1e-8));
     }
     for theta in [0.7, FRAC_PI_2, 2.3] {
         let radii: Range = radii(theta, effort.of(400, 4000), effort.of(30, 120)).into_iter().collect();
