@@ -9,7 +9,7 @@ use crate::{
 };
 use billiards::Stop;
 use core::{
-    f64::consts::{FRAC_PI_2, PI, TAU},
+    f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU},
     ops::ControlFlow,
 };
 
@@ -19,7 +19,8 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "On the unit sphere of velocities there are two antipodal regions of velocities that do not escape; the area of each falls as θ \
                 grows, from 2π as θ → 0 to 0 as θ → π/2.",
     verdict: Verdict::HoldsCorrected(
-        "It falls to 0 as θ → π. At π/2 it is 2π(1 − √3/2) = 0.842, for then cos ρ = √3/2. Away from periodic θ each region is the cap of radius ρ \
+        "It goes to 0 as θ → π, but it falls only away from the periodic angles, where it is larger than near by: 2π/3 at π/3, \
+         against 1.9647 at θ = 1 and 1.8403 for the caps near π/3. At π/2 it is 2π(1 − √3/2) = 0.842, for then cos ρ = √3/2. Away from periodic θ each region is the cap of radius ρ \
          about the axis, with cos ρ = sin(θ/2)·√(3/(1 + 2 sin²(θ/2))).",
     ),
     general_gamma: Some("cos ρ = sin(θ/2)·√((1+γ²)/(γ² + sin²(θ/2))); 2π and 0 are the limits for every γ."),
@@ -72,6 +73,17 @@ fn measure(effort: Effort) -> Measurement {
     let wedges = wedges.chain([(1.0, 0.15), (1.7, 0.85)].map(cap));
     let mut quantities: Vec<Quantity> = wedges.zip(2240..).map(|(wedge, seed)| area(&wedge, samples, seed)).collect();
     let at_right_angle = quantities[0].measured;
+    // 0.1, 0.5, 1, π/2, 2, 2.5, 3, none of them periodic; then π/3
+    let falling = [1, 2, 3, 0, 4, 5, 6].map(|k| quantities[k].measured);
+    let falls = falling.windows(2).filter(|two| two[1] < two[0]).count();
+    let at_third = quantities[7].measured;
+    let noise = quantities[7].bound;
+    let cap = |theta: f64| non_escape_area(theta, UNIFORM, None);
+    quantities.extend([
+        Quantity::count("falls from each of seven angles that are not periodic to the next", falls, 6),
+        Quantity::at_least("area of one region at π/3, above the caps near by", at_third, cap(FRAC_PI_3), -noise),
+        Quantity::at_least("area of one region at π/3, above the cap at θ = 1", at_third, cap(1.0), -noise),
+    ]);
     quantities.push(Quantity::differs("area of one region at π/2, against the paper's 0", at_right_angle, 0.0, 0.5));
     let at = |theta: f64| non_escape_area(theta, UNIFORM, None);
     // near its ends the area is 2π − √3 πθ, and π(π−θ)²/12 up to the square of π−θ relatively
