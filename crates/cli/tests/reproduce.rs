@@ -83,10 +83,13 @@ fn the_page_prints_the_inequality_that_was_tried() {
         Quantity::at_least("narrow", 0.99, 1.0, 0.02),
         Quantity::at_most("wide", 0.9, 1.0, -0.05),
         Quantity::differs("apart", 0.75, 0.5, 0.125),
+        Quantity::sampled_near("near", 0.5, 0.0625, 0.25, 0.1875),
     ];
     let measured = Measured { claim: &paper::claims::all()[0], measurement: Measurement { quantities } };
     let page = page::html(&[], &[measured], Effort::Quick);
-    for text in ["0.99 ≥ 0.98", "0.9 ≤ 0.95", "0.75 differs from 0.5 by more than 0.125"] {
+    for text in
+        ["0.99 ≥ 0.98", "0.9 ≤ 0.95", "0.75 differs from 0.5 by more than 0.125", "expected 0.25, known to 0.1875"]
+    {
         assert!(page.contains(text), "{text}");
     }
     assert!(!page.contains("disagrees</b>"));

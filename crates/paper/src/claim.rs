@@ -119,10 +119,12 @@ pub struct Quantity {
 pub enum Relation {
     /// Equal within the bound: `|measured − expected| ≤ bound`.
     Equal,
-    /// Equal within sampling: `|measured − expected| ≤ bound`, which is [`STANDARD_ERRORS`] standard errors.
+    /// Equal within sampling: `|measured − expected| ≤ bound`, which is [`STANDARD_ERRORS`] standard errors and the systematic part.
     Sampled {
         /// One standard error of the measured number.
         standard_error: f64,
+        /// By how much the expected number may be off.
+        systematic: f64,
     },
     /// `measured ≤ expected + bound`.
     AtMost,
@@ -157,8 +159,23 @@ impl Quantity {
             label: label.into(),
             measured: mean,
             expected,
-            relation: Relation::Sampled { standard_error },
+            relation: Relation::Sampled { standard_error, systematic: 0.0 },
             bound: STANDARD_ERRORS * standard_error,
+        }
+    }
+
+    /// A mean over a sample beside a number that may be off by `systematic`.
+    pub fn sampled_near(
+        label: impl Into<String>,
+        mean: f64,
+        standard_error: f64,
+        expected: f64,
+        systematic: f64,
+    ) -> Quantity {
+        Quantity {
+            relation: Relation::Sampled { standard_error, systematic },
+            bound: STANDARD_ERRORS * standard_error + systematic,
+            ..Quantity::sampled(label, mean, standard_error, expected)
         }
     }
 
@@ -203,8 +220,11 @@ impl fmt::Display for Quantity {
                 "{label}: {measured:.10} = {expected:.10} (off by {:.1e}, bound {bound:.1e})",
                 self.deviation()
             )?,
-            Relation::Sampled { standard_error } => {
+            Relation::Sampled { standard_error, systematic } => {
                 write!(f, "{label}: {measured:.6} ± {standard_error:.6} = {expected:.6}")?;
+                if *systematic > 0.0 {
+                    write!(f, " (known to {systematic:.6})")?;
+                }
             }
             Relation::AtMost => write!(f, "{label}: {measured:.10} ≤ {:.10}", expected + bound)?,
             Relation::AtLeast => write!(f, "{label}: {measured:.10} ≥ {:.10}", expected - bound)?,

@@ -231,8 +231,9 @@ fn numbers(q: &Quantity) -> String {
         Relation::Equal if q.measured == q.expected => format!("{measured}, exactly"),
         Relation::Equal if q.expected == 0.0 => format!("{} ≤ {}", small(off), small(q.bound)),
         Relation::Equal => format!("{measured}, expected {expected}, off by {}", small(off)),
-        Relation::Sampled { standard_error } => {
-            format!("{measured} ± {}, expected {expected}", small(standard_error))
+        Relation::Sampled { standard_error, systematic } => {
+            let known = if systematic > 0.0 { format!(", known to {}", small(systematic)) } else { String::new() };
+            format!("{measured} ± {}, expected {expected}{known}", small(standard_error))
         }
         Relation::AtMost => format!("{measured} ≤ {}", short(q.expected + q.bound)),
         Relation::AtLeast => format!("{measured} ≥ {}", short(q.expected - q.bound)),
@@ -272,10 +273,13 @@ pub fn claims_json(claims: &[Measured]) -> Value {
         Relation::Differs => "differs",
     };
     let quantity = |q: &Quantity| {
-        let error = if let Relation::Sampled { standard_error } = q.relation { Some(standard_error) } else { None };
+        let (error, known) = match q.relation {
+            Relation::Sampled { standard_error, systematic } => (Some(standard_error), Some(systematic)),
+            _ => (None, None),
+        };
         json!({
             "label": q.label, "measured": q.measured, "expected": q.expected, "relation": relation(q),
-            "bound": q.bound, "standard_error": error, "agrees": q.agrees(),
+            "bound": q.bound, "standard_error": error, "systematic": known, "agrees": q.agrees(),
         })
     };
     let all: Vec<_> = claims

@@ -18,7 +18,7 @@ pub(super) const CLAIM: Claim = Claim {
         "Remark 2 does not hold, so it shows nothing of the flower: the orbits still on a petal after N hits are a share C/N, with the constant of the claim arc-survival. \
          Pocket billiards are not ergodic by their parallel sides alone: see parallel-sides.",
     ),
-    general_gamma: Some("For every γ."),
+    general_gamma: Some("For every γ (derived, not measured)."),
     measure,
 };
 
@@ -48,11 +48,9 @@ fn measure(effort: Effort) -> Measurement {
     let quantity = |(n, count): (usize, usize)| {
         let (share, n) = (count as f64 / samples as f64, n as f64);
         let error = n * standard_error_of_share(limit / n, samples);
-        let mut quantity =
-            Quantity::sampled(format!("{n} × share still on its petal after {n} hits"), n * share, error, limit);
+        let label = format!("{n} × share still on its petal after {n} hits");
         // hits come in pairs: a correction of relative size 2/n
-        quantity.bound += 2.0 / n * limit;
-        quantity
+        Quantity::sampled_near(label, n * share, error, limit, 2.0 / n * limit)
     };
     Measurement { quantities: survivors.into_iter().map(quantity).collect() }
 }
