@@ -20,7 +20,7 @@ pub(super) const CLAIM: Claim = Claim {
     verdict: Verdict::Holds,
     general_gamma: Some(
         "An orbit that starts between two parallel sides at a distance d stays if the width dℓ√(1+γ²)/γ about its middle fits on them, \
-                         which is an open condition; if β/π is irrational and it does not fit, the orbit leaves.",
+                         which is an open condition; if β/π is irrational and it does not fit, the orbit leaves. (Measured for γ² = 1/2, derived for others.)",
     ),
     measure,
 };

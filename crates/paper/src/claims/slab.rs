@@ -18,7 +18,7 @@ pub(super) const CLAIM: Claim = Claim {
     general_gamma: Some(
         "Slope 1/γ (γ² = 2/5 for a uniform ball). At unit speed and unit distance of the planes the contact points lie in a \
                          plane figure of diameter at most (√(1+γ²)/γ)·√((1−s²)/ẋ₃² − 1), s the spin about the normal: √(7/2) for the \
-                         uniform ball. The bound is sharp.",
+                         uniform ball. The bound is sharp. (Measured for the uniform ball, derived for others.)",
     ),
     measure,
 };

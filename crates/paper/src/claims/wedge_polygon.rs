@@ -22,7 +22,9 @@ pub(super) const CLAIM: Claim = Claim {
         "The polygon is a regular spherical q-gon, q the denominator of δ/π in lowest terms, cos δ = cos(θ/2)/√(3/2). For even n that is 2n, \
          but for odd n it may be n or 2n: θ = 1.53431 has δ = 3π/10, period 10, n = 5, and ten sides.",
     ),
-    general_gamma: Some("The q-gon, or circle, has the inradius ρ, cos ρ = sin(θ/2)·√((1+γ²)/(γ² + sin²(θ/2)))."),
+    general_gamma: Some(
+        "The q-gon, or circle, has the inradius ρ, cos ρ = sin(θ/2)·√((1+γ²)/(γ² + sin²(θ/2))) (derived; measured for γ² = 1/2).",
+    ),
     measure,
 };
 
