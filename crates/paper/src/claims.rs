@@ -91,3 +91,37 @@ pub fn all() -> &'static [Claim] {
 pub fn find(name: &str) -> Option<&'static Claim> {
     all().iter().find(|claim| claim.name == name)
 }
+
+/// A statement of the paper that no claim measures.
+#[derive(Clone, Copy, Debug)]
+pub struct Unmeasured {
+    /// Where it stands.
+    pub place: &'static str,
+    /// What it says, in our words.
+    pub statement: &'static str,
+    /// Why it is left out.
+    pub reason: &'static str,
+}
+
+/// The statements of the paper that are left out, and why.
+pub const UNMEASURED: &[Unmeasured] = &[
+    Unmeasured {
+        place: "Section 1",
+        statement: "Generic polygons, with angles that are irrational multiples of π, are ergodic for standard billiards.",
+        reason: "Not of no-slip billiards, and loose: Kerckhoff, Masur and Smillie prove it for a dense Gδ set of polygons, not for each with \
+                 such angles. No finite orbit could tell.",
+    },
+    Unmeasured {
+        place: "Section 3.2, Figure 18",
+        statement: "Most orbits of isosceles triangles, as of polygons, appear as closed curves around periodic points, as many as the period; there \
+                    may be no ergodic component of positive measure.",
+        reason: "An impression from pictures: see the figure isosceles. That no polygon is ergodic is the claim corner-components.",
+    },
+    Unmeasured {
+        place: "Section 3.3, Figure 20",
+        statement: "The no-slip moon does not appear to be ergodic; orbits of the mushroom and of the moon linger along segments before they go to apparently \
+                    chaotic regions.",
+        reason: "An impression without a number to compare: see the figure portraits. The bounded part in the mushroom's stem is in the claim \
+                 parallel-sides.",
+    },
+];

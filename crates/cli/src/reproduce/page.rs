@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
+use paper::claims::{UNMEASURED, Unmeasured};
 use paper::{Claim, Measurement, Quantity, Relation, Verdict};
 use serde_json::{Value, json};
 
@@ -93,6 +94,17 @@ fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effo
     if !stated.is_empty() {
         writeln!(page, "<h2 id=\"claims\">The claims of the paper, measured</h2>")?;
         table(page, &stated)?;
+    }
+    if claims.len() == paper::claims::all().len() {
+        writeln!(page, "<p>Not measured:</p>\n<ul>")?;
+        for Unmeasured { place, statement, reason } in UNMEASURED {
+            let [place, statement, reason] = [place, statement, reason].map(|text| escape(text));
+            writeln!(
+                page,
+                "<li><span class=\"soft\">{place}</span>: {statement} <span class=\"soft\">{reason}</span></li>"
+            )?;
+        }
+        writeln!(page, "</ul>")?;
     }
     if !(beyond.is_empty() && more.is_empty()) {
         writeln!(page, "<h2 id=\"beyond\">Beyond the paper</h2>")?;
