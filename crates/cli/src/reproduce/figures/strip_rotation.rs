@@ -56,7 +56,7 @@ fn draw(_: Effort) -> Drawing {
     };
     let origin = [r0, -r1, 0.0];
     name(&mut sheet, origin, [r0, -r1 + 0.45, 0.0], "x_1", [2.0, 7.0]);
-    name(&mut sheet, origin, [r0 - 0.6, -r1, 0.0], "x_0", [-6.0, 0.0]);
+    name(&mut sheet, [-r0, -r1, 0.0], [-r0 + 0.6, -r1, 0.0], "x_0", [-9.0, 3.0]);
     name(&mut sheet, origin, [r0, -r1, 0.25], "x_2", [6.5, 0.0]);
     Ok(sheet.svg)
 }
