@@ -113,7 +113,7 @@ impl Walls {
     ) {
         let side = sides[sides.len() - 1];
         if sides.len() > 1 {
-            *shares.entry(word(sides)).or_insert(0.0) += (from.1 - from.0).abs();
+            *shares.entry(word(sides.iter().copied())).or_insert(0.0) += (from.1 - from.0).abs();
         }
         if sides.len() == length {
             return;
@@ -140,17 +140,15 @@ impl Walls {
     }
 }
 
-/// Sides named in the order of first appearance.
-fn word(sides: &[usize]) -> String {
+/// Sides named 1, 2, 3 … in the order of first appearance.
+pub fn word(sides: impl IntoIterator<Item = usize>) -> String {
     let mut seen: Vec<usize> = vec![];
-    sides
-        .iter()
-        .map(|side| {
-            let place = seen.iter().position(|s| s == side).unwrap_or_else(|| {
-                seen.push(*side);
-                seen.len() - 1
-            });
-            ['1', '2', '3'][place]
-        })
-        .collect()
+    let mut name = |side: usize| {
+        let place = seen.iter().position(|s| *s == side).unwrap_or_else(|| {
+            seen.push(side);
+            seen.len() - 1
+        });
+        (place + 1).to_string()
+    };
+    sides.into_iter().map(|side| name(side)).collect()
 }

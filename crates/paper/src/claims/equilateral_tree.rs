@@ -1,5 +1,8 @@
 //! Which sequences of sides the orbits of the equilateral triangle have.
-use crate::{Claim, Effort, Measurement, Quantity, Verdict, side_sequences};
+use crate::{
+    Claim, Effort, Measurement, Quantity, Verdict,
+    side_sequences::{self, word},
+};
 use std::collections::BTreeSet;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -8,7 +11,7 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "Up to the names of the sides, orbits of the equilateral triangle repeat 1212, 123123 or 121323; no orbit contains 12131, 121321, \
                 1213232 or 1231232.",
     verdict: Verdict::Holds,
-    general_gamma: Some("For γ² = 1/2 only: other disks have further sequences."),
+    general_gamma: Some("For γ² = 1/2 only: other disks have further sequences (not measured)."),
     measure,
 };
 
@@ -17,25 +20,7 @@ fn of_cycles(length: usize) -> BTreeSet<String> {
     let mut words = BTreeSet::new();
     for cycle in ["1212", "123123", "121323"] {
         for start in 0..cycle.len() {
-            let letters: Vec<char> = cycle.chars().cycle().skip(start).take(length).collect();
-            let mut seen = vec![];
-            words.insert(
-                letters
-                    .iter()
-                    .map(|letter| {
-                        if !seen.contains(letter) {
-                            seen.push(*letter);
-                        }
-                        if *letter == seen[0] {
-                            '1'
-                        } else if seen.get(1) == Some(letter) {
-                            '2'
-                        } else {
-                            '3'
-                        }
-                    })
-                    .collect(),
-            );
+            words.insert(word(cycle.bytes().cycle().skip(start).take(length).map(usize::from)));
         }
     }
     words

@@ -5,6 +5,7 @@ use super::super::sheet::{LABEL, Sheet, fit};
 use super::super::{Drawing, Effort, Figure};
 use crate::picture::{Anchor, Style, Window};
 use billiards::geometry::tables;
+use paper::side_sequences;
 
 pub(super) const FIGURE: Figure = Figure {
     name: "equilateral",
@@ -16,19 +17,6 @@ pub(super) const FIGURE: Figure = Figure {
                  apart.",
     draw,
 };
-
-/// The sides hit, numbered in the order of their first hit.
-pub(super) fn word(path: &Path, length: usize) -> String {
-    let mut seen = Vec::new();
-    let letter = |piece: usize| {
-        let at = seen.iter().position(|p| *p == piece).unwrap_or_else(|| {
-            seen.push(piece);
-            seen.len() - 1
-        });
-        char::from(b'1' + u8::try_from(at).unwrap_or(8))
-    };
-    path.hits.iter().take(length).map(|hit| hit.piece).map(letter).collect()
-}
 
 /// The smallest distance between two of the first six collisions.
 fn apart(path: &Path, period: usize) -> f64 {
@@ -50,7 +38,8 @@ fn draw(_: Effort) -> Drawing {
     let mut sheet = Sheet::new(3.0 * (side + 5.0) + 2.0, height + 20.0);
     for (i, (kind, period)) in [("1212", 4), ("123123", 6), ("121323", 6)].into_iter().enumerate() {
         let left = 3.0 + (side + 5.0) * i as f64;
-        let of_kind = paths.iter().filter(|path| word(path, kind.len()) == kind);
+        let sides = |path: &Path| side_sequences::word(path.hits.iter().take(kind.len()).map(|hit| hit.piece));
+        let of_kind = paths.iter().filter(|path| sides(path) == kind);
         let best = of_kind.max_by(|a, b| apart(a, period).total_cmp(&apart(b, period)));
         let window = Window { low: [0.0, 0.0], high: [1.0, libm::sqrt(3.0) / 2.0] };
         let view = fit(window, [left, 3.0], side, height);
