@@ -143,12 +143,12 @@ impl Walls {
 /// Sides named 1, 2, 3 … in the order of first appearance.
 pub fn word(sides: impl IntoIterator<Item = usize>) -> String {
     let mut seen: Vec<usize> = vec![];
-    let mut name = |side: usize| {
+    let name = |side: usize| {
         let place = seen.iter().position(|s| *s == side).unwrap_or_else(|| {
             seen.push(side);
             seen.len() - 1
         });
         (place + 1).to_string()
     };
-    sides.into_iter().map(|side| name(side)).collect()
+    sides.into_iter().map(name).collect()
 }

@@ -78,7 +78,7 @@ fn measure(effort: Effort) -> Measurement {
     let slope = 1.0 / libm::sqrt(BALL);
     let sharp = libm::sqrt(1.0 + BALL) * slope;
     let (mut off, mut slopes, mut relative, mut agreeing) = (vec![], Range::EMPTY, Range::EMPTY, Range::EMPTY);
-    let (mut long, mut whole) = (0, 0);
+    let (mut long, mut whole) = (0_usize, 0);
     for sample in 0..orbits {
         let mut stream = Stream::new(209, sample);
         let rise = stream.between(0.2, 0.8);
@@ -130,8 +130,8 @@ fn measure(effort: Effort) -> Measurement {
     let phase = 10.0 * core::f64::consts::PI / (0.5 * f64::from(collisions));
     [
         // ℓ > 0.3 is a rise below 0.957 without spin; with it the spin may be most of the rest
-        Quantity::at_least("orbits with ℓ > 0.3", f64::from(long), 0.75 * orbits as f64, 0.0),
-        Quantity::count("of these, with all their collisions", whole, long as usize),
+        Quantity::at_least("orbits with ℓ > 0.3", long as f64, 0.75 * orbits as f64, 0.0),
+        Quantity::count("of these, with all their collisions", whole, long),
         Quantity::equal("|slope| of the lines of contact, least", slopes.min, slope, slope * 16.0 * rounding),
         Quantity::equal("|slope| of the lines of contact, greatest", slopes.max, slope, slope * 16.0 * rounding),
         Quantity::equal("1/γ against √(5/2)", slope, libm::sqrt(2.5), 4.0 * f64::EPSILON),
