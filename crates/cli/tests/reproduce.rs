@@ -65,7 +65,9 @@ fn one_claim_is_measured_with_its_verdict() {
     let out = folder("claim");
     fs::create_dir_all(&out).unwrap();
     let whole = ["index.html", "claims.json"];
-    whole.iter().for_each(|name| fs::write(out.join(name), "of a whole run").unwrap());
+    for name in whole {
+        fs::write(out.join(name), "of a whole run").unwrap();
+    }
     reproduce(&["--quick", "--only", "strip-width"], &out).success();
     let json: serde_json::Value =
         serde_json::from_str(&fs::read_to_string(out.join("strip-width.json")).unwrap()).unwrap();
