@@ -123,7 +123,9 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, hit);
         orbit.position = hit.point;
         let normal_speed = dot(&orbit.velocity, &hit.normal);
-        let arrived = Arrived { owed: *owed, normal_speed, reverses: self.law.is_strict() };
+        let reverses = self.law.is_strict();
+        let owed = if reverses { *owed } else { orbit.keeper.rounded_off(*owed) };
+        let arrived = Arrived { owed, normal_speed, reverses };
         self.law.collide(hit, &mut orbit.velocity, &mut orbit.spin);
         if self.walls.rounds_normals() {
             orbit.keeper.straighten(&mut orbit.velocity, hit, &arrived);

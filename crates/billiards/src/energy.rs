@@ -31,6 +31,11 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     ///
     /// It is asked for before the hit is looked for, so that nothing waits for it.
     fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F;
+    /// As much of what is owed as rounding can have lost: nothing where a law has taken it. For laws that may.
+    #[inline(always)]
+    fn rounded_off(&self, owed: F) -> F {
+        owed
+    }
     /// Sees what `arrived` at a collision, and may correct the velocity that leaves it.
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>);
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
@@ -192,6 +197,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         self.missing(velocity, spin)
     }
     #[inline(always)]
+    fn rounded_off(&self, owed: F) -> F {
+        owed.abs().lt(self.high * MOST).select(owed, owed.same(0.0))
+    }
+    #[inline(always)]
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.is_due() {
             self.restore(velocity, hit, arrived);
@@ -223,7 +232,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
     }
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F {
-        self.missing(velocity, spin) * (self.share + self.share)
+        EnergyKeeper::<F, N, S>::rounded_off(self, self.missing(velocity, spin)) * (self.share + self.share)
     }
     fn square(&self, lane: usize) -> Option<Double> {
         Some(Double { high: self.high.lane(lane), low: self.low.lane(lane) })
@@ -293,12 +302,11 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         due
     }
 
-    /// What a velocity and a spin lack of the energy, as `|v|² + |w|²`; nothing where rounding cannot have lost it.
+    /// What a velocity and a spin lack of the energy, as `|v|² + |w|²`.
     #[inline(always)]
     fn missing<const S: usize>(&self, velocity: &[F; N], spin: &[F; S]) -> F {
         let (high, low) = precise_square(self.grid, velocity, spin);
-        let missing = (self.high - high) + (self.low - low);
-        missing.abs().lt(self.high * MOST).select(missing, missing.same(0.0))
+        (self.high - high) + (self.low - low)
     }
 
     /// Hands what the energy lacked on arrival to the velocity that leaves: to its normal component, of which the size is known

@@ -249,7 +249,10 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             orbit.keeper.pass();
         } else {
             let mut velocity = [-arrival, chord.tangential];
-            let owed = orbit.keeper.owed(&velocity, &orbit.spin);
+            let mut owed = orbit.keeper.owed(&velocity, &orbit.spin);
+            if !self.law.is_strict() {
+                owed = orbit.keeper.rounded_off(owed);
+            }
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
             orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, owed);
             [carried.normal, carried.even.tangential] = velocity;
