@@ -130,7 +130,8 @@ impl Horizon {
     /// Follows an orbit on a table of some `size` \[L\] for at most so many collisions and so much time, `[collisions, time]`.
     ///
     /// For a table of no size (a strip) give infinity: then the orbit is lost with the direction of its velocity.
-    /// Any law will do, also one that is another at each place: it is differentiated by velocity, spin, normal and place. Where nothing is known of the walls' curvature, `walls` is [`Felt`].
+    /// Any law will do, also one that is another at each place: it is differentiated by velocity, spin, normal and place. Where nothing
+    /// is known of the walls' curvature, `walls` is [`Felt`].
     pub fn of<const N: usize, const S: usize>(
         billiard: &dyn Bounce<N, S>,
         walls: &dyn Bend<N>,
