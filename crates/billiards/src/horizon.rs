@@ -118,7 +118,7 @@ const ROUNDING: f64 = 0.5 * f64::EPSILON;
 const STEP: f64 = 1.0 / 1024.0;
 
 /// The same for the place of a hit, of which the rounding of coordinates is the limit. Most laws are the same beside it, and then this
-/// derivative is 0 exactly; a field that is smooth over the table is right to 10⁻⁸. One that is drawn anew at each place changes by as
+/// derivative is 0 exactly; a field that is smooth over a flight is right to 10⁻⁸. One that is drawn anew at each place changes by as
 /// much as it can over this step already, so that two collisions with it leave nothing.
 const PLACE: f64 = 1.0 / 67_108_864.0; // 2⁻²⁶
 
@@ -262,8 +262,8 @@ struct Derivative<'a, const N: usize, const S: usize> {
     before: Start<N, S>,
     hit: WallHit<f64, N>,
     normal: [f64; N],
-    /// The size of the coordinates that are rounded.
-    length: f64,
+    /// How far the place of the hit is moved, times [`PLACE`] \[L\].
+    nearby: f64,
     /// Unit vectors along the wall, and the derivatives of the normal along them \[L⁻¹\].
     bends: Vec<[[f64; N]; 2]>,
 }
@@ -282,7 +282,9 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
         let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
-        let derivative = Derivative { billiard, before: *at, hit: *hit, normal, length, bends };
+        // between the flight, over which a law may change, and the coordinates, which are rounded
+        let nearby = libm::sqrt(length * flight);
+        let derivative = Derivative { billiard, before: *at, hit: *hit, normal, nearby, bends };
         spread.widen(n);
         spread.round(length, 0.0, 1.0 + n);
         spread.carry(|d| derivative.apply(d));
@@ -294,7 +296,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
 
     /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.
     fn apply(&self, d: &Start<N, S>) -> Start<N, S> {
-        let Derivative { before: Start { velocity: v, spin: w, .. }, hit, normal: n, length, .. } = self;
+        let Derivative { before: Start { velocity: v, spin: w, .. }, hit, normal: n, nearby, .. } = self;
         let moved = plus(&d.position, hit.time, &d.velocity);
         let position = plus(&moved, -dot(&moved, n) / dot(v, n), v);
         let mut turned = [0.0; N];
@@ -309,7 +311,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
             quotient(STEP / change, |step| self.collide(there, n, plus(v, step, &d.velocity), plus(w, step, &d.spin)));
         let by_normal = quotient(STEP / norm(&turned), |step| self.collide(there, &plus(n, step, &turned), *v, *w));
         let by_place =
-            quotient(PLACE * length / norm(&position), |step| self.collide(&plus(there, step, &position), n, *v, *w));
+            quotient(PLACE * nearby / norm(&position), |step| self.collide(&plus(there, step, &position), n, *v, *w));
         let velocity = plus(&plus(&by_motion.0, 1.0, &by_normal.0), 1.0, &by_place.0);
         let spin = plus(&plus(&by_motion.1, 1.0, &by_normal.1), 1.0, &by_place.1);
         Start { position, velocity, spin }

@@ -34,7 +34,7 @@ mod wires;
 mod words;
 mod work;
 
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64};
 use std::time::Duration;
@@ -184,7 +184,7 @@ impl Simulation {
         let kept = Kept { folder, needs: &needs, horizons: &horizons };
         // better now than after hours
         let path = folder.join("summary.json");
-        let mut summary_file = WholeFile::create(&path)?;
+        WholeFile::probe(&path)?;
         let (material, totals, busy) = match &self.body {
             Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
             Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
@@ -198,8 +198,7 @@ impl Simulation {
         }
         let names = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned())).collect();
         let summary = Summary::new(&self.scene, self.orbits(), &totals, horizons, names, busy, control.threads);
-        summary_file.write_all(summary.json().as_bytes())?;
-        summary_file.finish()?;
+        WholeFile::write(&path, summary.json().as_bytes())?;
         files.insert(0, path);
         Ok(Done { summary, files })
     }

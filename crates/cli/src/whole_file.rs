@@ -65,6 +65,14 @@ impl WholeFile {
         Ok(Self { path: path.into(), temporary, file: Some(file), portion: 0, carrier: None })
     }
 
+    /// Tells before the work whether a file can be made there, and leaves nothing behind.
+    ///
+    /// # Errors
+    /// As [`create`](Self::create).
+    pub fn probe(path: &Path) -> io::Result<()> {
+        Self::create(path).map(drop)
+    }
+
     /// Writes a whole file at once.
     ///
     /// # Errors

@@ -18,7 +18,8 @@ use arrangement::Arrangement;
 pub enum Origin {
     /// The parallel of the piece of that number.
     Piece(usize),
-    /// The arc about the re-entrant corner where one piece ends and another starts.
+    /// The arc about the re-entrant corner where one piece ends and another starts; about the tip of a wall without thickness both are
+    /// that wall.
     Corner {
         /// The piece that ends at the corner.
         before: usize,
@@ -91,6 +92,7 @@ impl Table {
             pieces.push(piece);
             origins.push(origin);
         }
-        Ok(Offset { table: Table::periodic(pieces, self.lattice().cloned())?, origins })
+        let table = Table::periodic(pieces, self.lattice().cloned())?;
+        Ok(Offset { table: if self.unbounded { table.unbounded() } else { table }, origins })
     }
 }

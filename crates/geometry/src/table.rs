@@ -1,11 +1,12 @@
 //! A table: its pieces, and how they hang together.
 mod container;
 mod fastest;
+mod two_sided;
 
 use crate::{
-    Error, Extent, Landing, Lattice, Piece,
+    Error, Extent, Figure, Landing, Lattice, Piece,
     plane::slack,
-    shapes,
+    shapes::{self, Shape},
     walls::{Pieces, Polygon},
 };
 use container::Enclosed;
@@ -76,7 +77,7 @@ impl Table {
         if pieces.is_empty() {
             return Err(Error::Empty);
         }
-        let pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
+        let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(|p| p.ends()).collect();
         let finite = |v: &Vector2<f64>| v.iter().all(|x| x.is_finite());
         let starts = || ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i)));
@@ -135,13 +136,23 @@ impl Table {
                 return Err(Error::Open { piece: i, gap });
             }
         }
-        let nearby = if let Some(lattice) = &lattice {
+        if let Some(lattice) = &lattice {
             few_cells(&pieces, lattice)?;
-            translates(&pieces, lattice, 1.0)
-        } else {
-            let alone = |(number, piece)| Translate { number, by: Vector2::zeros(), piece };
-            pieces.iter().cloned().enumerate().map(alone).collect()
-        };
+        }
+        let mut nearby = all_nearby(&pieces, lattice.as_ref());
+        let straight = nearby.iter().filter_map(|copy| match copy.piece.figure() {
+            Figure::Segment { ends } => Some((copy.number, ends)),
+            _ => None,
+        });
+        let double = two_sided::two_sided(straight);
+        if !double.is_empty() {
+            for i in double {
+                if let Some(Shape::Segment(segment)) = pieces[i].shape() {
+                    pieces[i] = Arc::new(segment.two_sided());
+                }
+            }
+            nearby = all_nearby(&pieces, lattice.as_ref());
+        }
         let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
         Ok(Table { pieces, next, corners, lattice, unbounded: false, nearby, enclosed, polygon, parts })
     }
@@ -326,6 +337,15 @@ fn closest_of<'a>(pieces: impl Iterator<Item = (usize, &'a dyn Piece)>, point: &
         }
     }
     best
+}
+
+/// All pieces with their numbers; on a lattice, all translates that reach within a cell of the unit cell.
+fn all_nearby(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>) -> Vec<Translate> {
+    if let Some(lattice) = lattice {
+        return translates(pieces, lattice, 1.0);
+    }
+    let alone = |(number, piece)| Translate { number, by: Vector2::zeros(), piece };
+    pieces.iter().cloned().enumerate().map(alone).collect()
 }
 
 /// Fails where the pieces reach over so many cells that their translates would fill the memory.

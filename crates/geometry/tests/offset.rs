@@ -498,16 +498,19 @@ fn walls_without_thickness_have_round_tips() {
         let alone = table(wall()).offset(0.125).unwrap();
         assert!((alone.table.area() + PI * 0.125 * 0.125 + 0.25 * length).abs() < 1e-14);
         assert!(alone.origins.iter().all(|origin| origin.piece() == 0));
+        assert_eq!(table(wall()).unbounded().offset(0.125).unwrap().table.validate(), Ok(()));
     }
-    // chains of them with corners, one straight, a star, and one that ends on a wall
+    // chains of them with corners, one straight, a star, and some that end on walls, on one another or in corners
     let room = || polygon(&[[-2.0, -2.0], [2.0, -2.0], [2.0, 2.0], [-2.0, 2.0]]);
     let zigzag = [[-1.0, 0.0], [0.0, 0.25], [0.5, -0.5], [1.0, 0.5]];
     let straight = [[-1.0, -0.3], [0.1, 0.03], [1.0, 0.3]];
-    let chains: [&[&[[f64; 2]]]; 4] = [
+    let chains: [&[&[[f64; 2]]]; 6] = [
         &[&zigzag],
         &[&straight],
         &[&[[0.0, 0.0], [1.0, 0.2]], &[[0.0, 0.0], [-0.7, 0.9]], &[[0.0, 0.0], [-0.1, -1.0]]],
         &[&[[-2.0, 0.5], [1.0, 0.5]]],
+        &[&[[0.0, -1.0], [0.0, 1.0]], &[[0.0, 0.0], [1.0, 0.0]], &[[0.0, 0.5], [-0.7, 1.0]]],
+        &[&[[-2.0, -2.0], [0.0, 0.0]], &[[2.0, -2.0], [1.0, 0.0]]],
     ];
     for chain in chains {
         for radius in [1e-3, 0.125, 0.25] {

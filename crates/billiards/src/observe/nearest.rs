@@ -13,19 +13,19 @@ use core::ops::ControlFlow;
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<const N: usize, const S: usize> {
     point: [f64; N],
-    flight: Flight<N, S>,
+    flight: Option<Flight<N, S>>,
     square: f64,
 }
 
 impl<const N: usize, const S: usize> Nearest<N, S> {
     /// How near the flights come to `point`, the first of which begins where `orbit` is.
     pub fn to<K, T>(point: [f64; N], orbit: &Orbit<f64, N, S, K, T>) -> Self {
-        Nearest { point, flight: Flight::from(orbit), square: f64::INFINITY }
+        Nearest { point, flight: Some(Flight::from(orbit)), square: f64::INFINITY }
     }
 
     /// Goes on with another orbit, from where that is now.
     pub fn follow<K, T>(&mut self, orbit: &Orbit<f64, N, S, K, T>) {
-        self.flight = Flight::from(orbit);
+        self.flight = Some(Flight::from(orbit));
     }
 
     /// The smallest distance so far; infinite before the first collision.
@@ -37,7 +37,10 @@ impl<const N: usize, const S: usize> Nearest<N, S> {
 impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for Nearest<N, S> {
     #[inline]
     fn collision(&mut self, c: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
-        let v = &self.flight.velocity;
+        // a flight whose start was not seen does not count
+        let Some(Flight { velocity: v, .. }) = self.flight.replace(Flight::from(c.orbit)) else {
+            return ControlFlow::Continue(());
+        };
         // going back from the hit along −v for a time τ, at most that of the flight
         let (mut ahead, mut square) = (0.0, 0.0);
         for i in 0..N {
@@ -47,7 +50,6 @@ impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for Nearest<N, S
         let back = if square > 0.0 { (ahead / square).min(c.hit.time).max(0.0) } else { 0.0 };
         let distance = |i: usize| c.hit.point[i] - self.point[i] - back * v[i];
         self.square = self.square.min((0..N).map(|i| distance(i) * distance(i)).sum());
-        self.flight = Flight::from(c.orbit);
         ControlFlow::Continue(())
     }
 }
@@ -55,5 +57,8 @@ impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for Nearest<N, S
 impl<const N: usize, const S: usize> Merge for Nearest<N, S> {
     fn merge(self, other: Self) -> Self {
         Nearest { square: self.square.min(other.square), ..self }
+    }
+    fn next_orbit(&mut self) {
+        self.flight = None;
     }
 }

@@ -40,7 +40,8 @@ fn against_error(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fa
     reader.tell(|| report::preamble(arguments.law, effort, out));
     let bar = progress();
     let mut scores: Vec<Score> = vec![];
-    for table in tables {
+    let mut done = 0;
+    for table in &tables {
         if interrupted.load(Ordering::Relaxed) {
             break;
         }
@@ -51,11 +52,13 @@ fn against_error(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fa
         let measured = measured.map_err(|error| Failure::Work(format!("{}: {error}", table.name)))?;
         reader.tell(|| bar.suspend(|| report::table(&measured, out)));
         scores.extend(measured);
+        done += 1;
     }
     bar.finish_and_clear();
     let all = format!("{:#}\n", report::json(&scores, arguments.law, effort));
     reader.finish(&all, out);
     keep.write(&[all, chart::draw(&scores).to_string()])?;
+    whole(done, tables.len(), "tables")?;
     Ok(reader.heard?)
 }
 
@@ -70,7 +73,7 @@ fn under_stress(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fai
     let mut reader = Reader { json: arguments.json, heard: Ok(()) };
     let bar = progress();
     let mut reports = vec![];
-    for case in cases {
+    for case in &cases {
         if interrupted.load(Ordering::Relaxed) {
             break;
         }
@@ -84,6 +87,7 @@ fn under_stress(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fai
     let all = format!("{:#}\n", report::stress_json(&reports, effort));
     reader.finish(&all, out);
     keep.write(&[all])?;
+    whole(reports.len(), cases.len(), "cases")?;
     let bad = |report: &&stress::Report| report.result.as_ref().map_or(true, |tally| tally.lost > 0);
     match reports.iter().filter(bad).map(|report| report.name).collect::<Vec<_>>()[..] {
         [] => Ok(reader.heard?),
@@ -97,6 +101,11 @@ fn interruption() -> Result<Arc<AtomicBool>, Failure> {
     let flag = Arc::clone(&interrupted);
     super::on_ctrl_c(move || flag.swap(true, Ordering::Relaxed))?;
     Ok(interrupted)
+}
+
+/// Fails where Ctrl-C has cut the work short: what is done is kept, but it is not all.
+fn whole(done: usize, of: usize, what: &str) -> Result<(), Failure> {
+    if done == of { Ok(()) } else { Err(Failure::Work(format!("interrupted: {done} of {of} {what} are done"))) }
 }
 
 /// Whoever reads the results: tables as they come, or JSON at the end. The work goes on where nobody listens any more.
@@ -121,25 +130,24 @@ impl Reader {
     }
 }
 
-/// The files that the user wants, begun before the work, which would be lost where they cannot be written.
+/// The files that the user wants. Whether they can be written is found out before the work, which would be lost otherwise.
 struct Keep {
-    files: Vec<(PathBuf, WholeFile)>,
+    paths: Vec<PathBuf>,
 }
 
 impl Keep {
     fn new(arguments: &args::Bench, names: &[&str]) -> Result<Self, Failure> {
         let paths = arguments.out.iter().flat_map(|folder| names.iter().map(|name| folder.join(name)));
-        let begin = |path: PathBuf| match WholeFile::create(&path) {
-            Ok(file) => Ok((path, file)),
-            Err(error) => Err(unwritable(&path, &error)),
-        };
-        Ok(Keep { files: paths.map(begin).collect::<Result<_, _>>()? })
+        let keep = Keep { paths: paths.collect() };
+        for path in &keep.paths {
+            WholeFile::probe(path).map_err(|error| unwritable(path, &error))?;
+        }
+        Ok(keep)
     }
 
-    fn write(self, contents: &[String]) -> Result<(), Failure> {
-        for ((path, mut file), content) in self.files.into_iter().zip(contents) {
-            let written = file.write_all(content.as_bytes()).and_then(|()| file.finish());
-            written.map_err(|error| unwritable(&path, &error))?;
+    fn write(&self, contents: &[String]) -> Result<(), Failure> {
+        for (path, content) in self.paths.iter().zip(contents) {
+            WholeFile::write(path, content.as_bytes()).map_err(|error| unwritable(path, &error))?;
         }
         Ok(())
     }

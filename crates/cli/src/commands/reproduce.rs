@@ -76,16 +76,17 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
         }
         None => Files { page: "index.html".into(), claims: Some("claims.json".into()) },
     };
+    let mut told = Ok(());
     if !(drawn.is_empty() && measured.is_empty()) {
         write(&results, effort, &arguments.out, &files)
             .map_err(|error| Failure::Work(format!("{}: {error}", arguments.out.display())))?;
         let rest = jobs.len() - drawn.len() - measured.len() - failed.len();
         let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
         let page = arguments.out.join(files.page);
-        writeln!(out, "{}: {} figures, {} claims{missing}", page.display(), drawn.len(), measured.len())?;
+        told = writeln!(out, "{}: {} figures, {} claims{missing}", page.display(), drawn.len(), measured.len());
     }
     let wrong: Vec<String> = failed.iter().cloned().chain(measured.iter().filter_map(disagreement)).collect();
-    if wrong.is_empty() { Ok(()) } else { Err(Failure::Work(wrong.join("\nerror: "))) }
+    if wrong.is_empty() { Ok(told?) } else { Err(Failure::Work(wrong.join("\nerror: "))) }
 }
 
 /// What disagrees with a claim's verdict, if anything does.

@@ -219,7 +219,7 @@ impl<'a> Arrangement<'a> {
                     [None, None] if length.is_finite() => [0.0, length],
                     [None, None] => [f64::NEG_INFINITY, f64::INFINITY],
                 };
-                if !hidden && self.is_clear(&drawn, &*r.piece, range) {
+                if !hidden && self.is_clear(&drawn, r, range) {
                     kept.push(Section { raw, last: raw, range, sites: pair.map(|c| c.map(|c| c.site)) });
                 }
             }
@@ -227,16 +227,26 @@ impl<'a> Arrangement<'a> {
         kept
     }
 
-    /// Whether the middle of a section is at its distance from the boundary, with room beside it.
-    fn is_clear(&self, drawn: &Copies, piece: &dyn Piece, [low, high]: [f64; 2]) -> bool {
+    /// Whether a section is at its distance from the boundary, with room beside it: its middle, or where another wall may touch it
+    /// there, as in the middle of the arc around a tip, further points.
+    fn is_clear(&self, drawn: &Copies, raw: &Raw, [low, high]: [f64; 2]) -> bool {
         let step = self.radius.max(self.tolerance / f64::EPSILON);
-        let middle = match (low.is_finite(), high.is_finite()) {
-            (true, true) => 0.5 * (low + high),
-            (true, false) => low + step,
-            (false, true) => high - step,
-            (false, false) => 0.0,
-        };
-        let at = piece.point_at(middle);
+        let is_tip = matches!(raw.origin, Origin::Corner { before, after } if before == after);
+        let shares: &[f64] = if is_tip { &[0.5, 0.125, 0.875] } else { &[0.5] };
+        shares.iter().all(|share| {
+            let at = match (low.is_finite(), high.is_finite()) {
+                (true, true) => low + share * (high - low),
+                (true, false) => low + step,
+                (false, true) => high - step,
+                (false, false) => 0.0,
+            };
+            self.is_clear_at(drawn, &*raw.piece, at)
+        })
+    }
+
+    /// Whether a point of a moved piece is at its distance from the boundary, with room beside it.
+    fn is_clear_at(&self, drawn: &Copies, piece: &dyn Piece, at: f64) -> bool {
+        let at = piece.point_at(at);
         if drawn.nearest(&at, self.radius - self.tolerance).is_some() {
             return false;
         }

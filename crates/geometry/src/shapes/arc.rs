@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{cross, dot, from, moved, slack},
+    plane::{cross, direction, dot, from, moved, slack},
     shapes::{Circle, Shape},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -73,8 +73,9 @@ impl Arc {
         if (ra - rb).abs() <= slack([center.x, center.y, radius]) || a == b {
             return Arc::with_radius(center, radius, a, b, inside);
         }
-        let (middle, chord) = (0.5 * (a + b), b - a);
-        let off = chord * ((center - middle).dot(&chord) / chord.norm_squared());
+        let (chord, _) = direction(a.into(), b.into()).ok_or(Error::ZeroLength)?;
+        let chord = Vector2::from(chord);
+        let off = chord * (center - 0.5 * (a + b)).dot(&chord);
         if !(off.amax() <= 1e-6 * radius) {
             return Err(Error::OffCircle { start: ra, end: rb });
         }
@@ -302,6 +303,13 @@ mod tests {
         // almost a whole circle between vertices off by 10⁻¹⁰ may be anywhere
         let slit = Arc::new(Vector2::zeros(), a, v(1.0 + 1e-10, -1e-6), true);
         assert!(matches!(slit, Err(Error::OffCircle { .. })));
+    }
+
+    #[test]
+    fn a_path_along_the_tangent_of_a_vertex_does_not_leak() {
+        // the cap of a stadium, from the end of the straight wall on which the path runs
+        let cap = Arc::new(v(1.0, 1.0), v(1.0, 0.0), v(1.0, 2.0), true).unwrap();
+        assert_eq!(time(&cap, v(0.0, 0.0), v(1.0, 1e-17)), 1.0);
     }
 
     #[test]

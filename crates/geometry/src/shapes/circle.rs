@@ -89,8 +89,7 @@ impl Circle {
         if self.inside {
             // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
             let coming = !zero.lt(b);
-            // one that starts outside the disk leaves it after it has entered it, if ever
-            let really = allowed & ((coming & roots.meets) | c.lt(off));
+            let really = allowed & (coming | c.lt(off));
             Candidate { really, num: coming.select(q, -c), den: coming.select(a, q) }
         } else {
             // entering the disk: the earlier root
@@ -108,7 +107,8 @@ impl Circle {
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let roots = self.roots(x, v);
-        let allowed = if self.inside { !x[0].never() } else { roots.meets };
+        // a path that starts outside a disk leaves it after it has entered it, if ever
+        let allowed = if self.inside { roots.meets | roots.c.lt(roots.c.same(self.off)) } else { roots.meets };
         self.outward(&roots, allowed)
     }
 

@@ -49,7 +49,8 @@ pub struct Segment {
     /// Unit normal into the table.
     normal: [f64; 2],
     length: f64,
-    /// Minus the distance by which a start may lie outside: rounding.
+    /// Minus the distance by which a start may lie outside: rounding. Of one side of a wall with two, the distance by which it must
+    /// lie inside.
     behind: f64,
 }
 
@@ -63,6 +64,15 @@ impl Segment {
         let normal = [-along_y, along_x];
         let behind = -slack([a.x, a.y, b.x, b.y]);
         Ok(Segment { a: a.into(), b: b.into(), normal, length, behind })
+    }
+
+    /// The same as one side of a wall on which the table lies behind, too: what starts on the wall, within rounding, may be on either
+    /// side and does not cross it.
+    pub(crate) fn two_sided(self) -> Segment {
+        Segment { behind: 0.5 * self.behind.abs(), ..self }
+    }
+    pub(crate) fn is_two_sided(&self) -> bool {
+        self.behind > 0.0
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
@@ -103,7 +113,8 @@ impl Segment {
 
     pub(crate) fn translated(self, by: [f64; 2]) -> Segment {
         let (a, b) = (moved(self.a, by), moved(self.b, by));
-        Segment { a, b, behind: -slack(a.into_iter().chain(b)), ..self }
+        let moved = Segment { a, b, behind: -slack(a.into_iter().chain(b)), ..self };
+        if self.is_two_sided() { moved.two_sided() } else { moved }
     }
 
     fn direction(&self) -> Vector2<f64> {

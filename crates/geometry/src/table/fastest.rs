@@ -6,6 +6,7 @@ use super::{
 };
 use crate::{
     Figure, Lattice, Piece,
+    shapes::Shape,
     walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
 };
 use nalgebra::Vector2;
@@ -71,10 +72,11 @@ impl Table {
         self.pieces.iter().all(|piece| matches!(piece.figure(), Figure::Segment { .. }))
     }
 
-    /// All pieces as the sides of a polygon, if they are straight.
+    /// All pieces as the sides of a polygon, if they are straight and none is one side of a wall with two.
     fn polygon(&self) -> Option<Polygon> {
-        let side = |(i, piece): (usize, &Arc<dyn Piece>)| match piece.figure() {
-            Figure::Segment { ends } => Some((i, ends)),
+        let side = |(i, piece): (usize, &Arc<dyn Piece>)| match (piece.figure(), piece.shape()) {
+            (_, Some(Shape::Segment(segment))) if segment.is_two_sided() => None,
+            (Figure::Segment { ends }, _) => Some((i, ends)),
             _ => None,
         };
         let sides: Option<Vec<_>> = self.pieces.iter().enumerate().map(side).collect();

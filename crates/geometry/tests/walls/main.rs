@@ -237,6 +237,46 @@ fn a_vertex_flatter_than_any_corner_is_none() {
 }
 
 #[test]
+fn what_starts_on_a_wall_between_two_rooms_does_not_hit_its_other_side() {
+    let v = Vector2::new;
+    let square = |x: f64, y: f64| polygon([v(x, y), v(x + 1.0, y), v(x + 1.0, y + 1.0), v(x, y + 1.0)]);
+    let table = |sides: Vec<Segment>| Table::new(sides.into_iter().map(|s| Box::new(s) as _).collect()).unwrap();
+    // rooms that share a wall, or half of one; a slit; a wall of its own, askew; each with a few more pillars than fit one list
+    let pillars = |k: u32| {
+        let at = |i: u32| v(0.1 + 0.05 * f64::from(i), 0.05);
+        (0..k).flat_map(|i| polygon([at(i), at(i) + v(0.0, 0.01), at(i) + v(0.01, 0.01)])).collect::<Vec<_>>()
+    };
+    let slit = polygon([v(0.0, 0.0), v(1.0, 0.0), v(1.0, 1.0), v(0.5, 1.0), v(0.5, 0.4), v(0.5, 1.0), v(0.0, 1.0)]);
+    let own = [square(0.0, 0.0), polygon([v(0.3, 0.3), v(0.7, 0.41)])].concat();
+    let rooms =
+        [[square(0.0, 0.0), square(1.0, 0.0)].concat(), [square(0.0, 0.0), square(1.0, 0.5)].concat(), slit, own];
+    let mut random = Random(14);
+    for (room, many) in rooms.iter().flat_map(|room| [(room, 0), (room, 10)]) {
+        let table = table([room.clone(), pillars(many)].concat());
+        table.validate().unwrap();
+        let paths = paths(&table, 2000, &mut random);
+        let next = |path: &Line<2>| {
+            let hit = table.with_walls(Ask(*path)).unwrap();
+            let v = path.velocity;
+            let on = Line { point: hit.point, velocity: v - hit.normal * (2.0 * v.dot(&hit.normal)) };
+            (hit, on)
+        };
+        let mut of_walls = vec![];
+        for path in &paths {
+            let (first, on) = next(path);
+            let (second, _) = next(&on);
+            if !first.corner && first.normal.dot(&path.velocity).abs() > 1e-6 * path.velocity.norm() {
+                // from one wall to another, and no time there and back
+                assert!(first.piece != second.piece && second.time > 0.0, "{path:?} {first:?} {second:?}");
+                of_walls.push(first.piece);
+            }
+        }
+        assert!((0..room.len()).all(|piece| of_walls.contains(&piece)), "some wall is never hit");
+        table.with_walls(side_by_side::SameBits { name: "two sides", paths: &paths });
+    }
+}
+
+#[test]
 fn rooms_apart_are_one_table() {
     // two unit squares, and a disk in the second one
     let v = Vector2::new;

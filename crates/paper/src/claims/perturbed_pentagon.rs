@@ -5,7 +5,7 @@ use crate::{
     law::UNIFORM,
     motion::{Billiard, bounces, canonical_start, distance, no_slip, specular},
     random::Stream,
-    statistics::{standard_error_of_share, worst},
+    statistics::worst,
 };
 use billiards::geometry::tables;
 
@@ -49,8 +49,9 @@ fn measure(effort: Effort) -> Measurement {
     // the more bent the less is left; the control has none
     for amount in [0.005, 0.02] {
         let bent = share(&no_slip(tables::perturbed_polygon(5, 1.0, amount), UNIFORM));
-        let certain = STANDARD_ERRORS * standard_error_of_share(bent, orbits);
-        quantities.push(Quantity::at_least(label(&format!("amount {amount}")), bent, 0.0, -certain));
+        // a count of k² is k standard errors above none
+        let certain = STANDARD_ERRORS * STANDARD_ERRORS / orbits as f64;
+        quantities.push(Quantity::at_least(label(&format!("amount {amount}")), bent, certain, 0.0));
     }
     let chaotic = share(&specular(tables::sinai(1.0, 0.25)));
     quantities.push(Quantity::at_most(label("control, smooth disk on the Sinai table"), chaotic, 0.0, 0.0));

@@ -189,8 +189,12 @@ impl Collected<'_> {
 
     /// Fails where the loop of the pieces from this one on has the domain on its left elsewhere than the scene says.
     fn runs_around(&self, first: usize, domain: Domain, span: Span) -> Result<(), Box<Diagnostic>> {
-        let area: f64 = self.pieces[first..].iter().map(|piece| piece.area()).sum();
+        // a wall with two sides has neither inside nor outside, but for rounding
+        let areas = || self.pieces[first..].iter().map(|piece| piece.area());
+        let area: f64 = areas().sum();
+        let rounding = 16.0 * f64::EPSILON * areas().fold(0.0, |m: f64, area| m.max(area.abs()));
         let (way, other) = match domain {
+            _ if area.abs() <= rounding => return Ok(()),
             Domain::Inside if area < 0.0 => ("clockwise, so that the domain is outside", "inside"),
             Domain::Outside if area > 0.0 => ("counter-clockwise, so that the domain is inside", "outside"),
             _ => return Ok(()),
