@@ -283,7 +283,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let normal = hit.unit_normal();
         let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
         // between the flight, over which a law may change, and the coordinates, which are rounded
-        let nearby = libm::sqrt(length * flight);
+        let nearby = libm::sqrt(length * flight.max(f64::EPSILON * length));
         let derivative = Derivative { billiard, before: *at, hit: *hit, normal, nearby, bends };
         spread.widen(n);
         spread.round(length, 0.0, 1.0 + n);
@@ -337,7 +337,7 @@ fn quotient<const N: usize, const S: usize>(
     step: f64,
     f: impl Fn(f64) -> ([f64; N], [f64; S]),
 ) -> ([f64; N], [f64; S]) {
-    if step == f64::INFINITY || step == 0.0 {
+    if !(0.0 < step && step < f64::INFINITY) {
         return ([0.0; N], [0.0; S]);
     }
     let (low, high) = (f(-step), f(step));

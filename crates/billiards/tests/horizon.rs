@@ -255,3 +255,12 @@ fn of_an_orbit_that_meets_another_law_at_each_ulp_nothing_is_left_after_two_coll
     let found = horizon(&Billiard { walls: &cube, law: &rough });
     assert!(!found.lost && found.error < 1e-4, "{found:?}");
 }
+
+#[test]
+fn an_orbit_that_starts_on_a_wall_on_its_way_out_is_not_lost() {
+    let start = Start { position: [0.41, 0.0], velocity: [0.6, -0.8], spin: [0.1] };
+    for law in laws() {
+        let seen = horizon(&tables::square(1.0).unwrap(), &law, start, 1.0, 100);
+        assert_eq!((seen.collisions, seen.lost), (100, false), "{seen:?}");
+    }
+}

@@ -111,6 +111,9 @@ impl Table {
 
     /// A chain of pieces that one composite wall can answer for, and all other pieces.
     fn enclosed(&self) -> Option<Enclosed> {
+        if self.unbounded {
+            return None; // around all chains
+        }
         let figures = self.figures();
         let rest = |used: &[usize]| (0..self.pieces.len()).filter(|i| !used.contains(i)).collect();
         for chain in self.chains() {

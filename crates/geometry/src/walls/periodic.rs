@@ -27,8 +27,9 @@ const MOST_CELLS: usize = 10_000_000;
 /// square root.
 const STRETCH: usize = 8;
 
-/// How late a hit on an edge may seem, as part of the time of flight and of that through a cell. The edge's coordinate is computed to
-/// 2 ulp of the cell, the times of both to 2 ulp of their own and one for each cell of a stretch.
+/// How late a hit on an edge may seem: this part of the time of flight and of that through a cell, as many times as the cell's
+/// coordinates are larger than its width. Those of an edge and a wall are computed to 2 ulp each, the times of both to 2 ulp of their
+/// own and one for each cell of a stretch.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// After so many cells, a power of two and no less than a stretch, a flight may be one along a corridor.
@@ -37,9 +38,12 @@ const PATIENCE: usize = 16;
 impl<W> Periodic<W> {
     /// The walls in the unit cell of a lattice.
     pub fn new(walls: W, lattice: &Lattice) -> Self {
-        let mut translations = [Translation { functional: [0.0; 2], vector: [0.0; 2] }; 2];
+        let mut translations = [Translation { functional: [0.0; 2], vector: [0.0; 2], rounding: 0.0 }; 2];
+        let reach = |i: usize| lattice.vectors().iter().map(|vector| vector[i].abs()).sum::<f64>();
         for (i, (translation, vector)) in translations.iter_mut().zip(lattice.vectors()).enumerate() {
-            *translation = Translation { functional: lattice.functional(i), vector: (*vector).into() };
+            let [f, g] = lattice.functional(i);
+            let rounding = ROUNDING * (1.0 + f.abs() * reach(0) + g.abs() * reach(1));
+            *translation = Translation { functional: [f, g], vector: (*vector).into(), rounding };
         }
         Periodic { walls, translations }
     }
@@ -51,6 +55,8 @@ struct Translation {
     /// The coordinate that this vector makes larger by 1; between 0 and 1 in the unit cell.
     functional: [f64; 2],
     vector: [f64; 2],
+    /// The rounding of coordinates in the cell, as part of its width.
+    rounding: f64,
 }
 
 /// How a path crosses the edges of cells that one translation takes to each other.
@@ -60,18 +66,21 @@ struct Crossings<F: Lane> {
     step: [F; 2],
     /// The time from one crossing to the next; infinite along the edges.
     period: F,
+    /// How late a hit on the edge may seem.
+    late: F,
     up: F::Mask,
 }
 
 impl<F: Lane> Crossings<F> {
     #[inline(always)]
     fn new(translation: &Translation, v: &[F; 2]) -> Self {
-        let Translation { functional: [f, g], vector: [x, y] } = *translation;
+        let Translation { functional: [f, g], vector: [x, y], rounding } = *translation;
         let speed = v[0] * f + v[1] * g;
         let (zero, one) = (speed.same(0.0), speed.same(1.0));
         let up = zero.lt(speed);
         let step = [up.select(zero.same(x), zero.same(-x)), up.select(zero.same(y), zero.same(-y))];
-        Crossings { functional: [f, g], step, period: one / speed.abs(), up }
+        let period = one / speed.abs();
+        Crossings { functional: [f, g], step, period, late: period * rounding, up }
     }
 
     /// The time until the first crossing of a path from `x` in the unit cell.
@@ -107,8 +116,8 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             let other = next[1].lt(next[0]);
             let exit = other.select(next[1], next[0]);
             // a hit within this cell or, but for rounding, on its edge; or in a direction that leaves none
-            let period = other.select(second.period, first.period);
-            let here = flying & !(exit + (exit + period) * ROUNDING).lt(flown + hit.time);
+            let late = exit * ROUNDING + other.select(second.late, first.late);
+            let here = flying & !(exit + late).lt(flown + hit.time);
             best = best.or(here, &WallHit { time: begun.high + (begun.low + (flown + hit.time)), ..hit });
             flying = flying & !here;
             if !flying.any() {

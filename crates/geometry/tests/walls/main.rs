@@ -248,8 +248,18 @@ fn what_starts_on_a_wall_between_two_rooms_does_not_hit_its_other_side() {
     };
     let slit = polygon([v(0.0, 0.0), v(1.0, 0.0), v(1.0, 1.0), v(0.5, 1.0), v(0.5, 0.4), v(0.5, 1.0), v(0.0, 1.0)]);
     let own = [square(0.0, 0.0), polygon([v(0.3, 0.3), v(0.7, 0.41)])].concat();
-    let rooms =
-        [[square(0.0, 0.0), square(1.0, 0.0)].concat(), [square(0.0, 0.0), square(1.0, 0.5)].concat(), slit, own];
+    // a small room on a long slanted wall
+    let at = |s: f64, off: f64| v(0.55, -0.75) + v(0.6, 0.8) * s + v(-0.8, 0.6) * off;
+    let large = polygon([at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)]);
+    let small = polygon([at(0.37, 0.0), at(0.37, -0.5), at(0.47, -0.5), at(0.47, 0.0)]);
+    let slanted = [large, small].concat();
+    let rooms = [
+        slanted,
+        [square(0.0, 0.0), square(1.0, 0.0)].concat(),
+        [square(0.0, 0.0), square(1.0, 0.5)].concat(),
+        slit,
+        own,
+    ];
     let mut random = Random(14);
     for (room, many) in rooms.iter().flat_map(|room| [(room, 0), (room, 10)]) {
         let table = table([room.clone(), pillars(many)].concat());

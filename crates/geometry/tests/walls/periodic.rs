@@ -78,6 +78,11 @@ fn walled() -> Vec<(&'static str, Table)> {
         ("another one", Table::periodic(both, upright()).unwrap()),
         ("a wall along an edge", Table::periodic(two(v(0.0, 0.0), v(0.0, 0.01)), upright()).unwrap()),
         ("a wall along a slanted edge", Table::periodic(thirds, torus(e, f)).unwrap()),
+        ("a wall along the edge of a long cell", {
+            let (sin, cos) = libm::sincos(0.53);
+            let (long, short) = (v(cos, sin) * 256.0, v(-sin, cos));
+            Table::periodic(two(v(0.0, 0.0), long), torus(long, short)).unwrap()
+        }),
         ("a channel with a baffle", Table::periodic(channel, Some(Lattice::new(&[v(0.7, 0.0)]).unwrap())).unwrap()),
     ]
 }
@@ -95,7 +100,10 @@ fn no_path_passes_a_wall_along_an_edge_of_cells() {
             let (point, _) = lattice.reduce(&point);
             let piece = &table.pieces()[paths.len() % table.pieces().len()];
             let cell = [at(), at()].map(|a| f64::from(a < 0.5));
-            let aim = piece.point_at(at() * piece.length()) + lattice.translation(cell) - point;
+            let near = piece.arc_length_at(&point) + 4.0 * (at() - 0.5);
+            let aim = piece.point_at(near.clamp(0.001 * piece.length(), 0.999 * piece.length()))
+                + lattice.translation(cell)
+                - point;
             if table.contains(&point) && aim.norm() < 2.5 {
                 paths.push(Line { point, velocity: aim * at() });
             }
