@@ -488,7 +488,7 @@ fn screens(points: &[[f64; 2]]) -> Vec<Box<dyn Piece>> {
 fn walls_without_thickness_have_round_tips() {
     // in a disk, and alone in the open plane: a stadium is taken away
     for (angle, length) in [(0.0_f64, 1.0), (0.7, 2.0), (-2.1, 0.25)] {
-        let [a, b] = [-0.5, 0.5].map(|k| v(0.3, -0.2) + v(angle.cos(), angle.sin()) * (k * length));
+        let [a, b] = [-0.5, 0.5].map(|k| v(0.3, -0.2) + v(libm::cos(angle), libm::sin(angle)) * (k * length));
         let wall = || screens(&[a.into(), b.into()]);
         let off =
             check("wall in a disk", &table(wall().into_iter().chain([circle(0.0, 0.0, 3.0, true)]).collect()), 0.125);

@@ -36,6 +36,26 @@ pub enum End {
     Lost(Stop),
 }
 
+/// Shows an orbit after these numbers of collisions; `step` makes so many more, and tells why it stopped and where.
+fn in_steps(
+    stops: &[u64],
+    look: &mut dyn FnMut(usize, &State<f64>),
+    mut step: impl FnMut(u64) -> (Stop, State<f64>),
+) -> End {
+    let mut done = 0;
+    for (k, &stop) in stops.iter().enumerate() {
+        let (why, state) = step(stop - done);
+        match why {
+            Stop::Finished => {}
+            Stop::Corner => return End::Corner,
+            _ => return End::Lost(why),
+        }
+        done = stop;
+        look(k, &state);
+    }
+    End::Whole
+}
+
 /// An entry of the registry.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {

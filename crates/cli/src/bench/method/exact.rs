@@ -2,12 +2,12 @@
 
 use billiards::geometry::tables::SpatialTable;
 use billiards::geometry::{Homogeneous, Table, Walls, WithWalls};
-use billiards::{Billiard, Clock, Conserved, Orbit, Outcome, Rolling, Stop};
+use billiards::{Billiard, Clock, Conserved, Orbit, Outcome, Rolling};
 
 use super::super::case::{Case, Space};
 use super::super::law::Law;
 use super::super::state::{State, first};
-use super::{End, Entry, Method, always};
+use super::{End, Entry, Method, always, in_steps};
 use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Trail, Until};
 
 pub(super) const ENTRY: Entry = Entry {
@@ -108,18 +108,10 @@ pub(in crate::bench) fn trace<const N: usize, const S: usize, T: Trail<N, S>>(
     look: &mut dyn FnMut(usize, &State<f64>),
 ) -> End {
     let mut orbit = orbit::<N, S>(start);
-    let mut done = 0;
-    for (k, &stop) in stops.iter().enumerate() {
-        let Outcome { stop: why, .. } = engine.bare(&mut orbit, until(stop - done));
-        match why {
-            Stop::Finished => {}
-            Stop::Corner => return End::Corner,
-            _ => return End::Lost(why),
-        }
-        done = stop;
-        look(k, &State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin));
-    }
-    End::Whole
+    in_steps(stops, look, |collisions| {
+        let Outcome { stop, .. } = engine.bare(&mut orbit, until(collisions));
+        (stop, State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin))
+    })
 }
 
 /// Runs each start for so many collisions.

@@ -3,7 +3,7 @@
 use super::super::case::{Case, Space};
 use super::super::law::Law;
 use super::super::state::{State, first};
-use super::{End, Entry, Method, always};
+use super::{End, Entry, Method, always, in_steps};
 use crate::simulation::{PlanarLaw, SpatialLaw};
 use billiards::geometry::tables::SpatialTable;
 use billiards::geometry::{Walls, WithWalls};
@@ -50,19 +50,11 @@ where
     Conserved<f64, N>: EnergyKeeper<f64, N, S>,
 {
     let mut orbit: Kept<N, S> = Orbit::new(first(&start.position), first(&start.velocity), first(&start.spin), ());
-    let mut done = 0;
-    for (k, &stop) in stops.iter().enumerate() {
-        let mut why = Stop::Finished;
-        run(orbit, stop - done, &mut |finished| (orbit, why) = (finished.orbit, finished.outcome.stop));
-        match why {
-            Stop::Finished => {}
-            Stop::Corner => return End::Corner,
-            _ => return End::Lost(why),
-        }
-        done = stop;
-        look(k, &State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin));
-    }
-    End::Whole
+    in_steps(stops, look, |collisions| {
+        let mut stop = Stop::Finished;
+        run(orbit, collisions, &mut |finished| (orbit, stop) = (finished.orbit, finished.outcome.stop));
+        (stop, State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin))
+    })
 }
 
 /// The starts, again and again until there are enough.
