@@ -206,10 +206,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             self.restore(velocity, hit, arrived);
         }
     }
-    /// `v − 2 (v·n) n/|n|²` is `v − 2 (v·n) n` less `2 (v·n) (1 − |n|²) n`.
+    /// With the unit vector `u = ι n`, `v − 2 (v·u) u/|u|²` is `v − 2 (v·u) u` less `2 (v·u) (1 − |u|²) u`.
     #[inline(always)]
     fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
-        let (n, arrival) = (&hit.normal, arrived.normal_speed);
+        let (n, arrival) = (hit.unit_normal(), arrived.normal_speed * hit.inverse);
         // not from a sum near 1, which rounds to even numbers and so on one side more often than on the other
         let lacks = n.iter().fold(arrival.same(1.0), |rest, n| rest - *n * *n);
         let twice = (arrival + arrival) * lacks;

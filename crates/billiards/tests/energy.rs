@@ -1,6 +1,7 @@
 //! The keeper keeps the energy under any law that does, wherever the orbit goes.
 use billiards::collision_laws::laws::{NoSlip, Restitution, Specular};
-use billiards::geometry::{WallHit, tables};
+use billiards::geometry::shapes::{Circle, Ellipse};
+use billiards::geometry::{Table, Vector2, WallHit, tables};
 use billiards::observe::EnergyDrift;
 use billiards::{BallLaw, Collisions, Conserved, Orbit, Planar, laws::Disk};
 use lanes::Lane;
@@ -29,6 +30,21 @@ impl BallLaw<2, 1> for Scattering {
         let vt = vt.abs() + vt.abs() - speed;
         let vn = (square - vt * vt).max(speed.same(0.0)).sqrt();
         *velocity = [vn * n1 - vt * n2, vn * n2 + vt * n1];
+    }
+}
+
+#[test]
+fn energy_is_kept_between_a_round_room_and_an_ellipse() {
+    // the normals of the room are as long as its radius, those of the ellipse 1 but for rounding
+    for radius in [1.5, 3.7] {
+        let room = Circle::new(Vector2::zeros(), radius, true).unwrap();
+        let ellipse = Ellipse::new(Vector2::new(0.2, 0.0), [0.5, 0.25], 0.0, false).unwrap();
+        let table = Table::new(vec![Box::new(room), Box::new(ellipse)]).unwrap();
+        let billiard = Planar { table, law: Disk::new(&NoSlip, 0.5) };
+        let mut orbit: Disks = Orbit::new([-1.0, 0.1], [0.6, 0.8], [0.3], ());
+        let mut drift = EnergyDrift::of(&orbit);
+        assert_eq!(billiard.run(&mut orbit, &Collisions(10_000), &mut drift).collisions, 10_000);
+        assert!(drift.largest() < 3e-14, "{radius}: {:e}", drift.largest());
     }
 }
 

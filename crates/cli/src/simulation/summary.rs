@@ -141,7 +141,7 @@ pub(crate) fn host() -> String {
 fn date(moment: SystemTime) -> String {
     let seconds = moment.duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
     let (days, seconds) = (seconds / 86_400, seconds % 86_400);
-    // Civil date from days, in eras of 400 years that begin in March [Hinnant, chrono-compatible date algorithms].
+    // Civil date from days, in eras of 400 years that begin in March [Hinnant].
     let days = days + 719_468;
     let (era, day) = (days / 146_097, days % 146_097);
     let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
