@@ -356,6 +356,21 @@ fn what_is_left_of_a_closed_curve_may_run_over_its_seam() {
 }
 
 #[test]
+fn a_parallel_that_touches_its_translates_is_counted_once() {
+    // ellipses on a rectangular lattice, and a disk that exactly fills the gaps between them: the parallels touch where their parts meet
+    for [a, b] in [[0.75, 0.5], [0.75, 0.75]] {
+        let ellipse = Ellipse::new(v(0.0, 0.0), [a, b], 0.0, false).unwrap();
+        let lattice = Lattice::new(&[v(2.0, 0.0), v(0.0, 2.0 * b + 0.5)]).unwrap();
+        let length = ellipse.length();
+        let table = Table::periodic(vec![Box::new(ellipse)], Some(lattice)).unwrap();
+        let left = check("touching", &table, 0.25).table;
+        let [area, perimeter] = [PI * (a * b + 0.0625) + 0.25 * length, length + 0.5 * PI]; // Steiner
+        assert!((left.area() - (2.0 * (2.0 * b + 0.5) - area)).abs() < 1e-13, "{a} {b}: {}", left.area());
+        assert!((left.perimeter() - perimeter).abs() < 1e-13, "{a} {b}: {}", left.perimeter());
+    }
+}
+
+#[test]
 fn infinite_tables_have_offsets() {
     let ray = |x: f64, y: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, y), left).unwrap()) as Box<dyn Piece>;
     let wedge = check("wedge", &table(vec![ray(1.0, 2.0, true), ray(-1.0, 2.0, false)]), 0.5);

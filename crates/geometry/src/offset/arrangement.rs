@@ -348,7 +348,8 @@ impl<'a> Arrangement<'a> {
             let wraps = p.piece.ends().is_none() && a.range[1] == b.range[0] + length;
             let same = a.last == b.raw && (a.range[1] == b.range[0] || wraps);
             let parts = match (&p.part, &q.part) {
-                (Some(p), Some(q)) => p.curve == q.curve && a.range[1] == length && b.range[0] == 0.0,
+                // not where one part ends on the beginning of another by chance, as where the curve touches itself
+                (Some(p), Some(q)) => p.leads_to(q, [a.last, b.raw]) && a.range[1] == length && b.range[0] == 0.0,
                 _ => false,
             };
             cell == next && (same || parts)

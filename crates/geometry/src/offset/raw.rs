@@ -36,6 +36,17 @@ pub(super) struct Part {
     pub(super) curve: usize,
 }
 
+impl Part {
+    /// Whether `next` goes on along the curve where this part ends, by their numbers among the moved pieces.
+    pub(super) fn leads_to(&self, next: &Part, [number, next_number]: [usize; 2]) -> bool {
+        let base = self.parallel.base();
+        let around = base.ends().is_none()
+            && self.parallel.base_range()[1] == base.length()
+            && next.parallel.base_range()[0] == 0.0;
+        self.curve == next.curve && (next_number == number + 1 || around)
+    }
+}
+
 /// The moved pieces, and their ends as vertices.
 #[derive(Debug)]
 pub(super) struct RawBoundary {
