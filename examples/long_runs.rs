@@ -44,7 +44,7 @@ fn main() -> Result<(), Error> {
         let (drift, restored) =
             (long::energy_drift(&billiard, count, 100_000), long::restored_drift(&billiard, 10_000));
         println!("  {name:<54} {drift:.1e}, {restored:.1e}");
-        assert!(drift < 2e-14 && restored <= 4e-16, "{name}");
+        assert!(drift < 1e-14 && restored <= 4e-16, "{name}");
     }
     let error = long::unfolding_error(100_000)?;
     println!("unit square, position at t = 1e5                         {error:.1e}");

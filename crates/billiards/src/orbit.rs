@@ -37,7 +37,7 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
     /// Velocity and spin with the energy of the start to the last digit: `|E − E₀| ≤ 2⁻⁵¹ E₀` wherever the orbit is.
     ///
     /// The orbit itself goes on without: its energy is restored at every [`BEAT`](crate::BEAT)th collision and off by what the ones
-    /// since then round, up to 2·10⁻¹⁴. All components grow by the same factor; what is right already stays as it is, and so does
+    /// since then round, up to 10⁻¹⁴. All components grow by the same factor; what is right already stays as it is, and so does
     /// everything where no energy is kept.
     ///
     /// ```
