@@ -21,7 +21,7 @@ pub use ink::{Colour, ORBITS};
 pub use orbit::draw as orbit;
 pub use phase_portrait::{Reduced, WIDTH as REDUCED_WIDTH};
 pub use png::Raster;
-pub use stroke::Stroke;
+pub use stroke::{Solid, Stroke};
 pub use svg::{Anchor, Outline, Style, Svg, escape};
 pub use velocity_portrait::cloud as velocities;
 pub use view::{View, Window};
@@ -47,7 +47,7 @@ pub struct Picture {
 /// What a run must collect for a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
-    /// [`Material::outline`], [`Material::guides`], [`Material::radius`], [`Material::window`] and [`Material::paths`].
+    /// [`Material::solids`], [`Material::outline`], [`Material::guides`], [`Material::radius`], [`Material::window`] and [`Material::paths`].
     Paths,
     /// [`Material::velocities`].
     Velocities,
@@ -58,6 +58,8 @@ pub enum Needs {
 /// What a run has collected.
 #[derive(Clone, Debug, Default)]
 pub struct Material {
+    /// The insides of obstacles, and hollows in these after them.
+    pub solids: Vec<Solid>,
     /// The walls.
     pub outline: Vec<Stroke>,
     /// Lines that are no walls: around the region of centres of a particle of positive radius, and of lattice cells.

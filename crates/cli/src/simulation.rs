@@ -14,6 +14,7 @@ mod job;
 mod keeper;
 mod law;
 mod look;
+mod mesh;
 mod paths;
 mod places;
 mod planar;
@@ -64,7 +65,7 @@ pub use describe::{Description, First, PieceOf, Region, StartOf};
 pub use horizon::{Horizons, OfOrbit};
 pub use same_bits::{OtherBits, SameBits};
 pub use summary::Summary;
-pub(crate) use words::{point, short};
+pub(crate) use words::{plural, point, short};
 
 /// A scene whose table is built and whose starts are checked.
 #[derive(Debug)]
@@ -229,6 +230,7 @@ impl Simulation {
         harvest.clouds.merge(counts);
         let (mut material, totals) = harvest.finish()?;
         let factor = planar.drawn.factor;
+        material.solids = strokes::solids(&planar.drawn.table, factor);
         material.outline = strokes::of(&planar.drawn.table, factor);
         material.radius = self.scene.particle.radius.value;
         if material.radius > 0.0 {

@@ -1,6 +1,7 @@
 //! The table and the orbits in it.
 
 use super::ink::{Colour, ORBITS};
+use super::stroke::joined;
 use super::svg::{Outline, Style, Svg};
 use super::view::{View, Window};
 use super::{COLUMN, File, Material, Needs, Picture};
@@ -36,16 +37,13 @@ pub fn draw(material: &Material) -> Svg {
     let mut svg = Svg::new(width + 2.0 * MARGIN, height + 2.0 * MARGIN);
     let corner = [MARGIN - 0.5 * WALL, MARGIN - 0.5 * WALL];
     svg.clipped(corner, [width + WALL, height + WALL], |svg| {
-        for stroke in material.outline.iter().filter(|stroke| stroke.is_solid()) {
-            svg.path(&stroke.outline(&view), Style::area(Colour::SOLID));
+        for solid in &material.solids {
+            let colour = if solid.is_hollow { Colour::WHITE } else { Colour::SOLID };
+            svg.path(&joined(&solid.edge, &view), Style::area(colour));
         }
         orbits(svg, &view, material);
-        for stroke in &material.guides {
-            svg.path(&stroke.outline(&view), Style::line(Colour::MIDDLE, THIN));
-        }
-        for stroke in &material.outline {
-            svg.path(&stroke.outline(&view), Style::line(Colour::BLACK, WALL));
-        }
+        svg.path(&joined(&material.guides, &view), Style::line(Colour::MIDDLE, THIN));
+        svg.path(&joined(&material.outline, &view), Style::line(Colour::BLACK, WALL));
     });
     // a dot on a wall at the edge is seen whole
     ends(&mut svg, &view, material);
@@ -70,7 +68,8 @@ fn window(material: &Material) -> Window {
 }
 
 fn orbits(svg: &mut Svg, view: &View, material: &Material) {
-    let legs: usize = material.paths.iter().flat_map(|path| &path.chains).map(Vec::len).sum();
+    let chains = material.paths.iter().flat_map(|path| &path.chains);
+    let legs: usize = chains.map(|chain| chain.len().saturating_sub(1)).sum();
     // The more lines, the thinner, so that the picture keeps its greys.
     let (width, opacity) = match legs {
         0..=60 => (0.6, 1.0),
@@ -81,16 +80,26 @@ fn orbits(svg: &mut Svg, view: &View, material: &Material) {
     };
     for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
         let style = Style::line(colour, width).with_opacity(opacity);
-        // Lines of one element do not darken each other: a few at a time, so that what is visited often gets dark.
-        for part in path.chains.iter().flat_map(|chain| parts(chain)) {
-            svg.path(Outline::new().chain(part.iter().map(|p| view.place(*p))), style);
+        let last = path.escape.and_then(|[point, direction]| view.window().clip(point, direction, 0.0));
+        let last = last.map(|ends| parts(core::iter::once(ends), view)).unwrap_or_default();
+        let legs = path.chains.iter().flat_map(|chain| chain.windows(2)).map(|leg| [leg[0], leg[1]]);
+        svg.paths(parts(legs, view).into_iter().chain(last), style);
+    }
+}
+
+/// The outlines of at most [`PART`] legs each: those of one element do not darken each other, so that what is visited often gets
+/// dark only if there are several.
+fn parts(legs: impl Iterator<Item = [[f64; 2]; 2]>, view: &View) -> Vec<Outline> {
+    let mut parts: Vec<Outline> = vec![];
+    for (number, leg) in legs.enumerate() {
+        if number % PART == 0 {
+            parts.push(Outline::new());
         }
-        if let Some([point, direction]) = path.escape
-            && let Some(ends) = view.window().clip(point, direction, 0.0)
-        {
-            svg.path(Outline::new().chain(ends.map(|p| view.place(p))), style);
+        if let Some(part) = parts.last_mut() {
+            part.chain(leg.map(|p| view.place(p)));
         }
     }
+    parts
 }
 
 /// Where each orbit starts and where its horizon is, unless they are too many to be told apart.
@@ -110,23 +119,38 @@ fn ends(svg: &mut Svg, view: &View, material: &Material) {
     }
 }
 
-/// A chain cut into overlapping parts of at most [`PART`] legs.
-fn parts(chain: &[[f64; 2]]) -> impl Iterator<Item = &[[f64; 2]]> {
-    (0..chain.len().saturating_sub(1)).step_by(PART).map(|i| &chain[i..chain.len().min(i + PART + 1)])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::{Path, Stroke};
+    use crate::picture::{Path, Solid, Stroke};
+
+    /// How many paths there are in a picture, how many styles of lines, and how many parts of paths and legs.
+    fn counts(material: &Material) -> [usize; 4] {
+        let svg = draw(material).to_string();
+        let (_, body) = svg.split_once("<rect").unwrap();
+        ["<path", "stroke-width", "M", "L"].map(|what| body.matches(what).count())
+    }
 
     #[test]
-    fn parts_overlap_in_one_point_and_cover_the_chain() {
-        let chain: Vec<_> = (0..200).map(|i| [f64::from(i), 0.0]).collect();
-        let parts: Vec<_> = parts(&chain).collect();
-        assert_eq!(parts.iter().map(|part| part.len() - 1).sum::<usize>(), 199);
-        assert!(parts.windows(2).all(|w| w[0].last() == w[1].first()));
-        assert_eq!(super::parts(&[]).count() + super::parts(&chain[..1]).count(), 0);
+    fn legs_of_many_short_chains_share_elements_and_their_style() {
+        let chains = (0..200).map(|i| vec![[f64::from(i), 0.0], [f64::from(i), 1.0]]).collect();
+        let paths = vec![Path { chains, ..Path::default() }];
+        // the dot at the start has a style, too
+        assert_eq!(counts(&Material { paths, ..Material::default() }), [200 / PART, 2, 200, 200]);
+    }
+
+    #[test]
+    fn legs_of_one_chain_go_on_from_one_another() {
+        let chain = (0..200).map(|i| [f64::from(i), f64::from(i % 2)]).collect();
+        let paths = vec![Path { chains: vec![chain, vec![], vec![[1.0, 1.0]]], ..Path::default() }];
+        assert_eq!(counts(&Material { paths, ..Material::default() }), [4, 2, 4, 199]);
+    }
+
+    #[test]
+    fn walls_with_many_sides_are_one_path() {
+        let corner = |k: u32| [f64::from(k % 100), f64::from(k % 100).sqrt()];
+        let outline = (0..100).map(|k| Stroke::Segment(corner(k), corner(k + 1))).collect();
+        assert_eq!(counts(&Material { outline, ..Material::default() }), [1, 1, 1, 100]);
     }
 
     #[test]
@@ -137,9 +161,10 @@ mod tests {
                 Stroke::Line([0.0, 1.0], [1.0, 0.0]),
                 Stroke::Ray([0.0, 0.0], [1.0, 2.0]),
                 Stroke::Arc { center: [0.0, 0.0], radius: 1.0, start: 0.5, sweep: -6.0 },
-                Stroke::Circle { center: [3.0, 0.0], radius: 0.5, solid: true },
-                Stroke::Chain { points: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], solid: true },
+                Stroke::Circle { center: [3.0, 0.0], radius: 0.5 },
+                Stroke::Chain(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]),
             ],
+            solids: vec![Solid { edge: vec![Stroke::Circle { center: [3.0, 0.0], radius: 0.5 }], is_hollow: false }],
             paths: vec![
                 Path {
                     chains: vec![vec![[0.0, 0.0], [2.0, 2.0]], vec![]],

@@ -23,22 +23,33 @@ pub enum Stroke {
         /// Angle swept, counter-clockwise positive.
         sweep: f64,
     },
-    /// A whole circle; `solid` if its inside is an obstacle.
+    /// A whole circle.
     Circle {
         /// Centre.
         center: [f64; 2],
         /// Radius.
         radius: f64,
-        /// Whether its inside is an obstacle.
-        solid: bool,
     },
-    /// Any curve, as a fine chain of points; `solid` if it is closed and its inside an obstacle.
-    Chain {
-        /// Points, near enough to one another to look smooth.
-        points: Vec<[f64; 2]>,
-        /// Whether it is closed and its inside an obstacle.
-        solid: bool,
-    },
+    /// Any curve, as a chain of points that are near enough to one another to look smooth.
+    Chain(Vec<[f64; 2]>),
+}
+
+/// The inside of closed strokes and chains of strokes: each stroke begins where the one before it ends, or a new chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// The strokes around it.
+    pub edge: Vec<Stroke>,
+    /// Whether it is no obstacle but a hollow in one drawn before.
+    pub is_hollow: bool,
+}
+
+/// Strokes as one outline on the page, which goes on where one begins at the end of the last.
+pub(super) fn joined(strokes: &[Stroke], view: &View) -> Outline {
+    let mut outline = Outline::new();
+    for stroke in strokes {
+        stroke.trace(view, &mut outline);
+    }
+    outline
 }
 
 impl Stroke {
@@ -60,49 +71,46 @@ impl Stroke {
                 }
                 points
             }
-            Self::Circle { center: [x, y], radius: r, .. } => vec![[x - r, y - r], [x + r, y + r]],
-            Self::Chain { ref points, .. } => points.clone(),
+            Self::Circle { center: [x, y], radius: r } => vec![[x - r, y - r], [x + r, y + r]],
+            Self::Chain(ref points) => points.clone(),
         }
-    }
-
-    /// Whether the inside is an obstacle.
-    pub fn is_solid(&self) -> bool {
-        matches!(self, Self::Circle { solid: true, .. } | Self::Chain { solid: true, .. })
     }
 
     /// Its outline on the page.
     pub fn outline(&self, view: &View) -> Outline {
         let mut outline = Outline::new();
+        self.trace(view, &mut outline);
+        outline
+    }
+
+    /// Adds it to an outline.
+    fn trace(&self, view: &View, outline: &mut Outline) {
         let window = view.window();
         match *self {
             Self::Segment(a, b) => {
                 outline.chain([view.place(a), view.place(b)]);
             }
-            Self::Line(point, direction) => clipped(&mut outline, view, window, point, direction, f64::NEG_INFINITY),
-            Self::Ray(point, direction) => clipped(&mut outline, view, window, point, direction, 0.0),
+            Self::Line(point, direction) => clipped(outline, view, window, point, direction, f64::NEG_INFINITY),
+            Self::Ray(point, direction) => clipped(outline, view, window, point, direction, 0.0),
             Self::Arc { center, radius, start, sweep } => {
                 // Two halves: a single arc of nearly a whole turn would be lost to rounding.
                 let (middle, end) = (start + 0.5 * sweep, start + sweep);
                 let large = sweep.abs() > 2.0 * core::f64::consts::PI;
-                outline.move_to(view.place(on(center, radius, start)));
+                outline.go_on_from(view.place(on(center, radius, start)));
                 for angle in [middle, end] {
                     outline.arc_to(view.place(on(center, radius, angle)), radius * view.scale(), large, sweep < 0.0);
                 }
             }
-            Self::Circle { center, radius, .. } => {
+            Self::Circle { center, radius } => {
                 let (a, b) = ([center[0] + radius, center[1]], [center[0] - radius, center[1]]);
                 let r = radius * view.scale();
                 outline.move_to(view.place(a));
                 outline.arc_to(view.place(b), r, false, false).arc_to(view.place(a), r, false, false).close();
             }
-            Self::Chain { ref points, solid } => {
+            Self::Chain(ref points) => {
                 outline.chain(points.iter().map(|p| view.place(*p)));
-                if solid {
-                    outline.close();
-                }
             }
         }
-        outline
     }
 }
 

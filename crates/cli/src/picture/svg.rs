@@ -68,7 +68,14 @@ pub enum Anchor {
 
 /// The outline of a path, step by step.
 #[derive(Clone, Debug, Default)]
-pub struct Outline(String);
+pub struct Outline {
+    steps: String,
+    /// Where it has come to, unless it is closed there.
+    at: Option<[f64; 2]>,
+}
+
+/// What begins so near to where an outline ends goes on there: ends of arcs are rounded.
+const SAME: f64 = 1e-3;
 
 impl Outline {
     /// An empty outline.
@@ -78,30 +85,42 @@ impl Outline {
 
     /// Starts a new part at a point.
     pub fn move_to(&mut self, [x, y]: [f64; 2]) -> &mut Self {
+        self.at = Some([x, y]);
         self.push(format_args!("M{} {}", Short(x), Short(y)))
+    }
+
+    /// Goes on from a point if the outline has come to it; else starts a new part there.
+    pub fn go_on_from(&mut self, [x, y]: [f64; 2]) -> &mut Self {
+        match self.at {
+            Some([u, v]) if (x - u).abs() <= SAME && (y - v).abs() <= SAME => self,
+            _ => self.move_to([x, y]),
+        }
     }
 
     /// A straight line to a point.
     pub fn line_to(&mut self, [x, y]: [f64; 2]) -> &mut Self {
+        self.at = Some([x, y]);
         self.push(format_args!("L{} {}", Short(x), Short(y)))
     }
 
     /// A circular arc to a point: whether it is more than half a circle, and whether it turns clockwise on the page.
     pub fn arc_to(&mut self, [x, y]: [f64; 2], radius: f64, large: bool, clockwise: bool) -> &mut Self {
         let r = Short(radius);
+        self.at = Some([x, y]);
         self.push(format_args!("A{r} {r} 0 {} {} {} {}", u8::from(large), u8::from(clockwise), Short(x), Short(y)))
     }
 
     /// Back to the start of this part.
     pub fn close(&mut self) -> &mut Self {
+        self.at = None;
         self.push(format_args!("Z"))
     }
 
-    /// Through points in turn.
+    /// Through points in turn, from where it is if that is the first of them.
     pub fn chain(&mut self, points: impl IntoIterator<Item = [f64; 2]>) -> &mut Self {
         for (i, point) in points.into_iter().enumerate() {
             if i == 0 {
-                self.move_to(point)
+                self.go_on_from(point)
             } else {
                 self.line_to(point)
             };
@@ -111,18 +130,18 @@ impl Outline {
 
     /// Whether there is nothing to draw.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.steps.is_empty()
     }
 
     fn push(&mut self, step: fmt::Arguments<'_>) -> &mut Self {
         // Writing to a string cannot fail.
-        let _ = self.0.write_fmt(step);
+        let _ = self.steps.write_fmt(step);
         self
     }
 }
 
 /// A coordinate to a thousandth of a point, as short as it goes.
-struct Short(f64);
+pub(super) struct Short(pub(super) f64);
 
 impl fmt::Display for Short {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -146,8 +165,19 @@ impl Svg {
     /// Draws a path.
     pub fn path(&mut self, outline: &Outline, style: Style) {
         if !outline.is_empty() {
-            self.element(format_args!("<path d=\"{}\"{}/>", outline.0, Painted(style)));
+            self.element(format_args!("<path d=\"{}\"{}/>", outline.steps, Painted(style)));
         }
+    }
+
+    /// Draws paths of one style, which is written once. What is not opaque is darker where they cross.
+    pub fn paths(&mut self, outlines: impl IntoIterator<Item = Outline>, style: Style) {
+        let mut outlines = outlines.into_iter().filter(|outline| !outline.is_empty()).peekable();
+        if outlines.peek().is_none() {
+            return;
+        }
+        self.element(format_args!("<g{}>", Painted(style)));
+        outlines.for_each(|outline| self.element(format_args!("<path d=\"{}\"/>", outline.steps)));
+        self.element(format_args!("</g>"));
     }
 
     /// Draws a straight line.

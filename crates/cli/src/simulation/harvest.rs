@@ -75,9 +75,10 @@ impl<'a> Harvest<'a> {
         horizons: &'a Horizons,
         crowded: &'a AtomicBool,
     ) -> Self {
+        let legs = (picture::MOST_LEGS / usize::try_from(orbits.clamp(1, MOST_PATHS)).unwrap_or(1)).max(1);
         Harvest {
             record,
-            paths: needs.contains(&Needs::Paths).then(|| Paths::new(lattice)),
+            paths: needs.contains(&Needs::Paths).then(|| Paths::new(lattice, legs)),
             clouds: Clouds {
                 velocities: needs.contains(&Needs::Velocities).then(picture::velocities),
                 reduced: needs.contains(&Needs::Reduced).then(|| seen.reduced()).flatten(),
@@ -85,7 +86,7 @@ impl<'a> Harvest<'a> {
             crowded,
             seen,
             horizons,
-            legs: (picture::MOST_LEGS as u64 / orbits.clamp(1, MOST_PATHS)).max(1),
+            legs: legs as u64,
             cell: [0.0; 2],
             totals: Totals::default(),
         }
@@ -172,7 +173,7 @@ impl<'a> Harvest<'a> {
         {
             match ended.stop {
                 Some(Stop::Escaped) => paths.escape(self.seen.direction(ended.velocity)),
-                Some(Stop::Finished) => paths.rest(self.seen.point(ended.position)),
+                Some(Stop::Finished | Stop::Corner) => paths.rest(self.seen.point(ended.position)),
                 _ => {}
             }
         }

@@ -211,7 +211,12 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     /// Notes the end of an orbit.
     fn end(&mut self, orbit: &Running<N, S, T>, scale: Scale, course: Course) {
         let Course { orbit: index, stop, collisions, drift } = course;
-        let (position, velocity) = orbit.end(scale.time_in(self.work.time), stop);
+        let (mut position, velocity) = orbit.end(scale.time_in(self.work.time), stop);
+        if stop == Some(Stop::Corner) {
+            let [from, along] = [&position, &velocity].map(|v| core::array::from_fn(|i| v[i]));
+            let flight = self.engine.first_hit(&from, &along).time;
+            position = core::array::from_fn(|i| position[i] + velocity[i] * flight);
+        }
         let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
         let velocity = velocity.map(|v| scale.speed_out(v));
         let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;

@@ -50,6 +50,8 @@ const AXES: [[f64; 2]; 3] = [
 ];
 /// How far a table without end is shown, in units of its height.
 const FARTHEST: f64 = 3.0;
+/// How thin what is shown of it may be, as a share of its largest side.
+const THINNEST: f64 = 0.5;
 
 fn projected(p: [f64; 3]) -> [f64; 2] {
     [0, 1].map(|i| AXES[0][i] * p[0] + AXES[1][i] * p[1] + AXES[2][i] * p[2])
@@ -82,12 +84,13 @@ impl<'a> Solid<'a> {
         let [low, high] = spatial.extent();
         let shown = self.part(low, high);
         let view = View { place: projected, page: [0, 1].map(|i| Vector3::from_fn(|k, _| AXES[k][i])) };
-        material.outline = wires::of(&spatial.walls, shown, &view);
+        let walls = wires::of(&spatial.walls, shown, &view);
+        (material.solids, material.outline) = (walls.solids, walls.lines);
         material.radius = radius;
         if radius > 0.0 {
             // there are such walls: of them the region is built
             let centres: Vec<_> = spatial.walls.iter().filter_map(|wall| wall.of_centres(radius).ok()).collect();
-            material.guides = wires::of(&centres, shown, &view);
+            material.guides = wires::of(&centres, shown, &view).lines;
         }
         if !low.iter().chain(high.iter()).all(|x| x.is_finite()) {
             let corner = |k: usize| projected([0, 1, 2].map(|i| shown[k >> i & 1][i]));
@@ -95,21 +98,41 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// Opposite corners of what is shown of a box whose sides may lie at infinity: there, as far as orbits go, but not
+    /// Opposite corners of what is shown of a box whose sides may lie at infinity: there, as far as orbits and walls go, but not
     /// much farther than the box is high.
     fn part(&self, low: Vector3<f64>, high: Vector3<f64>) -> [[f64; 3]; 2] {
-        let [least, most] = self.bounds.get();
-        let size = (0..3).map(|i| high[i] - low[i]).filter(|size| size.is_finite()).fold(0.0, f64::max);
-        let first = self.first.get();
-        let end = |i: usize, which: usize| {
-            let (given, seen) = if which == 0 { (low[i], least[i]) } else { (high[i], most[i]) };
-            let sign = if which == 0 { -1.0 } else { 1.0 };
-            let room = 0.1 * (most[i] - least[i]) + 0.1 * size;
-            let reach = if size > 0.0 { FARTHEST * size } else { f64::INFINITY };
-            if given.is_finite() { given } else { first[i] + (seen + sign * room - first[i]).clamp(-reach, reach) }
-        };
-        [[0, 1, 2].map(|i| end(i, 0)), [0, 1, 2].map(|i| end(i, 1))]
+        let [mut least, mut most] = self.bounds.get();
+        for wall in &self.spatial.walls {
+            for i in 0..3 {
+                let along = Vector3::from_fn(|k, _| if i == k { 1.0 } else { 0.0 });
+                // a plane has no end
+                let end = |sign: f64| wall.spec.farthest(&(along * sign)).map(|point| point[i] + wall.center[i]);
+                least[i] = end(-1.0).map_or(least[i], |end| least[i].min(end));
+                most[i] = end(1.0).map_or(most[i], |end| most[i].max(end));
+            }
+        }
+        shown([low, high].map(Into::into), [least, most], self.first.get())
     }
+}
+
+/// Opposite corners of what is shown of a box: where it has no end, as far as what was `seen` about the `first` point.
+fn shown([low, high]: [[f64; 3]; 2], [least, most]: [[f64; 3]; 2], first: [f64; 3]) -> [[f64; 3]; 2] {
+    let size = (0..3).map(|i| high[i] - low[i]).filter(|size| size.is_finite()).fold(0.0, f64::max);
+    let reach = if size > 0.0 { FARTHEST * size } else { f64::INFINITY };
+    let end = |i: usize, given: f64, seen: f64, sign: f64| {
+        let room = 0.1 * (most[i] - least[i]) + 0.1 * size;
+        if given.is_finite() { given } else { first[i] + (seen + sign * room - first[i]).clamp(-reach, reach) }
+    };
+    let mut sides: [[f64; 2]; 3] =
+        core::array::from_fn(|i| [end(i, low[i], least[i], -1.0), end(i, high[i], most[i], 1.0)]);
+    let largest = sides.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+    for (i, side) in sides.iter_mut().enumerate() {
+        let open = [low[i], high[i]].map(|end| !end.is_finite());
+        let lacks = (THINNEST * largest - (side[1] - side[0])).max(0.0);
+        let share = lacks / open.iter().filter(|open| **open).count().max(1) as f64;
+        *side = [side[0] - if open[0] { share } else { 0.0 }, side[1] + if open[1] { share } else { 0.0 }];
+    }
+    [sides.map(|side| side[0]), sides.map(|side| side[1])]
 }
 
 impl Seen for Solid<'_> {
@@ -134,5 +157,23 @@ impl Seen for Solid<'_> {
 
     fn reduced(&self) -> Option<Reduced> {
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_table_without_end_no_side_is_thin_and_given_ends_stay() {
+        let [free, flat] = [f64::INFINITY, 0.25];
+        // a floor, and all that is seen in one plane above it
+        let sides = shown([[-free, -free, -2.0], [free; 3]], [[-3.0, flat, -2.0], [2.0, flat, 1.0]], [0.0, flat, 0.0]);
+        let size = [0, 1, 2].map(|i| sides[1][i] - sides[0][i]);
+        assert_eq!((sides[0][2], sides[0][0]), (-2.0, -3.5));
+        assert_eq!((size[1], sides[0][1] + sides[1][1]), (THINNEST * size[0], 2.0 * flat));
+        // a closed one is all shown
+        let closed = [[0.0, 0.0, -1.0], [9.0, 0.5, 1.0]];
+        assert_eq!(shown(closed, [[1.0; 3], [2.0; 3]], [1.0; 3]), closed);
     }
 }

@@ -8,16 +8,21 @@ use crate::picture::Path;
 #[derive(Debug)]
 pub(crate) struct Paths {
     lattice: Option<Lattice>,
+    /// Lines that are drawn of each orbit, and of the one at hand how many there still may be.
+    most: usize,
+    left: usize,
+    /// Whether the orbit at hand is where it is no longer drawn.
+    is_beyond: bool,
     drawn: Vec<Path>,
 }
 
-/// Most edges of the unit cell that one leg is folded at: a longer flight would only blacken the picture.
+/// Most lines that one leg is folded into: more of a longer flight would only blacken the picture.
 const MOST_FOLDS: usize = 1000;
 
 impl Paths {
-    /// No lines yet.
-    pub(crate) fn new(lattice: Option<Lattice>) -> Self {
-        Paths { lattice, drawn: vec![] }
+    /// No lines yet, at most so many of each orbit.
+    pub(crate) fn new(lattice: Option<Lattice>, most: usize) -> Self {
+        Paths { lattice, most, left: 0, is_beyond: false, drawn: vec![] }
     }
 
     /// Starts the next orbit; the cell that it starts in.
@@ -25,6 +30,7 @@ impl Paths {
         let nowhere = (at.into(), [0.0; 2]);
         let (home, cell) = self.lattice.as_ref().map_or(nowhere, |lattice| lattice.reduce(&at.into()));
         self.drawn.push(Path { chains: vec![vec![home.into()]], ..Path::default() });
+        (self.left, self.is_beyond) = (self.most, false);
         cell
     }
 
@@ -36,14 +42,19 @@ impl Paths {
     /// Flies on to a point of the plane; where the plane is folded, it is given by its copy in the unit cell and by the
     /// edges of cells crossed on the way, in lattice vectors.
     pub(crate) fn fly(&mut self, to: [f64; 2], cells: [f64; 2]) {
-        let Some(path) = self.drawn.last_mut() else { return };
+        self.is_beyond |= self.left == 0;
+        let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond) else { return };
         let Some(chain) = path.chains.last_mut() else { return };
         match &self.lattice {
             Some(lattice) if cells != [0.0, 0.0] => {
                 let Some(&from) = chain.last() else { return };
-                fold(&mut path.chains, lattice, from.into(), to.into(), cells);
+                let most = self.left.min(MOST_FOLDS);
+                self.left -= fold(&mut path.chains, lattice, from.into(), to.into(), cells, most);
             }
-            _ => chain.push(to),
+            _ => {
+                chain.push(to);
+                self.left -= 1;
+            }
         }
     }
 
@@ -56,7 +67,7 @@ impl Paths {
 
     /// Leaves for ever in a direction.
     pub(crate) fn escape(&mut self, direction: [f64; 2]) {
-        if let Some(path) = self.drawn.last_mut()
+        if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond)
             && let Some(&point) = path.chains.last().and_then(|chain| chain.last())
         {
             path.escape = Some([point, direction]);
@@ -65,7 +76,7 @@ impl Paths {
 
     /// Marks where the orbit is as the last place that is known.
     pub(crate) fn mark_horizon(&mut self) {
-        if let Some(path) = self.drawn.last_mut() {
+        if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond) {
             path.horizon = path.chains.last().and_then(|chain| chain.last()).copied();
         }
     }
@@ -76,24 +87,35 @@ impl Paths {
     }
 }
 
-/// A leg cut at the edges of cells, every part moved into the unit cell.
-fn fold(chains: &mut Vec<Vec<[f64; 2]>>, lattice: &Lattice, from: Vector2<f64>, to: Vector2<f64>, cells: [f64; 2]) {
+/// A leg cut at the edges of cells, every part moved into the unit cell; how many parts are drawn, of a longer leg the first ones
+/// and its end.
+fn fold(
+    chains: &mut Vec<Vec<[f64; 2]>>,
+    lattice: &Lattice,
+    from: Vector2<f64>,
+    to: Vector2<f64>,
+    cells: [f64; 2],
+    most: usize,
+) -> usize {
     let leg = to + lattice.translation(cells) - from;
     // the parts of the leg, between 0 and 1, at which a lattice coordinate is a whole number
     let (start, along) = (lattice.coordinates(&from), lattice.coordinates(&leg));
     let mut cuts = vec![];
-    for i in 0..lattice.vectors().len() {
-        let (first, last) = (start[i].min(start[i] + along[i]), start[i].max(start[i] + along[i]));
-        let mut edge = libm::ceil(first);
-        while edge <= last && cuts.len() < MOST_FOLDS {
-            cuts.push((edge - start[i]) / along[i]);
-            edge += 1.0;
-        }
+    for i in (0..lattice.vectors().len()).filter(|i| along[*i] != 0.0) {
+        let forwards = along[i] > 0.0;
+        let (first, step) = if forwards { (libm::ceil(start[i]), 1.0) } else { (libm::floor(start[i]), -1.0) };
+        // one more than are drawn, and the one at the start if that is on an edge
+        let parts = (0..most + 2).map(|k| (first + step * k as f64 - start[i]) / along[i]);
+        cuts.extend(parts.take_while(|part| *part <= 1.0));
     }
     cuts.sort_by(f64::total_cmp);
-    let mut begun = 0.0;
+    let (mut begun, mut drawn) = (0.0, 0);
     for end in cuts.into_iter().chain([1.0]) {
         if end > begun {
+            if drawn == most {
+                chains.push(vec![to.into()]);
+                return drawn;
+            }
             let middle = from + leg * (0.5 * (begun + end));
             let home = lattice.translation(lattice.reduce(&middle).1);
             let point = |part: f64| -> [f64; 2] { (from + leg * part - home).into() };
@@ -103,10 +125,58 @@ fn fold(chains: &mut Vec<Vec<[f64; 2]>>, lattice: &Lattice, from: Vector2<f64>, 
                 _ => chains.push(vec![point(begun), point(end)]),
             }
             begun = end;
+            drawn += 1;
         }
     }
     // the last part ends at the collision itself, not at a rounded copy of it
     if let Some(last) = chains.last_mut().and_then(|chain| chain.last_mut()) {
         *last = to.into();
+    }
+    drawn
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn on_torus(most: usize) -> Paths {
+        let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0)]).unwrap();
+        let mut paths = Paths::new(Some(lattice), most);
+        paths.start([0.5, 0.25]);
+        paths
+    }
+
+    /// The lines drawn, none of which may leave the unit cell.
+    fn lines(paths: Paths) -> usize {
+        let [path] = &paths.into_paths()[..] else { panic!("one orbit") };
+        for point in path.chains.iter().flatten() {
+            assert!(point.iter().all(|x| (-1e-9..=1.0 + 1e-9).contains(x)), "{point:?}");
+        }
+        path.chains.iter().map(|chain| chain.len() - 1).sum()
+    }
+
+    #[test]
+    fn a_flight_through_very_many_cells_stays_in_the_cell_and_ends_where_it_ends() {
+        for cells in [[123_456.0, 76_299.0], [-123_456.0, 76_299.0], [3.0, -99_999.0], [0.0, 5000.0]] {
+            let mut paths = on_torus(20_000);
+            paths.fly([0.75, 0.5], cells);
+            paths.fly([0.25, 0.5], [0.0; 2]);
+            let last = paths.drawn[0].chains.last().cloned();
+            assert_eq!(last, Some(vec![[0.75, 0.5], [0.25, 0.5]]), "{cells:?}");
+            assert_eq!(lines(paths), MOST_FOLDS + 1, "{cells:?}");
+        }
+    }
+
+    #[test]
+    fn of_an_orbit_as_many_lines_are_drawn_as_may_be_however_they_are_folded() {
+        let mut paths = on_torus(10);
+        for _ in 0..5 {
+            paths.fly([0.5, 0.5], [2.0, 1.0]);
+            paths.fly([0.5, 0.25], [-2.0, -1.0]);
+        }
+        paths.mark_horizon();
+        paths.escape([1.0, 0.0]);
+        assert_eq!((paths.drawn[0].horizon, paths.drawn[0].escape), (None, None));
+        assert_eq!(lines(paths), 10);
     }
 }

@@ -18,7 +18,7 @@ pub(crate) struct Ended {
     pub(crate) time: f64,
     /// Largest relative deviation of the energy, as states are given out, from that of the start.
     pub(crate) drift: f64,
-    /// Position at the end.
+    /// Position at the end; of an orbit that ends in a corner, there.
     pub(crate) position: [f64; 3],
     /// Velocity at the end.
     pub(crate) velocity: [f64; 3],

@@ -2,15 +2,51 @@
 
 use billiards::geometry::{Figure, Lattice, Piece, Table, Vector2};
 
-use crate::picture::Stroke;
+use crate::picture::{Solid, Stroke};
 
-/// Points of a curve that is neither straight nor circular: nearer than the eye can tell.
-const POINTS: u32 = 512;
+/// Parts of a curve that is neither straight nor circular; where chords are off it, there are more.
+const PARTS: u32 = 512;
+/// Chords are off a curve by less than this share of its size: in a picture by less than a twentieth of a point.
+const OFF: f64 = 2e-4;
+/// So often a part may be cut into three.
+const CUTS: u32 = 4;
+/// Points looked at in every cell that a piece may reach.
+const PER_CELL: f64 = 64.0;
+/// Most points looked at.
+const MOST: f64 = 1e5;
 
 /// The walls of a table, all lengths divided by `factor`. On a lattice, all copies that reach into the unit cell.
 pub(crate) fn of(table: &Table, factor: f64) -> Vec<Stroke> {
-    let shifts = table.lattice().map_or(vec![Vector2::zeros()], |lattice| shifts(table, lattice));
-    shifts.iter().flat_map(|by| table.pieces().iter().map(|piece| stroke(&**piece, by, factor))).collect()
+    let mut strokes = vec![];
+    for (number, piece) in table.pieces().iter().enumerate() {
+        let points = points(&**piece);
+        strokes.extend(copies(table, number).map(|by| stroke(&**piece, &points, &by, factor)));
+    }
+    strokes
+}
+
+/// The insides of all loops that are obstacles, and the hollows in these, larger ones first.
+pub(crate) fn solids(table: &Table, factor: f64) -> Vec<Solid> {
+    let area = |chain: &[usize]| chain.iter().map(|&number| table.pieces()[number].area()).sum::<f64>();
+    let chains = table.chains().into_iter().filter(|chain| table.is_closed(chain));
+    let mut loops: Vec<(f64, Vec<usize>)> = chains.map(|chain| (area(&chain), chain)).collect();
+    loops.sort_by(|(a, _), (b, _)| b.abs().total_cmp(&a.abs()));
+    let solid = |(area, chain): &(f64, Vec<usize>)| {
+        let points: Vec<_> = chain.iter().map(|&number| points(&*table.pieces()[number])).collect();
+        let mut shifts: Vec<Vector2<f64>> = vec![];
+        for by in chain.iter().flat_map(|&number| copies(table, number)) {
+            if !shifts.contains(&by) {
+                shifts.push(by);
+            }
+        }
+        let edge = |by: &Vector2<f64>| {
+            let pieces = chain.iter().zip(&points);
+            pieces.map(|(&number, points)| stroke(&*table.pieces()[number], points, by, factor)).collect()
+        };
+        shifts.iter().map(|by| Solid { edge: edge(by), is_hollow: *area > 0.0 }).collect::<Vec<_>>()
+    };
+    // what is larger than all obstacles is around them
+    loops.iter().skip_while(|(area, _)| *area > 0.0).flat_map(solid).collect()
 }
 
 /// The edges of the unit cell of a lattice, all lengths divided by `factor`.
@@ -29,40 +65,179 @@ pub(crate) fn of_cell(lattice: &Lattice, factor: f64) -> Vec<Stroke> {
     }
 }
 
-/// Translations that bring part of the walls into the unit cell.
-fn shifts(table: &Table, lattice: &Lattice) -> Vec<Vector2<f64>> {
-    let steps = [-1.0, 0.0, 1.0];
-    let second = if lattice.vectors().len() == 2 { &steps[..] } else { &[0.0] };
-    let all = steps.iter().flat_map(|a| second.iter().map(|b| lattice.translation([*a, *b])));
-    all.filter(|by| table.pieces().iter().any(|piece| reaches_cell(&**piece, by, lattice))).collect()
+/// By what a piece is moved in the copies of it that are seen: those that reach into the unit cell of a lattice.
+fn copies(table: &Table, number: usize) -> impl Iterator<Item = Vector2<f64>> {
+    let piece = &table.pieces()[number];
+    let lattice = table.lattice().filter(|_| piece.length().is_finite());
+    let seen = lattice.map(|lattice| (lattice, samples(&**piece, lattice)));
+    table.translations(number).filter(move |by| {
+        seen.as_ref().is_none_or(|(lattice, samples)| {
+            // the edges of the cell are left out
+            samples.iter().any(|point| lattice.reduce(&(point + by)).1 == [0.0, 0.0])
+        })
+    })
 }
 
-/// Whether a translated piece has a point in the unit cell, its edges left out.
-fn reaches_cell(piece: &dyn Piece, by: &Vector2<f64>, lattice: &Lattice) -> bool {
+/// Points of a piece, several in every cell that it reaches for some length.
+fn samples(piece: &dyn Piece, lattice: &Lattice) -> Vec<Vector2<f64>> {
     let length = piece.length();
-    let point = |k: u32| piece.point_at(length * (f64::from(k) + 0.5) / f64::from(POINTS)) + by;
-    length.is_finite() && (0..POINTS).any(|k| lattice.reduce(&point(k)).1 == [0.0, 0.0])
+    let cell = lattice.vectors().iter().map(Vector2::norm).fold(f64::INFINITY, f64::min);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred thousand")]
+    let many = (PER_CELL * length / cell).clamp(f64::from(PARTS), MOST) as u32;
+    (0..many).map(|k| piece.point_at(length * (f64::from(k) + 0.5) / f64::from(many))).collect()
 }
 
-fn stroke(piece: &dyn Piece, by: &Vector2<f64>, factor: f64) -> Stroke {
+/// A piece moved, drawn through [`points`] of it if it is neither straight nor circular.
+fn stroke(piece: &dyn Piece, points: &[Vector2<f64>], by: &Vector2<f64>, factor: f64) -> Stroke {
     let out = |p: Vector2<f64>| [(p.x + by.x) / factor, (p.y + by.y) / factor];
     match piece.figure() {
         Figure::Segment { ends: [a, b] } => Stroke::Segment(out(a), out(b)),
         Figure::Line { through, direction } => Stroke::Line(out(through), direction.into()),
         Figure::Ray { from, direction, .. } => Stroke::Ray(out(from), direction.into()),
-        Figure::Circle { center, radius, inside } => {
-            Stroke::Circle { center: out(center), radius: radius / factor, solid: !inside }
-        }
+        Figure::Circle { center, radius, .. } => Stroke::Circle { center: out(center), radius: radius / factor },
         Figure::Arc { center, radius, ends: [a, _], inside } => {
             let start = libm::atan2(a.y - center.y, a.x - center.x);
             let sweep = piece.length() / radius;
             let sweep = if inside { sweep } else { -sweep };
             Stroke::Arc { center: out(center), radius: radius / factor, start, sweep }
         }
-        Figure::Other => {
-            let length = piece.length();
-            let points = (0..=POINTS).map(|k| out(piece.point_at(length * f64::from(k) / f64::from(POINTS)))).collect();
-            Stroke::Chain { points, solid: piece.ends().is_none() && piece.area() < 0.0 }
+        Figure::Other => Stroke::Chain(points.iter().map(|point| out(*point)).collect()),
+    }
+}
+
+/// A point of a curve, and the arc length there.
+type Place = (f64, Vector2<f64>);
+
+/// Points so near to one another that chords between them cannot be told from the curve; none where no chords are drawn.
+fn points(piece: &dyn Piece) -> Vec<Vector2<f64>> {
+    if piece.figure() != Figure::Other {
+        return vec![];
+    }
+    let (length, extent) = (piece.length(), piece.extent());
+    let off = OFF * (extent.max - extent.min).amax();
+    let at = |s: f64| (s, piece.point_at(s));
+    let mut from = at(0.0);
+    let mut points = vec![from.1];
+    for k in 1..=PARTS {
+        let to = at(length * f64::from(k) / f64::from(PARTS));
+        go_on(&at, from, to, off, CUTS, &mut points);
+        from = to;
+    }
+    points
+}
+
+/// Goes on along a curve, straight if the curve is not farther `off` the chord at two places between.
+fn go_on(at: &dyn Fn(f64) -> Place, from: Place, to: Place, off: f64, cuts: u32, points: &mut Vec<Vector2<f64>>) {
+    let along = to.1 - from.1;
+    // at no simple share of the way: a wave that is as long as a part is not seen there
+    let [a, b] = [0.382, 0.618].map(|part| at(from.0 + part * (to.0 - from.0)));
+    let is_off = |(_, point): Place| {
+        let way = point - from.1;
+        let part = (way.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+        let part = if part.is_nan() { 0.0 } else { part };
+        (way - along * part).norm() > off
+    };
+    if cuts > 0 && (is_off(a) || is_off(b)) {
+        for (from, to) in [(from, a), (a, b), (b, to)] {
+            go_on(at, from, to, off, cuts - 1, points);
         }
+    } else {
+        points.push(to.1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use billiards::geometry::shapes::curve::{Interval, Polar, PolarFormula};
+    use billiards::geometry::{Outline, Turn, shapes};
+
+    fn lattice(vectors: [[f64; 2]; 2]) -> Lattice {
+        Lattice::new(&vectors.map(Vector2::from)).unwrap()
+    }
+
+    fn circle(center: [f64; 2], radius: f64) -> Box<dyn Piece> {
+        Box::new(shapes::Circle::new(center.into(), radius, false).unwrap())
+    }
+
+    fn centers(strokes: &[Stroke]) -> Vec<[f64; 2]> {
+        let of = |stroke: &Stroke| if let Stroke::Circle { center, .. } = stroke { Some(*center) } else { None };
+        strokes.iter().filter_map(of).collect()
+    }
+
+    #[test]
+    fn a_wall_given_in_a_cell_far_away_is_drawn_at_home() {
+        let table = Table::periodic(vec![circle([5.5, 3.5], 0.25)], Some(lattice([[1.0, 0.0], [0.0, 1.0]]))).unwrap();
+        assert_eq!(centers(&of(&table, 1.0)), [[0.5, 0.5]]);
+        let solids = solids(&table, 1.0);
+        assert_eq!((solids.len(), centers(&solids[0].edge)), (1, vec![[0.5, 0.5]]));
+    }
+
+    #[test]
+    fn a_lean_cell_is_drawn_with_the_copies_in_its_middle() {
+        let table = Table::periodic(vec![circle([0.0, 0.0], 0.25)], Some(lattice([[1.0, 0.0], [5.0, 1.0]]))).unwrap();
+        let mut drawn = centers(&of(&table, 2.0));
+        drawn.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        // those on its lower side and beside it, and those on its upper side
+        let (below, above) = ([0.0, 0.5, 1.0].map(|x| [x, 0.0]), [2.0, 2.5, 3.0].map(|x| [x, 0.5]));
+        assert_eq!(drawn, [below, above].concat());
+    }
+
+    /// `r = 1 + 0.05 cos(n φ)`
+    #[derive(Debug)]
+    struct Wavy(f64);
+
+    impl PolarFormula for Wavy {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(self.0 * angle);
+            [1.0 + 0.05 * cos, -0.05 * self.0 * sin, -0.05 * self.0 * self.0 * cos]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let (sin, cos) = ((angle * self.0).sin(), (angle * self.0).cos());
+            [cos * 0.05 + 1.0, sin * (-0.05 * self.0), cos * (-0.05 * self.0 * self.0)]
+        }
+    }
+
+    #[test]
+    fn curves_are_cut_as_finely_as_they_wave() {
+        for waves in [3.0, 100.0, 512.0] {
+            let curve = Polar::new(Vector2::zeros(), Wavy(waves), true).unwrap();
+            let points = points(&curve);
+            assert_eq!(points.len() == 1 + PARTS as usize, waves == 3.0, "{waves}: {}", points.len());
+            for ends in points.windows(2) {
+                let middle = (ends[0] + ends[1]) * 0.5;
+                let off = (curve.closest(&middle).point - middle).norm();
+                assert!(off < 1.1 * OFF * 2.1, "{waves}: {off}");
+            }
+        }
+    }
+
+    #[test]
+    fn obstacles_of_several_pieces_are_filled_and_their_hollows_are_not() {
+        let v = Vector2::new;
+        let square = |s: f64, outwards: bool| {
+            let mut corners = [v(-s, -s), v(s, -s), v(s, s), v(-s, s)];
+            if outwards {
+                corners.reverse();
+            }
+            let mut outline = Outline::from(corners[3]);
+            for corner in corners {
+                outline = outline.line_to(corner).unwrap();
+            }
+            outline.close().unwrap()
+        };
+        let capsule = Outline::from(v(9.0, 1.0)).line_to(v(10.0, 1.0)).unwrap();
+        let capsule = capsule.arc_to(v(10.0, -1.0), v(10.0, 0.0), Turn::Clockwise).unwrap();
+        let capsule = capsule.line_to(v(9.0, -1.0)).unwrap().arc_to(v(9.0, 1.0), v(9.0, 0.0), Turn::Clockwise).unwrap();
+        let mut pieces: Vec<Box<dyn Piece>> = vec![];
+        for (half_side, outwards) in [(1.0, false), (2.0, true), (20.0, false)] {
+            pieces.extend(square(half_side, outwards));
+        }
+        pieces.extend(capsule.close().unwrap());
+        let drawn = solids(&Table::new(pieces).unwrap(), 1.0);
+        let seen: Vec<_> = drawn.iter().map(|solid| (solid.edge.len(), solid.is_hollow)).collect();
+        // a square, the capsule, the hollow in the square
+        assert_eq!(seen, [(4, false), (4, false), (4, true)]);
+        assert!(matches!(drawn[1].edge[1], Stroke::Arc { .. }));
     }
 }

@@ -3,7 +3,8 @@
 use billiards::geometry::parry::{Side, SolidSpec};
 use billiards::geometry::{Error, Vector3};
 
-use crate::picture::Stroke;
+use super::mesh;
+use crate::picture::{Solid, Stroke};
 
 /// Points of an outline.
 const POINTS: u32 = 512;
@@ -44,38 +45,62 @@ pub(crate) struct View {
     pub(crate) page: [Vector3<f64>; 2],
 }
 
+/// Walls as they are drawn.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Wires {
+    /// The insides of obstacles.
+    pub(crate) solids: Vec<Solid>,
+    /// Outlines and edges.
+    pub(crate) lines: Vec<Stroke>,
+}
+
 /// The lines of walls; of planes, the part between the others in a box.
-pub(crate) fn of(walls: &[Wall], shown: [[f64; 3]; 2], view: &View) -> Vec<Stroke> {
-    walls
-        .iter()
-        .flat_map(|wall| if wall.normal().is_some() { part(wall, walls, shown, view) } else { solid(wall, view) })
-        .collect()
+pub(crate) fn of(walls: &[Wall], shown: [[f64; 3]; 2], view: &View) -> Wires {
+    let mut wires = Wires::default();
+    for wall in walls {
+        if wall.normal().is_some() {
+            wires.lines.extend(part(wall, walls, shown, view));
+        } else {
+            solid(wall, view, &mut wires);
+        }
+    }
+    wires
 }
 
 /// Outline and edges of a body, the outline filled if it is an obstacle.
-fn solid(wall: &Wall, view: &View) -> Vec<Stroke> {
-    let chain = |points: Vec<[f64; 2]>, solid| Stroke::Chain { points, solid };
-    let (is_mesh, is_obstacle) = (matches!(wall.spec, SolidSpec::TriMesh { .. }), wall.side == Side::Outside);
-    let edges = wall.spec.edges().into_iter();
-    let seen = |edge: Vec<Vector3<f64>>| edge.iter().map(|point| (view.place)(wall.place(point))).collect();
-    let mut strokes: Vec<_> = edges.map(|edge| chain(seen(edge), is_mesh && is_obstacle)).collect();
+fn solid(wall: &Wall, view: &View, wires: &mut Wires) {
+    let seen = |points: &[Vector3<f64>]| -> Stroke {
+        Stroke::Chain(points.iter().map(|point| (view.place)(wall.place(point))).collect())
+    };
+    let mut fill = |edge: Vec<Stroke>| {
+        if wall.side == Side::Outside {
+            wires.solids.push(Solid { edge, is_hollow: false });
+        }
+    };
+    if let SolidSpec::TriMesh { vertices, triangles, margin } = &wall.spec {
+        // of what is parallel to triangles nothing is seen
+        if *margin == 0.0 {
+            let mesh = mesh::seen(vertices, triangles, &view.page[0].cross(&view.page[1]));
+            mesh.areas.iter().for_each(|area| fill(area.iter().map(|chain| seen(chain)).collect()));
+            wires.lines.extend(mesh.lines.iter().map(|chain| seen(chain)));
+        }
+        return;
+    }
+    let around = |k: u32| {
+        let (sin, cos) = turned(k);
+        wall.spec.farthest(&(view.page[0] * cos + view.page[1] * sin))
+    };
+    let outline = seen(&(0..=POINTS).filter_map(around).collect::<Vec<_>>());
+    fill(vec![outline.clone()]);
+    wires.lines.push(outline);
+    wires.lines.extend(wall.spec.edges().iter().map(|edge| seen(edge)));
     if let SolidSpec::Ball { radius } = wall.spec {
         let on_equator = |k: u32| {
             let (sin, cos) = turned(k);
-            (view.place)(wall.place(&Vector3::new(radius * cos, radius * sin, 0.0)))
+            Vector3::new(radius * cos, radius * sin, 0.0)
         };
-        strokes.push(chain((0..=POINTS).map(on_equator).collect(), false));
+        wires.lines.push(seen(&(0..=POINTS).map(on_equator).collect::<Vec<_>>()));
     }
-    // what is seen of a mesh is its triangles
-    if !is_mesh {
-        let around = |k: u32| {
-            let (sin, cos) = turned(k);
-            wall.spec.farthest(&(view.page[0] * cos + view.page[1] * sin))
-        };
-        let outline = (0..=POINTS).filter_map(around).map(|point| (view.place)(wall.place(&point)));
-        strokes.insert(0, chain(outline.collect(), is_obstacle));
-    }
-    strokes
 }
 
 /// Sine and cosine of so many parts of a turn.
@@ -84,8 +109,8 @@ fn turned(k: u32) -> (f64, f64) {
 }
 
 /// The part of a plane that lies in a box and on the table's side of all other planes, as a closed chain.
-fn part(wall: &Wall, walls: &[Wall], [low, high]: [[f64; 3]; 2], view: &View) -> Vec<Stroke> {
-    let Some(normal) = wall.normal() else { return vec![] };
+fn part(wall: &Wall, walls: &[Wall], [low, high]: [[f64; 3]; 2], view: &View) -> Option<Stroke> {
+    let normal = wall.normal()?;
     let [low, high] = [low, high].map(Vector3::from);
     let size = (high - low).norm();
     let middle = (low + high) * 0.5;
@@ -109,7 +134,7 @@ fn part(wall: &Wall, walls: &[Wall], [low, high]: [[f64; 3]; 2], view: &View) ->
         corners = clipped(&corners, |point| normal.dot(&(point - through)) + little);
     }
     corners.extend(corners.first().copied());
-    vec![Stroke::Chain { points: corners.iter().map(|p| (view.place)((*p).into())).collect(), solid: false }]
+    Some(Stroke::Chain(corners.iter().map(|p| (view.place)((*p).into())).collect()))
 }
 
 /// The part of a polygon where a linear function is not negative.
@@ -140,7 +165,7 @@ mod tests {
     }
     fn points(strokes: &[Stroke]) -> Vec<[f64; 2]> {
         let of = |stroke: &Stroke| match stroke {
-            Stroke::Chain { points, .. } => points.clone(),
+            Stroke::Chain(points) => points.clone(),
             other => panic!("{other:?}"),
         };
         strokes.iter().flat_map(of).collect()
@@ -156,7 +181,7 @@ mod tests {
             plane([0.0, 1.0, 0.0], [0.0; 3]),
             plane([-1.0, -1.0, 0.0], [1.0, 0.0, 0.0]),
         ];
-        let drawn = of(&walls, [[-5.0; 3], [5.0; 3]], &VIEW);
+        let drawn = of(&walls, [[-5.0; 3], [5.0; 3]], &VIEW).lines;
         assert_eq!(drawn.len(), 4);
         let floor = points(&drawn[..1]);
         assert_eq!(floor.first(), floor.last());
@@ -171,7 +196,8 @@ mod tests {
     fn outlines_go_round_and_obstacles_are_filled() {
         let capsule = SolidSpec::Capsule { from: [-1.0, 0.0, 5.0], to: [1.0, 0.0, -5.0], radius: 0.5 };
         let drawn = of(&[wall(capsule, [10.0, 0.0, 0.0], Side::Outside)], [[0.0; 3], [1.0; 3]], &VIEW);
-        let [Stroke::Chain { points, solid: true }] = &drawn[..] else { panic!("{drawn:?}") };
+        let [Stroke::Chain(points)] = &drawn.lines[..] else { panic!("{drawn:?}") };
+        assert_eq!(drawn.solids, [Solid { edge: drawn.lines.clone(), is_hollow: false }]);
         assert_eq!(points.first(), points.last());
         for [x, y] in points {
             let off = libm::hypot((x - 10.0).abs().max(1.0) - 1.0, *y);
@@ -180,15 +206,14 @@ mod tests {
     }
 
     #[test]
-    fn obstacles_of_triangles_are_filled_triangle_by_triangle() {
+    fn meshes_are_filled_if_they_are_obstacles() {
         let vertices = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
         let mesh = SolidSpec::TriMesh { vertices, triangles, margin: 0.0 };
-        for (side, filled) in [(Side::Outside, true), (Side::Inside, false)] {
+        for (side, filled) in [(Side::Outside, 1), (Side::Inside, 0)] {
             let drawn = of(&[wall(mesh.clone(), [0.0; 3], side)], [[0.0; 3], [1.0; 3]], &VIEW);
-            assert_eq!(drawn.len(), 4);
-            let is_so = |stroke: &Stroke| matches!(stroke, Stroke::Chain { solid, .. } if *solid == filled);
-            assert!(drawn.iter().all(is_so), "{drawn:?}");
+            assert_eq!(drawn.solids.len(), filled);
+            assert!(drawn.lines.len() > 1);
         }
     }
 }

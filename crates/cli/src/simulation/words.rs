@@ -14,3 +14,8 @@ pub(crate) fn point(p: &[f64], beside: f64) -> String {
     let clean = |x: &f64| if x.abs() < 1e-12 * size { 0.0 } else { *x };
     format!("({})", p.iter().map(|x| short(clean(x))).collect::<Vec<_>>().join(", "))
 }
+
+/// `1 piece`, `2 pieces`.
+pub(crate) fn plural(n: u64, one: &str) -> String {
+    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
+}

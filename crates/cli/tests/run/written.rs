@@ -191,3 +191,29 @@ fn names_of_files_need_not_be_unicode() {
     let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
     assert_eq!(summary["collisions"], 5);
 }
+
+#[test]
+fn the_flight_into_a_corner_is_drawn_to_the_corner() {
+    let folder = Folder::new("corner");
+    let plain = "law = \"specular\"\n[[orbit]]\nposition = [0.25, 0.25]\nvelocity = [1, 1]\n[run]\ncollisions = 3\n\
+                 [output]\npictures = [\"orbit\"]\n[table]\n";
+    let square = format!("{plain}name = \"square\"\n");
+    // through the corner of the cell to the copy of the corner that lies in the next one
+    let torus = format!(
+        "{plain}lattice = [[1, 0], [0, 1]]\n[[table.boundary]]\nloop = {{ domain = \"outside\", from = [0.125, 0.125], \
+         edges = [{{ line_to = [0.125, 0.1875] }}, {{ line_to = [0.1875, 0.1875] }}, {{ line_to = [0.1875, 0.125] }}, \
+         {{ line_to = [0.125, 0.125] }}] }}\n"
+    );
+    for (scene, corner) in [(square, [1.0, 1.0]), (torus, [0.125, 0.125])] {
+        assert_eq!(folder.done(&scene, &[])["stops"]["corner"], 1);
+        let svg = folder.read("out/orbit.svg");
+        let orbit = svg.split("stroke=\"#144a87\"").nth(1).unwrap().split("</g>").next().unwrap();
+        let [x, y]: [f64; 2] = {
+            let mut numbers = orbit.rsplit('L').next().unwrap().split('"').next().unwrap().split(' ');
+            [(); 2].map(|()| numbers.next().unwrap().parse().unwrap())
+        };
+        // the cell is all of the picture: 220.8 points between margins of 3, and a thousandth around
+        let place = [corner[0], 1.0 - corner[1]].map(|x| 3.0 + 220.8 * (x + 1e-3) / 1.002);
+        assert!((x - place[0]).abs() < 2e-3 && (y - place[1]).abs() < 2e-3, "{x} {y} for {place:?}: {orbit}");
+    }
+}

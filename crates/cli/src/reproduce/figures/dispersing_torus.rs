@@ -31,11 +31,7 @@ fn draw(effort: Effort) -> Drawing {
     let mut sheet = Sheet::new(310.0, 156.0);
     let window = Window { low: [-0.04, 0.0], high: [2.04, 2.0] };
     let view = fit(window, [3.0, 3.0], 150.0, 150.0);
-    let disk = |i: u32, j: u32| Stroke::Circle {
-        center: [f64::from(i) + 0.5, f64::from(j) + 0.5],
-        radius: RADIUS,
-        solid: true,
-    };
+    let disk = |i: u32, j: u32| Stroke::Circle { center: [f64::from(i) + 0.5, f64::from(j) + 0.5], radius: RADIUS };
     for k in 0..4 {
         let outline = disk(k % 2, k / 2).outline(&view);
         sheet.svg.path(&outline, Style::line(Colour::BLACK, 0.7).filled(Colour::SOLID));

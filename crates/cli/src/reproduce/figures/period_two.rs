@@ -30,7 +30,7 @@ fn draw(_: Effort) -> Drawing {
         let view = fit(Window { low: [-0.27, 0.23], high: [0.27, 0.77] }, [left, 3.0], side, side);
         sheet.within(&view, |sheet| {
             for x in [-0.5, 0.5] {
-                let outline = Stroke::Circle { center: [x, 0.5], radius, solid: true }.outline(&view);
+                let outline = Stroke::Circle { center: [x, 0.5], radius }.outline(&view);
                 sheet.svg.path(&outline, Style::line(Colour::BLACK, 0.7).filled(Colour::SOLID));
             }
             let points = path.plane().into_iter().take(gone.map_or(161, |n| n + 2));
