@@ -13,6 +13,8 @@ const FRAME: [f64; 2] = [330.0, 278.0];
 const LEGEND: f64 = 382.0;
 const TEXT: f64 = 8.5;
 const NUMBER: f64 = 7.5;
+/// Size of exponents; not in percent, which some readers take of the page.
+const RAISED: f64 = 5.25;
 const HAIR: Style = Style::line(Colour::BLACK, 0.4);
 
 /// The errors shown are those after this one of [`STOPS`].
@@ -131,13 +133,13 @@ fn decades([low, high]: [f64; 2]) -> impl Iterator<Item = f64> {
 
 /// A power of ten.
 fn power(decade: f64) -> String {
-    format!("10<tspan font-size=\"70%\" dy=\"-3\">{}</tspan>", format!("{decade}").replace('-', "\u{2212}"))
+    format!("10<tspan font-size=\"{RAISED}\" dy=\"-3\">{}</tspan>", format!("{decade}").replace('-', "\u{2212}"))
 }
 
 fn colour_of(table: &str) -> Colour {
     let number = CASES.iter().position(|entry| entry.name == table).unwrap_or(0);
     // two more than orbits have
-    let more = [Colour::BLACK, Colour(0xd9, 0x6c, 0xa6)];
+    let more = [Colour::BLACK, Colour(0xb4, 0x00, 0xff)];
     ORBITS.iter().chain(&more).copied().nth(number).unwrap_or(Colour::MIDDLE)
 }
 
@@ -189,7 +191,9 @@ fn legend(svg: &mut Svg, scores: &[Score]) {
         y += step;
     }
     if scores.iter().any(|score| score.pieces.is_some()) {
-        svg.text([LEGEND + 8.0, y + 2.8], NUMBER, Anchor::Start, "10<tspan font-size=\"70%\" dy=\"-3\">2</tspan><tspan dy=\"3\">, 10</tspan><tspan font-size=\"70%\" dy=\"-3\">3</tspan><tspan dy=\"3\">, … pieces, joined by a line</tspan>");
+        let [few, many] = [2.0, 3.0].map(power);
+        let what = format!("{few}<tspan dy=\"3\">, {many}</tspan><tspan dy=\"3\">, … pieces, joined by a line</tspan>");
+        svg.text([LEGEND + 8.0, y + 2.8], NUMBER, Anchor::Start, &what);
         y += step;
     }
     y += 0.7 * step;

@@ -1,13 +1,17 @@
 //! Axes: a thin frame with a few round numbers.
 
+use std::fmt::Write as _;
+
 use super::ink::Colour;
-use super::svg::{Anchor, Style, Svg, escape};
+use super::svg::{Anchor, Short, Style, Svg, escape};
 use super::view::View;
 
 /// Size of axis labels.
 const LABEL: f64 = 9.0;
 /// Size of numbers at ticks.
 const NUMBER: f64 = 7.5;
+/// Size of indices and exponents, as a share.
+const SMALL: f64 = 0.7;
 /// Length of a tick.
 const TICK: f64 = 2.5;
 /// Width of frames and ticks.
@@ -28,12 +32,24 @@ impl Label {
         Self { symbol: symbol.into(), index: index.into() }
     }
 
-    fn markup(&self) -> String {
-        let symbol = format!("<tspan font-style=\"italic\">{}</tspan>", escape(&self.symbol));
-        if self.index.is_empty() {
-            return symbol;
+    /// The label of numbers that are written without a power of ten.
+    fn markup(&self, exponent: i32) -> String {
+        let mut markup = format!("<tspan font-style=\"italic\">{}</tspan>", escape(&self.symbol));
+        // not in percent, which some readers take of the page; writing to a string cannot fail
+        let small = Short(SMALL * LABEL);
+        let mut back = 0;
+        if !self.index.is_empty() {
+            let _ = write!(markup, "<tspan font-size=\"{small}\" dx=\"0.5\" dy=\"2\">{}</tspan>", escape(&self.index));
+            back = -2;
         }
-        format!("{symbol}<tspan font-size=\"70%\" dx=\"0.5\" dy=\"2\">{}</tspan>", escape(&self.index))
+        if exponent != 0 {
+            let exponent = minus(&exponent.to_string());
+            let _ = write!(
+                markup,
+                "<tspan dy=\"{back}\"> / 10</tspan><tspan font-size=\"{small}\" dy=\"-3\">{exponent}</tspan>"
+            );
+        }
+        markup
     }
 }
 
@@ -74,7 +90,7 @@ pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
     let (right, bottom) = (left + width, top + height);
     let hair = Style::line(Colour::BLACK, HAIRLINE);
     svg.rectangle([left, top], [right, bottom], hair);
-    let names = numbers(&x.ticks);
+    let (names, x_power) = numbers(&x.ticks);
     for (&tick, name) in x.ticks.iter().zip(&names) {
         let [at, _] = view.place([tick * x.unit, 0.0]);
         svg.line([at, bottom], [at, bottom - TICK], hair);
@@ -86,15 +102,16 @@ pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
         let middle = (at + shift).min(right + BESIDE - half);
         svg.text([middle, bottom + 0.75 * NUMBER + 3.0], NUMBER, Anchor::Middle, name);
     }
-    let names = numbers(&y.ticks);
+    let (names, y_power) = numbers(&y.ticks);
     for (&tick, name) in y.ticks.iter().zip(&names) {
         let [_, at] = view.place([0.0, tick * y.unit]);
         svg.line([left, at], [left + TICK, at], hair);
         svg.line([right, at], [right - TICK, at], hair);
         svg.text([left - 3.0, at + 0.33 * NUMBER], NUMBER, Anchor::End, name);
     }
-    svg.text([0.5 * (left + right), bottom + 2.0 + NUMBER + LABEL + 1.0], LABEL, Anchor::Middle, &x.label.markup());
-    svg.text([left - 3.0 - 2.9 * NUMBER, 0.5 * (top + bottom) + 0.3 * LABEL], LABEL, Anchor::Middle, &y.label.markup());
+    let [across, up] = [0.5 * (left + right), 0.5 * (top + bottom)];
+    svg.text([across, bottom + 2.0 + NUMBER + LABEL + 1.0], LABEL, Anchor::Middle, &x.label.markup(x_power));
+    svg.text([left - 3.0 - 2.9 * NUMBER, up + 0.3 * LABEL], LABEL, Anchor::Middle, &y.label.markup(y_power));
 }
 
 /// About `many` round numbers (1, 2 or 5 times a power of ten apart) between two ends.
@@ -127,14 +144,24 @@ pub fn ticks(low: f64, high: f64, many: usize) -> Vec<f64> {
     ticks
 }
 
-/// The numbers at ticks, all with the same number of decimals and a true minus sign.
-fn numbers(ticks: &[f64]) -> Vec<String> {
+/// The numbers at ticks, all with the same number of decimals and a true minus sign, and the power of ten that they are to be
+/// multiplied by.
+fn numbers(ticks: &[f64]) -> (Vec<String>, i32) {
     let largest = ticks.iter().fold(0.0f64, |m, t| m.max(t.abs()));
-    if largest >= 1e5 || (largest > 0.0 && largest < 1e-3) {
-        return ticks.iter().map(|t| minus(&format!("{t:e}"))).collect();
-    }
-    let decimals = (0..12).find(|d| ticks.iter().all(|t| format!("{t:.d$}").parse() == Ok(*t))).unwrap_or(12);
-    ticks.iter().map(|t| minus(&format!("{t:.decimals$}"))).collect()
+    let exponent = if largest >= 1e5 || (largest > 0.0 && largest < 1e-3) { exponent(largest) } else { 0 };
+    let (up, down) = (libm::pow(10.0, f64::from(exponent.max(0))), libm::pow(10.0, f64::from(-exponent.min(0))));
+    let plain: Vec<f64> = ticks.iter().map(|tick| tick / up * down).collect();
+    // the power of ten, the quotient and the tick itself are rounded
+    let is_right = |digits: usize, x: f64| {
+        format!("{x:.digits$}").parse::<f64>().is_ok_and(|read| (read - x).abs() <= 1e-12 * largest / up * down)
+    };
+    let decimals = (0..12).find(|digits| plain.iter().all(|x| is_right(*digits, *x))).unwrap_or(12);
+    (plain.iter().map(|x| minus(&format!("{x:.decimals$}"))).collect(), exponent)
+}
+
+/// The power of ten in a positive number.
+fn exponent(x: f64) -> i32 {
+    format!("{x:e}").rsplit('e').next().and_then(|exponent| exponent.parse().ok()).unwrap_or(0)
 }
 
 fn minus(text: &str) -> String {
@@ -160,8 +187,22 @@ mod tests {
 
     #[test]
     fn numbers_share_their_decimals() {
-        assert_eq!(numbers(&[-0.5, 0.0, 0.5]), ["\u{2212}0.5", "0.0", "0.5"]);
-        assert_eq!(numbers(&[0.0, 5.0]), ["0", "5"]);
-        assert_eq!(numbers(&[0.0, 2e-7]), ["0e0", "2e\u{2212}7"]);
+        let texts = |ticks: &[f64]| numbers(ticks).0;
+        assert_eq!(texts(&[-0.5, 0.0, 0.5]), ["\u{2212}0.5", "0.0", "0.5"]);
+        assert_eq!(texts(&[0.0, 5.0]), ["0", "5"]);
+        assert_eq!(numbers(&[0.0, 99_000.0]).1, 0);
+    }
+
+    #[test]
+    fn a_power_of_ten_stands_at_the_axis_and_not_at_its_numbers() {
+        assert_eq!(numbers(&[0.0, 2e-7]), (vec!["0".into(), "2".into()], -7));
+        assert_eq!(numbers(&[0.0, 5e5, 1.5e6]), (vec!["0.0".into(), "0.5".into(), "1.5".into()], 6));
+        for (low, high) in [(0.0, 1.7e141), (-3e-9, 0.0), (0.0, 1.3e6), (-1e-150, 1e-150), (2.1e5, 2.2e5)] {
+            let (names, power) = numbers(&ticks(low, high, 5));
+            assert!(power.abs() > 4 && names.iter().all(|name| name.chars().count() <= 5), "{names:?} {power}");
+        }
+        let label = Label { symbol: "s".into(), index: String::new() };
+        assert!(label.markup(-9).ends_with(">\u{2212}9</tspan>") && label.markup(0).ends_with(">s</tspan>"));
+        assert!(!Label::indexed("v", "0").markup(3).contains('%'), "CairoSVG takes percents of the page");
     }
 }

@@ -1,11 +1,14 @@
 //! Points by the thousand or by the million: dot by dot as long as that can be seen, then counted.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use billiards::observe::Density;
 
+use super::axes::HAIRLINE;
 use super::grid::{Grid, Shading};
 use super::ink::{Colour, ORBITS};
 use super::png::Raster;
-use super::svg::Svg;
+use super::svg::{Style, Svg};
 use super::view::{View, Window};
 
 /// Most dots drawn one by one.
@@ -16,8 +19,8 @@ pub const MOST_DOTS: usize = 20_000;
 pub struct Cloud {
     window: Window,
     pixels: usize,
-    /// The points, as long as none are counted.
-    dots: Vec<([f64; 2], Colour)>,
+    /// The points and their orbits, as long as none are counted.
+    dots: Vec<([f64; 2], u64)>,
     counted: Option<Grid>,
 }
 
@@ -36,11 +39,10 @@ impl Cloud {
 
     /// Adds a point of an orbit.
     pub fn add(&mut self, orbit: u64, point: [f64; 2]) {
-        let colour = ORBITS[layer(orbit)];
         if self.is_crowded() {
-            self.grid().add(point, colour);
+            self.grid().add(point, ORBITS[layer(orbit)]);
         } else {
-            self.dots.push((point, colour));
+            self.dots.push((point, orbit));
         }
     }
 
@@ -64,7 +66,7 @@ impl Cloud {
         let Self { window, pixels, dots, counted } = self;
         counted.get_or_insert_with(|| {
             let mut grid = Grid::new(*window, *pixels, &ORBITS);
-            dots.drain(..).for_each(|(point, colour)| grid.add(point, colour));
+            dots.drain(..).for_each(|(point, orbit)| grid.add(point, ORBITS[layer(orbit)]));
             grid
         })
     }
@@ -84,24 +86,57 @@ impl Cloud {
         self.counted.as_ref().map(|grid| grid.shade(Shading::Log))
     }
 
-    /// Draws the points into a view of the window, or what they are [`shaded`](Self::shaded) to.
-    pub(super) fn draw(&self, svg: &mut Svg, view: &View, shaded: Option<&[u8]>) {
+    /// Draws the points into a view of the window, or what they are [`shaded`](Self::shaded) to, and `guides`: dots lie on them, but
+    /// an image would hide them, and they have to be seen on it.
+    pub(super) fn draw(&self, svg: &mut Svg, view: &View, shaded: Option<&[u8]>, guides: impl FnOnce(&mut Svg, Style)) {
         if let Some(png) = shaded {
-            return svg.image(png, view.corner(), view.size());
+            svg.image(png, view.corner(), view.size());
+            return guides(svg, Style::line(Colour::MIDDLE, HAIRLINE));
         }
-        let dots = &self.dots;
-        // The more dots, the smaller, so that curves stay curves.
-        let (diameter, opacity) = match dots.len() {
-            0..=300 => (1.6, 1.0),
-            301..=2000 => (1.0, 1.0),
-            2001..=8000 => (0.7, 0.9),
-            _ => (0.5, 0.8),
-        };
-        for colour in ORBITS {
-            let of_colour = dots.iter().filter(|dot| dot.1 == colour).map(|dot| view.place(dot.0));
-            svg.dots(of_colour, diameter, colour, opacity);
+        guides(svg, Style::line(Colour::GUIDE, HAIRLINE));
+        for (diameter, opacity, places) in sized(&self.places(view)) {
+            for (colour, places) in ORBITS.iter().zip(places) {
+                svg.dots(places, diameter, *colour, opacity);
+            }
         }
     }
+
+    /// The places on the page of each orbit's points, each place once, the orbits with the fewest places first.
+    fn places(&self, view: &View) -> Vec<(usize, Vec<[f64; 2]>)> {
+        let mut known = BTreeSet::new();
+        let mut of_orbit: BTreeMap<u64, Vec<[f64; 2]>> = BTreeMap::new();
+        for (point, orbit) in &self.dots {
+            let place = view.place(*point);
+            if known.insert((orbit, place.map(|x| libm::round(x / SAME).to_bits()))) {
+                of_orbit.entry(*orbit).or_default().push(place);
+            }
+        }
+        let mut orbits: Vec<_> = of_orbit.into_iter().map(|(orbit, places)| (layer(orbit), places)).collect();
+        orbits.sort_by_key(|(_, places)| places.len());
+        orbits
+    }
+}
+
+/// Places on the page nearer than this many points are one.
+const SAME: f64 = 0.05;
+
+/// Sizes of dots, by the most of them that are drawn so large, and their opacity: the more dots, the smaller, so that curves stay
+/// curves.
+const SIZES: [(usize, f64, f64); 4] = [(300, 1.6, 1.0), (2000, 1.0, 1.0), (8000, 0.7, 0.9), (usize::MAX, 0.5, 0.8)];
+
+/// Sizes, each with its opacity and the places in the layers of their orbits, smaller ones first: a periodic orbit is seen among
+/// others, on top of them. An orbit has the size of as many dots as it and all those have that have no more than it.
+fn sized(orbits: &[(usize, Vec<[f64; 2]>)]) -> impl Iterator<Item = (f64, f64, [Vec<[f64; 2]>; ORBITS.len()])> {
+    let mut sizes = SIZES.map(|(_, diameter, opacity)| (diameter, opacity, ORBITS.map(|_| vec![])));
+    let mut dots = 0;
+    for alike in orbits.chunk_by(|a, b| a.1.len() == b.1.len()) {
+        dots += alike.iter().map(|orbit| orbit.1.len()).sum::<usize>();
+        let size = SIZES.iter().position(|(most, ..)| dots <= *most).unwrap_or(SIZES.len() - 1);
+        for (layer, places) in alike {
+            sizes[size].2[*layer].extend(places);
+        }
+    }
+    sizes.into_iter().rev()
 }
 
 #[cfg(test)]
@@ -128,5 +163,34 @@ mod tests {
         same.grid().add([0.5, 0.25], ORBITS[3]);
         let shade = |cloud: &Cloud| cloud.counted().map(|grid| grid.shade(Shading::Log));
         assert_eq!(shade(&cloud), shade(&same));
+    }
+
+    #[test]
+    fn of_a_periodic_orbit_every_place_is_one_dot_that_is_seen_among_many() {
+        let mut cloud = Cloud::new(Window::unit_disk(0.0), 16);
+        for i in 0..MOST_DOTS as u64 / 2 {
+            let t = 1e-4 * i as f64;
+            cloud.add(0, [t - 0.5, 1e-9 + [-0.5, 0.0, 0.5][(i % 3) as usize]]);
+            cloud.add(9, [0.25, [-0.5, 0.0, 0.5][(i % 3) as usize] + 1e-13 * t]);
+        }
+        let view = View::fit(Window::unit_disk(0.0), [0.0, 0.0], 200.0, 200.0);
+        let of = |layer: usize| {
+            let places = cloud.places(&view);
+            let sizes = sized(&places).filter(|size| !size.2[layer].is_empty());
+            sizes.map(|(diameter, _, places)| (diameter, places[layer].len())).collect::<Vec<_>>()
+        };
+        assert_eq!(of(1), [(1.6, 3)]);
+        assert!(matches!(of(0)[..], [(0.5 | 0.7, 3000..)]), "{:?}", of(0));
+    }
+
+    #[test]
+    fn many_orbits_of_few_places_are_small_all_together() {
+        let orbits: Vec<_> = (0..200).map(|orbit| (orbit % 8, vec![[0.0; 2]; 50 + orbit % 2])).collect();
+        let mut sorted = orbits.clone();
+        sorted.sort_by_key(|orbit| orbit.1.len());
+        let sizes: Vec<_> = sized(&sorted).filter(|size| size.2.iter().any(|of| !of.is_empty())).collect();
+        assert_eq!(sizes.iter().map(|size| size.0).collect::<Vec<_>>(), [0.5, 0.7]);
+        let dots: usize = sizes.iter().flat_map(|size| &size.2).map(Vec::len).sum();
+        assert_eq!(dots, orbits.iter().map(|orbit| orbit.1.len()).sum::<usize>());
     }
 }

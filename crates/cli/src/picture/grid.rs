@@ -38,6 +38,8 @@ pub enum Shading {
 const FAINTEST: f64 = 0.22;
 /// The same where points are few.
 const SPARSE: f64 = 0.6;
+/// Depth of the full colour; from here on it darkens towards black.
+const FULL: f64 = 0.7;
 
 impl Grid {
     /// An empty grid over a window, this many cells wide, for points of these colours; cells are square.
@@ -138,10 +140,10 @@ impl Tally {
             let depth = depth(count);
             // From a pale tint through the full one towards black, so that more than one order of magnitude shows.
             let full = Colour(r, g, b);
-            if depth < 0.7 {
-                Colour::WHITE.mix(full, depth / 0.7)
+            if depth < FULL {
+                Colour::WHITE.mix(full, depth / FULL)
             } else {
-                full.mix(Colour::BLACK, (depth - 0.7) / 0.45)
+                full.mix(Colour::BLACK, (depth - FULL) / 0.45)
             }
         };
         Raster::new(self.width, self.counts.iter().zip(&self.tints).map(colour))
@@ -152,7 +154,11 @@ impl Tally {
         let mut sorted: Vec<u64> = self.counts.iter().copied().filter(|count| *count > 0).collect();
         sorted.sort_unstable();
         // Without the few cells of periodic orbits, which all else would be pale beside.
-        let most = sorted.get(sorted.len().saturating_sub(1 + sorted.len() / 200)).copied().unwrap_or(1);
+        let few = sorted.len() / 200;
+        let most = sorted.get(sorted.len().saturating_sub(1 + few)).copied().unwrap_or(1);
+        // black says that a count is an order of magnitude above others; where they hardly differ the colour is full
+        let least = sorted.get(few).copied().unwrap_or(1);
+        let darkest = FULL + (1.0 - FULL) * libm::log10(most as f64 / least as f64).min(1.0);
         move |count| {
             let share = match shading {
                 Shading::Tinted => {
@@ -162,7 +168,7 @@ impl Tally {
                 Shading::Log if most == 1 => 1.0,
                 Shading::Log => (libm::log(count as f64) / libm::log(most as f64)).min(1.0),
             };
-            faintest + (1.0 - faintest) * share
+            faintest + (darkest - faintest) * share
         }
     }
 }
@@ -191,6 +197,21 @@ mod tests {
         let wide = grid.tally().spread(2);
         assert_eq!(wide.counts.iter().filter(|count| **count > 0).count(), 13);
         assert_eq!(grid.tally().spread(1).counts.iter().filter(|count| **count > 0).count(), 5);
+    }
+
+    #[test]
+    fn where_counts_hardly_differ_colours_are_not_near_black() {
+        let colour = Colour(0, 0, 200);
+        for (counts, darkest) in
+            [([100, 101, 103, 102], 0.7..0.71), ([10, 30, 50, 100], 1.0..1.01), ([1; 4], 0.7..0.71)]
+        {
+            let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [4.0, 1.0] }, 4, &[colour]);
+            for (cell, count) in counts.into_iter().enumerate() {
+                (0..count).for_each(|_| grid.add([cell as f64 + 0.5, 0.5], colour));
+            }
+            let depth = grid.tally().depths(Shading::Log, FAINTEST)(*counts.iter().max().unwrap());
+            assert!(darkest.contains(&depth), "{counts:?}: {depth}");
+        }
     }
 
     #[test]

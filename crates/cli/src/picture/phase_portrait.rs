@@ -4,10 +4,9 @@
 //! tangential part of a velocity of length one, spin included. For a specular point particle these are the usual
 //! coordinates (s, sin of the angle with the normal), in which the map preserves area.
 
-use super::axes::{self, Axis, HAIRLINE, Label};
+use super::axes::{self, Axis, Label};
 use super::cloud::Cloud;
-use super::ink::Colour;
-use super::svg::{Style, Svg};
+use super::svg::Svg;
 use super::view::{View, Window};
 use super::{COLUMN, File, Material, Needs, Picture};
 
@@ -66,18 +65,15 @@ fn draw(reduced: &Reduced, shaded: Option<&[u8]>) -> Svg {
     let view = View::fit(reduced.cloud.window(), [left, MARGIN], width, width);
     let [_, height] = view.size();
     let mut svg = Svg::new(COLUMN, height + MARGIN + below);
-    let guide = Style::line(Colour::GUIDE, HAIRLINE);
     let unit = WIDTH / reduced.length;
-    let draw_guides = |svg: &mut Svg| {
+    reduced.cloud.draw(&mut svg, &view, shaded, |svg, guide| {
         // of very many pieces, lines would be all one sees
         if reduced.offsets.len() <= 32 {
             for s in reduced.offsets.iter().filter(|s| **s > 0.0) {
                 svg.line(view.place([s * unit, -1.0]), view.place([s * unit, 1.0]), guide);
             }
         }
-    };
-    draw_guides(&mut svg);
-    reduced.cloud.draw(&mut svg, &view, shaded);
+    });
     let x = Axis::between(0.0, reduced.length, 5, Label { symbol: "s".into(), index: String::new() }).stretched(unit);
     axes::draw(&mut svg, &view, &x, &Axis::between(-1.0, 1.0, 4, Label::indexed("v", "t")));
     svg
@@ -97,7 +93,11 @@ mod tests {
             let material = Material { reduced: Some(reduced), ..Material::default() };
             let files = (PICTURE.draw)(&material);
             assert_eq!(files.len(), if count > 20_000 { 2 } else { 1 });
-            roxmltree::Document::parse(std::str::from_utf8(&files[0].content).unwrap()).unwrap();
+            let svg = std::str::from_utf8(&files[0].content).unwrap();
+            roxmltree::Document::parse(svg).unwrap();
+            // an image hides what is drawn before it
+            let guides = svg.find(if count > 20_000 { "stroke=\"#8a8a8a\"" } else { "stroke=\"#d0d0d0\"" }).unwrap();
+            assert!(svg.find("<image").is_none_or(|image| image < guides));
         }
     }
 }

@@ -3,7 +3,7 @@
 //! The reduced phase space of a planar billiard is boundary × disk; forgetting the place on the boundary leaves the disk,
 //! its horizontal axis the rotational and its vertical axis the tangential part of a velocity of length one.
 
-use super::axes::{self, Axis, HAIRLINE, Label};
+use super::axes::{self, Axis, Label};
 use super::cloud::Cloud;
 use super::ink::Colour;
 use super::png::Raster;
@@ -49,10 +49,10 @@ fn draw(cloud: &Cloud, shaded: Option<&[u8]>) -> Svg {
     let side = COLUMN - left - MARGIN;
     let view = View::fit(window, [left, MARGIN], side, side);
     let mut svg = Svg::new(COLUMN, side + MARGIN + below);
-    let guide = Style::line(Colour::GUIDE, HAIRLINE);
-    svg.line(view.place([-1.0, 0.0]), view.place([1.0, 0.0]), guide);
-    svg.line(view.place([0.0, -1.0]), view.place([0.0, 1.0]), guide);
-    cloud.draw(&mut svg, &view, shaded);
+    cloud.draw(&mut svg, &view, shaded, |svg, guide| {
+        svg.line(view.place([-1.0, 0.0]), view.place([1.0, 0.0]), guide);
+        svg.line(view.place([0.0, -1.0]), view.place([0.0, 1.0]), guide);
+    });
     svg.circle(view.place([0.0, 0.0]), view.scale(), Style::line(Colour::BLACK, 0.6));
     let axis = |symbol: &str, index: &str| Axis::between(-1.0, 1.0, 4, Label::indexed(symbol, index));
     axes::draw(&mut svg, &view, &axis("v", "0"), &axis("v", "t"));
