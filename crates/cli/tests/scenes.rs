@@ -90,6 +90,21 @@ fn every_scene_is_described_by_check() {
 }
 
 #[test]
+fn the_mean_free_time_is_that_of_the_law() {
+    // of a Lorentz gas πA/P, where the centre keeps its speed, and 4A/P where all velocities mix
+    for (name, law, told, silent) in [
+        ("lorentz", "specular", "0.255392 = pi area/perimeter, at unit speed of the centre", "spin included"),
+        ("lorentz", "no-slip", "0.325175 = 4 area/perimeter, at unit speed, spin included", "of the centre"),
+        ("can", "specular", "engine", "mean free"),
+    ] {
+        let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../scenes/{name}.toml"));
+        let output = billiards().arg("check").arg(&scene).args(["--law", law]).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains(told) && !text.contains(silent), "{text}");
+    }
+}
+
+#[test]
 fn a_scene_has_the_same_results_twice_and_on_any_number_of_threads() {
     let scene = scenes().into_iter().find(|scene| scene.ends_with("isosceles.toml")).unwrap();
     let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-twice", std::process::id()));

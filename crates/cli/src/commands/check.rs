@@ -9,7 +9,7 @@ use super::Failure;
 use crate::args;
 use crate::document::{Source, spell};
 use crate::scene::{Request, Scene};
-use crate::simulation::{Description, Region, SameBits, Simulation, point, short};
+use crate::simulation::{Description, Region, SameBits, Simulation, plural, point, short};
 
 /// Checks a scene and describes it.
 ///
@@ -52,10 +52,6 @@ fn measure(x: Option<f64>) -> String {
     x.map_or("infinite".into(), short)
 }
 
-fn plural(n: usize, one: &str) -> String {
-    if n == 1 { format!("1 {one}") } else { format!("{n} {one}s") }
-}
-
 fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if let Some(title) = &scene.title {
         writeln!(out, "{title}")?;
@@ -89,10 +85,14 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
             "              area {}, perimeter {}, {}, {}",
             measure(centres.area),
             measure(centres.perimeter),
-            plural(centres.pieces, "piece"),
-            plural(corners, "corner")
+            plural(centres.pieces as u64, "piece"),
+            plural(corners as u64, "corner")
         )?;
         parts(centres, "region", out)?;
+    }
+    if let Some(time) = scene.mean_free_time_without_spin {
+        let formula = if plane { "pi area/perimeter" } else { "4 volume/surface" };
+        writeln!(out, "  mean free   time {} = {formula}, at unit speed of the centre", measure(Some(time)))?;
     }
     if let Some(time) = scene.mean_free_time {
         let formula = if plane { "4 area/perimeter" } else { "(15 pi/8) volume/surface" };
@@ -111,7 +111,7 @@ fn parts(region: &Region, what: &str, out: &mut impl Write) -> io::Result<()> {
         writeln!(
             out,
             "              the {what} falls apart into {}, of area {}",
-            plural(areas.len(), "part"),
+            plural(areas.len() as u64, "part"),
             areas.join(", ")
         )?;
     }

@@ -46,9 +46,13 @@ impl Format for JsonLines {
 }
 
 /// Appends a number, or null for one that JSON does not have: an angle or a time may be infinite where lengths and speeds differ by
-/// 10³⁰⁰.
+/// 10³⁰⁰. Readers that tell whole numbers from others would take `-0` for 0.
 fn push(to: &mut Vec<u8>, x: f64) {
-    if x.is_finite() { push_number(to, x) } else { to.extend_from_slice(b"null") }
+    match x {
+        0.0 if x.is_sign_negative() => to.extend_from_slice(b"-0.0"),
+        _ if x.is_finite() => push_number(to, x),
+        _ => to.extend_from_slice(b"null"),
+    }
 }
 
 #[cfg(test)]
@@ -71,6 +75,7 @@ mod tests {
         let state = [0.5, -0.0, 1e-9, 2.0, 3.5, 1e22, 0.1, 0.2, 0.3];
         json.row(&Row { orbit: 4, n: 7, time: 2.5, piece: 1, state: &state, cell: &[1, -2, 3] }, &mut line);
         assert!(line.starts_with(b"{\"orbit\":4,\"n\":7,\"t\":2.5,") && line.ends_with(b"}\n"));
+        assert!(std::str::from_utf8(&line).unwrap().contains("\"x2\":-0.0,"));
         let object: serde_json::Value = serde_json::from_slice(&line).unwrap();
         let read: Vec<f64> = columns.names().map(|name| object[name].as_f64().unwrap()).collect();
         assert_eq!(read, [4.0, 7.0, 2.5, 1.0, 0.5, -0.0, 1e-9, 2.0, 3.5, 1e22, 0.1, 0.2, 0.3, 1.0, -2.0, 3.0]);

@@ -14,7 +14,7 @@ use super::words::{point, short};
 use super::work::Launch;
 use super::{Body, Simulation};
 
-use crate::scene::{Scene, TableShape};
+use crate::scene::{LawKind, Scene, Starts, TableShape};
 
 /// Most starts that are described.
 const MOST_STARTS: u64 = 10;
@@ -45,9 +45,13 @@ pub struct Description {
     /// Radius of the largest disk that fits in, and its centre.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_disk: Option<(f64, [f64; 2])>,
-    /// Mean time between collisions in the invariant measure, at unit speed, spin included.
+    /// Mean time between collisions in the invariant measure, at unit speed, spin included. Where no law turns velocity into spin, it
+    /// is that of no orbit but of an ensemble, of which every orbit has its own.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_free_time: Option<f64>,
+    /// The same where no law turns velocity into spin, at unit speed of the centre.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mean_free_time_without_spin: Option<f64>,
     /// The walls that the engine found for the table.
     pub engine: String,
     /// Number of orbits.
@@ -149,6 +153,7 @@ impl Simulation {
             centres: None,
             largest_disk: None,
             mean_free_time: None,
+            mean_free_time_without_spin: None,
             engine: String::new(),
             orbits: self.orbits(),
             starts: vec![],
@@ -181,7 +186,10 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
     } else {
         walls
     };
-    description.mean_free_time = finite(4.0 * centres.area() / centres.perimeter / factor);
+    let ratio = centres.area() / centres.perimeter / factor;
+    let kinds = planar.drawn.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
+    // |S²|/|B²| and |S¹|/|B¹|
+    mean_free_times(scene, kinds, [4.0 * ratio, core::f64::consts::PI * ratio], description);
     description.engine = planar.centres.with_walls(NameOfWalls);
     let Ok(starts) = planar.starts() else { return };
     description.starts = planar.with_engine(|engine| {
@@ -226,8 +234,10 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
             description.walls.area = finite(out(out(out(volume))));
             description.walls.perimeter = finite(out(out(surface)));
             description.walls.parts = vec![description.walls.area];
-            // (V/S) |S⁵|/|B⁵|
-            description.mean_free_time = finite(out(1.875 * core::f64::consts::PI * volume / surface));
+            let ratio = out(volume / surface);
+            let kinds = spatial.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
+            // |S⁵|/|B⁵| and |S²|/|B²|
+            mean_free_times(scene, kinds, [1.875 * core::f64::consts::PI * ratio, 4.0 * ratio], description);
             table.with_walls(NameOfWalls)
         }
         Space::Room(_) => "solids, one by one".into(),
@@ -244,6 +254,20 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
             })
             .collect()
     });
+}
+
+/// Notes the mean times between collisions, with and without spin, that say something of the orbits of a scene.
+fn mean_free_times<'a>(
+    scene: &Scene,
+    mut laws: impl Iterator<Item = &'a LawKind>,
+    [with, without]: [f64; 2],
+    description: &mut Description,
+) {
+    // then the centre keeps its speed
+    let parts = laws.all(|law| *law == LawKind::Specular);
+    let is_ensemble = matches!(scene.starts, Starts::Ensemble(_));
+    description.mean_free_time = finite(with).filter(|_| !parts || is_ensemble);
+    description.mean_free_time_without_spin = finite(without).filter(|_| parts);
 }
 
 /// The first collision of an orbit.

@@ -5,7 +5,7 @@ use billiards::{Bend, Bounce, Horizon};
 use serde::Serialize;
 
 use super::start::Start;
-use super::words::short;
+use super::words::{plural, short};
 
 /// Orbits that are looked at: the first so many.
 const MOST_ORBITS: u64 = 16;
@@ -68,21 +68,39 @@ impl Horizons {
         found.lost.then_some(found.collisions)
     }
 
-    /// The same in words.
-    pub fn in_words(&self) -> String {
-        let lost = self.orbits.iter().filter(|orbit| orbit.lost);
-        if let Some(first) = lost.min_by_key(|orbit| orbit.collisions) {
-            let OfOrbit { orbit, collisions, time, .. } = first;
+    /// The same in words, of so many orbits.
+    pub fn in_words(&self, orbits: u64) -> String {
+        let looked_at = self.orbits.len() as u64;
+        let among = match looked_at {
+            0 => return "none".into(),
+            1 if orbits == 1 => String::new(),
+            _ if looked_at == orbits => format!(" of {orbits} orbits"),
+            1 => format!(" of the first of {orbits} orbits"),
+            _ => format!(" of the first {looked_at} of {orbits} orbits"),
+        };
+        let lost = self.orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions);
+        if let Some(OfOrbit { orbit, collisions, time, .. }) = lost {
+            let first = if among.is_empty() { String::new() } else { format!(", the first{among} that is lost") };
+            let collisions = plural(*collisions, "collision");
             return format!(
-                "of orbit {orbit} last {collisions} collisions (t = {}); beyond, it is one of many",
+                "of orbit {orbit} last {collisions} (t = {}){first}; beyond, it is one of many",
                 short(*time)
             );
         }
-        let Some(least) = self.orbits.iter().map(|orbit| orbit.collisions).min() else { return "none".into() };
-        let error = self.orbits.iter().fold(0.0, |m: f64, orbit| m.max(orbit.error));
-        format!("right to {error:.0e} of the table's size after {least} collisions")
+        let worst = self.orbits.iter().reduce(|a, b| if b.error > a.error { b } else { a });
+        let Some(OfOrbit { orbit, collisions, error, .. }) = worst else { return "none".into() };
+        let after = format!("after {}", plural(*collisions, "collision"));
+        let of = if among.is_empty() { String::new() } else { format!("; the worst{among}, orbit {orbit}") };
+        if *error > A_DIGIT {
+            return format!("all but gone {after}{of}");
+        }
+        let error = if *error == 0.0 { "0".into() } else { format!("{error:.0e}") };
+        format!("right to {error} of the table's size {after}{of}")
     }
 }
+
+/// An error of more than this part of the table's size leaves less than a digit.
+const A_DIGIT: f64 = 0.05;
 
 /// The largest of the finite sides of a box; infinite if there is none.
 pub(crate) fn size(low: &[f64], high: &[f64]) -> f64 {
@@ -93,4 +111,41 @@ pub(crate) fn size(low: &[f64], high: &[f64]) -> f64 {
 /// The longest side of the unit cell.
 pub(crate) fn cell_size(lattice: &Lattice) -> f64 {
     lattice.vectors().iter().map(Vector2::norm).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(orbits: &[(u64, f64, bool)]) -> Horizons {
+        let of = |(orbit, &(collisions, error, lost)): (usize, &(u64, f64, bool))| OfOrbit {
+            orbit: orbit as u64,
+            collisions,
+            time: 2.5,
+            error,
+            lost,
+        };
+        Horizons { collisions: None, time: None, orbits: orbits.iter().enumerate().map(of).collect() }
+    }
+
+    #[test]
+    fn what_is_said_of_digits_is_said_of_one_orbit() {
+        let wedge = of(&[(7, 6e-14, false), (0, 0.0, false)]);
+        assert_eq!(
+            wedge.in_words(2),
+            "right to 6e-14 of the table's size after 7 collisions; the worst of 2 orbits, orbit 0"
+        );
+        assert!(wedge.in_words(5000).ends_with("the worst of the first 2 of 5000 orbits, orbit 0"));
+        assert_eq!(of(&[(1, 0.0, false)]).in_words(1), "right to 0 of the table's size after 1 collision");
+        assert_eq!(of(&[(40, 0.4, false)]).in_words(1), "all but gone after 40 collisions");
+        let lost = of(&[(9, 0.1, false), (30, 0.1, true), (1, 0.2, true)]);
+        assert_eq!(
+            lost.in_words(3),
+            "of orbit 2 last 1 collision (t = 2.5), the first of 3 orbits that is lost; beyond, it is one of many"
+        );
+        assert_eq!(
+            of(&[(9, 0.1, true)]).in_words(1),
+            "of orbit 0 last 9 collisions (t = 2.5); beyond, it is one of many"
+        );
+    }
 }

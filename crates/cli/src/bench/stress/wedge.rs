@@ -11,13 +11,13 @@ use super::{Entry, Tally};
 use crate::simulation::Until;
 
 pub(super) const SPECULAR: Entry = Entry {
-    name: "thin wedge, specular",
+    name: "thin specular wedge",
     summary: "into a wedge of 1e-6 rad and out again: as many collisions as its angle fits into the turn of the path",
     run: specular,
 };
 
 pub(super) const NO_SLIP: Entry = Entry {
-    name: "thin wedge, no-slip",
+    name: "thin no-slip wedge",
     summary: "along a wedge of 1e-6 rad: the angular momentum about the apex keeps its size",
     run: no_slip,
 };
