@@ -45,8 +45,8 @@ pub struct Description {
     /// Radius of the largest disk that fits in, and its centre.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_disk: Option<(f64, [f64; 2])>,
-    /// Mean time between collisions in the invariant measure, at unit speed, spin included. Where no law turns velocity into spin, it
-    /// is that of no orbit but of an ensemble, of which every orbit has its own.
+    /// Mean time between collisions in the invariant measure, at unit speed, spin included. Where no law turns velocity into spin it is
+    /// given for ensembles only: it is the mean over orbits, each of which keeps its spin.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_free_time: Option<f64>,
     /// The same where no law turns velocity into spin, at unit speed of the centre.

