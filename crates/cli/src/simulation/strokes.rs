@@ -10,9 +10,9 @@ const PARTS: u32 = 512;
 const OFF: f64 = 2e-4;
 /// So often a part may be cut into three.
 const CUTS: u32 = 4;
-/// Points looked at in every cell that a piece may reach.
-const PER_CELL: f64 = 64.0;
-/// Most points looked at.
+/// Points of a piece that are looked at on its way through a cell, and the fewest and the most of all of them.
+const PER_CELL: f64 = 256.0;
+const FEWEST: f64 = 16.0;
 const MOST: f64 = 1e5;
 
 /// The walls of a table, all lengths divided by `factor`. On a lattice, all copies that reach into the unit cell.
@@ -81,9 +81,11 @@ fn copies(table: &Table, number: usize) -> impl Iterator<Item = Vector2<f64>> {
 /// Points of a piece, several in every cell that it reaches for some length.
 fn samples(piece: &dyn Piece, lattice: &Lattice) -> Vec<Vector2<f64>> {
     let length = piece.length();
-    let cell = lattice.vectors().iter().map(Vector2::norm).fold(f64::INFINITY, f64::min);
+    let longest = lattice.vectors().iter().map(Vector2::norm).fold(0.0, f64::max);
+    // how far it is through a cell, which may be lean
+    let cell = longest.min(lattice.cell_area() / longest);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred thousand")]
-    let many = (PER_CELL * length / cell).clamp(f64::from(PARTS), MOST) as u32;
+    let many = (PER_CELL * length / cell).clamp(FEWEST, MOST) as u32;
     (0..many).map(|k| piece.point_at(length * (f64::from(k) + 0.5) / f64::from(many))).collect()
 }
 
