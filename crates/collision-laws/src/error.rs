@@ -12,6 +12,14 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// A quantity below 2.3e-308, where numbers have fewer digits.
+    #[error("{quantity} is {value:?}, so small that digits are lost: other units of mass or length make it larger")]
+    TooSmall {
+        /// Which quantity, in words.
+        quantity: &'static str,
+        /// Its value.
+        value: f64,
+    },
     /// A vector or matrix with an infinite or NaN entry.
     #[error("{quantity} has an entry that is not a finite number")]
     NotFinite {
@@ -31,6 +39,14 @@ pub enum Error {
     #[error("the inertia is not positive: {smallest:?} in one plane of rotation")]
     InertiaNotPositive {
         /// The smallest principal moment of inertia about a 2-plane.
+        smallest: f64,
+    },
+    /// Second moments that no mass has.
+    #[error(
+        "the second moments are not positive: {smallest:?} along one axis, where every part of a body counts with a square"
+    )]
+    SecondMomentsNotPositive {
+        /// The smallest eigenvalue.
         smallest: f64,
     },
     /// An inertia given in a form that another dimension uses.

@@ -9,6 +9,8 @@ use std::{fmt, sync::Arc};
 /// Each method is a pure function of its arguments: it may be called more than once in a collision, or for a collision that is
 /// thrown away, as where orbits run side by side and some of them idle. Chance and memory have no place in it but as functions of the
 /// contact, as in [`RandomGrassmannian`](crate::laws::RandomGrassmannian).
+///
+/// Where a law is taken by value, [`ByRef`] passes one that stays where it is, and [`AnyLaw`] one of several types.
 pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
@@ -162,6 +164,62 @@ impl<const N: usize> AnyLaw<N> {
 }
 
 impl<const N: usize> CollisionLaw<N> for AnyLaw<N> {
+    #[inline]
+    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
+        self.0.impulse(contact, delassus, u)
+    }
+
+    #[inline]
+    fn missing_impulse(
+        &self,
+        contact: &Contact<N>,
+        delassus: &Delassus<N>,
+        u_minus: &SVector<f64, N>,
+        u_plus: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        self.0.missing_impulse(contact, delassus, u_minus, u_plus)
+    }
+
+    #[inline]
+    fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
+        self.0.pushes(contact)
+    }
+}
+
+/// A law that somebody else owns, strict or not: `L` may borrow data, or be `dyn CollisionLaw<N>`.
+///
+/// A reference to a strict law is a law already.
+///
+/// ```
+/// use collision_laws::{ByRef, CollisionLaw, Contact, Delassus, laws::PerSurface, reflect, Roughness};
+/// use nalgebra::{SVector, Vector2};
+///
+/// /// Each surface gives back its own part of the normal velocity.
+/// struct Bouncing<'a>(&'a [f64]);
+///
+/// impl CollisionLaw<2> for Bouncing<'_> {
+///     fn impulse(&self, contact: &Contact<2>, delassus: &Delassus<2>, u: &Vector2<f64>) -> Vector2<f64> {
+///         reflect(&Roughness::Smooth, contact, delassus, u) * (0.5 + 0.5 * self.0[contact.surface])
+///     }
+/// }
+///
+/// let measured = [1.0, 0.5];
+/// let law = Bouncing(&measured);
+/// let elsewhere = PerSurface::new(ByRef(&law)).with(7, ByRef(&law));
+/// # let _ = elsewhere;
+/// ```
+#[derive(Debug)]
+pub struct ByRef<'a, L: ?Sized>(pub &'a L);
+
+impl<L: ?Sized> Clone for ByRef<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<L: ?Sized> Copy for ByRef<'_, L> {}
+
+impl<const N: usize, L: CollisionLaw<N> + ?Sized> CollisionLaw<N> for ByRef<'_, L> {
     #[inline]
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
         self.0.impulse(contact, delassus, u)

@@ -64,7 +64,7 @@ pub use classify::{Classification, classify};
 pub use contact::Contact;
 pub use delassus::Delassus;
 pub use error::Error;
-pub use law::{AnyLaw, CollisionLaw, StrictLaw, reflect};
+pub use law::{AnyLaw, ByRef, CollisionLaw, StrictLaw, reflect};
 pub use pair::{Collision, Pair, Velocities};
 pub use roughness::{RoughSubspace, Roughness};
 pub use tangent_space::TangentSpace;

@@ -124,7 +124,7 @@ fn approach(psi: f64) -> (Pair<Ball<3>, Fixed, 3>, (Twist<3>, ())) {
 
 #[test]
 fn reversibility_without_linearity_does_not_keep_the_measure() {
-    for (psi, expected) in [(0.3, None), (-1.2, None), (ratio_0849(), Some(0.849))] {
+    for psi in [0.3, -1.2, 2.0] {
         let (pair, v) = approach(psi);
         let (space, x) = (pair.tangent_space(), pair.coordinates(&v));
         let map = |x: &DVector<f64>| {
@@ -135,19 +135,8 @@ fn reversibility_without_linearity_does_not_keep_the_measure() {
         assert!(check::axioms::energy(&space, &x, &map(&x)) < 1e-14);
         let ratio = check::axioms::measure_ratio(&space, map, &x);
         assert!((ratio - ReversiblyChasing::measure_ratio(psi)).abs() < TOLERANCE, "{ratio} at ψ = {psi}");
-        assert!(expected.is_none_or(|expected: f64| (ratio - expected).abs() < TOLERANCE));
+        assert!((ratio - 1.0).abs() > 0.1, "{ratio} at ψ = {psi}");
     }
-}
-
-/// The angle at which the measure ratio is 0.849, by bisection: the ratio falls from 1 at the fixed point of `ψ ↦ ψ'`.
-fn ratio_0849() -> f64 {
-    let (mut low, mut high) = (-0.283, 1.2);
-    assert!(ReversiblyChasing::measure_ratio(low) > 0.849 && ReversiblyChasing::measure_ratio(high) < 0.849);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if ReversiblyChasing::measure_ratio(middle) > 0.849 { low = middle } else { high = middle }
-    }
-    low
 }
 
 #[test]

@@ -18,25 +18,33 @@ pub struct Ball<const N: usize> {
     radius: f64,
     gamma: f64,
     moment: f64,
+    /// The power of two next to the radius. Lengths in this unit lose no digit, and with them spins are about as large as speeds:
+    /// the square of an angular velocity or `p/(m γ² R²)` alone may leave the range of numbers where no energy does.
+    unit: f64,
 }
 
 impl<const N: usize> Ball<N> {
     /// A ball with any mass distribution that depends on the distance from the centre alone, given by `γ²`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] if the mass, the radius, `γ²` or the moment of inertia `m γ² R²` is not positive and finite.
+    /// [`Error::NotPositive`] if the mass, the radius, `γ²` or the moment of inertia `m γ² R²` is not positive and finite,
+    /// [`Error::TooSmall`] if that moment is so small that it loses digits.
     pub fn with_gamma_squared(mass: f64, radius: f64, gamma_squared: f64) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let radius = positive("the radius", radius)?;
         let gamma_squared = positive("gamma squared", gamma_squared)?;
         let moment = positive("the moment of inertia", mass * gamma_squared * radius * radius)?;
-        Ok(Self { mass, radius, gamma: gamma_squared.sqrt(), moment })
+        if !moment.is_normal() {
+            return Err(Error::TooSmall { quantity: "the moment of inertia", value: moment });
+        }
+        let unit = libm::ldexp(1.0, libm::frexp(radius).1);
+        Ok(Self { mass, radius, gamma: gamma_squared.sqrt(), moment, unit })
     }
 
     /// A solid ball of uniform density, `γ² = 2/(N+2)`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// Those of [`with_gamma_squared`](Self::with_gamma_squared).
     pub fn uniform(mass: f64, radius: f64) -> Result<Self, Error> {
         Self::with_gamma_squared(mass, radius, 2.0 / (N + 2) as f64)
     }
@@ -44,7 +52,7 @@ impl<const N: usize> Ball<N> {
     /// A hollow ball (N = 2: a hoop), all mass on the sphere, `γ² = 2/N`: the largest that the radius allows.
     ///
     /// # Errors
-    /// [`Error::NotPositive`].
+    /// Those of [`with_gamma_squared`](Self::with_gamma_squared).
     pub fn shell(mass: f64, radius: f64) -> Result<Self, Error> {
         Self::with_gamma_squared(mass, radius, 2.0 / N as f64)
     }
@@ -79,7 +87,8 @@ impl<const N: usize> Body<N> for Ball<N> {
 
     #[inline]
     fn inner_product(&self, v: &Twist<N>, w: &Twist<N>) -> f64 {
-        self.mass * v.linear.dot(&w.linear) + 0.5 * self.moment * v.spin().dot(w.spin())
+        let moment = self.moment / self.unit / self.unit;
+        self.mass * v.linear.dot(&w.linear) + 0.5 * moment * (v.spin() * self.unit).dot(&(w.spin() * self.unit))
     }
 
     #[inline]
@@ -89,7 +98,7 @@ impl<const N: usize> Body<N> for Ball<N> {
 
     #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Twist<N>) -> Twist<N> {
-        v.kicked(p / self.mass, &(p / self.moment), arm)
+        v.kicked(p / self.mass, &(p / (self.moment / self.unit)), &(arm / self.unit))
     }
 
     #[inline]
@@ -103,7 +112,41 @@ impl<const N: usize> Body<N> for Ball<N> {
 mod tests {
     use super::*;
     use crate::{Contact, Fixed, Pair, check, laws::NoSlip};
-    use nalgebra::Vector3;
+    use nalgebra::{Vector2, Vector3};
+
+    /// What a disk of radius 1 does at unit speed, it does at any size and speed, scaled.
+    #[test]
+    fn neither_size_nor_speed_of_a_disk_matters() {
+        let collide = |radius: f64, speed: f64| {
+            let contact = Contact::new(Vector2::zeros(), Vector2::y(), 0).unwrap();
+            let disk = Ball::<2>::uniform(1.0, radius).unwrap();
+            let pair = Pair::new(contact, (disk, Vector2::new(0.0, -radius)), (Fixed, Vector2::zeros()));
+            let before = (Twist::planar(Vector2::new(0.6, -0.8) * speed, 0.5 * (speed / radius)), ());
+            let after = pair.try_collide(&NoSlip, &before).unwrap().velocities;
+            let v = after.0.linear / speed;
+            let energies = [before, after].map(|v| pair.kinetic_energy(&v) / speed / speed);
+            ([v.x, v.y, after.0.angular_velocity() * radius / speed], energies)
+        };
+        let (expected, [energy, _]) = collide(1.0, 1.0);
+        for radius in [1e-150, 1e-100, 1.0, 1e100, 1e150] {
+            for speed in [1e-150, 1e-30, 1e5, 1e10, 1e150] {
+                let (found, energies) = collide(radius, speed);
+                let close = |a: f64, b: f64| (a - b).abs() <= 1e-14;
+                assert!(
+                    (0..3).all(|i| close(found[i], expected[i])),
+                    "{radius:e} {speed:e}: {found:?} for {expected:?}"
+                );
+                assert!(energies.iter().all(|e| close(*e, energy)), "{radius:e} {speed:e}: {energies:?} for {energy}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_moment_of_inertia_without_all_its_digits_is_refused() {
+        let refused = Ball::<2>::uniform(1.0, 1e-160).unwrap_err();
+        assert!(matches!(refused, Error::TooSmall { value, .. } if value > 0.0), "{refused}");
+        assert!(Ball::<2>::uniform(1.0, 1e-150).is_ok());
+    }
 
     #[test]
     fn an_arm_of_any_length_along_the_normal_keeps_the_energy() {

@@ -10,9 +10,11 @@ use nalgebra::{Matrix3, SMatrix, SVector, Unit};
 pub enum Inertia<const N: usize> {
     /// N = 2: the moment of inertia about the centre of mass \[M L²\].
     Moment(f64),
-    /// N = 3: the inertia tensor about the centre of mass, in the space frame \[M L²\].
+    /// N = 3: the inertia tensor about the centre of mass, in the space frame \[M L²\]. A collision is defined for every positive one,
+    /// so it may be one that no rigid body has, in which a principal moment exceeds the sum of the two others.
     Tensor(SMatrix<f64, N, N>),
-    /// Any N: the second moments per unit mass `S`, in the space frame \[L²\]: `mS = ∫ r rᵀ dm`.
+    /// Any N: the second moments per unit mass `S`, in the space frame \[L²\]: `mS = ∫ r rᵀ dm`. No eigenvalue is negative; it is zero
+    /// along what a flat body lies across.
     SecondMoments(SMatrix<f64, N, N>),
 }
 
@@ -47,7 +49,8 @@ impl<const N: usize> RigidBody<N> {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`] if the body
-    /// spins for free in some plane (a rod in space), [`Error::InertiaForm`] for a form of another dimension.
+    /// spins for free in some plane (a rod in space), [`Error::SecondMomentsNotPositive`] if one of them is negative beyond rounding,
+    /// [`Error::InertiaForm`] for a form of another dimension.
     pub fn new(mass: f64, inertia: Inertia<N>) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let form = |form, expected| Error::InertiaForm { form, expected, dimension: N };
@@ -64,6 +67,11 @@ impl<const N: usize> RigidBody<N> {
             }
             Inertia::SecondMoments(s) => {
                 let (axes, frame) = eigenframe(symmetric(&s)?);
+                let smallest = axes.min();
+                // flat bodies have a zero, which the rounding of S and of its eigenvalues may make negative
+                if smallest < -4.0 * N as f64 * f64::EPSILON * axes.amax() {
+                    return Err(Error::SecondMomentsNotPositive { smallest });
+                }
                 (frame, SMatrix::from_fn(|i, j| mass * (axes[i] + axes[j])))
             }
         };
@@ -177,10 +185,24 @@ mod tests {
         assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotPositive { smallest: -2.0 });
         let rod = Matrix3::from_diagonal(&[1.0, 0.0, 0.0].into());
         assert_eq!(built(Inertia::SecondMoments(rod)), Error::InertiaNotPositive { smallest: 0.0 });
+        let negative = Matrix4::from_diagonal(&[2.0, 2.0, 2.0, -1.0].into());
+        let refused = RigidBody::<4>::new(1.0, Inertia::SecondMoments(negative)).unwrap_err();
+        assert_eq!(refused, Error::SecondMomentsNotPositive { smallest: -1.0 });
+        let negative = Inertia::SecondMoments(Matrix2::new(2.0, 0.0, 0.0, -1.0));
+        assert!(matches!(RigidBody::<2>::new(1.0, negative), Err(Error::SecondMomentsNotPositive { .. })));
         assert!(matches!(RigidBody::<2>::new(-1.0, Inertia::Moment(1.0)), Err(Error::NotPositive { .. })));
         let tensor = Inertia::Tensor(Matrix4::identity());
         assert!(matches!(RigidBody::<4>::new(1.0, tensor), Err(Error::InertiaForm { .. })));
         let nan = Inertia::SecondMoments(Matrix2::repeat(f64::NAN));
         assert!(matches!(RigidBody::<2>::new(1.0, nan), Err(Error::NotFinite { .. })));
+    }
+
+    #[test]
+    fn a_flat_body_askew_is_a_body_whatever_rounding_makes_of_its_thickness() {
+        for k in 0..100 {
+            let (sin, cos) = libm::sincos(f64::from(k));
+            let along = Matrix2::new(cos * cos, sin * cos, sin * cos, sin * sin) * 3.0;
+            assert!(RigidBody::<2>::new(1.0, Inertia::SecondMoments(along)).is_ok(), "{k}");
+        }
     }
 }

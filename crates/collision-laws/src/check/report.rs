@@ -10,7 +10,8 @@ pub const TOLERANCE: f64 = 1e-9;
 /// The properties of a strict collision map, and two that follow from them.
 ///
 /// Defects are taken in the kinetic-energy metric, in which a velocity `v` has the length `|v|`. Those of a law are the
-/// largest over the sampled velocities; those of a matrix are Frobenius norms in unit coordinates, which bound them.
+/// largest over the sampled velocities; those of a matrix are Frobenius norms in unit coordinates, which bound them, but for
+/// [`Measure`](Self::Measure), whose ratio at one velocity may be anything where that is almost along the wall.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axiom {
     /// Energy is conserved: `| |v⁺|² − |v|² | / |v|²`; of a matrix `‖CᵀC − 1‖`.
