@@ -33,6 +33,18 @@ pub enum Error {
         /// How many there are.
         pieces: usize,
     },
+    /// An arc length beyond the ends of a piece.
+    #[error("piece {piece} has no point at arc length {s}: it runs from {from} to {to}")]
+    ArcLength {
+        /// Number of the piece.
+        piece: usize,
+        /// The arc length given.
+        s: f64,
+        /// That of its start.
+        from: f64,
+        /// That of its end.
+        to: f64,
+    },
     /// Tangential velocities that leave nothing for the normal one.
     #[error(
         "(v0, v·t) = ({v0}, {vt}) does not lie inside the disk of radius {speed}, the speed: nothing is left to leave the wall with"

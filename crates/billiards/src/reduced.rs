@@ -10,7 +10,7 @@ use crate::{
     run::Collisions,
     track::Track,
 };
-use geometry::{Landing, Table, Vector2, WallHit};
+use geometry::{Landing, Piece, Table, Vector2, WallHit};
 
 /// A point of the boundary with the velocities right after a collision there, whatever the angle of the disk.
 ///
@@ -21,7 +21,8 @@ use geometry::{Landing, Table, Vector2, WallHit};
 pub struct ReducedState {
     /// Number of the piece.
     pub piece: usize,
-    /// Arc length along the piece \[L\], with the table on the left.
+    /// Arc length along the piece \[L\], with the table on the left: from 0 to its length, on a closed curve modulo that. Lines and rays
+    /// count from a point of theirs, both ways and one ([`Piece`]).
     pub s: f64,
     /// Scaled spin `v₀ = γ R θ̇` [L T⁻¹].
     pub v0: f64,
@@ -52,16 +53,39 @@ impl ReducedState {
         ReducedState { v0: self.v0 / self.speed, vt: self.vt / self.speed, speed: 1.0, ..self }
     }
 
-    /// Arc length from the start of piece 0, all pieces laid end to end, then `v₀` and `vₜ`.
+    /// Arc length along the whole boundary, from the start of piece 0, all pieces laid end to end; then `v₀` and `vₜ`.
     pub fn coordinates(&self, table: &Table) -> [f64; 3] {
         let before: f64 = table.pieces().iter().take(self.piece).map(|piece| piece.length()).sum();
         [before + self.s, self.v0, self.vt]
     }
 
+    /// The state with these [coordinates](Self::coordinates), at a speed.
+    ///
+    /// ```
+    /// use billiards::{ReducedState, geometry::tables};
+    ///
+    /// let square = tables::square(1.0)?;
+    /// let state = ReducedState::from_coordinates(&square, [2.25, 0.5, -0.25], 1.0)?;
+    /// assert_eq!((state.piece, state.s), (2, 0.25));
+    /// assert_eq!(state.coordinates(&square), [2.25, 0.5, -0.25]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::ArcLength`] before the start or beyond the end of the boundary.
+    pub fn from_coordinates(table: &Table, [s, v0, vt]: [f64; 3], speed: f64) -> Result<ReducedState, Error> {
+        let starts = table.arc_length_offsets();
+        let piece = starts.partition_point(|start| *start <= s).saturating_sub(1);
+        let state = ReducedState { piece, s: s - starts.get(piece).unwrap_or(&0.0), v0, vt, speed };
+        state.arc_length_on(&**table.pieces().get(piece).ok_or(Error::Piece { piece, pieces: 0 })?)?;
+        Ok(state)
+    }
+
     /// The orbit that starts in this state.
     ///
     /// # Errors
-    /// [`Error::Piece`] if the table has no such piece, [`Error::Tangential`] unless `v₀² + vₜ² < speed²`.
+    /// [`Error::Piece`] if the table has no such piece, [`Error::ArcLength`] if `s` is beyond its ends, [`Error::Tangential`] unless
+    /// `v₀² + vₜ² < speed²`.
     pub fn orbit<K, T>(&self, table: &Table, track: T) -> Result<Orbit<f64, 2, 1, K, T>, Error>
     where
         K: EnergyKeeper<f64, 2, 1>,
@@ -82,9 +106,30 @@ impl ReducedState {
     fn landing(&self, table: &Table) -> Result<Landing, Error> {
         let pieces = table.pieces();
         let piece = pieces.get(self.piece).ok_or(Error::Piece { piece: self.piece, pieces: pieces.len() })?;
-        let landing = piece.closest(&piece.point_at(self.s));
+        let landing = piece.closest(&piece.point_at(self.arc_length_on(&**piece)?));
         let point = table.lattice().map_or(landing.point, |lattice| lattice.reduce(&landing.point).0);
         Ok(Landing { point, ..landing })
+    }
+
+    /// `s`, if the piece has such an arc length; that of a closed curve is reduced to its length.
+    fn arc_length_on(&self, piece: &dyn Piece) -> Result<f64, Error> {
+        let (s, length) = (self.s, piece.length());
+        let [from, to] = match piece.ends() {
+            None if s.is_finite() && length.is_finite() => {
+                return Ok(if (0.0..=length).contains(&s) { s } else { s - libm::floor(s / length) * length });
+            }
+            None => [0.0, length],
+            Some(ends) => {
+                let [starts, stops] = ends.map(|end| end.iter().all(|x| x.is_finite()));
+                [if starts { 0.0 } else { -f64::INFINITY }, if starts || !stops { length } else { 0.0 }]
+            }
+        };
+        let slack = if length.is_finite() { LENGTHS * length } else { 0.0 };
+        if s.is_finite() && from - slack <= s && s <= to + slack {
+            Ok(s)
+        } else {
+            Err(Error::ArcLength { piece: self.piece, s, from, to })
+        }
     }
 
     /// What an orbit in this state has just hit.
@@ -93,6 +138,9 @@ impl ReducedState {
         Ok(WallHit { time: 0.0, normal: normal.into(), piece: self.piece as f64, ..WallHit::never(point.into()) })
     }
 }
+
+/// Arc lengths are known to this part of the length of a piece.
+const LENGTHS: f64 = 1e-12;
 
 /// What rounding may leave of `R R − 1`, in parts of the speed: a law of a point that spins loses half of its digits.
 const REVERSIBLE: f64 = 1e-6;

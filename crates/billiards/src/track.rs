@@ -145,7 +145,7 @@ impl<F: Lane, const S: usize> Track<F, 2, S> for Cell<F> {
         for lane in 0..F::LANES {
             let lifted = |i: usize| from[i].lane(lane) + velocity[i].lane(lane) * hit.time.lane(lane);
             let moved = Vector2::new(lifted(0) - hit.point[0].lane(lane), lifted(1) - hit.point[1].lane(lane));
-            let step = self.lattice.nearest(&moved);
+            let step = self.lattice.rounded(&moved);
             for i in 0..2 {
                 let old = self.cell[i];
                 self.cell[i] = old.each(|k| if k == lane { old.lane(k) + step[i] } else { old.lane(k) });

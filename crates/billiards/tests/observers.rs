@@ -132,6 +132,44 @@ fn energy_drift_is_the_energy_that_is_missing() {
 }
 
 #[test]
+fn energy_drift_begins_anew_with_each_orbit() {
+    let specular = Planar { table: tables::strip(1.0).unwrap(), law: Specular };
+    let at = |v: f64| Orbit::<f64, 2, 1>::new([0.0, 0.5], [0.0, v], [0.0], ());
+    let mut drift = EnergyDrift::new();
+    for speed in [1.0, 2.0, 3.0] {
+        drift.next_orbit();
+        specular.run(&mut at(speed), &Collisions(3), &mut drift);
+    }
+    assert_eq!(drift.largest(), 0.0);
+    // one that is followed is compared with its start, not with its first collision
+    drift.next_orbit();
+    drift.follow(&at(2.0));
+    specular.run(&mut at(1.0), &Collisions(3), &mut drift);
+    assert_eq!(drift.largest(), 0.75);
+}
+
+#[test]
+fn portraits_pass_the_next_orbit_on() {
+    #[derive(Default)]
+    struct Orbits(u64);
+    impl<A> Extend<A> for Orbits {
+        fn extend<I: IntoIterator<Item = A>>(&mut self, _: I) {}
+    }
+    impl Merge for Orbits {
+        fn merge(self, other: Self) -> Self {
+            Orbits(self.0 + other.0)
+        }
+        fn next_orbit(&mut self) {
+            self.0 += 1;
+        }
+    }
+    let table = tables::strip(1.0).unwrap();
+    let mut both = (VelocityPortrait::new(Orbits(0)), ReducedPortrait::new(&table, Orbits(0)));
+    both.next_orbit();
+    assert_eq!((both.0.points().0, both.1.states().0), (1, 1));
+}
+
+#[test]
 fn the_keeper_keeps_the_energy_of_a_long_orbit() {
     let stadium = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: no_slip(0.5) };
     let mut orbit = orbit([0.1, 0.2], [0.6, 0.3], 0.4);

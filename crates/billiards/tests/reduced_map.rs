@@ -224,10 +224,43 @@ fn impossible_states_are_refused() {
     let nowhere = ReducedState { piece: 4, v0: 0.0, ..state };
     assert_eq!(billiard.map(&nowhere), Err(Error::Piece { piece: 4, pieces: 4 }));
     assert!(billiard.map(&ReducedState { speed: f64::NAN, ..state }).is_err());
+    for s in [1.7, -0.1, f64::NAN, f64::INFINITY] {
+        let beside = billiard.map(&ReducedState { s, v0: 0.0, ..state });
+        assert!(matches!(beside, Err(Error::ArcLength { piece: 0, from: 0.0, to: 1.0, .. })), "{s}: {beside:?}");
+        assert!(s == 1.7 || ReducedState::from_coordinates(&billiard.table, [s, 0.0, 0.0], 1.0).is_err());
+    }
+    assert!(matches!(
+        ReducedState::from_coordinates(&billiard.table, [4.5, 0.0, 0.0], 1.0),
+        Err(Error::ArcLength { piece: 3, s: 1.5, .. })
+    ));
     let wedge = Planar { table: tables::wedge(1.0).unwrap(), law: Specular };
     let away = ReducedState { piece: 0, s: 1.0, v0: 0.0, vt: 0.9, speed: 1.0 };
     let ends = [wedge.map(&away), wedge.map(&ReducedState { vt: -0.9, ..away })];
     assert!(ends.contains(&Err(Error::Ended { stop: billiards::Stop::Escaped })), "{ends:?}");
+    let walls: Vec<_> = (0..2)
+        .map(|piece| [1.0, -1.0].map(|s| wedge.map(&ReducedState { piece, s, v0: 0.0, vt: 0.0, speed: 1.0 })))
+        .collect();
+    // one ray begins at the apex, the other ends there
+    assert!(
+        walls.iter().all(|[a, b]| matches!(
+            (a, b),
+            (Err(Error::ArcLength { .. }), Ok(_)) | (Ok(_), Err(Error::ArcLength { .. }))
+        ))
+    );
+    assert!(walls[0][0].is_ok() != walls[1][0].is_ok(), "{walls:?}");
+}
+
+#[test]
+fn arc_length_on_a_closed_curve_is_taken_modulo_its_length() {
+    for table in [tables::circle(1.0).unwrap(), tables::ellipse([2.0, 1.0]).unwrap()] {
+        let billiard = Planar { table, law: Specular };
+        let state = ReducedState { piece: 0, s: 0.5, v0: 0.0, vt: 0.3, speed: 1.0 };
+        let image = |turns: f64| {
+            let s = state.s + turns * billiard.table.perimeter();
+            billiard.map(&ReducedState { s, ..state }).unwrap().s
+        };
+        assert!([-1.0, 1.0, 3.0].iter().all(|turns| (image(*turns) - image(0.0)).abs() < 1e-12));
+    }
 }
 
 #[test]

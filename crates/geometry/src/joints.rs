@@ -93,7 +93,7 @@ pub(crate) fn joints(table: &Table) -> Vec<Joint> {
             && let Some(lattice) = table.lattice()
         {
             for (a, j) in &starts {
-                let cell = lattice.nearest(&(vertex - a));
+                let cell = lattice.rounded(&(vertex - a));
                 let off = vertex - a - lattice.translation(cell);
                 if off.amax() <= slack(a.iter().chain(vertex.iter()).copied()) {
                     candidates.push((*j, cell));

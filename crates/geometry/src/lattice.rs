@@ -96,8 +96,11 @@ impl Lattice {
         (p, cell)
     }
 
-    /// The lattice vector nearest to a displacement, in multiples of the vectors.
-    pub fn nearest(&self, displacement: &Vector2<f64>) -> [f64; 2] {
+    /// The lattice vector that a displacement is but for something small, in multiples of the vectors: its coordinates, rounded.
+    ///
+    /// It is the nearest one to displacements up to half as far from it as two neighbouring rows of the lattice are apart. Farther
+    /// away, or where a short vector is a sum of long ones, another may be nearer.
+    pub fn rounded(&self, displacement: &Vector2<f64>) -> [f64; 2] {
         let mut cell = [0.0; 2];
         for (i, c) in cell.iter_mut().enumerate().take(self.vectors.len()) {
             let [f, g] = self.functional(i);

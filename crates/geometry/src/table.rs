@@ -103,7 +103,7 @@ impl Table {
         };
         let starting_at_translate = |b: &Vector2<f64>, lattice: &Lattice| {
             let same = |a: &Vector2<f64>| {
-                let off = b - a - lattice.translation(lattice.nearest(&(b - a)));
+                let off = b - a - lattice.translation(lattice.rounded(&(b - a)));
                 finite(a) && off.amax() <= slack(a.iter().chain(b.iter()).copied())
             };
             starts().find(|(a, _)| same(a))

@@ -11,10 +11,32 @@ use lanes::{Double, two_prod};
 /// [`Orbit::restored`].
 #[derive(Clone, Copy, Debug)]
 pub struct EnergyDrift {
+    /// Where the orbit began, if there is one.
+    start: Option<Energy>,
+    largest: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Energy {
     /// A power of two near 1/speed: squares neither over- nor underflow.
     scale: f64,
-    start: Double,
-    largest: f64,
+    /// In those units.
+    square: Double,
+}
+
+impl Energy {
+    fn of<K, T, const N: usize, const S: usize>(orbit: &Orbit<f64, N, S, K, T>) -> Self {
+        let size = orbit.velocity.iter().chain(&orbit.spin).fold(0.0, |size: f64, x| size.max(x.abs()));
+        let scale = libm::ldexp(1.0, -libm::frexp(size).1);
+        Energy { scale, square: square(scale, &orbit.velocity, &orbit.spin) }
+    }
+
+    /// By how much of itself it differs from that of an orbit.
+    fn change<K, T, const N: usize, const S: usize>(&self, orbit: &Orbit<f64, N, S, K, T>) -> f64 {
+        let now = square(self.scale, &orbit.velocity, &orbit.spin);
+        let change = (now.high - self.square.high) + (now.low - self.square.low);
+        (change / self.square.high).abs()
+    }
 }
 
 /// `scale² (|v|² + |w|²)`
@@ -29,18 +51,23 @@ fn square(scale: f64, velocity: &[f64], spin: &[f64]) -> Double {
 }
 
 impl EnergyDrift {
+    /// No orbit yet. One that nobody told it to [follow](Self::follow) is followed from its first collision.
+    ///
+    /// Whoever runs one orbit after another without an [`Ensemble`](crate::Ensemble) calls that, or
+    /// [`next_orbit`](Merge::next_orbit), for each.
+    #[allow(clippy::new_without_default, reason = "one way to begin")]
+    pub fn new() -> Self {
+        EnergyDrift { start: None, largest: 0.0 }
+    }
+
     /// The drift of an orbit from where it is now.
     pub fn of<K, T, const N: usize, const S: usize>(orbit: &Orbit<f64, N, S, K, T>) -> Self {
-        let mut drift = EnergyDrift { scale: 1.0, start: Double::new(0.0), largest: 0.0 };
-        drift.follow(orbit);
-        drift
+        EnergyDrift { start: Some(Energy::of(orbit)), largest: 0.0 }
     }
 
     /// Goes on with another orbit, from where that is now; the largest drift seen stays.
     pub fn follow<K, T, const N: usize, const S: usize>(&mut self, orbit: &Orbit<f64, N, S, K, T>) {
-        let size = orbit.velocity.iter().chain(&orbit.spin).fold(0.0, |size: f64, x| size.max(x.abs()));
-        self.scale = libm::ldexp(1.0, -libm::frexp(size).1);
-        self.start = square(self.scale, &orbit.velocity, &orbit.spin);
+        self.start = Some(Energy::of(orbit));
     }
 
     /// `max |E − E₀| / E₀` over the collisions seen.
@@ -48,18 +75,17 @@ impl EnergyDrift {
         self.largest
     }
 
-    /// `|E − E₀| / E₀` of an orbit as it is.
+    /// `|E − E₀| / E₀` of an orbit as it is; 0 before any orbit has begun.
     pub fn now<K, T, const N: usize, const S: usize>(&self, orbit: &Orbit<f64, N, S, K, T>) -> f64 {
-        let now = square(self.scale, &orbit.velocity, &orbit.spin);
-        let change = (now.high - self.start.high) + (now.low - self.start.low);
-        (change / self.start.high).abs()
+        self.start.map_or(0.0, |start| start.change(orbit))
     }
 }
 
 impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for EnergyDrift {
     #[inline]
     fn collision(&mut self, c: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
-        self.largest = larger(self.largest, self.now(c.orbit));
+        let start = self.start.get_or_insert_with(|| Energy::of(c.orbit));
+        self.largest = larger(self.largest, start.change(c.orbit));
         ControlFlow::Continue(())
     }
 }
@@ -72,5 +98,8 @@ pub(super) fn larger(a: f64, b: f64) -> f64 {
 impl Merge for EnergyDrift {
     fn merge(self, other: Self) -> Self {
         EnergyDrift { largest: larger(self.largest, other.largest), ..self }
+    }
+    fn next_orbit(&mut self) {
+        self.start = None;
     }
 }

@@ -20,6 +20,8 @@ pub struct Moments {
     mean: f64,
     /// Sum of squares about the mean.
     squares: f64,
+    /// Whether any number was off the mean, however small the square of that is.
+    scattered: bool,
 }
 
 /// A mean.
@@ -29,7 +31,8 @@ pub struct Mean {
     pub count: u64,
     /// The mean; NaN of none.
     pub mean: f64,
-    /// Its standard error, where they are independent of one another; NaN of fewer than two.
+    /// Its standard error, where they are independent of one another; NaN of fewer than two, and where the squares of all that they differ
+    /// by are too small for a number.
     pub standard_error: f64,
 }
 
@@ -41,13 +44,16 @@ impl Moments {
         let off = x - self.mean;
         self.mean += off / self.count as f64;
         self.squares += off * (x - self.mean);
+        self.scattered |= self.count > 1 && off != 0.0;
     }
 
     /// The mean.
     pub fn mean(&self) -> Mean {
         let n = self.count as f64;
         let mean = if self.count == 0 { f64::NAN } else { self.mean };
-        Mean { count: self.count, mean, standard_error: libm::sqrt(self.squares / (n - 1.0) / n) }
+        let lost = self.scattered && self.squares < f64::MIN_POSITIVE;
+        let squares = if lost { f64::NAN } else { self.squares };
+        Mean { count: self.count, mean, standard_error: libm::sqrt(squares / (n - 1.0) / n) }
     }
 }
 
@@ -71,6 +77,7 @@ impl Merge for Moments {
             count,
             mean: self.mean + off * share,
             squares: self.squares + other.squares + off * off * (self.count as f64 * share),
+            scattered: self.scattered || other.scattered || (off != 0.0 && self.count > 0 && other.count > 0),
         }
     }
 }
@@ -102,6 +109,18 @@ mod tests {
             assert_eq!(merged.count, whole.count);
             assert!((merged.mean - whole.mean).abs() < 1e-14);
             assert!((merged.standard_error - whole.standard_error).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn what_underflows_is_no_error_of_zero() {
+        let near: Moments = [1e-200, 3e-200].into_iter().collect();
+        let apart = Moments::from_iter([1e-200]).merge(Moments::from_iter([3e-200]));
+        for lost in [near, apart, near.merge(near), Moments::default().merge(near)] {
+            assert!(lost.mean().standard_error.is_nan(), "{lost:?}");
+        }
+        for same in [Moments::from_iter([1e-200; 3]), Moments::from_iter([0.1; 2]).merge(Moments::from_iter([0.1]))] {
+            assert_eq!(same.mean().standard_error, 0.0, "{same:?}");
         }
     }
 

@@ -79,7 +79,7 @@ impl Period {
     fn distance(&self, a: [f64; 2], b: [f64; 2]) -> f64 {
         let mut d = Vector2::from(a) - Vector2::from(b);
         if let Some(lattice) = &self.lattice {
-            d -= lattice.translation(lattice.nearest(&d));
+            d -= lattice.translation(lattice.rounded(&d));
         }
         libm::hypot(d.x, d.y)
     }

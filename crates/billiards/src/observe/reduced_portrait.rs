@@ -54,4 +54,7 @@ impl<E: Merge> Merge for ReducedPortrait<'_, E> {
     fn merge(self, other: Self) -> Self {
         ReducedPortrait { states: self.states.merge(other.states), ..self }
     }
+    fn next_orbit(&mut self) {
+        self.states.next_orbit();
+    }
 }

@@ -57,4 +57,7 @@ impl<E: Merge> Merge for VelocityPortrait<E> {
     fn merge(self, other: Self) -> Self {
         VelocityPortrait(self.0.merge(other.0))
     }
+    fn next_orbit(&mut self) {
+        self.0.next_orbit();
+    }
 }

@@ -34,7 +34,7 @@ impl WithWalls<2> for CompareLifted<'_> {
             assert_eq!(a.piece, b.piece, "{}", context());
             assert!((a.time - b.time).abs() * speed <= bound, "{}", context());
             let apart = a.point - b.point;
-            assert!((apart - lattice.translation(lattice.nearest(&apart))).norm() <= bound, "{}", context());
+            assert!((apart - lattice.translation(lattice.rounded(&apart))).norm() <= bound, "{}", context());
             compared += 1;
         }
         assert!(compared * 2 > self.paths.len());
