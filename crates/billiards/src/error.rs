@@ -25,6 +25,12 @@ pub enum Error {
         /// The speed given.
         speed: f64,
     },
+    /// A start that is not in the table.
+    #[error("the position {position:?} does not lie in the table")]
+    Outside {
+        /// The position given.
+        position: Vec<f64>,
+    },
     /// A piece that the table does not have.
     #[error("the table has no piece {piece}; its pieces are 0 to {}", pieces - 1)]
     Piece {

@@ -13,6 +13,9 @@
 //! * [`ReducedState`]: arc length, spin and tangential velocity; the billiard map and its inverse.
 //! * [`Ensemble`] and [`Starts`]: many orbits on the canonical measure, the same whatever the number of threads.
 //!
+//! What laws, walls, tracks and observers of your own take from other crates comes with this one, in the versions that it uses:
+//! [`collision_laws`], [`geometry`], [`lanes`] and [`nalgebra`].
+//!
 //! The scaled spin is `v₀ = γ R θ̇`, so that the energy is `(m/2)(|v|² + v₀²)`; normals point into the table.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
@@ -46,7 +49,9 @@ pub use error::Error;
 pub use geometry;
 pub use horizon::{Bend, Bounce, Felt, Horizon};
 pub use in_lanes::InLanes;
+pub use lanes;
 pub use merge::Merge;
+pub use nalgebra;
 pub use observe::{Collision, Observer};
 pub use orbit::Orbit;
 pub use planar::Planar;

@@ -7,7 +7,21 @@ use lanes::Lane;
 
 /// The state of a ball between two collisions, or of as many as there are lanes.
 ///
-/// `S` is the number of spin components that the scene needs: 0 for a point, 1 for a disk, 3 for a ball in space.
+/// `S` is the number of spin components that the scene needs: 0 for a point, 1 for a disk, 3 for a ball in space. The tables of
+/// [`Planar`](crate::Planar) run a disk and those of [`Spatial`](crate::Spatial) a ball; for a point under
+/// [`Specular`](crate::laws::Specular) the spin stays 0. Without one it runs on [`Walls`](geometry::Walls) of your choice:
+///
+/// ```
+/// use billiards::{Billiard, Collisions, Orbit, laws::Specular, run};
+/// use billiards::geometry::walls::Slab;
+///
+/// let strip = Slab::<2, 1>::new(0.0, 1.0, [0, 1])?;
+/// let mut point = Orbit::<f64, 2, 0>::new([0.0, 0.5], [1.0, -1.0], [], ());
+/// run(&Billiard { walls: &strip, law: &Specular }, &mut point, &Collisions(3), &mut ());
+/// assert_eq!((point.position, point.velocity), ([2.5, 0.0], [1.0, 1.0]));
+/// # Ok::<(), billiards::geometry::Error>(())
+/// ```
+///
 /// `K` keeps the energy, `T` tracks what grows along the path; both are `()` where nobody asks.
 #[derive(Clone, Copy, Debug)]
 pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
@@ -27,6 +41,10 @@ pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
 
 impl<F: Lane, const N: usize, const S: usize, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>> Orbit<F, N, S, K, T> {
     /// The orbit that starts at `position` with `velocity` and scaled `spin`.
+    ///
+    /// No table is asked: the position must lie in it, on a lattice in its unit cell, or what walls answer means nothing.
+    /// [`Planar::orbit`](crate::Planar::orbit) and [`Spatial::orbit`](crate::Spatial::orbit) look; starts on a wall come from
+    /// [`Starts`](crate::Starts) and [`ReducedState`](crate::ReducedState).
     #[inline]
     pub fn new(position: [F; N], velocity: [F; N], spin: [F; S], track: T) -> Self {
         Orbit { position, velocity, spin, keeper: K::new(&velocity, &spin), track }

@@ -1,5 +1,6 @@
 //! A disk on a planar table: the billiard of the paper, ready to run.
 use crate::{
+    Error,
     billiard::{BallLaw, Billiard},
     energy::{EnergyKeeper, Keeping},
     observe::{LaneObserver, Observer},
@@ -20,8 +21,44 @@ pub struct Planar<L> {
     pub law: L,
 }
 
+impl<L> Planar<L> {
+    /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the unit cell.
+    ///
+    /// ```
+    /// use billiards::{Error, Orbit, Planar, geometry::tables, laws::Specular};
+    ///
+    /// let torus = Planar { table: tables::sinai_torus(0.25)?, law: Specular };
+    /// let orbit: Orbit<f64, 2, 1> = torus.orbit([-0.875, 0.125], [1.0, 0.5], [0.0], ())?;
+    /// assert_eq!(orbit.position, [0.125, 0.125]);
+    /// let in_the_disk = torus.orbit::<(), ()>([0.5, 0.625], [1.0, 0.5], [0.0], ());
+    /// assert!(matches!(in_the_disk, Err(Error::Outside { .. })));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Outside`] unless the position lies in the table, off the boundary.
+    pub fn orbit<K, T>(
+        &self,
+        position: [f64; 2],
+        velocity: [f64; 2],
+        spin: [f64; 1],
+        track: T,
+    ) -> Result<Orbit<f64, 2, 1, K, T>, Error>
+    where
+        K: EnergyKeeper<f64, 2, 1>,
+        T: Track<f64, 2, 1>,
+    {
+        let at = position.into();
+        let at = self.table.lattice().map_or(at, |lattice| lattice.reduce(&at).0);
+        if !self.table.contains(&at) {
+            return Err(Error::Outside { position: position.to_vec() });
+        }
+        Ok(Orbit::new(at.into(), velocity, spin, track))
+    }
+}
+
 impl<L: BallLaw<2, 1>> Planar<L> {
-    /// Runs an orbit on the fastest walls that the table has.
+    /// Runs an orbit on the fastest walls that the table has. It starts in the table, which [`Planar::orbit`] makes sure of.
     ///
     /// ```
     /// use billiards::{Clock, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};

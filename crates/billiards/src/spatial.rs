@@ -1,5 +1,6 @@
 //! A ball on a table in space, ready to run.
 use crate::{
+    Error,
     billiard::{BallLaw, Billiard},
     energy::EnergyKeeper,
     observe::Observer,
@@ -18,8 +19,31 @@ pub struct Spatial<L> {
     pub law: L,
 }
 
+impl<L> Spatial<L> {
+    /// The orbit that starts at `position` with `velocity` and scaled `spin`.
+    ///
+    /// # Errors
+    /// [`Error::Outside`] unless the position lies in the table, off the boundary.
+    pub fn orbit<K, T>(
+        &self,
+        position: [f64; 3],
+        velocity: [f64; 3],
+        spin: [f64; 3],
+        track: T,
+    ) -> Result<Orbit<f64, 3, 3, K, T>, Error>
+    where
+        K: EnergyKeeper<f64, 3, 3>,
+        T: Track<f64, 3, 3>,
+    {
+        if !self.table.contains(&position.into()) {
+            return Err(Error::Outside { position: position.to_vec() });
+        }
+        Ok(Orbit::new(position, velocity, spin, track))
+    }
+}
+
 impl<L: BallLaw<3, 3>> Spatial<L> {
-    /// Runs an orbit.
+    /// Runs an orbit. It starts in the table, which [`Spatial::orbit`] makes sure of.
     ///
     /// ```
     /// use billiards::{Clock, Collisions, Conserved, Orbit, Spatial, Stop, laws::RoughBall};

@@ -1,5 +1,5 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
-use billiards::observe::{LaneObserver, Watch};
+use billiards::observe::{EachOrbit, LaneObserver, VelocityPortrait, Watch};
 use billiards::{
     BallLaw, Billiard, Canonical, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start, Starts,
     Stop, Timed, laws::Disk, run, run_side_by_side,
@@ -341,19 +341,23 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
         let billiard = Planar { table: table.unwrap(), law: Disk::new(&Specular, 1.0) };
         let starts = starts(&billiard.table, 70);
         let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
-        let mut diary = Diary::default();
-        billiard.run_side_by_side(&mut starts.iter().map(orbit), 50, &mut diary, &mut |_| {});
+        let portrait = |_, _: &Disks| VelocityPortrait::new(vec![]);
+        let mut both = (Diary::default(), EachOrbit::new(portrait));
+        billiard.run_side_by_side(&mut starts.iter().map(orbit), 50, &mut both, &mut |_| {});
+        let (mut diary, portraits) = both;
         diary.pages.sort_by_key(|page| page.0); // a stable sort
         let mut alone = vec![];
+        let mut portrait = VelocityPortrait::new(vec![]);
         for (k, start) in starts.iter().enumerate() {
             let look = |c: &Collision<'_, 2, 1, Conserved<f64, 2>, Clock>| {
                 let ([x, y], [v1, v2], [w]) = (c.orbit.position, c.orbit.velocity, c.orbit.spin);
                 alone.push((k as u64, [x, y, c.hit.piece, v1, v2, w].map(f64::to_bits)));
                 ControlFlow::Continue(())
             };
-            billiard.run(&mut orbit(start), &Collisions(50), &mut Watch::new(look));
+            billiard.run(&mut orbit(start), &Collisions(50), &mut (Watch::new(look), &mut portrait));
         }
         assert_eq!(diary.pages.len(), alone.len());
         assert!(diary.pages == alone);
+        assert!(portraits.merged().unwrap().points() == portrait.points(), "in the order of the starts");
     }
 }

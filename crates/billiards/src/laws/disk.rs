@@ -1,5 +1,5 @@
 //! Laws that are one constant matrix for a disk: no-slip, specular, restitution.
-use super::{Mirror, coefficients::Coefficients, slip::Slip};
+use super::{Mirror, coefficients::Coefficients, gamma_or_nan, slip::Slip};
 use crate::billiard::BallLaw;
 use collision_laws::{DiskLaw, DiskMap};
 use geometry::WallHit;
@@ -8,7 +8,7 @@ use lanes::Lane;
 /// A disk whose law is the same linear map at every contact.
 #[derive(Clone, Copy, Debug)]
 pub struct Disk {
-    /// In the coordinates of the plane: push and pull of the slip, `e − 1`.
+    /// In the coordinates of the plane: push and pull of the slip, `−(1 + eₙ)` along the normal.
     pub(super) in_plane: Coefficients<5>,
     /// In the frame of the contact: the map as it is.
     pub(super) in_frame: Coefficients<5>,
@@ -20,13 +20,15 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// `law` for a disk with mass distribution parameter γ, which is finite and not negative.
+    /// `law` for a disk with mass distribution parameter γ, which is finite and not negative: with any other the velocities become NaN
+    /// in the first collision in which the slip counts, and where debug assertions are on, it is refused.
     ///
     /// Its [map](DiskLaw::disk_map) must be one of impulses at the contact: with each change of the tangential velocity,
     /// the scaled spin changes by −1/γ times that. Each way to run an orbit uses the entries of the map that suit it, so any other
     /// map would be a different law on different tables; where debug assertions are on, that is refused.
     pub fn new(law: &impl DiskLaw, gamma: f64) -> Disk {
         debug_assert!(gamma.is_finite() && gamma >= 0.0, "γ must be finite and not negative, not {gamma}");
+        let gamma = gamma_or_nan(gamma);
         let map = law.disk_map(gamma);
         debug_assert!(acts_at_the_contact(&map, gamma), "{map:?} for γ = {gamma} is no impulse at the contact");
         let Slip { push, pull, reflects } = Slip::of(&map, gamma);
@@ -56,7 +58,7 @@ fn acts_at_the_contact(map: &DiskMap, gamma: f64) -> bool {
 /// Applies the law to what happens at a hit.
 ///
 /// With a normal `n` of any length, `t = J n`, `ι = 1/|n|` and the slip's change `δ = p · (v₀, ι v·t)`, the spin changes by
-/// `−u₀ δ` and the velocity by `ι² (e−1) (v·n) n − ι u₁ δ t`.
+/// `−u₀ δ` and the velocity by `−(1 + eₙ) ι² (v·n) n − ι u₁ δ t`, with `eₙ` the normal restitution, 1 for a strict law.
 #[inline(always)]
 pub(super) fn in_plane<F: Lane>(
     law: Coefficients<5, F>,

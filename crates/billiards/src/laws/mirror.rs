@@ -62,7 +62,7 @@ mod tests {
         laws::{NoSlip, Restitution, Specular},
     };
 
-    const GAMMAS: [f64; 6] = [0.0, 1e-9, 0.3, core::f64::consts::FRAC_1_SQRT_2, 3.0, 1e9];
+    const GAMMAS: [f64; 7] = [0.0, 1e-9, 0.3, core::f64::consts::FRAC_1_SQRT_2, 3.0, 1e9, 1e200];
 
     #[test]
     fn a_mirror_undoes_itself_to_thirty_digits_and_is_the_law() {

@@ -1,4 +1,5 @@
 //! Strict laws of a ball in space: specular, no-slip, and the rough directions between.
+use super::gamma_or_nan;
 use crate::billiard::BallLaw;
 use geometry::WallHit;
 use lanes::{Lane, Mask, dot};
@@ -27,10 +28,16 @@ enum Rough {
     Along([f64; 3]),
 }
 
+/// 2¹⁰⁰: a ball with any larger γ moves as with this one, within 10⁻³⁰ of its speed, and the square of this is a number.
+const MOST_GAMMA: f64 = (1_u128 << 100) as f64;
+
 impl RoughBall {
-    /// No-slip: both tangential directions are rough. γ is finite and not negative, or the velocities become NaN.
+    /// No-slip: both tangential directions are rough. γ is finite and not negative: with any other the velocities become NaN, and where
+    /// debug assertions are on, it is refused.
     pub fn no_slip(gamma: f64) -> RoughBall {
         debug_assert!(gamma.is_finite() && gamma >= 0.0, "γ must be finite and not negative, not {gamma}");
+        let gamma = gamma_or_nan(gamma);
+        let gamma = if gamma > MOST_GAMMA { MOST_GAMMA } else { gamma };
         RoughBall { gamma, factor: 2.0 / (1.0 + gamma * gamma), rough: Rough::All }
     }
 
@@ -92,6 +99,19 @@ impl BallLaw<3, 3> for RoughBall {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ball_that_does_not_turn_slides_back_as_it_came_whatever_its_gamma() {
+        let hit = WallHit { normal: [0.0, 0.0, 1.0], inverse: 1.0, ..WallHit::never([0.0; 3]) };
+        for gamma in [1e20, 1e140, 1e154, 1e155, f64::MAX] {
+            let (mut v, mut w) = ([0.3, -0.4, -0.7], [0.2, 0.5, -0.1]);
+            RoughBall::no_slip(gamma).collide(&hit, &mut v, &mut w);
+            let expected = [-0.3, 0.4, 0.7, 0.2, 0.5, -0.1];
+            for (found, expected) in v.iter().chain(&w).zip(expected) {
+                assert!((found - expected).abs() < 1e-15, "{gamma:e}: {v:?} {w:?}");
+            }
+        }
+    }
 
     #[test]
     fn only_the_line_of_a_rough_direction_matters() {

@@ -111,7 +111,8 @@ mod tests {
         laws::{NoSlip, Restitution, Specular},
     };
 
-    const GAMMAS: [f64; 8] = [0.0, 1e-9, 0.3, 0.632_455_532_033_675_9, core::f64::consts::FRAC_1_SQRT_2, 1.0, 3.0, 1e9];
+    const GAMMAS: [f64; 9] =
+        [0.0, 1e-9, 0.3, 0.632_455_532_033_675_9, core::f64::consts::FRAC_1_SQRT_2, 1.0, 3.0, 1e9, 1e200];
 
     #[test]
     fn the_no_slip_law_is_a_reflection_to_three_digits_more_than_it_has() {

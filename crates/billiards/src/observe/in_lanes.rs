@@ -44,3 +44,39 @@ impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneOb
         false
     }
 }
+
+/// Two observers see the same runs.
+impl<const N: usize, const S: usize, K, T, A, B> LaneObserver<N, S, K, T> for (A, B)
+where
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
+    A: LaneObserver<N, S, K, T>,
+    B: LaneObserver<N, S, K, T>,
+{
+    type View<F: Lane> = (A::View<F>, B::View<F>);
+    fn nobody<F: Lane>(&self, zero: F) -> Self::View<F> {
+        (self.0.nobody(zero), self.1.nobody(zero))
+    }
+    fn begin<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask, index: u64, orbit: &Orbit<f64, N, S, K, T>) {
+        self.0.begin(&mut view.0, here, index, orbit);
+        self.1.begin(&mut view.1, here, index, orbit);
+    }
+    fn end<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask) {
+        self.0.end(&mut view.0, here);
+        self.1.end(&mut view.1, here);
+    }
+    #[inline(always)]
+    fn collision<F: Lane>(
+        &mut self,
+        view: &mut Self::View<F>,
+        hit: &WallHit<F, N>,
+        orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
+    ) {
+        self.0.collision(&mut view.0, hit, orbit);
+        self.1.collision(&mut view.1, hit, orbit);
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        self.0.looks() || self.1.looks()
+    }
+}

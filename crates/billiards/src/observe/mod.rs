@@ -1,5 +1,6 @@
 //! Measurements: one per file. The engine calls, an observer looks and may stop the run.
 mod density;
+mod each_orbit;
 mod energy_drift;
 mod first_return;
 mod flight;
@@ -16,6 +17,7 @@ mod velocity_portrait;
 mod watch;
 
 pub use density::{Density, Noted};
+pub use each_orbit::EachOrbit;
 pub use energy_drift::EnergyDrift;
 pub use first_return::{Entry, FirstReturn};
 pub use free_path::FreePath;

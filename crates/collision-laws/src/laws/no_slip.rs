@@ -40,7 +40,11 @@ impl<const N: usize> StrictLaw<N> for NoSlip {
 impl DiskLaw for NoSlip {
     fn disk_map(&self, gamma: f64) -> DiskMap {
         let square = gamma * gamma;
-        let (cos, sin) = ((1.0 - square) / (1.0 + square), 2.0 * gamma / (1.0 + square));
+        let (cos, sin) = if square < f64::INFINITY {
+            ((1.0 - square) / (1.0 + square), 2.0 * gamma / (1.0 + square))
+        } else {
+            (-1.0, 2.0 / gamma)
+        };
         DiskMap { spin_spin: -cos, spin_tangent: sin, tangent_spin: sin, tangent_tangent: cos, normal: -1.0 }
     }
 }
