@@ -31,21 +31,16 @@ impl<F: Lane, B: Turned<F>> Turned<F> for (Clock<F>, B) {
 
 /// A track that may know the cell of the lattice.
 pub trait InCell<F: Lane> {
-    /// The accumulated translation in multiples of the lattice vectors; `None` where nobody counts it.
-    fn cell(&self) -> Option<[F; 2]>;
+    /// The accumulated translation in multiples of the lattice vectors; `None` where nobody counts it, as in most tracks.
+    #[inline(always)]
+    fn cell(&self) -> Option<[F; 2]> {
+        None
+    }
 }
 
-macro_rules! in_no_cell {
-    ($($track:ty),*) => { $(
-        impl<F: Lane> InCell<F> for $track {
-            #[inline(always)]
-            fn cell(&self) -> Option<[F; 2]> {
-                None
-            }
-        }
-    )* };
-}
-in_no_cell!((), Clock<F>, Angle<F>);
+impl<F: Lane> InCell<F> for () {}
+impl<F: Lane> InCell<F> for Clock<F> {}
+impl<F: Lane> InCell<F> for Angle<F> {}
 
 impl<F: Lane> InCell<F> for Cell<F> {
     #[inline(always)]
