@@ -23,3 +23,17 @@ impl<F: Lane> InLanes<F> for () {
     fn all((): &(), _: F) {}
     fn put(&mut self, _: usize, (): &()) {}
 }
+
+impl<F: Lane, A: InLanes<F>, B: InLanes<F>> InLanes<F> for (A, B) {
+    type One = (A::One, B::One);
+    fn one(&self, lane: usize) -> Self::One {
+        (self.0.one(lane), self.1.one(lane))
+    }
+    fn all(one: &Self::One, zero: F) -> Self {
+        (A::all(&one.0, zero), B::all(&one.1, zero))
+    }
+    fn put(&mut self, lane: usize, one: &Self::One) {
+        self.0.put(lane, &one.0);
+        self.1.put(lane, &one.1);
+    }
+}

@@ -27,7 +27,7 @@ impl<L> Planar<L> {
     /// ```
     /// use billiards::{Error, Orbit, Planar, geometry::tables, laws::Specular};
     ///
-    /// let torus = Planar { table: tables::sinai_torus(0.25)?, law: Specular };
+    /// let torus = Planar { table: tables::sinai_torus(0.25, 1.0)?, law: Specular };
     /// let orbit: Orbit<f64, 2, 1> = torus.orbit([-0.875, 0.125], [1.0, 0.5], [0.0], ())?;
     /// assert_eq!(orbit.position, [0.125, 0.125]);
     /// let in_the_disk = torus.orbit::<(), ()>([0.5, 0.625], [1.0, 0.5], [0.0], ());

@@ -52,6 +52,10 @@ impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, 
     }
 }
 
+impl<const N: usize, const S: usize, A: Tracking<N, S>, B: Tracking<N, S>> Tracking<N, S> for (A, B) {
+    type In<F: Lane> = (A::In<F>, B::In<F>);
+}
+
 /// The time since the start \[T\], as a compensated sum: its error does not grow with the number of collisions.
 #[derive(Clone, Copy, Debug)]
 pub struct Clock<F = f64>(pub Double<F>);
@@ -91,19 +95,34 @@ impl<F: Lane, B> Timed<F> for (Clock<F>, B) {
 impl<F: Lane> InLanes<F> for Clock<F> {
     type One = Clock;
     fn one(&self, lane: usize) -> Clock {
-        Clock(Double { high: self.0.high.lane(lane), low: self.0.low.lane(lane) })
+        Clock(one(&self.0, lane))
     }
     fn all(one: &Clock, zero: F) -> Self {
-        Clock(Double { high: zero.same(one.0.high), low: zero.same(one.0.low) })
+        Clock(all(&one.0, zero))
     }
     fn put(&mut self, lane: usize, one: &Clock) {
-        self.0.high.put(lane, one.0.high);
-        self.0.low.put(lane, one.0.low);
+        put(&mut self.0, lane, &one.0);
     }
 }
 
 impl<const N: usize, const S: usize> Tracking<N, S> for Clock {
     type In<F: Lane> = Clock<F>;
+}
+
+/// The sum in one lane.
+fn one<F: Lane>(sums: &Double<F>, lane: usize) -> Double {
+    Double { high: sums.high.lane(lane), low: sums.low.lane(lane) }
+}
+
+/// The same sum in every lane.
+fn all<F: Lane>(sum: &Double, zero: F) -> Double<F> {
+    Double { high: zero.same(sum.high), low: zero.same(sum.low) }
+}
+
+/// Puts a sum into one lane.
+fn put<F: Lane>(sums: &mut Double<F>, lane: usize, sum: &Double) {
+    sums.high.put(lane, sum.high);
+    sums.low.put(lane, sum.low);
 }
 
 /// The scaled spin position `x₀ = γ R θ` of a disk \[L\], not reduced modulo a turn, as a compensated sum.
@@ -122,6 +141,23 @@ impl<F: Lane, const N: usize> Track<F, N, 1> for Angle<F> {
     fn fly(&mut self, _: &[F; N], _: &[F; N], spin: &[F; 1], hit: &WallHit<F, N>) {
         self.0.add(spin[0] * hit.time);
     }
+}
+
+impl<F: Lane> InLanes<F> for Angle<F> {
+    type One = Angle;
+    fn one(&self, lane: usize) -> Angle {
+        Angle(one(&self.0, lane))
+    }
+    fn all(one: &Angle, zero: F) -> Self {
+        Angle(all(&one.0, zero))
+    }
+    fn put(&mut self, lane: usize, one: &Angle) {
+        put(&mut self.0, lane, &one.0);
+    }
+}
+
+impl<const N: usize> Tracking<N, 1> for Angle {
+    type In<F: Lane> = Angle<F>;
 }
 
 /// The translation accumulated on a lattice, in multiples of its vectors.
@@ -152,4 +188,23 @@ impl<F: Lane, const S: usize> Track<F, 2, S> for Cell<F> {
             }
         }
     }
+}
+
+impl<F: Lane> InLanes<F> for Cell<F> {
+    type One = Cell;
+    fn one(&self, lane: usize) -> Cell {
+        Cell { lattice: self.lattice.clone(), cell: self.cell.map(|x| x.lane(lane)) }
+    }
+    fn all(one: &Cell, zero: F) -> Self {
+        Cell { lattice: one.lattice.clone(), cell: one.cell.map(|x| zero.same(x)) }
+    }
+    fn put(&mut self, lane: usize, one: &Cell) {
+        for (to, from) in self.cell.iter_mut().zip(one.cell) {
+            to.put(lane, from);
+        }
+    }
+}
+
+impl<const S: usize> Tracking<2, S> for Cell {
+    type In<F: Lane> = Cell<F>;
 }

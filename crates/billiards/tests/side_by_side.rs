@@ -1,8 +1,8 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
 use billiards::observe::{EachOrbit, LaneObserver, VelocityPortrait, Watch};
 use billiards::{
-    BallLaw, Billiard, Canonical, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start, Starts,
-    Stop, Timed, laws::Disk, run, run_side_by_side,
+    Angle, BallLaw, Billiard, Canonical, Cell, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start,
+    Starts, Stop, Timed, Turned, laws::Disk, run, run_side_by_side,
 };
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
@@ -11,7 +11,10 @@ use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
 use geometry::{Piece, Table, WallHit, Walls, shapes::Circle, tables};
 use lanes::{Lane, MOST_LANES, Mask};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{
+    Arc,
+    atomic::{AtomicUsize, Ordering},
+};
 
 fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
     // a multiplicative sequence of points and directions; points outside the table are skipped
@@ -360,4 +363,26 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
         assert!(diary.pages == alone);
         assert!(portraits.merged().unwrap().points() == portrait.points(), "in the order of the starts");
     }
+}
+
+#[test]
+fn every_track_grows_side_by_side_as_it_does_alone() {
+    type Tracks = (Clock, (Angle, Cell));
+    let table = tables::sinai_torus(0.25, 1.0).unwrap();
+    let lattice = Arc::new(table.lattice().unwrap().clone());
+    let billiard = Planar { table, law: Disk::new(&NoSlip, 0.7) };
+    let canonical = Canonical::new(&billiard.table, 1.0, 3).unwrap();
+    let track = || (Clock::new(0.0), (Angle::new(0.5), Cell::new(lattice.clone(), 0.0)));
+    let orbit = |i| -> Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks> { canonical.start(i).orbit(track()) };
+    let mut ended = vec![];
+    billiard.run_side_by_side(&mut (0..40).map(orbit), 100, &mut (), &mut |f| ended.push((f.index, f.orbit)));
+    let mut far = 0.0_f64;
+    for (index, together) in ended {
+        let mut alone = orbit(index);
+        billiard.run(&mut alone, &Collisions(100), &mut ());
+        let tracked = |(time, (angle, cell)): &Tracks| [time.time(), angle.angle(), cell.cell[0], cell.cell[1]];
+        assert_eq!(tracked(&together.track).map(f64::to_bits), tracked(&alone.track).map(f64::to_bits), "{index}");
+        far = far.max(alone.track.1.1.cell[0].abs());
+    }
+    assert!(far > 3.0, "they leave the cell");
 }
