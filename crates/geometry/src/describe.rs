@@ -217,6 +217,26 @@ mod tests {
     }
 
     #[test]
+    fn around_a_slit_the_table_is_one_part() {
+        let slit = |x: f64| {
+            let o = Outline::from(v(x, 1.0)).line_to(v(x + 1.0, 2.0)).unwrap();
+            o.line_to(v(x, 1.0)).unwrap().close().unwrap()
+        };
+        let alone = Table::new(slit(0.0)).unwrap().describe();
+        assert_eq!((alone.components.len(), alone.area()), (1, f64::INFINITY));
+        assert!(alone.largest_disk.radius.is_infinite());
+        let loops = [square(0.0, 0.0, 9.0, false), slit(1.0), slit(2.0), slit(7.0)];
+        let room = Table::new(loops.into_iter().flatten().collect()).unwrap();
+        assert_eq!(room.validate(), Ok(()));
+        let found = room.components();
+        assert_eq!((found.len(), found[0].pieces.len(), found[0].area), (1, 10, 81.0));
+        // outside of the room there is no table
+        let loops = [square(0.0, 0.0, 9.0, false), slit(10.0)];
+        let beside = Table::new(loops.into_iter().flatten().collect()).unwrap().validate();
+        assert!(matches!(beside, Err(crate::Error::Orientation { piece: 4..=5 })), "{beside:?}");
+    }
+
+    #[test]
     fn two_strips_are_two_parts() {
         let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>;
         let lines = vec![line(0.0, 1.0), line(1.0, -1.0), line(2.0, 1.0), line(3.0, -1.0), disk(5.0, 2.5, 0.25)];

@@ -80,12 +80,14 @@ pub enum Error {
     /// Sides that do not bound a convex (and, where asked for, centrally symmetric) polygon.
     #[error("the sides do not bound a convex polygon of the kind asked for")]
     NotConvex,
-    /// A boundary that ends in the middle of nowhere.
-    #[error("the boundary is open: piece {piece} ends {gap:?} away from the nearest start of another piece")]
+    /// A boundary that starts or ends in the middle of nowhere.
+    #[error("the boundary is open: piece {piece} {}", into_nowhere(*starts, *gap))]
     Open {
-        /// The piece that ends.
+        /// The piece.
         piece: usize,
-        /// Distance to the nearest start.
+        /// Whether it is the start of the piece that is the end of no other one; otherwise it ends where no other one starts.
+        starts: bool,
+        /// Distance to the nearest end, or start; infinite where there is none.
         gap: f64,
     },
     /// Two pieces that cross.
@@ -105,6 +107,24 @@ pub enum Error {
     Orientation {
         /// A piece of the loop at fault.
         piece: usize,
+    },
+    /// A stretch there and back with the table on neither side.
+    #[error("piece {piece} runs there and back near ({}, {}), where the table lies on neither side of it", at[0], at[1])]
+    Spike {
+        /// The piece.
+        piece: usize,
+        /// About where.
+        at: [f64; 2],
+    },
+    /// A loop that rounding has made flat.
+    #[error(
+        "the loop of piece {piece} encloses nothing: its area is {area:e}, and in places it is no wider than the rounding of its coordinates"
+    )]
+    Collapsed {
+        /// A piece of the loop.
+        piece: usize,
+        /// Its area.
+        area: f64,
     },
     /// A piece that rounding has used up.
     #[error(
@@ -238,6 +258,16 @@ pub enum Error {
         /// Its dimension.
         dimension: usize,
     },
+}
+
+/// Where a boundary is open.
+fn into_nowhere(starts: bool, gap: f64) -> String {
+    match (starts, gap.is_finite()) {
+        (true, true) => format!("starts {gap:?} away from the nearest end of another piece"),
+        (true, false) => "starts where nothing comes before it".into(),
+        (false, true) => format!("ends {gap:?} away from the nearest start of another piece"),
+        (false, false) => "ends where nothing comes after it".into(),
+    }
 }
 
 /// What is wrong with a radius.

@@ -2,7 +2,10 @@
 use crate::{
     Extent, Figure, Landing, Table,
     copies::{Copies, finite_extent},
+    nearest::nearest_of,
+    plane::slack,
 };
+use core::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector2, Vector3};
 use std::collections::BinaryHeap;
 
@@ -21,6 +24,10 @@ const COARSE: f64 = 1.0 / 1024.0;
 
 /// Squares looked at, at most: a ridge of equally good places would need ever more.
 const MOST_SQUARES: usize = 40_000;
+
+/// Directions of walls without end that differ by no more than this (radians) are parallel: each is rounded to half an ulp per
+/// component.
+const PARALLEL: f64 = 8.0 * f64::EPSILON;
 
 /// A square of the search.
 #[derive(Clone, Copy, Debug)]
@@ -62,16 +69,14 @@ impl Field {
     /// The distance from the boundary, negative outside the table.
     fn distance(&self, point: &Vector2<f64>) -> f64 {
         let Some((d, _)) = self.0.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
-        // at a shared vertex, equally far but for rounding, the piece that the point faces decides
-        let mut facing = 0.0_f64;
-        for foot in self.feet(point, d * (1.0 + 1e-12)) {
-            let off = point - foot.point;
-            let along = off.dot(&foot.normal);
-            if libm::hypot(off.x, off.y) <= d * (1.0 + 1e-12) && along.abs() > facing.abs() {
-                facing = along;
-            }
-        }
-        if facing < 0.0 { -d } else { d }
+        let mut near = vec![];
+        self.0.search(|e| e.distance(point) <= d * (1.0 + 1e-12), |i| near.push(i));
+        let pieces = near.iter().map(|&i| {
+            let copy = self.0.get(i).0;
+            (copy.number, &*copy.piece)
+        });
+        let behind = nearest_of(pieces, point).is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) < 0.0);
+        if behind { -d } else { d }
     }
 
     /// Climbs from a point to the nearest local maximum of the distance: where three walls, or two opposite ones, are
@@ -146,12 +151,17 @@ impl Table {
         let home = self.search_box();
         if finite {
             // around holes alone, and walls on both sides, there is no end
-            let enclosed: f64 = self.pieces().iter().map(|p| p.area()).sum();
-            let is_open = enclosed < 0.0 || self.pieces().iter().all(|p| p.tips().is_some());
-            if self.lattice().is_none() && is_open {
+            let areas = || self.pieces().iter().map(|p| p.area());
+            if self.lattice().is_none() && areas().sum::<f64>() <= slack(areas()) {
                 return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
             }
             return self.largest_disk_in(&home);
+        }
+        if let Some(direction) = self.widening() {
+            return LargestDisk {
+                center: (home.min + home.max) * 0.5 + direction * home.size(),
+                radius: f64::INFINITY,
+            };
         }
         // boxes 16 times as large each: where the disk keeps growing, there is no end to it
         let (middle, half) = ((home.min + home.max) * 0.5, (home.max - home.min) * 0.5);
@@ -164,6 +174,52 @@ impl Table {
             return LargestDisk { center: large.center, radius: f64::INFINITY };
         }
         best
+    }
+
+    /// A direction in which the table is a sector far away, however narrow, between straight walls without end: any disk fits in there.
+    fn widening(&self) -> Option<Vector2<f64>> {
+        struct Far {
+            angle: f64,
+            /// How far to the left of the origin the wall lies, seen along it.
+            left: f64,
+            direction: Vector2<f64>,
+            /// Whether the table is on the left of it.
+            is_right_wall: bool,
+        }
+        let far = |from: &Vector2<f64>, direction: Vector2<f64>, is_right_wall: bool| Far {
+            angle: libm::atan2(direction.y, direction.x),
+            left: direction.perp(from),
+            direction,
+            is_right_wall,
+        };
+        let mut walls: Vec<Far> = vec![];
+        for piece in self.pieces() {
+            match piece.figure() {
+                Figure::Line { through, direction } => {
+                    walls.extend([far(&through, direction, true), far(&through, -direction, false)]);
+                }
+                Figure::Ray { from, direction, left } => walls.push(far(&from, direction, left)),
+                _ if piece.length().is_finite() => {}
+                _ => return None,
+            }
+        }
+        walls.sort_by(|a, b| a.angle.total_cmp(&b.angle));
+        (0..walls.len()).find_map(|k| {
+            // parallel walls lie side by side for ever
+            let turn = |wall: &Far| {
+                let angle = wall.angle - walls[k].angle;
+                if angle < 0.0 { angle + TAU } else { angle }
+            };
+            let is_parallel = |wall: &&Far| {
+                let turn = turn(wall);
+                turn.min(TAU - turn) <= PARALLEL
+            };
+            let next = walls.iter().filter(|wall| !is_parallel(wall)).map(turn).fold(TAU, f64::min);
+            let last = walls.iter().filter(is_parallel).max_by(|a, b| a.left.total_cmp(&b.left))?;
+            let (sin, cos) = libm::sincos(0.5 * next);
+            let [x, y] = walls[k].direction.data.0[0];
+            last.is_right_wall.then(|| Vector2::new(x * cos - y * sin, x * sin + y * cos))
+        })
     }
 
     /// A box that contains the table, or its unit cell, or all that is finite of it.
@@ -293,6 +349,16 @@ mod tests {
         assert!(of(vec![line(0.0, 1.0)]).largest_disk().radius.is_infinite());
         let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 4.0), left).unwrap()) as Box<dyn Piece>;
         assert!(of(vec![ray(1.0, true), ray(-1.0, false)]).largest_disk().radius.is_infinite());
+        // however narrow; the plane around it has room as well, and a strip with one end no more than one with none
+        for angle in [1e-3, 1e-9, 1e-14, 3.0] {
+            assert!(crate::tables::wedge(angle).unwrap().largest_disk().radius.is_infinite(), "{angle}");
+        }
+        assert!(of(vec![ray(1e9, false), ray(-1e9, true)]).largest_disk().radius.is_infinite());
+        let end = Segment::new(v(0.3, 1.0), v(0.0, 0.0)).unwrap();
+        let [low, high] = [(v(0.0, 0.0), true), (v(0.3, 1.0), false)]
+            .map(|(from, left)| Box::new(Ray::new(from, v(0.7, 0.1), left).unwrap()) as Box<dyn Piece>);
+        let half_strip = of(vec![Box::new(end), low, high]).largest_disk();
+        assert!((half_strip.radius - 0.5 * 0.67 / 0.5_f64.sqrt()).abs() < 1e-14, "{half_strip:?}");
         // walls that open slowly
         let end = Segment::new(v(0.0, 1.0), v(0.0, 0.0)).unwrap();
         let [low, high] = [(0.0, 0.0, true), (1.0, 0.01, false)]

@@ -26,6 +26,7 @@ mod inscribed;
 mod intersect;
 mod joints;
 mod lattice;
+mod nearest;
 mod offset;
 mod outline;
 pub mod parry;

@@ -73,8 +73,8 @@ impl Outline {
                 self.pieces.push(piece);
                 Ok(self)
             }
-            Some([a, _]) => Err(Error::Open { piece: self.pieces.len(), gap: gap(a) }),
-            None => Err(Error::Open { piece: self.pieces.len(), gap: f64::INFINITY }),
+            Some([a, _]) => Err(Error::Open { piece: self.pieces.len(), starts: true, gap: gap(a) }),
+            None => Err(Error::Open { piece: self.pieces.len(), starts: false, gap: f64::INFINITY }),
         }
     }
 
@@ -87,7 +87,8 @@ impl Outline {
             return Err(Error::Empty);
         }
         if self.at != self.start {
-            return Err(Error::Open { piece: self.pieces.len() - 1, gap: (self.at - self.start).norm() });
+            let gap = (self.at - self.start).norm();
+            return Err(Error::Open { piece: self.pieces.len() - 1, starts: false, gap });
         }
         Ok(self.pieces)
     }

@@ -12,6 +12,10 @@ use nalgebra::Vector2;
 /// rounding, 10⁻⁸, only.
 const GRAZING: f64 = 1e-6;
 
+/// Directions that differ by less than this (radians) are one: rounding of vertices turns short pieces by more than an ulp, and no
+/// angle that anybody means is this small.
+pub(crate) const SAME_DIRECTION: f64 = 1e-9;
+
 /// Tries to find a line of sight that grazes nothing and meets no vertex.
 const TRIES: usize = 16;
 
@@ -51,6 +55,14 @@ struct Ahead {
     far: f64,
     /// What it is; nothing where the line grazes or meets a vertex.
     wall: Option<Wall>,
+}
+
+/// What is met by a line of sight.
+struct Prospect {
+    /// The piece that is the other face of the wall on which the line starts, if that has two.
+    other_face: Option<usize>,
+    /// All that lies ahead, in order.
+    ahead: Vec<Ahead>,
 }
 
 impl<'a> Sight<'a> {
@@ -105,16 +117,29 @@ impl<'a> Sight<'a> {
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
             }
-            let mut walls = vec![Wall { number: copy.number, into_table: facing > 0.0 }];
-            let Some(ahead) = self.ahead(index, from, direction) else { continue };
+            let Some(Prospect { other_face, ahead }) = self.ahead(index, from, direction) else { continue };
+            // of two faces of one wall the line starts on the one that it leaves
+            let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
+            let mut walls = vec![Wall { number, into_table: facing > 0.0 || other_face.is_some() }];
             let rounding = 4.0 * slack(from.iter().copied().chain([self.size]));
-            for (k, next) in ahead.iter().enumerate() {
-                // two at once are a corner, or one that is seen twice
-                let alone = ahead.get(k + 1).is_none_or(|other| other.far > next.far + rounding);
-                let Some(wall) = next.wall.filter(|_| alone && next.far > rounding) else { continue 'tries };
-                walls.push(wall);
-                if until(&wall) {
-                    return Some((walls, false));
+            for met in ahead.chunk_by(|a, b| b.far <= a.far + rounding) {
+                let found = match *met {
+                    [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
+                    // two faces of one wall: the line comes to the one and goes on from the other
+                    [Ahead { wall: Some(a), .. }, Ahead { wall: Some(b), .. }] if a.into_table != b.into_table => {
+                        if a.into_table { [Some(b), Some(a)] } else { [Some(a), Some(b)] }
+                    }
+                    // a corner, or one wall that is seen twice
+                    _ => continue 'tries,
+                };
+                if met[0].far <= rounding {
+                    continue 'tries;
+                }
+                for wall in found.into_iter().flatten() {
+                    walls.push(wall);
+                    if until(&wall) {
+                        return Some((walls, false));
+                    }
                 }
             }
             return Some((walls, true));
@@ -127,11 +152,12 @@ impl<'a> Sight<'a> {
         8.0 * slack([self.size])
     }
 
-    /// All that is met by the line from a point of the copy with the given index, in order.
-    fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Option<Vec<Ahead>> {
+    /// All that is met by the line from a point of the copy with the given index.
+    fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Option<Prospect> {
         let ray = Ray::new(from, direction, true).ok()?;
         let rounding = slack(from.iter().copied().chain([self.size]));
-        let mut ahead = vec![];
+        let normal = self.copies.get(own).0.piece.closest(&from).normal;
+        let (mut other_face, mut ahead) = (None, vec![]);
         self.copies.search(
             |e| is_hit(e, &from, &direction, rounding),
             |index| {
@@ -139,6 +165,10 @@ impl<'a> Sight<'a> {
                 for m in meetings(&ray, &*copy.piece) {
                     let far = m.at[0];
                     if far <= 4.0 * rounding && index == own {
+                        continue;
+                    }
+                    if far <= 4.0 * rounding && (copy.piece.closest(&from).normal + normal).norm() <= SAME_DIRECTION {
+                        other_face = Some(copy.number);
                         continue;
                     }
                     // as seen from where the line comes
@@ -150,7 +180,7 @@ impl<'a> Sight<'a> {
             },
         );
         ahead.sort_by(|a, b| a.far.total_cmp(&b.far));
-        Some(ahead)
+        Some(Prospect { other_face, ahead })
     }
 
     /// The `k`-th of some places spread over a chain: index of the copy, and the point. Irrational parts of the length

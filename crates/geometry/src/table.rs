@@ -5,6 +5,7 @@ mod two_sided;
 
 use crate::{
     Error, Extent, Figure, Landing, Lattice, Piece,
+    nearest::nearest_of,
     plane::slack,
     shapes::{self, Shape},
     walls::{Pieces, Polygon},
@@ -13,6 +14,7 @@ use container::Enclosed;
 use nalgebra::Vector2;
 use std::{
     cell::LazyCell,
+    collections::HashSet,
     sync::{Arc, OnceLock},
 };
 
@@ -64,7 +66,7 @@ impl Table {
     /// The table bounded by the given pieces.
     ///
     /// # Errors
-    /// [`Error::Empty`] without pieces, [`Error::Open`] where a piece ends and no other starts.
+    /// [`Error::Empty`] without pieces, [`Error::Open`] where a piece ends and no other starts, or the other way round.
     pub fn new(pieces: Vec<Box<dyn Piece>>) -> Result<Table, Error> {
         Table::periodic(pieces, None)
     }
@@ -101,13 +103,8 @@ impl Table {
                 sorted.binary_search_by(|(a, _)| order(a, &v)).ok().map(|k| sorted[k].1)
             })
         };
-        let starting_at_translate = |b: &Vector2<f64>, lattice: &Lattice| {
-            let same = |a: &Vector2<f64>| {
-                let off = b - a - lattice.translation(lattice.rounded(&(b - a)));
-                finite(a) && off.amax() <= slack(a.iter().chain(b.iter()).copied())
-            };
-            starts().find(|(a, _)| same(a))
-        };
+        let starting_at_translate =
+            |b: &Vector2<f64>, lattice: &Lattice| starts().find(|(a, _)| same_on(lattice, a, b));
         // whether the direction of the boundary jumps from the end of one piece to the start of another
         let kink = |(i, b): (usize, Vector2<f64>), (j, a): (usize, Vector2<f64>)| {
             (pieces[i].closest(&b).normal - pieces[j].closest(&a).normal).norm() > SMOOTH
@@ -133,9 +130,10 @@ impl Table {
                 }
             } else {
                 let gap = starts().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
-                return Err(Error::Open { piece: i, gap });
+                return Err(Error::Open { piece: i, starts: false, gap });
             }
         }
+        every_start_is_an_end(&ends, &next, lattice.as_ref())?;
         if let Some(lattice) = &lattice {
             few_cells(&pieces, lattice)?;
         }
@@ -250,7 +248,8 @@ impl Table {
             let (home, cell) = lattice.reduce(point);
             (home, Some(lattice.translation(cell)))
         });
-        let (i, mut landing) = closest_of(self.nearby(), &home);
+        let nowhere = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
+        let (i, mut landing) = nearest_of(self.nearby(), &home).unwrap_or(nowhere); // a table has pieces
         if let Some(back) = cell {
             landing.point += back;
         }
@@ -321,22 +320,36 @@ impl Table {
     }
 }
 
-/// The closest of some pieces, the point of it that is closest, and its inward normal.
-fn closest_of<'a>(pieces: impl Iterator<Item = (usize, &'a dyn Piece)>, point: &Vector2<f64>) -> (usize, Landing) {
-    let mut best = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
-    let mut distance = f64::INFINITY;
-    for (number, piece) in pieces {
-        let landing = piece.closest(point);
-        let d = (landing.point - point).norm_squared();
-        // at a shared vertex, equally far but for rounding, the piece that the point faces decides
-        let faces = |l: &Landing| l.normal.dot(&(point - l.point)).abs();
-        let same = d <= distance * (1.0 + 1e-12) && distance <= d * (1.0 + 1e-12);
-        if if same { faces(&landing) > faces(&best.1) } else { d < distance } {
-            best = (number, landing);
-            distance = d;
+/// Fails where a piece starts and none ends: `next` tells of ends only, and where tables touch it may name one piece twice.
+fn every_start_is_an_end(
+    ends: &[Option<[Vector2<f64>; 2]>],
+    next: &[Option<usize>],
+    lattice: Option<&Lattice>,
+) -> Result<(), Error> {
+    let mut has_previous = vec![false; ends.len()];
+    for &i in next.iter().flatten() {
+        has_previous[i] = true;
+    }
+    let starts = ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (i, a)));
+    let unknown = starts.filter(|(i, a)| !has_previous[*i] && a.iter().all(|x| x.is_finite()));
+    let key = |v: &Vector2<f64>| [v.x + 0.0, v.y + 0.0].map(f64::to_bits); // −0 is 0
+    let all_ends = || ends.iter().flatten().map(|[_, b]| b);
+    let known = LazyCell::new(|| all_ends().map(key).collect::<HashSet<_>>());
+    for (piece, a) in unknown {
+        let is_translate = |b: &Vector2<f64>| lattice.is_some_and(|lattice| same_on(lattice, &a, b));
+        if !known.contains(&key(&a)) && !all_ends().any(is_translate) {
+            let gap = all_ends().map(|b| (a - b).norm()).filter(|gap| !gap.is_nan()).fold(f64::INFINITY, f64::min);
+            return Err(Error::Open { piece, starts: true, gap });
         }
     }
-    best
+    Ok(())
+}
+
+/// Whether two points differ by a lattice vector, within rounding.
+fn same_on(lattice: &Lattice, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
+    let off = b - a - lattice.translation(lattice.rounded(&(b - a)));
+    let finite = [a, b].iter().all(|v| v.iter().all(|x| x.is_finite()));
+    finite && off.amax() <= slack(a.iter().chain(b.iter()).copied())
 }
 
 /// All pieces with their numbers; on a lattice, all translates that reach within a cell of the unit cell.

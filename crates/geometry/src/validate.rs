@@ -4,15 +4,12 @@ use crate::{
     copies::Copies,
     intersect::{direction_at, self_crossing},
     meetings,
+    nearest::ALIKE,
     plane::slack,
-    sight::{Aim, Sight, Wall},
+    sight::{Aim, SAME_DIRECTION, Sight, Wall},
 };
 use nalgebra::Vector2;
 use std::collections::HashSet;
-
-/// Directions that differ by less than this (radians) are told apart by curvature instead: rounding of vertices turns short
-/// pieces by more than an ulp, and no angle that anybody means is this small.
-const SAME_DIRECTION: f64 = 1e-9;
 
 /// Most that the radius of an arc may be, in units of the largest coordinate of the table's vertices. An arc has the rounding of its
 /// radius, so that of one a million times the table is known to ten digits of the table's size.
@@ -27,8 +24,8 @@ impl Table {
     /// checked in about a microsecond each.
     ///
     /// # Errors
-    /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`] or
-    /// [`Error::Orientation`], with the numbers of the pieces and about where.
+    /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
+    /// [`Error::Spike`], [`Error::Collapsed`] or [`Error::Orientation`], with the numbers of the pieces and about where.
     pub fn validate(&self) -> Result<(), Error> {
         let vertices = self.pieces().iter().filter_map(|p| p.ends()).flatten();
         let size = vertices.map(|v| v.amax()).filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -70,7 +67,8 @@ impl Table {
         }
     }
 
-    /// Fails where two pieces cross. The points where an end lies on a piece other than the one before or after it.
+    /// Fails where two pieces cross. The points where an end lies on a piece other than the one before or after it, and where a stretch
+    /// that two have in common begins or ends.
     fn crossings(&self, sight: &Sight) -> Result<Vec<Vector2<f64>>, Error> {
         let copies = sight.copies();
         let mut follows = vec![usize::MAX; self.pieces().len()];
@@ -113,6 +111,7 @@ impl Table {
                                 if t.dot(&u) > 0.0 {
                                     error = Some(crossing);
                                 }
+                                junctions.push(m.point);
                             }
                             MeetingKind::End if other.cell == [0.0; 2] && (joint(i, j, &m) || joint(j, i, &m)) => {}
                             MeetingKind::End => junctions.push(m.point),
@@ -143,15 +142,21 @@ impl Table {
             let e = &sight.extents[k];
             (e.max.x - e.min.x) + (e.max.y - e.min.y)
         };
+        let collapsed = |k: usize| area(&chains[k]).abs() <= slack([sight.extents[k].size()]) * width(k);
         // in the plane, the widest loop lies in no other
         let outermost = (0..chains.len()).max_by(|&a, &b| width(a).total_cmp(&width(b)));
         if let Some(k) = outermost
             && self.lattice().is_none()
             && chains.iter().all(|c| self.is_closed(c))
             && chains[k].len() > 1
-            && (if self.unbounded { area(&chains[k]) > 0.0 } else { area(&chains[k]) < 0.0 })
         {
-            return Err(Error::Orientation { piece: chains[k][0] });
+            let (piece, area) = (chains[k][0], area(&chains[k]));
+            match (self.unbounded, collapsed(k)) {
+                (false, true) if area != 0.0 => return Err(Error::Collapsed { piece, area }),
+                (true, false) if area > 0.0 => return Err(Error::Orientation { piece }),
+                (false, false) if area < 0.0 => return Err(Error::Orientation { piece }),
+                _ => {}
+            }
         }
         let infinite = sight.infinite();
         // of two loops that disagree, the inner one is named
@@ -189,7 +194,7 @@ impl Table {
 }
 
 /// Fails unless boundaries that come into a point and go out of it alternate around it, as they do around every point
-/// where tables touch. Otherwise two of them cross there.
+/// where tables touch. Otherwise two of them cross there, or a stretch there and back leads out of the table.
 fn alternates(copies: &Copies, point: &Vector2<f64>) -> Result<(), Error> {
     struct Branch {
         /// Direction away from the point, its angle, and the curvature to the left.
@@ -252,19 +257,36 @@ fn alternates(copies: &Copies, point: &Vector2<f64>) -> Result<(), Error> {
         (last, b.angle) = (b.angle, bundle);
     }
     branches.sort_by(|a, b| a.angle.total_cmp(&b.angle).then(a.curvature.total_cmp(&b.curvature)));
-    // curvatures of curves by formulas and by distance are right to ten digits and more; no two that are meant to differ are
-    // as close as six
     let alike = |a: &Branch, b: &Branch| {
         let both = a.curvature.abs() + b.curvature.abs();
-        a.angle == b.angle && (a.curvature - b.curvature).abs() <= 1e-6 * both
+        a.angle == b.angle && (a.curvature - b.curvature).abs() <= ALIKE * both
     };
-    if branches.windows(2).any(|w| alike(&w[0], &w[1])) {
-        return Ok(()); // two sides of one wall: what lies between them has no room for a table
+    // two sides of one wall: what lies between them has no room for a table
+    let (mut walls, mut rest): (Vec<[Branch; 2]>, Vec<Branch>) = (vec![], vec![]);
+    for b in branches {
+        match rest.pop() {
+            Some(a) if alike(&a, &b) && a.out == b.out => return Ok(()),
+            Some(a) if alike(&a, &b) => walls.push([a, b]),
+            last => rest.extend(last.into_iter().chain([b])),
+        }
     }
+    let branches = rest;
     for k in 0..branches.len() {
         let (a, b) = (&branches[k], &branches[(k + 1) % branches.len()]);
         if a.out == b.out {
             return Err(Error::Crossing { first: a.number, second: b.number, at: (*point).into() });
+        }
+    }
+    for [a, b] in walls {
+        // the table lies to the left of what goes out
+        let before = branches
+            .iter()
+            .rev()
+            .find(|branch| branch.angle < a.angle || (branch.angle == a.angle && branch.curvature < a.curvature));
+        if let Some(before) = before.or(branches.last())
+            && !before.out
+        {
+            return Err(Error::Spike { piece: a.number.max(b.number), at: (*point).into() });
         }
     }
     Ok(())

@@ -567,3 +567,29 @@ fn radii_must_be_radii() {
         assert!(matches!(t.offset(radius), Err(Error::Radius { .. })));
     }
 }
+
+#[test]
+fn no_disk_moves_inside_obstacles_that_touch() {
+    let torus = |vectors: [Vector2<f64>; 2]| {
+        let lattice = Lattice::new(&vectors).unwrap();
+        Table::periodic(vec![circle(0.0, 0.0, 0.5, false)], Some(lattice)).unwrap()
+    };
+    let square = torus([v(1.0, 0.0), v(0.0, 1.0)]);
+    let hexagons = torus([v(1.0, 0.0), v(0.5, 0.75_f64.sqrt())]);
+    let mut pieces = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    pieces.push(circle(0.5, 0.5, 0.5, false));
+    let corners = table(pieces);
+    let root = 2.0_f64.sqrt();
+    let cases: [(&Table, f64, &[f64], f64); 3] = [
+        (&square, 0.5 * root - 0.5, &[0.21, 0.3, 0.45], 0.2),
+        (&hexagons, 1.0 / 3.0_f64.sqrt() - 0.5, &[0.08, 0.1, 0.3], 0.07),
+        (&corners, 0.5 * (root - 1.0) / (root + 1.0), &[0.09, 0.1, 0.3], 0.08),
+    ];
+    for (table, limit, too_large, small) in cases {
+        for &radius in too_large {
+            let Err(Error::NothingLeft { largest, .. }) = table.offset(radius) else { panic!("{radius} has room") };
+            assert!((largest - limit).abs() < 1e-15, "{radius}: {largest}");
+        }
+        assert!(check("obstacles that touch", table, small).table.largest_disk().radius > 0.0);
+    }
+}

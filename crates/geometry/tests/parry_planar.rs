@@ -319,6 +319,47 @@ fn compound(members: &[(f64, f64, SharedShape)]) -> Compound {
 }
 
 #[test]
+fn balls_of_a_compound_that_touch_are_all_walls() {
+    // at the point opposite the start of a circle, too, and three in a row
+    for others in [&[2.0][..], &[-2.0], &[2.0, -2.0]] {
+        let ball = |x: &f64| (*x, 0.0, SharedShape::ball(1.0));
+        let members: Vec<_> = [0.0].iter().chain(others).map(ball).collect();
+        let outline = pieces(&compound(&members), &Isometry2::identity(), Side::Outside).unwrap();
+        let table = Table::new(outline).unwrap();
+        assert!((table.area() + PI * members.len() as f64).abs() < 1e-14, "{others:?}");
+    }
+    // one inside another that it touches is part of it
+    let within = compound(&[(0.0, 0.0, SharedShape::ball(1.0)), (-0.5, 0.0, SharedShape::ball(0.5))]);
+    let outline = pieces(&within, &Isometry2::identity(), Side::Outside).unwrap();
+    assert!((Table::new(outline).unwrap().area() + PI).abs() < 1e-14);
+}
+
+#[test]
+fn a_mesh_without_area_is_refused() {
+    let corners = vec![Vector::new(0.0, 0.0), Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)];
+    let mesh = |triangles: &[[u32; 3]]| {
+        let mesh = TriMesh::new(corners.clone(), triangles.to_vec()).unwrap();
+        pieces(&mesh, &Isometry2::identity(), Side::Outside)
+    };
+    assert!(matches!(mesh(&[[0, 1, 1]]), Err(Error::Shape { .. })));
+    assert_eq!(mesh(&[[0, 1, 1], [0, 1, 2]]).unwrap().len(), 3);
+}
+
+#[test]
+fn a_polyline_there_and_back_is_one_wall_and_one_without_area_none() {
+    let line = |points: &[[f64; 2]]| {
+        let points: Vec<_> = points.iter().map(|&[x, y]| Vector::new(x, y)).collect();
+        pieces(&Polyline::new(points, None), &Isometry2::identity(), Side::Outside)
+    };
+    assert_eq!(line(&[[0.0, 0.0], [1.0, 0.0], [0.0, 0.0]]).unwrap().len(), 1);
+    assert_eq!(line(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]]).unwrap().len(), 2);
+    for x in [2.0, 0.5] {
+        let flat = line(&[[0.0, 0.0], [1.0, 0.0], [x, 1e-17], [0.0, 0.0]]);
+        assert!(matches!(flat, Err(Error::Shape { shape: "polyline", .. })), "{x}");
+    }
+}
+
+#[test]
 fn overlapping_members_of_a_compound_become_the_outline_of_their_union() {
     let cross = compound(&[(0.0, 0.0, SharedShape::cuboid(2.0, 0.5)), (0.0, 0.0, SharedShape::cuboid(0.5, 2.0))]);
     let cross = table(&cross, Side::Inside);

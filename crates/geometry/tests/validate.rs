@@ -198,6 +198,88 @@ fn walls_may_touch() {
 }
 
 #[test]
+fn a_spike_out_of_the_table_is_refused_and_a_slit_into_it_is_none() {
+    // a stretch there and back, from the corner of a square; as long as it is, in two parts, bent, at the tip of another one
+    let spikes: [&[[f64; 2]]; 5] = [
+        &[[2.0, 0.0]],
+        &[[3.0, 0.0], [2.0, 0.0]],
+        &[[1.5, -0.5], [2.0, -0.25], [1.5, -0.5]],
+        &[[2.0, 0.0], [2.0, 1.0], [2.0, 0.0]],
+        &[[1.25, 0.25]],
+    ];
+    for spike in spikes {
+        let corners =
+            |out: &[[f64; 2]]| [&[[0.0, 0.0], [1.0, 0.0]], out, &[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]].concat();
+        let found = check([polygon(&corners(spike))]);
+        assert!(matches!(found, Err(Error::Spike { piece: 0..=4, .. })), "{spike:?}: {found:?}");
+        // the same into the square
+        let inward: Vec<_> = spike.iter().map(|[x, y]| [1.4 - 0.4 * x, 0.25 * x + 0.4 * y]).collect();
+        let start = [1.0, 0.25];
+        let corners = [&[[0.0, 0.0], [1.0, 0.0], start][..], &inward, &[start, [1.0, 1.0], [0.0, 1.0]]].concat();
+        assert_eq!(check([polygon(&corners)]), Ok(()), "{inward:?}");
+    }
+    // into a hole, into a hole of a torus, out of a half-plane, of an arc
+    let hole = || polygon(&[[1.0, 1.0], [1.0, 3.0], [3.0, 3.0], [3.0, 1.0], [2.0, 1.0], [2.0, 2.0], [2.0, 1.0]]);
+    assert!(matches!(check([square(0.0, 0.0, 4.0, true), hole()]), Err(Error::Spike { piece: 8..=9, .. })));
+    let lattice = Lattice::new(&[v(4.0, 0.0), v(1.0, 4.0)]).unwrap();
+    let torus = Table::periodic(hole(), Some(lattice)).unwrap().validate();
+    assert!(matches!(torus, Err(Error::Spike { piece: 4..=5, .. })), "{torus:?}");
+    let floor = |depth: f64| {
+        let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 0.0), left).unwrap()) as Box<dyn Piece>;
+        let side = |y: [f64; 2]| Box::new(Segment::new(v(0.0, y[0]), v(0.0, y[1])).unwrap()) as Box<dyn Piece>;
+        check([vec![ray(-1.0, false), side([0.0, depth]), side([depth, 0.0]), ray(1.0, true)]])
+    };
+    assert!(matches!(floor(-1.0), Err(Error::Spike { .. })));
+    assert_eq!(floor(1.0), Ok(()));
+    let (a, b, c) = (v(1.0, 0.0), v(0.0, 1.0), v(-1.0, 0.0));
+    let arc = |a, b, inside| Box::new(Arc::new(v(0.0, 0.0), a, b, inside).unwrap()) as Box<dyn Piece>;
+    let line = |a, b| Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>;
+    let [low, high] = [v(-2.0, 0.0), v(-2.0, -1.0)];
+    let bent = vec![
+        line(c, low),
+        line(low, high),
+        line(high, v(0.0, -1.0)),
+        line(v(0.0, -1.0), a),
+        arc(a, b, true),
+        arc(b, a, false),
+        line(a, c),
+    ];
+    assert!(matches!(check([bent]), Err(Error::Spike { piece: 4..=5, .. })));
+}
+
+#[test]
+fn a_loop_flatter_than_rounding_encloses_nothing() {
+    let isosceles = |height: f64| tables::isosceles(1.0, height).unwrap().validate();
+    assert_eq!(isosceles(1e-12), Ok(()));
+    assert!(matches!(isosceles(1e-18), Err(Error::Collapsed { piece: 0, .. })));
+    let flat = polygon(&[[0.0, 0.0], [1.0, 0.0], [2.0, 1e-17]]);
+    assert!(matches!(check([flat]), Err(Error::Collapsed { piece: 0, .. })));
+    // there and back is a wall without thickness, and so is an obstacle as flat as that
+    assert_eq!(check([polygon(&[[0.0, 0.0], [1.0, 0.3]])]), Ok(()));
+    for sign in [-1.0, 1.0] {
+        let flat = || polygon(&[[0.0, 0.0], [1.0, 0.0], [2.0, sign * 1e-17]]);
+        assert_eq!(check([vec![disk(0.0, 0.0, 9.0, true)], flat()]), Ok(()));
+        assert_eq!(Table::new(flat()).unwrap().unbounded().validate(), Ok(()));
+    }
+}
+
+#[test]
+fn a_boundary_is_open_where_a_piece_starts_as_where_one_ends() {
+    let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 1.0), left).unwrap()) as Box<dyn Piece>;
+    let open = |pieces: Vec<Box<dyn Piece>>| Table::new(pieces).map(|_| ()).unwrap_err();
+    assert_eq!(open(vec![ray(1.0, false)]), Error::Open { piece: 0, starts: false, gap: f64::INFINITY });
+    assert_eq!(open(vec![ray(1.0, true)]), Error::Open { piece: 0, starts: true, gap: f64::INFINITY });
+    let side = Segment::new(v(0.0, 2.0), v(0.0, 0.0)).unwrap();
+    assert_eq!(open(vec![Box::new(side), ray(1.0, true)]), Error::Open { piece: 0, starts: true, gap: 2.0 });
+    // two tables that touch at a vertex, one of them closed; and a chain that goes on in the next cell
+    let kite = polygon(&[[0.0, 0.0], [-1.0, -1.0], [1.0, -2.0]]);
+    let touching = kite.into_iter().chain([ray(-1.0, false), ray(1.0, true)]).collect();
+    assert!(Table::new(touching).is_ok());
+    let wave = polygon(&[[0.1, 0.0], [0.7, 0.2], [1.1, 0.0]]).into_iter().take(2).collect();
+    assert!(Table::periodic(wave, Some(Lattice::new(&[v(1.0, 0.0)]).unwrap())).is_ok());
+}
+
+#[test]
 fn a_piece_within_rounding_is_too_short() {
     let sides = polygon(&[[1e6, 0.0], [1e6 + 1.0, 0.0], [1e6 + 1.0, 1.0], [1e6 + 1.0 - 2e-10, 1.0], [1e6, 1.0]]);
     assert!(matches!(check([sides]), Err(Error::TooShort { piece: 2, .. })));

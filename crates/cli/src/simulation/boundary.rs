@@ -63,6 +63,8 @@ impl Drawn {
         let span = match error {
             Error::Open { piece, .. }
             | Error::Orientation { piece }
+            | Error::Spike { piece, .. }
+            | Error::Collapsed { piece, .. }
             | Error::TooShort { piece, .. }
             | Error::Flat { piece, .. }
             | Error::ManyCells { piece, .. }

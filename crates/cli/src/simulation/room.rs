@@ -47,6 +47,16 @@ pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
     scene.source.diagnostic(scene.particle.radius.span, what)
 }
 
+/// That no place for the particle was found between walls with room for a smaller one.
+pub(crate) fn no_place(scene: &Scene) -> Diagnostic {
+    let what = format!(
+        "a ball of radius {} has no room to move between the walls: no place so far from all of them was found",
+        spell(scene.particle.radius.value)
+    );
+    let diagnostic = scene.source.diagnostic(scene.particle.radius.span, what);
+    diagnostic.with_help("make the radius smaller, or put the walls farther apart")
+}
+
 /// An entry of the boundary.
 fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diagnostic>> {
     let (name, spec, center, side) = match &entry.border {

@@ -154,7 +154,10 @@ impl Spatial {
                 return Err(wrong("in space, the sample is \"canonical\"".into()));
             }
             if let Space::Room(room) = &centres {
-                room.surface().map_err(|error| wrong(error.to_string()))?;
+                room.surface().map_err(|error| match error {
+                    Error::Vanished if drawn(&walls).surface().is_ok() => vec![room::no_place(scene)],
+                    other => wrong(other.to_string()),
+                })?;
             }
         }
         drop(kinds);
@@ -184,10 +187,7 @@ impl Spatial {
     pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
         match &self.centres {
             Space::Named(table) => of_named(table, &self.shift, self.radius, self.factor),
-            Space::Room(_) => {
-                let solids = self.walls.iter().filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok());
-                Room::new(solids.collect()).extent()
-            }
+            Space::Room(_) => drawn(&self.walls).extent(),
         }
     }
 
@@ -279,6 +279,11 @@ fn named(
         _ => (tables::ball(high.x - radius), Vector3::zeros()),
     };
     Ok((smaller.map_err(|error| wrong(&error))?, shift))
+}
+
+/// The room between walls as drawn, in the scene's unit.
+fn drawn(walls: &[Wall]) -> Room {
+    Room::new(walls.iter().filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok()).collect())
 }
 
 /// A box around the walls of a built-in table, of which this is the region of centres of a ball.

@@ -32,6 +32,17 @@ struct Cut {
     enters: bool,
 }
 
+/// What room there is beside a point of a moved piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Room {
+    /// None: it is too near the boundary, in a corridor as wide as the disk, or behind a wall.
+    None,
+    /// It is before all walls that the disk touches there.
+    Clear,
+    /// It is before one of the walls that the disk touches there and behind another one.
+    AmongWalls,
+}
+
 /// Part of a moved piece between cuts.
 #[derive(Clone, Copy, Debug)]
 struct Section {
@@ -227,28 +238,32 @@ impl<'a> Arrangement<'a> {
         kept
     }
 
-    /// Whether a section is at its distance from the boundary, with room beside it: its middle, or where another wall may touch it
-    /// there, as in the middle of the arc around a tip, further points.
+    /// Whether a section is at its distance from the boundary, with room beside it: its middle, and further points where that may
+    /// happen to lie in line with a place where walls touch, as in the middle of the arc around a tip.
     fn is_clear(&self, drawn: &Copies, raw: &Raw, [low, high]: [f64; 2]) -> bool {
         let step = self.radius.max(self.tolerance / f64::EPSILON);
-        let is_tip = matches!(raw.origin, Origin::Corner { before, after } if before == after);
-        let shares: &[f64] = if is_tip { &[0.5, 0.125, 0.875] } else { &[0.5] };
-        shares.iter().all(|share| {
+        let room_at = |share: f64| {
             let at = match (low.is_finite(), high.is_finite()) {
                 (true, true) => low + share * (high - low),
-                (true, false) => low + step,
-                (false, true) => high - step,
-                (false, false) => 0.0,
+                (true, false) => low + 2.0 * share * step,
+                (false, true) => high - 2.0 * share * step,
+                (false, false) => (2.0 * share - 1.0) * step,
             };
-            self.is_clear_at(drawn, &*raw.piece, at)
-        })
+            self.room_at(drawn, &*raw.piece, at)
+        };
+        let is_tip = matches!(raw.origin, Origin::Corner { before, after } if before == after);
+        match room_at(0.5) {
+            Room::None => false,
+            Room::Clear if !is_tip => true,
+            Room::Clear | Room::AmongWalls => [0.125, 0.875].into_iter().all(|share| room_at(share) != Room::None),
+        }
     }
 
-    /// Whether a point of a moved piece is at its distance from the boundary, with room beside it.
-    fn is_clear_at(&self, drawn: &Copies, piece: &dyn Piece, at: f64) -> bool {
+    /// What room there is beside a point of a moved piece.
+    fn room_at(&self, drawn: &Copies, piece: &dyn Piece, at: f64) -> Room {
         let at = piece.point_at(at);
         if drawn.nearest(&at, self.radius - self.tolerance).is_some() {
-            return false;
+            return Room::None;
         }
         // walls on both sides: a corridor exactly as wide as the disk is closed; and what goes around the tip of a wall that ends on
         // another one may be behind that
@@ -273,7 +288,12 @@ impl<'a> Arrangement<'a> {
                 behind |= side < -0.5 * self.radius && !at_end;
             },
         );
-        !pinched && (before || !behind)
+        match (before, behind) {
+            _ if pinched => Room::None,
+            (_, false) => Room::Clear,
+            (true, true) => Room::AmongWalls,
+            (false, true) => Room::None,
+        }
     }
 
     /// Strings the sections together.

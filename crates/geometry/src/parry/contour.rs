@@ -1,8 +1,8 @@
 //! The outlines of parry's planar shapes, as exact figures.
 use super::convert::{Frame, from_glam2};
 use crate::{
-    Error, Figure, Piece,
-    plane::cross,
+    Error, Extent, Figure, Piece,
+    plane::{cross, slack},
     shapes::{Arc, Circle, FullLine, Ray, Segment},
 };
 use nalgebra::Vector2;
@@ -112,8 +112,8 @@ impl Contour {
                 let ends = |i| if upward { [vertex(i + 1), vertex(i)] } else { [vertex(i), vertex(i + 1)] };
                 Contour::solid("height field", present.map(|i| Figure::Segment { ends: ends(i) }).collect())
             }
-            TypedShape::Polyline(line) => polyline(line, frame),
-            TypedShape::TriMesh(mesh) => Contour::solid("triangle mesh", mesh_outline(mesh, frame)),
+            TypedShape::Polyline(line) => polyline(line, frame)?,
+            TypedShape::TriMesh(mesh) => Contour::solid("triangle mesh", mesh_outline(mesh, frame)?),
             TypedShape::Voxels(voxels) => Contour::solid("voxels", voxel_outline(voxels, frame)),
             TypedShape::Compound(_) | TypedShape::Custom(_) => return Ok(None),
         }))
@@ -210,11 +210,14 @@ fn chained(edges: &[[usize; 2]]) -> Vec<[usize; 2]> {
 }
 
 /// Closed loops bound an interior (nested ones by turns: an island in a hole in a solid); all else is a screen.
-fn polyline(line: &Polyline, frame: &Frame<2>) -> Contour {
+fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
     let points: Vec<Vector2<f64>> = line.vertices().iter().map(|&p| frame.point(&from_glam2(p))).collect();
     let id = merged(&points);
-    let edges: Vec<[usize; 2]> =
+    let mut edges: Vec<[usize; 2]> =
         line.indices().iter().map(|&[a, b]| [id[a as usize], id[b as usize]]).filter(|[a, b]| a != b).collect();
+    // there and back is one wall
+    let mut known = HashSet::new();
+    edges.retain(|&[a, b]| known.insert([a.min(b), a.max(b)]));
     let mut at: HashMap<usize, Vec<usize>> = HashMap::new(); // edges at each vertex
     for (k, e) in edges.iter().enumerate() {
         for &v in e {
@@ -266,17 +269,22 @@ fn polyline(line: &Polyline, frame: &Frame<2>) -> Contour {
         let depth = loops.iter().enumerate().filter(|&(j, other)| j != i && around(&own[0], other)).count();
         let counter_clockwise = depth % 2 == 0;
         let mut own = own.clone();
+        let width = Extent::of(own.iter().copied());
+        if area(&own).abs() <= slack([width.size()]) * (width.max - width.min).amax() {
+            let why = "a closed part of it encloses no area: for a wall without thickness, list its vertices once, from tip to tip";
+            return Err(Error::Shape { shape: "polyline", why });
+        }
         if (area(&own) > 0.0) != counter_clockwise {
             own[1..].reverse();
         }
         let n = own.len();
         figures.extend(segments((0..n).map(|k| [own[k], own[(k + 1) % n]])));
     }
-    Contour { name: "polyline", figures, screens }
+    Ok(Contour { name: "polyline", figures, screens })
 }
 
 /// The edges that belong to one triangle only.
-fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Vec<Figure> {
+fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Result<Vec<Figure>, Error> {
     let points: Vec<Vector2<f64>> = mesh.vertices().iter().map(|&p| frame.point(&from_glam2(p))).collect();
     let id = merged(&points);
     let mut edges = vec![];
@@ -295,8 +303,11 @@ fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Vec<Figure> {
             edges.push(edge);
         }
     }
+    if edges.is_empty() {
+        return Err(Error::Shape { shape: "triangle mesh", why: "it has no triangle of positive area" });
+    }
     edges.retain(|&[a, b]| !inner.contains(&[b, a]));
-    segments(chained(&edges).into_iter().map(|e| e.map(|v| points[v])))
+    Ok(segments(chained(&edges).into_iter().map(|e| e.map(|v| points[v]))))
 }
 
 /// The sides of full cells that border on empty ones.

@@ -8,7 +8,7 @@ use super::{
     convert::{Frame, to_glam3},
     distance::to_unit,
 };
-use crate::Error;
+use crate::{Error, plane::slack};
 use nalgebra::{Matrix3, Vector3};
 use parry3d_f64::{
     math::Vector as Glam,
@@ -177,8 +177,7 @@ impl SolidSpec {
             }
             SolidSpec::HalfSpace { normal } => {
                 finite("normal", normal)?;
-                let [x, y, z] = *normal;
-                let length = libm::hypot(libm::hypot(x, y), z);
+                let length = length_of(&Vector3::from(*normal));
                 if length == 0.0 {
                     return Err(wrong("normal", "a vector other than zero"));
                 }
@@ -188,8 +187,34 @@ impl SolidSpec {
     }
 }
 
+/// Whether points lie in a plane, within the rounding of their coordinates.
+fn in_a_plane(points: &[[f64; 3]]) -> bool {
+    let Some(&first) = points.first() else { return true };
+    let rounding = slack(points.iter().flatten().copied());
+    let from_first: Vec<Vector3<f64>> = points.iter().map(|p| Vector3::from(*p) - Vector3::from(first)).collect();
+    let farthest = |height: &dyn Fn(&Vector3<f64>) -> f64| {
+        let heights = from_first.iter().map(|p| (height(p), p));
+        heights.max_by(|(a, _), (b, _)| a.total_cmp(b)).filter(|(height, _)| *height > rounding)
+    };
+    // from a point, from a line, from a plane
+    let Some((length, along)) = farthest(&|p| length_of(p)) else { return true };
+    let along = along / length;
+    let Some((length, across)) = farthest(&|p| length_of(&along.cross(p))) else { return true };
+    let normal = along.cross(across) / length;
+    farthest(&|p| normal.dot(p).abs()).is_none()
+}
+
+/// The length of a vector, which may be as small as 1e-150.
+fn length_of(v: &Vector3<f64>) -> f64 {
+    libm::hypot(libm::hypot(v.x, v.y), v.z)
+}
+
 /// The convex hull of points that do not lie in a plane.
 fn hull(points: &[[f64; 3]]) -> Result<ConvexPolyhedron, Error> {
+    let flat = || wrong("points", "at least four points that do not lie in a plane");
+    if in_a_plane(points) {
+        return Err(flat());
+    }
     let points: Vec<Glam> = points.iter().map(glam).collect();
     // at size 1, since parry knows no smaller polyhedra than some 10⁻⁸
     let low = points.iter().fold(Glam::INFINITY, |m, p| m.min(*p));
@@ -197,7 +222,7 @@ fn hull(points: &[[f64; 3]]) -> Result<ConvexPolyhedron, Error> {
     let unit = to_unit(0.5 * (high - low).max_element());
     let points: Vec<Glam> = points.iter().map(|p| *p * unit).collect();
     let hull = ConvexPolyhedron::from_convex_hull(&points).and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)));
-    hull.ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))
+    hull.ok_or_else(flat)
 }
 
 /// A shape, rounded if it is to be.
@@ -267,5 +292,26 @@ mod tests {
         assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "positive and finite" });
         let flat = SolidSpec::ConvexHull { points: vec![[0.0; 3]; 3], rounding: 0.0 };
         assert!(flat.solid([0.0; 3], Side::Inside).is_err());
+    }
+
+    #[test]
+    fn a_convex_hull_needs_points_that_do_not_lie_in_a_plane() {
+        let hull = |points: &[[f64; 3]], scale: f64| {
+            let points = points.iter().map(|p| p.map(|x| x * scale)).collect();
+            SolidSpec::ConvexHull { points, rounding: 0.0 }.solid([0.0; 3], Side::Outside)
+        };
+        let at = |x: f64, y: f64, height: f64| [x, y, 0.3 * x - 0.7 * y + height];
+        for scale in [1.0, 1e-150, 1e150] {
+            for height in [0.0, 1e-17] {
+                let flat =
+                    [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(1.0, 1.0, height), at(0.3, 0.1, 0.0)];
+                assert!(matches!(hull(&flat, scale), Err(Error::Field { .. })), "{height}");
+                assert!(matches!(hull(&flat.map(|[x, ..]| [x, x, 0.1 * x]), scale), Err(Error::Field { .. })));
+            }
+            let thin = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(1.0, 1.0, 1e-6)];
+            let distance = hull(&thin, scale).unwrap().distance(&Vector3::from(at(0.5, 0.5, -1.0)).map(|x| x * scale));
+            assert!((distance / scale - 1.0 / 1.58_f64.sqrt()).abs() < 1e-6, "{scale:e}: {distance}");
+        }
+        assert!(hull(&[[0.0; 3]; 5], 1.0).is_err() && hull(&[], 1.0).is_err());
     }
 }

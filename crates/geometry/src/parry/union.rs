@@ -68,7 +68,7 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
             cuts.extend(meetings(part, other, same));
         }
         for figure in split(part, &cuts, &mut vertices, size)? {
-            let middle = middle(&figure, size)?;
+            let middle = middle(&figure, &cuts, size)?;
             if survives(part, &middle, &parts, members.len(), same) {
                 match (part.solid, figure) {
                     (true, figure) => figures.push(figure),
@@ -244,12 +244,15 @@ fn outgoing(figure: &Figure, direction: Vector2<f64>) -> Vector2<f64> {
     if let Figure::Ray { left: false, .. } = figure { -direction } else { direction }
 }
 
-/// A point well inside a part.
-fn middle(figure: &Figure, size: f64) -> Result<Vector2<f64>, Error> {
+/// A point well inside a part that was cut there.
+fn middle(figure: &Figure, cuts: &[Vector2<f64>], size: f64) -> Result<Vector2<f64>, Error> {
     let piece = piece_of(figure)?;
     Ok(match figure {
         Figure::Ray { from, direction, .. } => from + direction * size,
-        Figure::Circle { radius, .. } => piece.point_at(PI * radius),
+        // a whole circle that another shape touches, if any, is cut there only
+        Figure::Circle { center, radius, .. } => {
+            cuts.first().map_or_else(|| piece.point_at(PI * radius), |touched| center * 2.0 - touched)
+        }
         Figure::Line { through, .. } => *through,
         _ => piece.point_at(0.5 * piece.length()),
     })

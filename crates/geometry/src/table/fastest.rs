@@ -1,11 +1,12 @@
 //! The fastest walls for a table.
 use super::{
-    Table, Translate, closest_of,
+    Table, Translate,
     container::{Container, Enclosed, MOST_SIDES},
     translates,
 };
 use crate::{
     Figure, Lattice, Piece,
+    nearest::nearest_of,
     shapes::Shape,
     walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
 };
@@ -146,8 +147,8 @@ impl Table {
     /// Whether a piece lies on the table's side of a chain that it does not cross.
     fn inside(&self, chain: &[usize], piece: usize) -> bool {
         let point = self.pieces[piece].point_at(0.5 * self.pieces[piece].length());
-        let (_, landing) = closest_of(chain.iter().map(|&i| (i, &*self.pieces[i])), &point);
-        (point - landing.point).dot(&landing.normal) >= 0.0
+        let nearest = nearest_of(chain.iter().map(|&i| (i, &*self.pieces[i])), &point);
+        nearest.is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) >= 0.0)
     }
 
     /// Every piece that reaches into the unit cell, translated there.

@@ -14,8 +14,10 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Unclosed { start, end } => Error::Unclosed { start: back(start), end: back(end) },
         Error::PolarRadius { angle, radius, certain } => Error::PolarRadius { angle, radius: back(radius), certain },
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
-        Error::Open { piece, gap } => Error::Open { piece, gap: back(gap) },
+        Error::Open { piece, starts, gap } => Error::Open { piece, starts, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
+        Error::Spike { piece, at } => Error::Spike { piece, at: at.map(back) },
+        Error::Collapsed { piece, area } => Error::Collapsed { piece, area: back(back(area)) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
@@ -53,7 +55,16 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
-        Error::Open { .. } => "close the loop, or continue it to infinity with a ray",
+        Error::Open { .. } => {
+            "close the loop, or continue it to infinity with a ray; a straight wall that ends nowhere is a line"
+        }
+        Error::Spike { .. } => {
+            "leave the stretch out, or let it lead into the table, where it is a wall without thickness"
+        }
+        Error::Collapsed { .. } => {
+            "move its vertices apart; a wall without thickness in the open plane is a \
+             shape = { name = \"polyline\", points = ... }"
+        }
         Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",
         Error::Orientation { .. } => {
             "list the vertices in the opposite order, or exchange inside and outside; in the open plane an obstacle is a shape or a \
@@ -70,6 +81,7 @@ fn about_parameters(error: &Error) -> Option<&'static str> {
             "change the parameters of the table so that this piece is longer, or take a table without it"
         }
         Error::Flat { .. } => "change the parameters of the table so that this arc is less flat",
+        Error::Collapsed { .. } => "change the parameters of the table so that it is wider",
         Error::Crossing { .. } | Error::SelfCrossing { .. } => {
             "change the parameters of the table so that no piece crosses another or itself"
         }

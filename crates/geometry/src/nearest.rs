@@ -1,0 +1,149 @@
+//! Which of several pieces is nearest to a point, and so tells on which side of the boundary the point lies.
+use crate::{Landing, Piece};
+use nalgebra::Vector2;
+
+/// Distances that differ by no more than this part are equal but for rounding.
+const SAME: f64 = 1e-12;
+
+/// Curvatures of curves by formulas and by distance are right to ten digits and more; no two that are meant to differ are as
+/// close as this part.
+pub(crate) const ALIKE: f64 = 1e-6;
+
+/// A piece, seen from a point.
+struct Foot<'a> {
+    number: usize,
+    piece: &'a dyn Piece,
+    landing: Landing,
+    /// Square of the distance.
+    square: f64,
+    /// How far the point lies on the table's side of the tangent at the foot.
+    height: f64,
+}
+
+impl<'a> Foot<'a> {
+    fn new((number, piece): (usize, &'a dyn Piece), point: &Vector2<f64>) -> Foot<'a> {
+        let landing = piece.closest(point);
+        let off = point - landing.point;
+        Foot { number, piece, landing, square: off.norm_squared(), height: landing.normal.dot(&off) }
+    }
+
+    /// Whether this piece tells more about the point than another one.
+    fn decides_before(&self, other: &Foot) -> bool {
+        let equal = |a: f64, b: f64| a <= b * (1.0 + SAME) && b <= a * (1.0 + SAME);
+        if !equal(self.square, other.square) {
+            return self.square < other.square;
+        }
+        let [own, its] = [self.height.abs(), other.height.abs()];
+        if equal(own, its) && (self.height < 0.0) != (other.height < 0.0) {
+            return self.lies_before(other);
+        }
+        // at a shared vertex the piece that the point faces decides
+        own > its
+    }
+
+    /// Whether this piece lies between the point and another piece that touches it at the common foot and has the table on its other
+    /// side.
+    fn lies_before(&self, other: &Foot) -> bool {
+        // what bends more towards the point is nearer to all others around it
+        let [own, its] = [self, other].map(|foot| {
+            let curvature = foot.piece.curvature(&foot.landing.point);
+            if foot.height < 0.0 { -curvature } else { curvature }
+        });
+        if (own - its).abs() <= ALIKE * (own.abs() + its.abs()) {
+            // two sides of one wall, and the table on both
+            return self.height > other.height;
+        }
+        own > its
+    }
+}
+
+/// The nearest of some pieces, the point of it that is closest, and its inward normal: they tell on which side of the boundary the
+/// point lies, where several pieces are equally near, too.
+pub(crate) fn nearest_of<'a>(
+    pieces: impl Iterator<Item = (usize, &'a dyn Piece)>,
+    point: &Vector2<f64>,
+) -> Option<(usize, Landing)> {
+    let feet = pieces.map(|piece| Foot::new(piece, point));
+    let best = feet.reduce(|best, foot| if foot.decides_before(&best) { foot } else { best });
+    best.map(|foot| (foot.number, foot.landing))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{
+        Outline, Piece, Table, Vector2,
+        shapes::{Arc, Circle, Ellipse},
+    };
+
+    fn v(x: f64, y: f64) -> Vector2<f64> {
+        Vector2::new(x, y)
+    }
+    fn circle(center: [f64; 2], radius: f64, inside: bool) -> Box<dyn Piece> {
+        Box::new(Circle::new(center.into(), radius, inside).unwrap())
+    }
+    fn polygon(vertices: &[[f64; 2]]) -> Vec<Box<dyn Piece>> {
+        let start = Outline::from(vertices[0].into());
+        let ends = vertices[1..].iter().chain([&vertices[0]]);
+        ends.fold(start, |outline, &end| outline.line_to(end.into()).unwrap()).close().unwrap()
+    }
+    fn table(pieces: Vec<Box<dyn Piece>>) -> Table {
+        Table::new(pieces).unwrap()
+    }
+
+    #[test]
+    fn behind_walls_that_touch_lies_no_table() {
+        // whichever of the walls comes first
+        for first in [0, 1] {
+            let order = |mut pieces: Vec<Box<dyn Piece>>| {
+                pieces.rotate_left(first);
+                table(pieces)
+            };
+            let mut room = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+            room.push(circle([0.5, 0.5], 0.5, false));
+            let room = order(room);
+            for at in [v(0.5, 0.25), v(0.75, 0.5), v(0.25, 0.5), v(0.5, 0.75), v(0.5, 0.5)] {
+                assert!(!room.contains(&at), "{at}");
+            }
+            assert!(room.contains(&v(0.05, 0.05)));
+            let pipe = order(vec![circle([0.0; 2], 2.0, true), circle([1.0, 0.0], 1.0, false)]);
+            for x in [0.25, 1.0, 1.2, 1.5, 1.999] {
+                assert!(!pipe.contains(&v(x, 0.0)), "{x}");
+                assert!(pipe.contains(&v(-x, 0.0)), "{x}");
+            }
+            // two obstacles, and an ellipse with curvature 2 in a circle with 1
+            let two = order(vec![circle([0.0; 2], 1.0, false), circle([2.0, 0.0], 1.0, false)]);
+            for x in [0.2, 0.9, 1.1, 1.8] {
+                assert!(!two.contains(&v(x, 0.0)), "{x}");
+            }
+            let ellipse = Box::new(Ellipse::new(v(0.5, 0.0), [0.5, 0.5], 0.0, false).unwrap());
+            let oval = order(vec![circle([0.0; 2], 1.0, true), ellipse]);
+            assert!(!oval.contains(&v(0.75, 0.0)) && oval.contains(&v(-0.5, 0.0)));
+        }
+    }
+
+    #[test]
+    fn both_sides_of_a_slit_are_table() {
+        let (a, b) = (v(1.0, 0.5), v(0.5, 0.5));
+        for bulge in [false, true] {
+            // straight, and around (0.75, 0)
+            let mut pieces = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+            let side = |a, b| polygon(&[[0.0; 2], a, b]).swap_remove(1);
+            pieces.splice(1..2, [side([1.0, 0.0], [1.0, 0.5]), side([1.0, 0.5], [1.0, 1.0])]);
+            let arc = |a, b, inside| Box::new(Arc::new(v(0.75, 0.0), a, b, inside).unwrap()) as Box<dyn Piece>;
+            pieces.splice(
+                2..2,
+                if bulge {
+                    [arc(a, b, true), arc(b, a, false)]
+                } else {
+                    [side(a.into(), b.into()), side(b.into(), a.into())]
+                },
+            );
+            let slit = table(pieces);
+            assert_eq!(slit.validate(), Ok(()));
+            for y in [0.3, 0.45, 0.6, 0.7] {
+                assert!(slit.contains(&v(0.75, y)), "{y}");
+                assert!(!slit.contains(&v(1.25, y)), "{y}");
+            }
+        }
+    }
+}
