@@ -132,6 +132,7 @@ fn rooms_that_cannot_be_filled_are_refused() {
             "9:10",
             "a ball of radius 1.5 has no room to move in the table; its radius must be less than 1.5",
         ),
+        (1.2, "", "", "9:10", "a ball of radius 1.2 has no room to move between the walls"),
         (0.0, "seed = 3", "sample = \"grid\"", "11:1", "in space, the sample is \"canonical\""),
     ] {
         let scene = can(radius).replacen(this, instead, 1);
