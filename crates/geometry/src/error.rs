@@ -118,7 +118,7 @@ pub enum Error {
     },
     /// A loop that rounding has made flat.
     #[error(
-        "the loop of piece {piece} encloses nothing: its area is {area:e}, and in places it is no wider than the rounding of its coordinates"
+        "the loop of piece {piece} encloses nothing: its area is {area:e}, and it is no wider than the rounding of its coordinates"
     )]
     Collapsed {
         /// A piece of the loop.
