@@ -6,11 +6,8 @@ use assert_cmd::Command;
 
 use super::{Folder, SQUARE, scale::stadium};
 
-#[test]
-fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
-    let folder = Folder::new("errors");
-    let stadium = stadium(1.0, 1.0);
-    let hand = r#"law = "no-slip"
+/// A table drawn by hand.
+const HAND: &str = r#"law = "no-slip"
 [[table.boundary]]
 loop = { from = [0, 0], edges = [
   { line_to = [1, 0] },
@@ -26,6 +23,11 @@ velocity = [1, 0]
 [run]
 collisions = 1
 "#;
+
+#[test]
+fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
+    let folder = Folder::new("errors");
+    let stadium = stadium(1.0, 1.0);
     let cases: &[(&str, &str, &str, &str, &str)] = &[
         // scene, what stands there, what to write instead, place, message
         (
@@ -36,14 +38,14 @@ collisions = 1
             "the start lies outside the table",
         ),
         (
-            hand,
+            HAND,
             "  { line_to = [1, 0] },",
             "  { line_to = [2, 0] },\n  { line_to = [1, 0] },",
             "scene.toml:5:3",
             "piece 1 runs there and back near (1, 0), where the table lies on neither side of it",
         ),
         (
-            hand,
+            HAND,
             "circle = { center = [0.5, 0.5], radius = 0.25, domain = \"outside\" }",
             "ray = { from = [3, 0], direction = [1, 0] }",
             "scene.toml:10:7",
@@ -73,30 +75,30 @@ collisions = 1
             "scene.toml:11:1",
             "[particle] needs \"inertia\" or \"gamma_squared\"",
         ),
-        (hand, "radius = 0.25", "radius = 0.6", "scene.toml:10:10", "cross"),
-        (hand, "  { line_to = [0, 0] },\n", "", "scene.toml:6:15", "the loop is open"),
-        (hand, "[1, 1] },", "[1, 0] },", "scene.toml:5:3", "no length"),
+        (HAND, "radius = 0.25", "radius = 0.6", "scene.toml:10:10", "cross"),
+        (HAND, "  { line_to = [0, 0] },\n", "", "scene.toml:6:15", "the loop is open"),
+        (HAND, "[1, 1] },", "[1, 0] },", "scene.toml:5:3", "no length"),
         (
-            hand,
+            HAND,
             "radius = 0.25, domain = \"outside\"",
             "radius = 0.25, domain = \"inside\"",
             "scene.toml:10:10",
             "table on its",
         ),
         (
-            hand,
+            HAND,
             "circle = { center = [0.5, 0.5], radius = 0.25, domain = \"outside\" }",
             "curve = { implicit = \"abs(x-1)+abs(y)-1\", within = [[-1, -2], [3, 2]] }",
             "scene.toml:10:22",
             "be smooth",
         ),
-        (hand, "[0.125, 0.125]", "[0.5, 0.5]", "scene.toml:12:12", "outside the table"),
-        (hand, "[run]", "[output]\npictures = [\"orbits\"]\n[run]", "scene.toml:15:13", "did you mean \"orbit\"?"),
-        (hand, "velocity = [1, 0]", "velocity = [0, 0]", "scene.toml:13:12", "zero vector"),
-        (hand, "velocity = [1, 0]", "velocity = [nan, 0]", "scene.toml:13:13", "NaN"),
-        (hand, "velocity = [1, 0]", "velocity = [\"1+\", 0]", "scene.toml:13:16", "expression ends"),
+        (HAND, "[0.125, 0.125]", "[0.5, 0.5]", "scene.toml:12:12", "outside the table"),
+        (HAND, "[run]", "[output]\npictures = [\"orbits\"]\n[run]", "scene.toml:15:13", "did you mean \"orbit\"?"),
+        (HAND, "velocity = [1, 0]", "velocity = [0, 0]", "scene.toml:13:12", "zero vector"),
+        (HAND, "velocity = [1, 0]", "velocity = [nan, 0]", "scene.toml:13:13", "NaN"),
+        (HAND, "velocity = [1, 0]", "velocity = [\"1+\", 0]", "scene.toml:13:16", "expression ends"),
         (
-            hand,
+            HAND,
             "[[table.boundary]]\nloop",
             "[table]\nlaws = { 5 = \"specular\" }\n[[table.boundary]]\nloop",
             "scene.toml:3:10",
