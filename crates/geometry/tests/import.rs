@@ -1,6 +1,7 @@
 //! Outlines from drawings and maps.
 use core::f64::consts::PI;
-use geometry::{Error, Figure, Piece, Table, Vector2, import};
+use geometry::parry::SolidSpec;
+use geometry::{Error, Figure, Piece, Table, Vector2, Vector3, import};
 use proptest::prelude::*;
 
 fn drawing(body: &str) -> String {
@@ -196,6 +197,36 @@ fn only_outlines_are_drawn() {
 }
 
 #[test]
+fn styles_hide_outlines_or_are_refused() {
+    // what drawing programs write is read
+    let t = table(
+        "<style>.a:hover{fill:red;/* r:3px; */stroke-width:2}.b{display:inline;transform:none}</style>
+         <i:namedview xmlns:i='http://x'><i:rect width='9' height='9'/></i:namedview>
+         <i:rect xmlns:i='http://x' width='9' height='9'/><image width='9' height='9'/>
+         <g style='fill:none;stroke:#000;visibility:visible'><rect class='a' width='2' height='2'/></g>
+         <g visibility='hidden'><circle r='1'/><rect x='5' width='1' height='1' style='visibility:visible'/></g>
+         <circle r='7' style='display:none !important'/><circle r='8' visibility='collapse'/>
+         <switch><foreignObject requiredExtensions='e'/><rect x='8' width='3' height='1'/><circle r='1'/></switch>",
+    );
+    assert_eq!(t.area(), 8.0);
+    for (body, words) in [
+        ("<rect width='1' height='1' style='transform: scale(3)'/>", "\"transform\" is read from an attribute only"),
+        ("<rect style='width:2px;height:2px'/>", "\"width\" is read from an attribute only"),
+        ("<rect width='1' height='1' transform='rotate(9)' transform-origin='1 1'/>", "transform-origin"),
+        ("<style>.h{display:none}</style><circle r='1'/>", "this one sets \"display\""),
+        ("<style>@media all { circle { r: 3px } }</style><circle r='1'/>", "this one sets \"r\""),
+        ("<defs><style><![CDATA[.h { visibility : hidden }]]></style></defs><circle r='1'/>", "\"visibility\""),
+    ] {
+        let (place, what) = problem(body);
+        assert!(place.starts_with("line 2, <") && what.contains(words), "{body}: {place}: {what}");
+    }
+    let foreign = "<svg xmlns='http://x'><rect width='1' height='1'/></svg>";
+    assert!(import::svg(foreign, 1e-9).is_err());
+    let page = "<svg style='width:100%;height:auto'><rect width='1' height='1'/></svg>";
+    assert_eq!(import::svg(page, 1e-9).unwrap().len(), 4);
+}
+
+#[test]
 fn mistakes_are_named_with_line_and_element() {
     let (place, what) = problem("<g>\n<path d='M0 0L1'/></g>");
     assert_eq!(place, "line 3, <path>");
@@ -246,8 +277,38 @@ fn maps_become_tables() {
             {{"type": "Feature", "geometry": {{"type": "GeometryCollection", "geometries": [{polygon}]}}}}]}}"#
     );
     check(&features, 15.0, 1);
-    let many = r#"{"type": "MultiPolygon", "coordinates": [[[[0,0],[1,0],[1,1],[0,1]]], [[[5,0],[6,0],[6,2],[5,2]]]]}"#;
+    let many = r#"{"type": "MultiPolygon", "coordinates": [[[[0,0],[1,0],[1,1],[0,1],[0,0]]], [[[5,0],[6,0],[6,2],[5,2],[5,0]]]]}"#;
     check(many, 3.0, 2);
+    check(&format!("\u{feff}{many}"), 3.0, 2);
+    // an island in the hole of another polygon
+    let island = r#"{"type": "MultiPolygon", "coordinates": [
+        [[[0,0],[9,0],[9,9],[0,9],[0,0]], [[1,1],[8,1],[8,8],[1,8],[1,1]]], [[[2,2],[4,2],[4,3],[2,2]]]]}"#;
+    check(island, 33.0, 2);
+}
+
+#[test]
+fn rings_where_they_bound_no_table_are_refused_with_their_place() {
+    let square = |at: f64, size: f64| {
+        let end = at + size;
+        format!("[[{at},{at}],[{end},{at}],[{end},{end}],[{at},{end}],[{at},{at}]]")
+    };
+    for (polygons, at, words) in [
+        (
+            format!("[{}, {}]", square(0.0, 4.0), square(5.0, 1.0)),
+            "coordinates[0][1]",
+            "this hole lies outside its polygon",
+        ),
+        (format!("[{}], [{}]", square(0.0, 4.0), square(1.0, 1.0)), "coordinates[1][0]", "lies inside another one"),
+        ("[[[0,0],[1,0],[1,1]]]".into(), "coordinates[0][0]", "repeat its first position"),
+    ] {
+        let text = format!(r#"{{"type": "MultiPolygon", "coordinates": [{polygons}]}}"#);
+        match import::geojson(&text) {
+            Err(Error::Import { place, problem }) => {
+                assert!(place == at && problem.contains(words), "{place}: {problem}")
+            }
+            other => panic!("{text}: {other:?}"),
+        }
+    }
 }
 
 #[test]
@@ -257,7 +318,7 @@ fn mistakes_in_maps_are_named_with_their_place() {
         ("[]", "the file", "type"),
         (r#"{"type": "Point", "coordinates": [0, 0]}"#, "the file", "\"Point\" bounds no table"),
         (r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, "x"]]]}"#, "coordinates[0][1]", "two finite numbers"),
-        (r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 1]]]}"#, "coordinates[0]", "no area"),
+        (r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 1], [0, 0]]]}"#, "coordinates[0]", "no area"),
         (r#"{"type": "Polygon", "coordinates": [[[0, 0]]]}"#, "coordinates[0]", "three different"),
         (
             r#"{"type": "Polygon", "coordinates": [[[0, 0], [1e200, 0], [0, 1e200]]]}"#,
@@ -285,6 +346,145 @@ fn mistakes_in_maps_are_named_with_their_place() {
     assert!(matches!(import::geojson(r#"{"type": "FeatureCollection", "features": []}"#), Err(Error::Empty)));
 }
 
+/// The volume that a surface encloses (divergence theorem), and its number of triangles.
+fn volume(surface: &SolidSpec) -> (f64, usize) {
+    let SolidSpec::TriMesh { vertices, triangles, .. } = surface else { panic!("{surface:?}") };
+    let signed = |t: &[usize; 3]| {
+        let [a, b, c] = t.map(|k| Vector3::from(vertices[k]));
+        a.dot(&b.cross(&c)) / 6.0
+    };
+    (triangles.iter().map(signed).sum(), triangles.len())
+}
+
+fn joined(parts: impl Iterator<Item = String>) -> String {
+    parts.collect::<Vec<_>>().concat()
+}
+
+/// A prism over a polygon, its end caps written from a corner of choice.
+fn prism(corners: &[[f64; 2]], first: usize) -> String {
+    let n = corners.len();
+    let vertex = |[x, y]: &[f64; 2], z: i32| format!("v {x} {y} {z}\n");
+    let vertices = joined([0, 1].iter().flat_map(|z| corners.iter().map(move |corner| vertex(corner, *z))));
+    let face = |order: Vec<usize>| format!("f{}\n", joined(order.iter().map(|k| format!(" {}", k + 1))));
+    let top = face((0..n).map(|k| n + (first + k) % n).collect());
+    let bottom = face((0..n).rev().map(|k| (first + k) % n).collect());
+    let sides = joined((0..n).map(|k| (k, (k + 1) % n)).map(|(a, b)| face(vec![a, b, n + b, n + a])));
+    format!("{vertices}{top}{bottom}{sides}")
+}
+
+#[test]
+fn dented_faces_enclose_what_they_bound() {
+    let ell = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    let comb: Vec<[f64; 2]> = (0..40).map(|k| [0.1 * f64::from(k), if k % 2 == 0 { 0.3 } else { 2.0 }]).collect();
+    let comb = [vec![[3.9, 0.1], [0.0, 0.1]], comb].concat();
+    let comb: Vec<_> = comb.into_iter().map(|[x, y]| [x, -y]).collect();
+    // a ring, cut open along a line
+    let ring = [
+        [0.0, 0.0],
+        [3.0, 0.0],
+        [3.0, 3.0],
+        [0.0, 3.0],
+        [0.0, 0.0],
+        [1.0, 1.0],
+        [1.0, 2.0],
+        [2.0, 2.0],
+        [2.0, 1.0],
+        [1.0, 1.0],
+    ];
+    // corners in the middle of straight edges
+    let flat = [[0.1, 0.1], [0.2, 0.2], [0.3, 0.3], [-0.3, 0.3], [-0.2, 0.2], [-0.1, 0.1], [0.0, 0.1]];
+    for polygon in [&ell[..], &comb, &ring, &flat] {
+        let n = polygon.len();
+        let area = (0..n).map(|k| (polygon[k], polygon[(k + 1) % n])).map(|([a, b], [c, d])| 0.5 * (a * d - b * c));
+        let area: f64 = area.sum();
+        for first in 0..n {
+            let (volume, triangles) = volume(&import::obj(&prism(polygon, first)).unwrap());
+            assert_eq!(triangles, 2 * (n - 2) + 2 * n, "{polygon:?} from {first}");
+            assert!((volume - area).abs() < 1e-14 * area, "{polygon:?} from {first}: {volume} {area}");
+        }
+    }
+    // not only the volume: the point (1.5, 1.5) is outside
+    for first in 0..6 {
+        let solid = import::obj(&prism(&ell, first)).unwrap().solid([0.0; 3], geometry::parry::Side::Outside).unwrap();
+        assert_eq!(solid.distance(&[1.5, 1.5, 0.5].into()), 0.5, "from {first}");
+    }
+}
+
+#[test]
+fn obj_statements_are_read_as_they_are_written() {
+    let corner = "\u{feff}# a corner\no a\nv 0 0 0 1\nv 1 0 \\\n 0\nv 0 1 0\ng b\nv 0 0 1 0.5 0.5 0.5\nvn 0 0 1\nvt 0 0\nl 1 2\np 1\n\
+                  usemtl x\nf 1/1/1 3//1 2/1\nf 1 2 4\nf -4 -1 -2\nf 2 3 4 # the last\n";
+    assert_eq!(volume(&import::obj(corner).unwrap()), (1.0 / 6.0, 4));
+    let vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 3 0\n";
+    for (statement, words) in [
+        ("f 1 2", "at least three corners, not 2"),
+        ("f 1 2 5", "there is no vertex 5: the file has 4"),
+        ("f 1 2 0", "\"0\" is no corner"),
+        ("f 1 2 -5", "\"-5\" is no corner"),
+        ("f 1 2 x", "\"x\" is no corner"),
+        ("f 1 3 2 4", "do not go round a simple polygon"),
+        ("f 1 1 1 1", "do not go round a simple polygon"),
+        ("v 1e200 0 0", "\"1e200\" is no coordinate"),
+        ("v 1 nan 0", "\"nan\" is no coordinate"),
+        ("v 1 1", "three coordinates, not 2"),
+        ("surf 0 1 0 1 1 2 3 4", "curved surfaces are not read"),
+    ] {
+        match import::obj(&format!("{vertices}{statement}\nf 1 2 3\n")) {
+            Err(Error::Import { place, problem }) => {
+                assert!(place == "line 5" && problem.contains(words), "{place}: {problem}");
+            }
+            other => panic!("{statement}: {other:?}"),
+        }
+    }
+    assert!(matches!(import::obj(vertices), Err(Error::Empty)));
+    assert!(matches!(import::obj("v 1e-200 0 0\n"), Err(Error::Import { .. })));
+}
+
+#[test]
+fn stl_is_read_to_its_end_or_refused() {
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0_f32]];
+    let facets = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map(|t: [usize; 3]| t.map(|k| corners[k]));
+    let facet = |corners: &[[f32; 3]; 3]| {
+        let lines: String =
+            corners.iter().map(|[x, y, z]| format!("  VERTEX {x} {y} -{z}\n").replace("--", "")).collect();
+        format!("facet normal 0 0 0\n outer loop\n{lines} endloop\nendfacet\n")
+    };
+    let solid =
+        |facets: &[[[f32; 3]; 3]]| format!("solid\n{}endsolid a b\n", facets.iter().map(facet).collect::<String>());
+    let two = format!("\u{feff}{}{}", solid(&facets[..1]), solid(&facets[1..]));
+    let read = import::stl(two.as_bytes()).unwrap();
+    assert_eq!(volume(&read), (-1.0 / 6.0, 4));
+    assert!(matches!(read, SolidSpec::TriMesh { vertices, .. } if vertices.len() == 4));
+
+    let mut binary = [&b"solid and yet binary"[..], &[b' '; 60], &4_u32.to_le_bytes()].concat();
+    for facet in &facets {
+        binary.extend([0; 12]);
+        binary.extend(facet.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+        binary.extend([0; 2]);
+    }
+    assert_eq!(volume(&import::stl(&binary).unwrap()), (1.0 / 6.0, 4));
+
+    let refused = |bytes: &[u8], at: &str, words: &str| match import::stl(bytes) {
+        Err(Error::Import { place, problem }) => assert!(place == at && problem.contains(words), "{place}: {problem}"),
+        other => panic!("{other:?}"),
+    };
+    let mut few = binary.clone();
+    few[..5].copy_from_slice(b"bytes");
+    few[80] = 2;
+    refused(&few, "the file", "2 facets are announced, which take 184 bytes; it has 284");
+    few[80] = 5;
+    refused(&few, "the file", "5 facets are announced");
+    few[80] = 4;
+    few[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
+    refused(&few, "the file", "facet 0 is no finite number");
+    let text = solid(&facets);
+    refused(text.split("endsolid").next().unwrap().as_bytes(), "the file", "ends before \"endsolid\"");
+    refused(text.replacen("VERTEX 0 0", "VERTEX 0", 1).as_bytes(), "line 4", "three finite numbers");
+    refused(text.replacen("endloop", "VERTEX 0 0 0", 1).as_bytes(), "line 7", "\"endloop\" is wanted");
+    refused(format!("{text}rest").as_bytes(), &format!("line {}", text.lines().count() + 1), "\"solid\" is wanted");
+    assert!(matches!(import::stl(b"solid a\nendsolid\n"), Err(Error::Empty)));
+}
+
 proptest! {
     // whatever is in the file, there is a table or an error
     #[test]
@@ -309,6 +509,20 @@ proptest! {
         let _ = import::svg(&text, 1e-3);
         let _ = import::svg(&drawing(&text), 1e-3);
         let _ = import::svg(&drawing(&format!("<rect width=\"{attribute}\" transform=\"{attribute}\"/>")), 1e-3);
+    }
+
+    #[test]
+    fn surfaces_of_any_kind_are_read_or_refused(
+        faces in prop::collection::vec(prop::collection::vec(1..9_usize, 3..9), 1..4),
+        points in prop::collection::vec([-3..4_i32, -3..4, -1..2], 8),
+        text in "[svfacetndrlop0-9 .\\n\\\\/-]{0,80}",
+    ) {
+        let face = |corners: &Vec<usize>| format!("f {}\n", format!("{corners:?}").replace(['[', ',', ']'], ""));
+        let vertices = joined(points.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")));
+        let _ = import::obj(&format!("{vertices}{}", joined(faces.iter().map(face))));
+        let _ = import::obj(&text);
+        let _ = import::stl(text.as_bytes());
+        let _ = import::stl(format!("solid {text}").as_bytes());
     }
 
     #[test]

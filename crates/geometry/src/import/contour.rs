@@ -67,9 +67,9 @@ pub(super) enum Form {
 }
 
 /// Fails where the coordinates of an outline are so large or so small that areas were no numbers.
-pub(super) fn in_range<'a>(points: impl IntoIterator<Item = &'a Vector2<f64>>, place: &str) -> Result<(), Error> {
+pub(super) fn in_range<'a>(coordinates: impl IntoIterator<Item = &'a f64>, place: &str) -> Result<(), Error> {
     let finite = |x: &f64| if x.is_nan() { f64::INFINITY } else { x.abs() };
-    let size = points.into_iter().flatten().map(finite).fold(0.0, f64::max);
+    let size = coordinates.into_iter().map(finite).fold(0.0, f64::max);
     if size == 0.0 || (1e-150..=1e150).contains(&size) {
         return Ok(());
     }
@@ -183,10 +183,22 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
             };
             return Err(Error::Import { place: contour.place.clone(), problem: problem.into() });
         }
-        let hole = match contour.role {
-            Role::Outer => false,
-            Role::Hole => true,
-            Role::Nested => is_nested_oddly(&all, &owners, &tree, k, &loops[k]),
+        let nested = is_nested_oddly(&all, &owners, &tree, k, &loops[k]);
+        let misplaced = |problem: &str| Error::Import { place: contour.place.clone(), problem: problem.into() };
+        let hole = match (contour.role, nested) {
+            (Role::Outer, Nesting { is_odd: true, is_clear: true }) => {
+                return Err(misplaced(
+                    "this polygon lies inside another one: make it a hole of that one, or leave one of them out",
+                ));
+            }
+            (Role::Hole, Nesting { is_odd: false, is_clear: true }) => {
+                return Err(misplaced(
+                    "this hole lies outside its polygon: move it inside, or make it a polygon of its own",
+                ));
+            }
+            (Role::Outer, _) => false,
+            (Role::Hole, _) => true,
+            (Role::Nested, Nesting { is_odd, .. }) => is_odd,
         };
         turned.push((area < 0.0) != hole);
     }
@@ -197,20 +209,28 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
     Ok(pieces)
 }
 
-/// Whether an outline lies inside an odd number of others: a ray from it crosses them an odd number of times.
+/// Whether an outline lies inside an odd number of others.
+#[derive(Clone, Copy)]
+struct Nesting {
+    is_odd: bool,
+    /// Whether a ray was found that touches none: they may have parts in common.
+    is_clear: bool,
+}
+
+/// An outline lies inside an odd number of others where a ray from it crosses them an odd number of times.
 fn is_nested_oddly(
     all: &[&dyn Piece],
     owners: &[usize],
     tree: &BoxTree,
     own: usize,
     outline: &[Box<dyn Piece>],
-) -> bool {
+) -> Nesting {
     let direction = Vector2::new(0.587_785_252_292_473, 0.809_016_994_374_947);
-    let mut odd = false;
+    let mut nesting = Nesting { is_odd: false, is_clear: false };
     for k in 0..16_usize {
         let piece = &outline[k * outline.len() / 16];
         let from = piece.point_at(piece.length() * (0.381_966 + 0.031 * k as f64));
-        let Ok(ray) = Ray::new(from, direction, true) else { return false };
+        let Ok(ray) = Ray::new(from, direction, true) else { return nesting };
         let (mut count, mut clear) = (0_usize, true);
         let reach = slack(from.iter().copied());
         tree.search(
@@ -224,10 +244,10 @@ fn is_nested_oddly(
                 }
             },
         );
-        odd = count % 2 == 1;
+        nesting = Nesting { is_odd: count % 2 == 1, is_clear: clear };
         if clear {
             break;
         }
     }
-    odd
+    nesting
 }

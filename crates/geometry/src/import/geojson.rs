@@ -1,5 +1,5 @@
 //! Outlines from `GeoJSON`: polygons with holes.
-use super::contour::{Contour, Edge, Form, Pen, Role, in_range, oriented};
+use super::contour::{Contour, Edge, Pen, Role, in_range, oriented};
 use crate::{Error, Piece};
 use nalgebra::Vector2;
 use serde_json::Value;
@@ -7,8 +7,8 @@ use serde_json::Value;
 /// The outlines of all polygons of a `GeoJSON` text, as pieces of a table.
 ///
 /// `Polygon` and `MultiPolygon` are read, alone or in features and collections; other geometries bound nothing and are
-/// an error. Coordinates are taken as they are (a plane, not a sphere); a third one is ignored. Outer rings become
-/// counter-clockwise and holes clockwise, however they are given.
+/// an error. Coordinates are taken as they are (a plane, not a sphere); a third one is ignored. Rings end with the position that they
+/// begin with (RFC 7946, 3.1.6). Outer rings become counter-clockwise and holes clockwise, however they are given.
 ///
 /// ```
 /// use geometry::{Table, import};
@@ -21,7 +21,7 @@ use serde_json::Value;
 /// # Errors
 /// [`Error::Import`] with the place of what is wrong, [`Error::Empty`] where there is no polygon.
 pub fn geojson(text: &str) -> Result<Vec<Box<dyn Piece>>, Error> {
-    let value: Value = serde_json::from_str(text).map_err(|e| {
+    let value: Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
         let problem = e.to_string();
         let problem = problem.rsplit_once(" at line").map_or(problem.as_str(), |(what, _)| what).to_string();
         Error::Import { place: format!("line {}, column {}", e.line(), e.column()), problem }
@@ -79,24 +79,26 @@ fn polygon(rings: &[Value], place: &str, contours: &mut Vec<Contour>) -> Result<
     for (k, ring) in rings.iter().enumerate() {
         let place = format!("{place}[{k}]");
         let Some(positions) = ring.as_array() else { return fail(&place, "a ring must be a list of positions") };
-        let mut pen: Option<Pen> = None;
+        let mut corners = vec![];
         for (n, position) in positions.iter().enumerate() {
             let coordinate = |i: usize| position.get(i).and_then(Value::as_f64).filter(|x| x.is_finite());
             let (Some(x), Some(y)) = (coordinate(0), coordinate(1)) else {
                 return fail(&format!("{place}[{n}]"), "a position must be a list of at least two finite numbers");
             };
-            match &mut pen {
-                None => pen = Some(Pen::new(Vector2::new(x, y))),
-                Some(pen) => pen.draw(Edge::Line, Vector2::new(x, y)),
-            }
+            corners.push(Vector2::new(x, y));
         }
-        match pen.and_then(Pen::close) {
-            Some(form) => {
-                if let Form::Path(start, edges) = &form {
-                    in_range(edges.iter().map(|(_, to)| to).chain([start]), &place)?;
-                }
-                contours.push(Contour { place, form, role: if k == 0 { Role::Outer } else { Role::Hole } });
-            }
+        in_range(corners.iter().flatten(), &place)?;
+        let Some((&start, rest)) = corners.split_first() else { return fail(&place, "a ring must have positions") };
+        if corners.last() != Some(&start) {
+            let problem = "a ring must end where it begins: repeat its first position at its end";
+            return fail(&place, problem);
+        }
+        let mut pen = Pen::new(start);
+        for &corner in rest {
+            pen.draw(Edge::Line, corner);
+        }
+        match pen.close() {
+            Some(form) => contours.push(Contour { place, form, role: if k == 0 { Role::Outer } else { Role::Hole } }),
             None => return fail(&place, "a ring must have at least three different positions"),
         }
     }

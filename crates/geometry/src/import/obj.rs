@@ -1,9 +1,11 @@
 //! Surfaces from Wavefront OBJ.
+use super::{contour::in_range, ears};
 use crate::{Error, parry::SolidSpec};
-use tobj::{LoadError, LoadOptions};
+use nalgebra::Vector3;
 
-/// The faces of an OBJ file: a [`SolidSpec::TriMesh`]. All objects and groups together; textures, normals and materials are not asked
-/// for, and faces of more than three corners are cut into triangles from the first of them.
+/// The faces of an OBJ file: a [`SolidSpec::TriMesh`]. All objects and groups together; textures, normals, materials, points and lines
+/// are not asked for. Faces of more than three corners are cut into triangles; they may be dented but not cross themselves, and where
+/// they are not flat, their triangles are the surface.
 ///
 /// The corners of each face must go round counter-clockwise as seen from outside (a closed surface may be inside out).
 ///
@@ -19,24 +21,93 @@ use tobj::{LoadError, LoadOptions};
 /// # Errors
 /// [`Error::Import`] with the line of what is wrong, [`Error::Empty`] where there is no face.
 pub fn obj(text: &str) -> Result<SolidSpec, Error> {
-    let options = LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..LoadOptions::default() };
-    let mut rest = text.as_bytes();
-    // materials bound nothing
-    let read = tobj::load_obj_buf(&mut rest, &options, |_| Err(LoadError::OpenFileFailed));
-    let (models, _) = read.map_err(|error| {
-        // the reader stops behind the line that it does not understand
-        let line = text[..text.len() - rest.len()].lines().count();
-        Error::Import { place: format!("line {line}"), problem: format!("{error}") }
-    })?;
+    let (mut points, mut faces) = (vec![], vec![]);
+    for (line, words) in statements(text.trim_start_matches('\u{feff}')) {
+        let located = |problem: String| Error::Import { place: format!("line {line}"), problem };
+        match words.split_first() {
+            Some((&"v", numbers)) => points.push(point(numbers).map_err(located)?),
+            Some((&"f", corners)) => {
+                let corners: Result<Vec<_>, _> = corners.iter().map(|word| corner(word, points.len())).collect();
+                faces.push((line, corners.map_err(located)?));
+            }
+            Some((&("surf" | "bsp" | "bzp" | "cdc" | "cdp"), _)) => {
+                return Err(located("curved surfaces are not read: let the modelling program write faces".into()));
+            }
+            _ => {}
+        }
+    }
+    in_range(points.iter().flatten(), "the file")?;
     let (mut vertices, mut triangles) = (vec![], vec![]);
-    for mesh in models.iter().map(|model| &model.mesh) {
-        let first = vertices.len();
-        vertices.extend(mesh.positions.chunks_exact(3).map(|p| [p[0], p[1], p[2]]));
-        let number = |k: u32| first + k as usize;
-        triangles.extend(mesh.indices.chunks_exact(3).map(|t| [number(t[0]), number(t[1]), number(t[2])]));
+    // vertices that no face has are none of the surface
+    let mut numbers: Vec<Option<usize>> = vec![None; points.len()];
+    for (line, corners) in faces {
+        let located = |problem: String| Error::Import { place: format!("line {line}"), problem };
+        if corners.len() < 3 {
+            return Err(located(format!("a face has at least three corners, not {}", corners.len())));
+        }
+        if let Some(missing) = corners.iter().find(|&&k| k >= points.len()) {
+            return Err(located(format!("there is no vertex {}: the file has {}", missing + 1, points.len())));
+        }
+        let places: Vec<_> = corners.iter().map(|&k| points[k]).collect();
+        let Some(cut) = ears::triangles(&places) else {
+            let problem = "the corners of this face do not go round a simple polygon: cut it into triangles";
+            return Err(located(problem.into()));
+        };
+        for triangle in cut {
+            triangles.push(triangle.map(|k| {
+                *numbers[corners[k]].get_or_insert_with(|| {
+                    vertices.push(places[k].into());
+                    vertices.len() - 1
+                })
+            }));
+        }
     }
     if triangles.is_empty() {
         return Err(Error::Empty);
     }
     Ok(SolidSpec::TriMesh { vertices, triangles, margin: 0.0 })
+}
+
+/// The words of each statement, and the number of its first line: a line that ends in a backslash goes on in the next one.
+fn statements(text: &str) -> Vec<(usize, Vec<&str>)> {
+    let mut statements: Vec<(usize, Vec<&str>)> = vec![];
+    let mut goes_on = false;
+    for (k, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or("").trim_end();
+        let (line, more) = line.strip_suffix('\\').map_or((line, false), |line| (line, true));
+        match statements.last_mut() {
+            Some((_, words)) if goes_on => words.extend(line.split_whitespace()),
+            _ => statements.push((k + 1, line.split_whitespace().collect())),
+        }
+        goes_on = more;
+    }
+    statements
+}
+
+/// The coordinates of a vertex; a weight or a colour may follow.
+fn point(numbers: &[&str]) -> Result<Vector3<f64>, String> {
+    if numbers.len() < 3 {
+        return Err(format!("a vertex has three coordinates, not {}", numbers.len()));
+    }
+    let mut point = Vector3::zeros();
+    for (x, text) in point.iter_mut().zip(numbers) {
+        match text.parse::<f64>() {
+            Ok(value) if value.abs() <= 1e150 => *x = value,
+            _ => return Err(format!("{text:?} is no coordinate: write a number between -1e150 and 1e150")),
+        }
+    }
+    Ok(point)
+}
+
+/// The vertex of a corner such as `7`, `7/1/2` or `-1`, counted from 0; negative numbers count back from the last of `count` vertices.
+fn corner(word: &str, count: usize) -> Result<usize, String> {
+    let number = word.split('/').next().unwrap_or("");
+    let vertex = match number.parse::<i64>() {
+        Ok(k) if k > 0 => usize::try_from(k - 1).ok(),
+        Ok(k) if k < 0 => usize::try_from(k.unsigned_abs()).ok().and_then(|back| count.checked_sub(back)),
+        _ => None,
+    };
+    vertex.ok_or_else(|| {
+        format!("{word:?} is no corner: write the number of a vertex, from 1, or back from the last one, from -1")
+    })
 }

@@ -1,11 +1,12 @@
 //! Surfaces from STL.
 use crate::{Error, parry::SolidSpec};
-use std::io::Cursor;
+use std::collections::HashMap;
 
 /// The triangles of an STL file, binary or text: a [`SolidSpec::TriMesh`].
 ///
 /// STL has coordinates in single precision, and they are taken as they are; what its normals say is not asked for, but the corners of
-/// each triangle must go round counter-clockwise as seen from outside (a closed surface may be inside out).
+/// each triangle must go round counter-clockwise as seen from outside (a closed surface may be inside out). All solids of a text are one
+/// surface.
 ///
 /// ```
 /// use geometry::{import, parry::Side};
@@ -21,16 +22,102 @@ use std::io::Cursor;
 /// ```
 ///
 /// # Errors
-/// [`Error::Import`] for what is no STL, [`Error::Empty`] where there is no triangle.
+/// [`Error::Import`] for what is no STL to its end, [`Error::Empty`] where there is no triangle.
 pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
-    let mesh = stl_io::read_stl(&mut Cursor::new(bytes)).map_err(|error| Error::Import {
-        place: "the file".into(),
-        problem: format!("it is neither the text nor the binary form of STL to its end: {error}"),
-    })?;
-    if mesh.faces.is_empty() {
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let begins_as_text = text.trim_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
+    // binary files may begin so, too; the size tells them
+    let facets = match announced(bytes) {
+        Some((count, size)) if bytes.len() as u64 == size || !begins_as_text => binary(bytes, count, size)?,
+        _ => ascii(text)?,
+    };
+    if facets.is_empty() {
         return Err(Error::Empty);
     }
-    let vertices = mesh.vertices.iter().map(|v| [v[0], v[1], v[2]].map(f64::from)).collect();
-    let triangles = mesh.faces.iter().map(|face| face.vertices).collect();
+    let (mut vertices, mut numbers) = (vec![], HashMap::new());
+    let mut number = |corner: [f32; 3]| {
+        // zeros of either sign are one number
+        *numbers.entry(corner.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
+            vertices.push(corner.map(f64::from));
+            vertices.len() - 1
+        })
+    };
+    let triangles = facets.into_iter().map(|facet| facet.map(&mut number)).collect();
     Ok(SolidSpec::TriMesh { vertices, triangles, margin: 0.0 })
+}
+
+type Facet = [[f32; 3]; 3];
+
+const HEADER: usize = 84;
+const FACET: usize = 50;
+
+/// The number of facets that a binary file would have, and its size.
+fn announced(bytes: &[u8]) -> Option<(u32, u64)> {
+    let count = u32::from_le_bytes(bytes.get(HEADER - 4..HEADER)?.try_into().ok()?);
+    Some((count, HEADER as u64 + FACET as u64 * u64::from(count)))
+}
+
+fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Vec<Facet>, Error> {
+    let fail = |problem: String| Error::Import { place: "the file".into(), problem };
+    if bytes.len() as u64 != size {
+        let problem = format!(
+            "it is neither the text nor the binary form of STL to its end: {count} facets are announced, which take {size} bytes; it has {}",
+            bytes.len()
+        );
+        return Err(fail(problem));
+    }
+    let facet = |(k, bytes): (usize, &[u8])| {
+        // the normal comes first
+        let number = |i: usize| f32::from_le_bytes([0, 1, 2, 3].map(|b| bytes[12 + 4 * i + b]));
+        let corners = [0, 3, 6].map(|i| [number(i), number(i + 1), number(i + 2)]);
+        let is_finite = corners.as_flattened().iter().all(|x| x.is_finite());
+        is_finite
+            .then_some(corners)
+            .ok_or_else(|| fail(format!("a coordinate of facet {k} is no finite number: export it again")))
+    };
+    bytes[HEADER..].chunks_exact(FACET).enumerate().map(facet).collect()
+}
+
+/// What the lines of a facet begin with.
+const LINES: [&str; 7] = ["facet", "outer", "vertex", "vertex", "vertex", "endloop", "endfacet"];
+
+fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
+    let (mut facets, mut corners) = (vec![], vec![]);
+    let (mut step, mut is_closed) = (0, true);
+    for (k, line) in text.lines().enumerate() {
+        let fail = |problem: String| Error::Import { place: format!("line {}", k + 1), problem };
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let Some((first, numbers)) = words.split_first() else { continue };
+        let is = |word: &str| first.eq_ignore_ascii_case(word);
+        if step == 0 && (is("solid") || is("endsolid")) {
+            is_closed = is("endsolid");
+            continue;
+        }
+        if is_closed || !is(LINES[step]) {
+            let wanted = if is_closed { "solid" } else { LINES[step] };
+            return Err(fail(format!("{wanted:?} is wanted, where {first:?} is")));
+        }
+        if is("vertex") {
+            let coordinates = numbers.iter().map(|text| text.parse::<f32>().ok().filter(|x| x.is_finite()));
+            let coordinates: Option<Vec<f32>> = coordinates.collect();
+            let Some(&[x, y, z]) = coordinates.as_deref() else {
+                return Err(fail(format!(
+                    "a vertex has three finite numbers in single precision, not {:?}",
+                    numbers.join(" ")
+                )));
+            };
+            corners.push([x, y, z]);
+        }
+        step = (step + 1) % LINES.len();
+        if let (0, &[a, b, c]) = (step, &corners[..]) {
+            facets.push([a, b, c]);
+            corners.clear();
+        }
+    }
+    if !is_closed {
+        let problem = "the text ends before \"endsolid\": export it again";
+        return Err(Error::Import { place: "the file".into(), problem: problem.into() });
+    }
+    Ok(facets)
 }

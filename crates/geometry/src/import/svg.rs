@@ -1,6 +1,7 @@
 //! Outlines from SVG drawings.
 mod affine;
 mod path;
+mod style;
 
 use super::{
     biarc::Fit,
@@ -15,15 +16,16 @@ use roxmltree::{Document, Node, ParsingOptions};
 /// The outlines of an SVG drawing, as pieces of a table.
 ///
 /// Read are `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse`, with the transformations of elements and
-/// groups; open outlines are closed by a straight edge, as filling does. Colours, fill rules and the view box mean
-/// nothing here: lengths are user units, and absolute units (`mm`, `in`, …) are converted at 96 per inch. The x₂ axis of
-/// a table points up, that of a drawing down: `y` becomes `−y`, so that both look the same. Bézier curves become arcs
-/// within `tolerance` times the greatest coordinate ([`TOLERANCE`](super::TOLERANCE) is a good one).
+/// groups, as attributes; open outlines are closed by a straight edge, as filling does. Hidden elements, texts, images and elements of
+/// other namespaces are left out. Colours, fill rules, clips and the view box mean nothing here: lengths are user units, and absolute
+/// units (`mm`, `in`, …) are converted at 96 per inch. The x₂ axis of a table points up, that of a drawing down: `y` becomes `−y`, so
+/// that both look the same. Bézier curves become arcs within `tolerance` times the greatest coordinate ([`TOLERANCE`](super::TOLERANCE)
+/// is a good one).
 ///
 /// # Errors
-/// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, and for
-/// a `use`, which should be expanded by the drawing program; [`Error::Empty`] for a drawing without outlines;
-/// [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
+/// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for a `use`, which
+/// should be expanded by the drawing program, and for styles that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a
+/// drawing without outlines; [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
 pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     if !(1e-14..=1.0).contains(&tolerance) {
         return Err(Error::Parameter { name: "tolerance", must: "between 1e-14 and 1", value: tolerance });
@@ -34,35 +36,51 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
         Error::Import { place, problem: e.to_string() }
     })?;
     let root = document.root_element();
-    if root.tag_name().name() != "svg" {
+    if root.tag_name().name() != "svg" || root.tag_name().namespace().is_some_and(|name| name != NAMESPACE) {
         return Err(place(&root).fail("an SVG drawing must have <svg> as its outermost element"));
     }
+    let is_own = |node: &Node| node.is_element() && node.tag_name().namespace() == root.tag_name().namespace();
+    root.descendants().filter(is_own).try_for_each(|node| rules_nothing(&node))?;
     let mut outlines = vec![];
     // depth does not overflow a stack of our own
-    let mut open = vec![(root, Affine::FLIP)];
-    while let Some((node, outer)) = open.pop() {
-        if is_hidden(&node) {
+    let mut open = vec![(root, Affine::FLIP, true)];
+    while let Some((node, outer, is_visible)) = open.pop() {
+        let name = node.tag_name().name();
+        if !GROUPS.contains(&name) && !DRAWN.contains(&name)
+            || style::value(&node, "display").as_deref() == Some("none")
+        {
             continue;
         }
+        if let Some(property) = style::placing(&node) {
+            let problem = format!("{property:?} is read from an attribute only, not from a style: write it as one");
+            return Err(place(&node).fail(problem));
+        }
+        if node.has_attribute("transform-origin") {
+            return Err(place(&node).fail("a transform-origin is not read: write its translations into the transform"));
+        }
+        let is_visible = match style::value(&node, "visibility").as_deref() {
+            None | Some("inherit") => is_visible,
+            Some(visibility) => visibility == "visible",
+        };
         let here =
             outer.after(&affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| place(&node).fail(e))?);
-        match node.tag_name().name() {
-            "svg" | "g" | "a" | "switch" => {
-                let here = if node == root { here } else { here.after(&nested(&node)?) };
-                open.extend(node.children().filter(Node::is_element).rev().map(|child| (child, here)));
-            }
-            name @ ("line" | "use") => {
-                let problem = match name {
-                    "line" => "a straight line bounds nothing: an outline must enclose an area",
-                    _ => "references are not followed: expand them (\"unlink clones\") in the drawing program",
-                };
-                return Err(place(&node).fail(problem));
-            }
-            name => {
-                if let Some(subpaths) = element(name, &node)? {
-                    outlines.extend(subpaths.into_iter().map(|drawn| Outline { place: place(&node), drawn, here }));
-                }
-            }
+        if GROUPS.contains(&name) {
+            let here = if node == root { here } else { here.after(&nested(&node)?) };
+            let children = node.children().filter(is_own);
+            // of a switch, the first child without conditions is for all readers
+            let conditions = ["requiredExtensions", "requiredFeatures", "systemLanguage"];
+            let is_for_all = |node: &Node| !conditions.iter().any(|name| node.has_attribute(*name));
+            let children: Vec<_> = match name {
+                "switch" => children.filter(is_for_all).take(1).collect(),
+                _ => children.collect(),
+            };
+            open.extend(children.into_iter().rev().map(|child| (child, here, is_visible)));
+        } else if is_visible {
+            outlines.extend(element(name, &node)?.into_iter().map(|drawn| Outline {
+                place: place(&node),
+                drawn,
+                here,
+            }));
         }
     }
     let size = outlines.iter().flat_map(Outline::points).fold(0.0, |m: f64, p| m.max(p.amax()));
@@ -73,6 +91,14 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     }
     oriented(&contours)
 }
+
+const NAMESPACE: &str = "http://www.w3.org/2000/svg";
+
+/// Elements whose children are drawn.
+const GROUPS: [&str; 4] = ["svg", "g", "a", "switch"];
+
+/// Elements that draw themselves.
+const DRAWN: [&str; 8] = ["path", "polygon", "polyline", "circle", "ellipse", "rect", "line", "use"];
 
 /// Line and name of an element.
 #[derive(Clone, Debug)]
@@ -89,10 +115,15 @@ fn place(node: &Node) -> Place {
     Place(format!("line {line}, <{}>", node.tag_name().name()))
 }
 
-fn is_hidden(node: &Node) -> bool {
-    let style = node.attribute("style").unwrap_or("");
-    let squeezed: String = style.chars().filter(|c| !c.is_whitespace()).collect();
-    node.attribute("display") == Some("none") || squeezed.contains("display:none")
+/// Fails for a style sheet that would place, form or hide outlines.
+fn rules_nothing(node: &Node) -> Result<(), Error> {
+    let text = if node.tag_name().name() == "style" { node.text().unwrap_or("") } else { "" };
+    style::ruling(text).map_or(Ok(()), |property| {
+        let problem = format!(
+            "style sheets are not read, and this one sets {property:?}: let the drawing program write it as an attribute of each element"
+        );
+        Err(place(node).fail(problem))
+    })
 }
 
 /// The placement of a drawing within a drawing.
@@ -139,18 +170,18 @@ enum Drawn {
     Oval { center: Vector2<f64>, radii: [f64; 2] },
 }
 
-/// What an element draws; `None` for elements that draw no outlines.
-fn element(name: &str, node: &Node) -> Result<Option<Vec<Drawn>>, Error> {
+/// What an element draws.
+fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
     let v = Vector2::new;
     let fail = |problem: String| Err(place(node).fail(problem));
-    Ok(Some(match name {
+    Ok(match name {
         "path" => {
             let subpaths = path::parse(node.attribute("d").unwrap_or("")).map_err(|e| place(node).fail(e))?;
             subpaths.into_iter().map(Drawn::Path).collect()
         }
         "polygon" | "polyline" => {
             let points = path::points(node.attribute("points").unwrap_or("")).map_err(|e| place(node).fail(e))?;
-            let Some((first, rest)) = points.split_first() else { return Ok(None) };
+            let Some((first, rest)) = points.split_first() else { return Ok(vec![]) };
             vec![Drawn::Path(Subpath { start: *first, edges: rest.iter().map(|&p| Draw::Line(p)).collect() })]
         }
         "circle" | "ellipse" => {
@@ -164,7 +195,7 @@ fn element(name: &str, node: &Node) -> Result<Option<Vec<Drawn>>, Error> {
             }
             // radius 0 draws nothing
             if radii.contains(&0.0) {
-                return Ok(None);
+                return Ok(vec![]);
             }
             vec![Drawn::Oval { center, radii }]
         }
@@ -175,7 +206,7 @@ fn element(name: &str, node: &Node) -> Result<Option<Vec<Drawn>>, Error> {
                 return fail("width and height must not be negative".into());
             }
             if w == 0.0 || h == 0.0 {
-                return Ok(None);
+                return Ok(vec![]);
             }
             // one radius stands for both
             let given =
@@ -204,8 +235,12 @@ fn element(name: &str, node: &Node) -> Result<Option<Vec<Drawn>>, Error> {
             let start = if rx == 0.0 || ry == 0.0 { v(x, y) } else { v(x + rx, y) };
             vec![Drawn::Path(Subpath { start, edges })]
         }
-        _ => return Ok(None),
-    }))
+        "line" => return fail("a straight line bounds nothing: an outline must enclose an area".into()),
+        _ => {
+            let problem = "references are not followed: expand them (\"unlink clones\") in the drawing program";
+            return fail(problem.into());
+        }
+    })
 }
 
 /// An outline, and what takes it into the table.
@@ -228,7 +263,7 @@ impl Outline {
 
     /// The closed outline in the plane of the table; `None` for a path without edges.
     fn contour(&self, fit: &Fit) -> Result<Option<Contour>, Error> {
-        in_range(&self.points(), &self.place.0)?;
+        in_range(self.points().iter().flatten(), &self.place.0)?;
         let oval = |center: Vector2<f64>, radii: [f64; 2], tilt: f64| {
             let (semi_axes, angle) = self.here.ellipse(radii, tilt);
             Oval { center: self.here.apply(center), semi_axes, angle }
