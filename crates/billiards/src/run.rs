@@ -51,7 +51,8 @@ pub enum Stop {
     Grazing,
     /// The path meets no wall any more.
     Escaped,
-    /// Many collisions without any progress: the end of a cusp.
+    /// Many collisions without any progress: the end of a cusp. Or the particle has all but stopped, under a law that takes energy from
+    /// it.
     Stalled,
 }
 
@@ -84,6 +85,12 @@ pub(crate) const MOST_IDLE: u32 = 64;
 
 /// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
+
+/// Why an orbit of this velocity hits nothing: no wall is there, or the square of the speed has lost its digits.
+pub(crate) fn without_hit(velocity: &[f64]) -> Stop {
+    let square: f64 = velocity.iter().map(|v| v * v).sum();
+    if square < f64::MIN_POSITIVE { Stop::Stalled } else { Stop::Escaped }
+}
 
 /// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
 #[inline(always)]
@@ -143,7 +150,7 @@ where
             }
             if hit.corner | !moves(hit.time) {
                 if !(hit.time < f64::INFINITY) {
-                    break Stop::Escaped;
+                    break without_hit(&orbit.velocity);
                 }
                 if hit.corner {
                     break Stop::Corner;

@@ -5,7 +5,7 @@ use crate::{
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
-    run::{GRAZING, MOST_IDLE, Outcome, Stop},
+    run::{GRAZING, MOST_IDLE, Outcome, Stop, without_hit},
     track::{Track, Tracking},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
@@ -251,7 +251,7 @@ where
                 continue;
             }
             if !(time < f64::INFINITY) {
-                *stop = Some(Stop::Escaped);
+                *stop = Some(without_hit(&group.orbit.velocity.map(|x| x.lane(lane))));
             } else if corner.at(lane) {
                 *stop = Some(Stop::Corner);
             } else if !(time > 0.0) && seat.idle_at != step {

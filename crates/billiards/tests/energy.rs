@@ -3,7 +3,7 @@ use billiards::collision_laws::laws::{NoSlip, Restitution, Specular};
 use billiards::geometry::shapes::{Circle, Ellipse};
 use billiards::geometry::{Table, Vector2, WallHit, tables};
 use billiards::observe::EnergyDrift;
-use billiards::{BallLaw, Collisions, Conserved, Orbit, Planar, laws::Disk};
+use billiards::{BallLaw, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};
 use lanes::Lane;
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>>;
@@ -86,5 +86,20 @@ fn energy_that_a_law_takes_is_not_given_back() {
                 assert!(off.iter().all(|off| off.abs() < 1e-8), "{normal}, {tangential}: {off:?}");
             }
         }
+    }
+}
+
+#[test]
+fn a_particle_that_has_lost_its_speed_has_not_escaped() {
+    let law = Disk::new(&Restitution::new(0.5, 0.0).unwrap(), 1.0);
+    for table in [tables::square(1.0).unwrap(), tables::circle(2.0).unwrap(), tables::ellipse([2.0, 1.0]).unwrap()] {
+        let billiard = Planar { table, law };
+        let start = || Orbit::<f64, 2, 1>::new([0.5, 0.25], [0.6, 0.8], [0.0], ());
+        let ended = billiard.run(&mut start(), &Collisions(100_000), &mut ());
+        assert!(matches!(ended.stop, Stop::Stalled | Stop::Grazing | Stop::Corner), "{ended:?}");
+        let mut stops = vec![];
+        let starts = &mut core::iter::repeat_n(start(), 3);
+        billiard.run_side_by_side(starts, 100_000, &mut (), &mut |finished| stops.push(finished.outcome));
+        assert_eq!(stops, [ended; 3]);
     }
 }

@@ -69,6 +69,9 @@ pub enum Error {
         /// About where, in radians.
         angle: f64,
     },
+    /// A formula with so many waves that nobody waits for the first hit.
+    #[error("the curve winds to and fro thousands of times, more often than can be tabulated")]
+    Winding,
     /// A formula that does not bound a table.
     #[error("the curve of the formula must {must}; it does not near ({}, {})", at[0], at[1])]
     Curve {

@@ -304,7 +304,7 @@ fn rings_where_they_bound_no_table_are_refused_with_their_place() {
         let text = format!(r#"{{"type": "MultiPolygon", "coordinates": [{polygons}]}}"#);
         match import::geojson(&text) {
             Err(Error::Import { place, problem }) => {
-                assert!(place == at && problem.contains(words), "{place}: {problem}")
+                assert!(place == at && problem.contains(words), "{place}: {problem}");
             }
             other => panic!("{text}: {other:?}"),
         }

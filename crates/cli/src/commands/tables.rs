@@ -49,7 +49,7 @@ fn list<'a>(models: impl Iterator<Item = &'a Model>, out: &mut impl Write) -> io
 fn as_json(model: &Model) -> Value {
     let parameter = |parameter: &crate::scene::Parameter| {
         let default = match parameter.default {
-            Default::Required => Value::Null,
+            Default::Required(_) => Value::Null,
             Default::Numbers([x]) => json!(x),
             Default::Numbers(xs) => json!(xs),
         };

@@ -2,15 +2,17 @@
 
 use core::f64::consts::PI;
 
-use billiards::geometry::shapes::curve::Interval;
+use billiards::geometry::shapes::curve::{Interval, PolarFormula};
 
 use super::{Item, Problems, Span, Spanned, Value};
-use crate::expression::{self, Expression};
+use crate::expression::{self, Expression, PolarCurve};
 
 /// Smallest accepted length or speed.
 pub const SMALLEST: f64 = 1e-150;
 /// Largest accepted length, coordinate or speed: squares of such numbers still are finite.
 pub const LARGEST: f64 = 1e150;
+/// Directions in which the size of a polar curve is looked at.
+const PLACES: u32 = 64;
 /// Largest accepted count.
 const LARGEST_COUNT: u64 = 1_000_000_000_000;
 
@@ -21,7 +23,7 @@ pub fn number(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
         Value::Float(x) if x.is_finite() => *x,
         Value::Float(x) => {
             let what = if x.is_nan() { "NaN is not a number" } else { "the number is infinite" };
-            problems.add(item.span, what);
+            problems.add_with_help(item.span, what, "write a finite number");
             return None;
         }
         Value::Text(text) => match expression::value(text) {
@@ -32,7 +34,8 @@ pub fn number(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
             }
         },
         other => {
-            problems.add(item.span, format!("expected a number, found {}", other.kind()));
+            let help = "write for instance 0.5 or \"sqrt(2)/2\"";
+            problems.add_with_help(item.span, format!("expected a number, found {}", other.kind()), help);
             return None;
         }
     };
@@ -59,7 +62,20 @@ pub fn polar_formula(text: &Spanned<String>, problems: &mut Problems) -> Option<
         complain(&text.value, text.span, &error, problems);
         return None;
     }
+    if let Some((at, r)) = beyond(&radius) {
+        let what = format!("near t = {at:.4} the radius is {}", spell(r));
+        problems.add_with_help(text.span, what, format!("lengths lie between {SMALLEST:e} and {LARGEST:e}"));
+        return None;
+    }
     Some(radius)
+}
+
+/// Some angle at which a radius is longer or shorter than lengths are, and the radius.
+fn beyond(radius: &Expression) -> Option<(f64, f64)> {
+    let curve = PolarCurve::new(radius);
+    let angles = (0..PLACES).map(|k| 2.0 * PI * f64::from(k) / f64::from(PLACES));
+    let mut radii = angles.map(|angle| (angle, curve.jet(angle)[0]));
+    radii.find(|(_, r)| *r > LARGEST || (0.0 < *r && *r < SMALLEST))
 }
 
 /// Records an error of an expression, at its own column where the string is written without escapes.
@@ -88,7 +104,8 @@ fn complain(text: &str, span: Span, error: &expression::Error, problems: &mut Pr
 pub fn real(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
     let x = number(item, problems)?;
     if x.value.abs() > LARGEST {
-        problems.add(item.span, format!("{} is larger than {LARGEST:e}", spell(x.value)));
+        let what = format!("{} is larger than {LARGEST:e}", spell(x.value.abs()));
+        problems.add_with_help(item.span, what, format!("write a number between -{LARGEST:e} and {LARGEST:e}"));
         return None;
     }
     Some(x)
@@ -100,12 +117,16 @@ pub fn positive(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
     if (SMALLEST..=LARGEST).contains(&x.value) {
         return Some(x);
     }
-    let what = if x.value <= 0.0 {
-        format!("{} is not positive", spell(x.value))
+    let within = format!("between {SMALLEST:e} and {LARGEST:e}");
+    if x.value <= 0.0 {
+        problems.add_with_help(
+            item.span,
+            format!("{} is not positive", spell(x.value)),
+            format!("write a number {within}"),
+        );
     } else {
-        format!("{} is not between {SMALLEST:e} and {LARGEST:e}", spell(x.value))
-    };
-    problems.add(item.span, what);
+        problems.add(item.span, format!("{} is not {within}", spell(x.value)));
+    }
     None
 }
 
@@ -116,7 +137,8 @@ pub fn nonnegative(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>>
         return Some(x);
     }
     if x.value < 0.0 {
-        problems.add(item.span, format!("{} is negative", spell(x.value)));
+        let help = format!("write 0 or a number between {SMALLEST:e} and {LARGEST:e}");
+        problems.add_with_help(item.span, format!("{} is negative", spell(x.value)), help);
         return None;
     }
     positive(item, problems)

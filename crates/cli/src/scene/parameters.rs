@@ -62,8 +62,8 @@ pub enum Kind {
 /// What a parameter is if absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Default {
-    /// It must be given.
-    Required,
+    /// It must be given. With the defaults of the others, these numbers make a table; none where its kind tells such numbers.
+    Required(&'static [f64]),
     /// These numbers.
     Numbers(&'static [f64]),
 }
@@ -71,7 +71,7 @@ pub enum Default {
 impl Parameter {
     /// A parameter that must be given.
     pub const fn required(name: &'static str, kind: Kind) -> Self {
-        Self { name, kind, default: Default::Required }
+        Self { name, kind, default: Default::Required(&[]) }
     }
 
     /// A parameter with a default.
@@ -82,7 +82,7 @@ impl Parameter {
     /// How one writes it: `size = [2, 1]`, or the name alone if it has no default.
     pub fn signature(&self) -> String {
         match self.default {
-            Default::Required => self.name.into(),
+            Default::Required(_) => self.name.into(),
             Default::Numbers([x]) => format!("{} = {}", self.name, document::spell(*x)),
             Default::Numbers(xs) => {
                 let numbers: Vec<_> = xs.iter().map(|x| document::spell(*x)).collect();
@@ -98,6 +98,9 @@ impl Parameter {
 
     /// How one may write it in this dimension: values that make a shape with those of its other parameters.
     fn example(&self, dimension: usize) -> String {
+        if let Default::Required([x]) = self.default {
+            return format!("{} = {}", self.name, document::spell(*x));
+        }
         let value = match self.kind {
             Kind::Length | Kind::Distance | Kind::Real => "1",
             Kind::Count(_) => "5",
@@ -207,13 +210,13 @@ pub(super) fn arguments(
     let mut complete = true;
     for parameter in model.parameters.iter() {
         let given = match parameter.default {
-            Default::Required => section.required(parameter.name, &parameter.example(model.dimension)),
+            Default::Required(_) => section.required(parameter.name, &parameter.example(model.dimension)),
             Default::Numbers(_) => section.optional(parameter.name),
         };
         let value = match (given, parameter.default) {
             (Some(item), _) => argument(item, parameter.kind, model.dimension, problems),
             (None, Default::Numbers(numbers)) => Some(Spanned::new(Argument::Numbers(numbers.to_vec()), span)),
-            (None, Default::Required) => None,
+            (None, Default::Required(_)) => None,
         };
         complete &= value.is_some();
         values.extend(value.map(|value| (parameter.name, value)));

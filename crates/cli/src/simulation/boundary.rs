@@ -43,7 +43,7 @@ pub(crate) fn draw(scene: &Scene) -> Result<Drawn, Vec<Diagnostic>> {
     Ok(drawn)
 }
 
-/// Gives pieces the laws that `laws = { 0 = "specular" }` names.
+/// Gives pieces the laws that `laws = { 0 = "specular" }` names; those that have one already are an error.
 pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<(), Box<Diagnostic>> {
     let count = laws.len();
     for law in &scene.table.laws {
@@ -51,7 +51,12 @@ pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<()
             let what = format!("there is no piece {}: the table has {count}, numbered from 0", law.piece.value);
             return Err(Box::new(scene.source.diagnostic(law.piece.span, what)));
         };
-        *of_piece = Some(law.law.clone());
+        if of_piece.replace(law.law.clone()).is_some() {
+            let what = format!("piece {} has a law of its own where it is drawn", law.piece.value);
+            return Err(Box::new(
+                scene.source.diagnostic(law.piece.span, what).with_help("leave out one of the two laws"),
+            ));
+        }
     }
     Ok(())
 }

@@ -177,3 +177,68 @@ fn a_folder_that_cannot_be_written_is_a_failure() {
     assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: out:"));
     assert_eq!(folder.read("out"), "a file where a folder should be");
 }
+
+#[test]
+fn advice_names_what_the_scene_has_and_works_when_followed() {
+    let folder = Folder::new("advice");
+    let scene =
+        |table: &str| format!("law = \"specular\"\n[table]\n{table}\n[ensemble]\ncount = 10\n[run]\ncollisions = 10\n");
+    let entry = |entry: &str| format!("[[table.boundary]]\n{entry}");
+    let square = "loop = { from = [0, 0], edges = [{ line_to = [1, 0], law = \"specular\" }, { line_to = [0, 1] }, \
+                  { line_to = [0, 0] }] }";
+    for (table, place, message, help) in [
+        ("name = \"lorentz\"".into(), "3:8", "radius", "radius = 0.45"),
+        ("name = \"channel\"".into(), "3:8", "sagitta", "sagitta = 0.125"),
+        ("name = \"wedge\"".into(), "3:8", "angle", "angle = 1"),
+        (
+            "name = \"triangle\"\nvertices = [[0, 0], [0, 1], [1, 0]]".into(),
+            "4:12",
+            "the vertices run clockwise",
+            "exchange two of them",
+        ),
+        (
+            entry("shape = { name = \"segment\", from = [0, 0], to = [0, 0] }"),
+            "4:9",
+            "to must be another point than from",
+            "",
+        ),
+        (
+            entry("shape = { name = \"triangle\", points = [[0, 0], [1, 0], [2, 0]] }"),
+            "4:9",
+            "points must be the corners of a convex polygon",
+            "",
+        ),
+        (
+            entry("curve = { polar = \"1e160\" }"),
+            "4:19",
+            "near t = 0.0000 the radius is 1e160",
+            "between 1e-150 and 1e150",
+        ),
+        (entry("curve = { polar = \"1+0.1*cos(100000*t)\" }"), "4:19", "thousands of times", "take fewer waves"),
+        (
+            format!("laws = {{ 0 = \"no-slip\" }}\n{}", entry(square)),
+            "3:10",
+            "piece 0 has a law of its own where it is drawn",
+            "leave out one of the two laws",
+        ),
+        (
+            "name = \"circle\"\nradius = -1".into(),
+            "4:10",
+            "-1 is not positive",
+            "write a number between 1e-150 and 1e150",
+        ),
+        ("name = \"circle\"\nradius = true".into(), "4:10", "expected a number", "write for instance 0.5"),
+    ] {
+        let output = folder.run(&scene(&table), &[]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{table}: {told}");
+        let (what, mend) = told.split_once("help: ").unwrap_or((&told, ""));
+        assert!(what.contains(message) && mend.contains(help), "{table}: {told}");
+        assert!(what.contains(&format!("scene.toml:{place}: error: ")), "{table}: {place} expected in {told}");
+    }
+    for name in ["lorentz", "channel"] {
+        let told = String::from_utf8(folder.run(&scene(&format!("name = \"{name}\"")), &[]).stderr).unwrap();
+        let mend = told.split_once("write for instance ").map_or("", |(_, mend)| mend).lines().next().unwrap();
+        folder.done(&scene(&format!("name = \"{name}\"\n{mend}")), &[]);
+    }
+}

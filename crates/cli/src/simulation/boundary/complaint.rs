@@ -5,7 +5,7 @@ use billiards::geometry::{Error, tables};
 use crate::document::Diagnostic;
 use crate::scene::{Arguments, Scene, TableShape};
 
-/// An error whose lengths are those of the user.
+/// An error whose lengths and names are those of the user.
 pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
     let back = |x: f64| x / factor;
     match error.clone() {
@@ -22,10 +22,34 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
+        Error::Field { field, must } => Error::Field { field: key(&field), must: in_keys(must) },
         Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
         Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },
         other => other,
     }
+}
+
+/// The path of keys in a scene to a field of a shape.
+fn key(field: &str) -> String {
+    let parts = field.split('.').filter(|part| *part != "shape");
+    let keys = parts.map(|part| {
+        let (name, number) = part.split_at(part.find('[').unwrap_or(part.len()));
+        let name = match name {
+            "a" => "from",
+            "b" => "to",
+            "vertices" => "points",
+            "half_extents" | "scale" => "size",
+            "border_radius" => "rounding",
+            "compound" => "shapes",
+            other => other,
+        };
+        format!("{name}{number}")
+    });
+    keys.collect::<Vec<_>>().join(".")
+}
+
+fn in_keys(must: &'static str) -> &'static str {
+    if must == "another point than a" { "another point than from" } else { must }
 }
 
 /// Adds how to mend an error of the geometry, where its words do not say so.
@@ -54,6 +78,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Crossing { .. } => "pieces may touch but not cross: move one of them, or make one loop of both",
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
+        Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => {
             "close the loop, or continue it to infinity with a ray; a straight wall that ends nowhere is a line"
@@ -103,6 +128,10 @@ pub(crate) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error
             let value = if is_length { value / factor } else { *value };
             scene.source.diagnostic(arguments.span(name), Error::Parameter { name, must, value }.to_string())
         }
+        Error::Orientation { .. } if !arguments.points("vertices").is_empty() => scene
+            .source
+            .diagnostic(arguments.span("vertices"), "the vertices run clockwise or lie on one line")
+            .with_help("list them counter-clockwise: exchange two of them"),
         Error::Form { name, .. } => scene.source.diagnostic(arguments.span(name), error.to_string()),
         other => scene.source.diagnostic(*span, in_user_units(other, factor).to_string()),
     })

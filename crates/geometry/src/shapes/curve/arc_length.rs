@@ -56,13 +56,18 @@ const IN_VAIN: u32 = 6;
 /// Rules that differ by less than this part, and no less when halved, differ by the rounding of the formula.
 const NOISE: f64 = 1e-9;
 
+/// Points of a table at most: a curve that needs more winds so often that nobody waits for what is done with them.
+const MOST: usize = 1 << 17;
+
 impl ArcLength {
     /// Tabulates a curve from parameter values in rising order, at least two.
     pub(crate) fn new(curve: &impl Parametric, parameters: impl IntoIterator<Item = f64>) -> ArcLength {
         let mut nodes: Vec<Node> = Vec::new();
+        let parameters: Vec<f64> = parameters.into_iter().collect();
+        let most = MOST.max(8 * parameters.len());
         for u in parameters {
             if let Some(last) = nodes.last().copied() {
-                let start = Progress { difference: f64::INFINITY, in_vain: 0, halvings: 0 };
+                let start = Progress { difference: f64::INFINITY, in_vain: 0, halvings: 0, most };
                 extend(curve, &mut nodes, [last.u, u], start);
             } else {
                 nodes.push(Node { u, s: 0.0, at: curve.at(u) });
@@ -74,6 +79,11 @@ impl ArcLength {
 
     pub(crate) fn length(&self) -> f64 {
         self.nodes.last().map_or(0.0, |node| node.s)
+    }
+
+    /// Whether the curve winds more often than the table can tell.
+    pub(crate) fn is_full(&self) -> bool {
+        self.nodes.len() >= MOST
     }
 
     /// The first parameter up to which the curve has no finite length, if it has none.
@@ -150,6 +160,8 @@ struct Progress {
     /// Halvings in a row that have not made it less.
     in_vain: u32,
     halvings: u32,
+    /// Nodes, from which on nothing is halved.
+    most: usize,
 }
 
 /// Adds nodes up to `u`, halving until the rule on the whole agrees with the rule on the halves, or until the formula
@@ -162,9 +174,10 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let in_vain = if difference <= 0.7 * last.difference { 0 } else { last.in_vain + 1 };
     let patience = if difference > NOISE { IN_VAIN } else { 1 };
     // a difference that is no number is none that halving mends
-    let mends = difference > 8.0 * f64::EPSILON && in_vain < patience && last.halvings < HALVINGS;
+    let may_halve = last.halvings < HALVINGS && nodes.len() < last.most;
+    let mends = difference > 8.0 * f64::EPSILON && in_vain < patience && may_halve;
     if mends {
-        let progress = Progress { difference, in_vain, halvings: last.halvings + 1 };
+        let progress = Progress { difference, in_vain, halvings: last.halvings + 1, most: last.most };
         extend(curve, nodes, [from, middle], progress);
         extend(curve, nodes, [middle, u], progress);
     } else {
@@ -218,6 +231,12 @@ mod tests {
             let length = ArcLength::new(&Waves(f64::from(k)), [0.0, 1.0]).length();
             assert!((length / expected - 1.0).abs() < 1e-14, "{k}: {length} {expected}");
         }
+    }
+
+    #[test]
+    fn a_hundred_thousand_waves_fill_the_table_and_not_the_memory() {
+        let table = ArcLength::new(&Waves(1e5), (0..=32).map(|k| f64::from(k) / 32.0));
+        assert!(table.is_full() && table.points().count() < MOST + 200, "{}", table.points().count());
     }
 
     #[test]

@@ -77,7 +77,8 @@ impl<F: PolarFormula> Polar<F> {
     ///
     /// # Errors
     /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
-    /// (to 10⁻⁹), and [`Error::PolarSlope`] where `r′` is not a number, so that the curve has no length or no normal.
+    /// (to 10⁻⁹), [`Error::PolarSlope`] where `r′` is not a number, so that the curve has no length or no normal, and [`Error::Winding`]
+    /// for thousands of waves.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
         let sector = |k: u32| Interval::new(whole(k), whole(k + 1));
@@ -101,6 +102,9 @@ impl<F: PolarFormula> Polar<F> {
         let slack = slack([center.x, center.y, greatest]);
         let about = About { center, formula: &formula };
         let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
+        if table.is_full() {
+            return Err(Error::Winding);
+        }
         // ½ ∮ r² dφ: about another point the integrand would jump at kinks
         let area = table.enclosed_area(&about, center);
         let extent = table.extent(&about);
