@@ -74,7 +74,7 @@ pub const LAWS: &[LawModel] = &[
     LawModel {
         name: "restitution",
         example: "law = { name = \"restitution\", normal = 0.9, tangential = 0 }",
-        summary: "loses energy: of u the part that an impulse along n makes -> -normal times it, the rest -> -tangential times it (not strict; these are the normal and the tangential part where bodies are balls)",
+        summary: "loses energy: the part of u that impulses along n make -> -normal of it, the rest -> -tangential of it (balls: u.n, tangential u)",
     },
 ];
 

@@ -187,9 +187,9 @@ fn advice_names_what_the_scene_has_and_works_when_followed() {
     let square = "loop = { from = [0, 0], edges = [{ line_to = [1, 0], law = \"specular\" }, { line_to = [0, 1] }, \
                   { line_to = [0, 0] }] }";
     for (table, place, message, help) in [
-        ("name = \"lorentz\"".into(), "3:8", "radius", "radius = 0.45"),
-        ("name = \"channel\"".into(), "3:8", "sagitta", "sagitta = 0.125"),
-        ("name = \"wedge\"".into(), "3:8", "angle", "angle = 1"),
+        ("name = \"lorentz\"".into(), "2:1", "radius", "radius = 0.45"),
+        ("name = \"channel\"".into(), "2:1", "sagitta", "sagitta = 0.125"),
+        ("name = \"wedge\"".into(), "2:1", "angle", "angle = 1"),
         (
             "name = \"triangle\"\nvertices = [[0, 0], [0, 1], [1, 0]]".into(),
             "4:12",

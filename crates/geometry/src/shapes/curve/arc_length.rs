@@ -57,7 +57,7 @@ const IN_VAIN: u32 = 6;
 const NOISE: f64 = 1e-9;
 
 /// Points of a table at most: a curve that needs more winds so often that nobody waits for what is done with them.
-const MOST: usize = 1 << 17;
+const MOST: usize = 1 << 18;
 
 impl ArcLength {
     /// Tabulates a curve from parameter values in rising order, at least two.
