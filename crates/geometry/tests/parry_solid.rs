@@ -329,6 +329,52 @@ fn a_path_hits_a_cone_where_that_is_at_every_angle() {
 }
 
 #[test]
+fn a_path_parallel_to_a_generator_meets_the_cone_and_not_its_mirror_image() {
+    // the slope is 3/4 to the last bit
+    let cone = Solid::new(&Cone::new(0.5, 0.75), &here(), Side::Outside).unwrap();
+    let around = Solid::new(&Cone::new(0.5, 0.75), &here(), Side::Inside).unwrap();
+    let mut random = Random(18);
+    let (mut hits, mut misses) = (0, 0);
+    for out in [Vector3::x(), -Vector3::x(), Vector3::z(), -Vector3::z()] {
+        for sign in [-1.0, 1.0] {
+            let velocity = (out * 0.75 - Vector3::y()) * sign;
+            for _ in 0..500 {
+                let aim = Vector3::from_fn(|_, _| random.between(-1.0, 1.0));
+                let path = Line { point: aim - velocity * 4.0, velocity };
+                let hit = cone.first_hit(&path);
+                let depth = (0..800).map(|k| cone.distance(&path.at(f64::from(k) * 0.01))).fold(1.0, f64::min);
+                if let Some(hit) = hit {
+                    let [off, away] = [cone.distance(&hit.point).abs(), (path.at(hit.time) - hit.point).norm()];
+                    // parry's own projections
+                    assert!(off < 1e-12 && away < 1e-14, "{path:?} {hit:?} {off:e} {away:e}");
+                    hits += 1;
+                } else {
+                    assert!(depth >= 0.0, "{path:?} goes {depth} deep");
+                    misses += 1;
+                }
+                // and out of it again
+                if around.contains(&aim) {
+                    let hit = around.first_hit(&Line { point: aim, velocity }).unwrap();
+                    assert!(around.distance(&hit.point).abs() < 1e-12, "{path:?} {hit:?}");
+                }
+            }
+        }
+    }
+    assert!(hits > 500 && misses > 500, "{hits} {misses}");
+}
+
+#[test]
+fn thin_and_small_solids_are_hit_from_afar() {
+    let plate = Solid::new(&Cuboid::new(Vector::new(1.0, 1.0, 0.5e-12)), &here(), Side::Outside).unwrap();
+    let down = Line { point: Vector3::new(0.1, 0.2, 900.0), velocity: -Vector3::z() };
+    assert_eq!(plate.first_hit(&down).unwrap().piece, 5);
+    // the ball is smaller than 16 ulp of where the path starts
+    let grain = Solid::new(&Ball::new(1e-3), &here(), Side::Outside).unwrap();
+    let aimed = Line { point: Vector3::new(1e12, 0.0, 0.0), velocity: -Vector3::x() };
+    assert_eq!(grain.first_hit(&aimed).unwrap().point, Vector3::new(1e-3, 0.0, 0.0));
+}
+
+#[test]
 fn shapes_without_volume_say_what_to_use_instead() {
     let refused = |shape: &dyn Shape| matches!(Solid::new(shape, &here(), Side::Outside), Err(Error::Shape { .. }));
     let (a, b, c) = (Vector::X, Vector::Y, Vector::Z);

@@ -20,6 +20,7 @@ mod first;
 mod mesh;
 mod outer;
 mod planar;
+mod polytope;
 mod room;
 mod screen;
 mod solid;

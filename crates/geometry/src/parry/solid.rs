@@ -4,18 +4,23 @@ pub(super) mod bound;
 mod convex;
 mod field;
 mod parallel;
-mod polyhedron;
 mod rounded;
 mod strata;
 
-use super::{Side, convert::Frame, distance::Distance, first::first_of, mesh::Mesh};
-use crate::{Boundary, Error, Hit, Line};
+use super::{
+    Side,
+    convert::{Frame, from_glam3},
+    distance::Distance,
+    first::first_of,
+    mesh::Mesh,
+    polytope::Polytope,
+};
+use crate::{Boundary, Error, Hit, Line, plane::slack};
 use convex::Convex;
 use field::Spatial;
 use nalgebra::{Isometry3, Vector3};
 use parallel::Parallel;
-use parry3d_f64::shape::{Shape, SharedShape, TypedShape};
-pub(super) use polyhedron::faces;
+use parry3d_f64::shape::{ConvexPolyhedron, Shape, SharedShape, TypedShape};
 use rounded::Rounded;
 
 /// The table inside or outside of a shape in space.
@@ -80,6 +85,11 @@ impl Solid {
     /// [`Error::Parameter`] for sizes that are not positive and finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         Solid::placed(shape, &Frame::from(pose), side)
+    }
+
+    /// The boundary of a convex polyhedron in a frame, rounded if it is to be.
+    pub(super) fn polytope(polytope: &Polytope, rounding: f64, frame: &Frame<3>, side: Side) -> Result<Solid, Error> {
+        Ok(Solid { members: vec![Body::polytope(polytope, rounding, frame, side)?], side })
     }
 
     /// The boundary of a shape in a frame.
@@ -154,6 +164,15 @@ impl Solid {
     /// Distance from the boundary \[L\], negative outside the table; see [`Solid::closest`].
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
         self.closest(point).distance
+    }
+
+    /// How far off the boundary \[L\] a point may lie and still count as on it: the rounding of its coordinates and of the walls'.
+    pub fn slack(&self, point: &Vector3<f64>) -> f64 {
+        let sizes = self.members.iter().map(|member| match member {
+            Body::Convex(convex, _) => convex.size(),
+            _ => member.extent().iter().map(Vector3::amax).fold(0.0, f64::max),
+        });
+        slack(sizes.chain([point.amax()]))
     }
 
     /// Whether a point lies in the table, off the boundary.
@@ -241,6 +260,15 @@ impl Boundary<3> for Solid {
 }
 
 impl Body {
+    /// A convex polyhedron, rounded if it is to be.
+    fn polytope(polytope: &Polytope, rounding: f64, frame: &Frame<3>, side: Side) -> Result<Body, Error> {
+        if rounding > 0.0 {
+            return Rounded::polytope(polytope, rounding, frame).map(Body::Rounded);
+        }
+        let distance = field::polytope(polytope)?.placed(frame, side);
+        Ok(Body::Convex(Convex::polytope(polytope, frame), distance))
+    }
+
     fn closest(&self, point: &Vector3<f64>, side: Side) -> Closest {
         let distance = match self {
             Body::Convex(convex, distance) => {
@@ -294,12 +322,10 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         TypedShape::Cylinder(cylinder) => exact(Convex::cylinder(cylinder, frame)?, members),
         TypedShape::Cone(cone) => exact(Convex::cone(cone, frame)?, members),
         TypedShape::ConvexPolyhedron(hull) => {
-            let (points, triangles) = hull.to_trimesh();
-            let inner = field::hull(&points, &triangles)?;
-            members.push(Body::Convex(Convex::polyhedron(hull, frame), inner.placed(frame, side)));
+            members.push(Body::polytope(&polytope(hull)?, 0.0, frame, side)?);
         }
         TypedShape::TriMesh(m) => {
-            let vertices = m.vertices().iter().map(|&v| super::convert::from_glam3(v)).collect();
+            let vertices = m.vertices().iter().map(|&v| from_glam3(v)).collect();
             let triangles: Vec<[usize; 3]> = m.indices().iter().map(|t| t.map(|v| v as usize)).collect();
             members.push(mesh(vertices, &triangles, false)?);
         }
@@ -322,7 +348,8 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         TypedShape::RoundCylinder(r) => members.push(round(Rounded::cylinder(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundCone(r) => members.push(round(Rounded::cone(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundConvexPolyhedron(r) => {
-            members.push(round(Rounded::polyhedron(&r.inner_shape, r.border_radius, frame))?);
+            positive("the border radius", r.border_radius)?;
+            members.push(Body::polytope(&polytope(&r.inner_shape)?, r.border_radius, frame, side)?);
         }
         TypedShape::Segment(_) => return Err(unsupported("segment", "a curve is no wall in space: use a capsule")),
         TypedShape::Polyline(_) => return Err(unsupported("polyline", "a curve is no wall in space: use capsules")),
@@ -337,6 +364,12 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         }
     }
     Ok(())
+}
+
+/// Its points and no more: what parry joins to faces need not lie in a plane.
+fn polytope(hull: &ConvexPolyhedron) -> Result<Polytope, Error> {
+    let points: Vec<Vector3<f64>> = hull.points().iter().map(|&p| from_glam3(p)).collect();
+    Polytope::hull(&points).ok_or_else(|| unsupported("convex polyhedron", "its points lie in a plane"))
 }
 
 /// A size must be positive and finite.

@@ -6,13 +6,13 @@ mod wires;
 use super::{
     Side, Solid,
     convert::{Frame, to_glam3},
-    distance::to_unit,
+    polytope::Polytope,
 };
-use crate::{Error, plane::slack};
+use crate::Error;
 use nalgebra::{Matrix3, Vector3};
 use parry3d_f64::{
     math::Vector as Glam,
-    shape::{Ball, Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh},
+    shape::{Ball, Capsule, Cone, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh},
 };
 
 /// A shape in space as plain data: what `shape = { … }` in a scene file says.
@@ -104,10 +104,51 @@ impl SolidSpec {
             SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. } => upright,
             _ => Matrix3::identity(),
         };
-        let solid = Solid::placed(&*self.shape()?, &Frame { rotation, translation: center.into() }, side)?;
+        let frame = Frame { rotation, translation: center.into() };
+        let placed = |shape: &dyn Shape| Solid::placed(shape, &frame, side);
         match self {
-            SolidSpec::TriMesh { margin, .. } if *margin != 0.0 => solid.kept_off(positive("margin", *margin)?),
-            _ => Ok(solid),
+            SolidSpec::Ball { radius } => placed(&Ball::new(positive("radius", *radius)?)),
+            SolidSpec::Cuboid { size, rounding } => {
+                size.iter().try_for_each(|x| positive("size", *x).map(|_| ()))?;
+                placed(&*round(Cuboid::new(glam(size) * 0.5), *rounding)?)
+            }
+            SolidSpec::Capsule { from, to, radius } => {
+                finite("from", from)?;
+                finite("to", to)?;
+                placed(&Capsule::new(glam(from), glam(to), positive("radius", *radius)?))
+            }
+            SolidSpec::Cylinder { radius, height, rounding } => {
+                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
+                placed(&*round(Cylinder::new(half, radius), *rounding)?)
+            }
+            SolidSpec::Cone { radius, height, rounding } => {
+                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
+                placed(&*round(Cone::new(half, radius), *rounding)?)
+            }
+            SolidSpec::ConvexHull { points, rounding } => {
+                let rounding = if *rounding == 0.0 { 0.0 } else { positive("rounding", *rounding)? };
+                Solid::polytope(&hull(points)?, rounding, &frame, side)
+            }
+            SolidSpec::TriMesh { vertices, triangles, margin } => {
+                vertices.iter().try_for_each(|p| finite("vertices", p))?;
+                let number = |v: usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
+                let numbers = triangles.iter().map(|[a, b, c]| Some([number(*a)?, number(*b)?, number(*c)?]));
+                let numbers: Vec<[u32; 3]> = numbers
+                    .collect::<Option<_>>()
+                    .ok_or_else(|| wrong("triangles", "numbers of vertices, counted from 0"))?;
+                let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
+                let solid = placed(&mesh.map_err(|_| wrong("triangles", "a list of at least one triangle"))?)?;
+                if *margin == 0.0 { Ok(solid) } else { solid.kept_off(positive("margin", *margin)?) }
+            }
+            SolidSpec::HalfSpace { normal } => {
+                finite("normal", normal)?;
+                let [x, y, z] = *normal;
+                let length = libm::hypot(libm::hypot(x, y), z);
+                if length == 0.0 {
+                    return Err(wrong("normal", "a vector other than zero"));
+                }
+                placed(&HalfSpace { normal: glam(&normal.map(|n| n / length)) })
+            }
         }
     }
 
@@ -140,89 +181,13 @@ impl SolidSpec {
             SolidSpec::HalfSpace { normal } => SolidSpec::HalfSpace { normal: *normal },
         }
     }
-
-    fn shape(&self) -> Result<Box<dyn Shape>, Error> {
-        Ok(match self {
-            SolidSpec::Ball { radius } => Box::new(Ball::new(positive("radius", *radius)?)),
-            SolidSpec::Cuboid { size, rounding } => {
-                size.iter().try_for_each(|x| positive("size", *x).map(|_| ()))?;
-                round(Cuboid::new(glam(size) * 0.5), *rounding)?
-            }
-            SolidSpec::Capsule { from, to, radius } => {
-                finite("from", from)?;
-                finite("to", to)?;
-                Box::new(Capsule::new(glam(from), glam(to), positive("radius", *radius)?))
-            }
-            SolidSpec::Cylinder { radius, height, rounding } => {
-                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
-                round(Cylinder::new(half, radius), *rounding)?
-            }
-            SolidSpec::Cone { radius, height, rounding } => {
-                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
-                round(Cone::new(half, radius), *rounding)?
-            }
-            SolidSpec::ConvexHull { points, rounding } => {
-                points.iter().try_for_each(|p| finite("points", p))?;
-                round(hull(points)?, *rounding)?
-            }
-            SolidSpec::TriMesh { vertices, triangles, .. } => {
-                vertices.iter().try_for_each(|p| finite("vertices", p))?;
-                let number = |v: usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
-                let numbers = triangles.iter().map(|[a, b, c]| Some([number(*a)?, number(*b)?, number(*c)?]));
-                let numbers: Vec<[u32; 3]> = numbers
-                    .collect::<Option<_>>()
-                    .ok_or_else(|| wrong("triangles", "numbers of vertices, counted from 0"))?;
-                let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
-                Box::new(mesh.map_err(|_| wrong("triangles", "a list of at least one triangle"))?)
-            }
-            SolidSpec::HalfSpace { normal } => {
-                finite("normal", normal)?;
-                let length = length_of(&Vector3::from(*normal));
-                if length == 0.0 {
-                    return Err(wrong("normal", "a vector other than zero"));
-                }
-                Box::new(HalfSpace { normal: glam(&normal.map(|n| n / length)) })
-            }
-        })
-    }
-}
-
-/// Whether points lie in a plane, within the rounding of their coordinates.
-fn in_a_plane(points: &[[f64; 3]]) -> bool {
-    let Some(&first) = points.first() else { return true };
-    let rounding = slack(points.iter().flatten().copied());
-    let from_first: Vec<Vector3<f64>> = points.iter().map(|p| Vector3::from(*p) - Vector3::from(first)).collect();
-    let farthest = |height: &dyn Fn(&Vector3<f64>) -> f64| {
-        let heights = from_first.iter().map(|p| (height(p), p));
-        heights.max_by(|(a, _), (b, _)| a.total_cmp(b)).filter(|(height, _)| *height > rounding)
-    };
-    // from a point, from a line, from a plane
-    let Some((length, along)) = farthest(&|p| length_of(p)) else { return true };
-    let along = along / length;
-    let Some((length, across)) = farthest(&|p| length_of(&along.cross(p))) else { return true };
-    let normal = along.cross(across) / length;
-    farthest(&|p| normal.dot(p).abs()).is_none()
-}
-
-/// The length of a vector, which may be as small as 1e-150.
-fn length_of(v: &Vector3<f64>) -> f64 {
-    libm::hypot(libm::hypot(v.x, v.y), v.z)
 }
 
 /// The convex hull of points that do not lie in a plane.
-fn hull(points: &[[f64; 3]]) -> Result<ConvexPolyhedron, Error> {
-    let flat = || wrong("points", "at least four points that do not lie in a plane");
-    if in_a_plane(points) {
-        return Err(flat());
-    }
-    let points: Vec<Glam> = points.iter().map(glam).collect();
-    // at size 1, since parry knows no smaller polyhedra than some 10⁻⁸
-    let low = points.iter().fold(Glam::INFINITY, |m, p| m.min(*p));
-    let high = points.iter().fold(Glam::NEG_INFINITY, |m, p| m.max(*p));
-    let unit = to_unit(0.5 * (high - low).max_element());
-    let points: Vec<Glam> = points.iter().map(|p| *p * unit).collect();
-    let hull = ConvexPolyhedron::from_convex_hull(&points).and_then(|hull| hull.scaled(Glam::splat(1.0 / unit)));
-    hull.ok_or_else(flat)
+fn hull(points: &[[f64; 3]]) -> Result<Polytope, Error> {
+    points.iter().try_for_each(|p| finite("points", p))?;
+    let points: Vec<Vector3<f64>> = points.iter().map(|p| Vector3::from(*p)).collect();
+    Polytope::hull(&points).ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))
 }
 
 /// A shape, rounded if it is to be.
@@ -292,26 +257,5 @@ mod tests {
         assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "positive and finite" });
         let flat = SolidSpec::ConvexHull { points: vec![[0.0; 3]; 3], rounding: 0.0 };
         assert!(flat.solid([0.0; 3], Side::Inside).is_err());
-    }
-
-    #[test]
-    fn a_convex_hull_needs_points_that_do_not_lie_in_a_plane() {
-        let hull = |points: &[[f64; 3]], scale: f64| {
-            let points = points.iter().map(|p| p.map(|x| x * scale)).collect();
-            SolidSpec::ConvexHull { points, rounding: 0.0 }.solid([0.0; 3], Side::Outside)
-        };
-        let at = |x: f64, y: f64, height: f64| [x, y, 0.3 * x - 0.7 * y + height];
-        for scale in [1.0, 1e-150, 1e150] {
-            for height in [0.0, 1e-17] {
-                let flat =
-                    [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(1.0, 1.0, height), at(0.3, 0.1, 0.0)];
-                assert!(matches!(hull(&flat, scale), Err(Error::Field { .. })), "{height}");
-                assert!(matches!(hull(&flat.map(|[x, ..]| [x, x, 0.1 * x]), scale), Err(Error::Field { .. })));
-            }
-            let thin = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(1.0, 1.0, 1e-6)];
-            let distance = hull(&thin, scale).unwrap().distance(&Vector3::from(at(0.5, 0.5, -1.0)).map(|x| x * scale));
-            assert!((distance / scale - 1.0 / 1.58_f64.sqrt()).abs() < 1e-6, "{scale:e}: {distance}");
-        }
-        assert!(hull(&[[0.0; 3]; 5], 1.0).is_err() && hull(&[], 1.0).is_err());
     }
 }

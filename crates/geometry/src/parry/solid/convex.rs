@@ -1,14 +1,16 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
 use super::super::convert::{Frame, from_glam3};
-use super::{polyhedron::faces, positive};
-use crate::{Error, Line, plane::slack, surface::any_across, walls::CORNER};
+use super::positive;
+use crate::{Error, Line, parry::polytope::Polytope, plane::slack, surface::any_across, walls::CORNER};
 use nalgebra::Vector3;
-use parry3d_f64::shape::{Capsule, Cone, ConvexPolyhedron, Cuboid, Cylinder, HalfSpace};
+use parry3d_f64::shape::{Capsule, Cone, Cuboid, Cylinder, HalfSpace};
 
 /// A convex solid.
 #[derive(Clone, Debug)]
 pub(super) struct Convex {
     kind: Kind,
+    /// The largest of its coordinates: of a half-space, that of the point through which its plane was laid.
+    size: f64,
     slack: f64,
     /// Within this distance of a second face a point lies on an edge.
     near: f64,
@@ -155,16 +157,31 @@ impl Face {
                     let chord = Chord { enter: self.nearer(path, enter, slack), exit: self.nearer(path, exit, slack) };
                     return (g - b / a * down >= 0.0).then_some(chord);
                 }
-                // steeper than the cone: one end lies at infinity, in the direction of the axis
+                // one end lies at infinity, in the direction of the axis
+                if a == 0.0 {
+                    // parallel to a generator: seen from beside the apex it has no digits to lose; it crosses the double cone once,
+                    // and if it leans away from the axis, the mirror nappe
+                    let beside = -g / down;
+                    let w = w + v * beside;
+                    let lean = w.dot(&v);
+                    let end = if lean * down < 0.0 {
+                        beside - w.norm_squared() / (2.0 * lean)
+                    } else if touches && down != 0.0 {
+                        // along the generator itself: from the apex on
+                        beside
+                    } else {
+                        return None;
+                    };
+                    return Some(if down > 0.0 {
+                        Chord { enter: self.nearer(path, end, slack), ..WHOLE }
+                    } else {
+                        Chord { exit: self.nearer(path, end, slack), ..WHOLE }
+                    });
+                }
+                // steeper than the cone: through both nappes
                 let root = libm::sqrt(discriminant.max(0.0));
                 let q = -(b + if b < 0.0 { -root } else { root });
-                let roots = if a == 0.0 {
-                    [-c / (2.0 * b); 2]
-                } else if q == 0.0 {
-                    [0.0; 2]
-                } else {
-                    [q / a, c / q]
-                };
+                let roots = if q == 0.0 { [0.0; 2] } else { [q / a, c / q] };
                 Some(if down > 0.0 {
                     Chord { enter: self.nearer(path, roots[0].max(roots[1]), slack), ..WHOLE }
                 } else {
@@ -208,7 +225,7 @@ fn across(w: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
 
 impl Convex {
     fn of(kind: Kind, size: f64) -> Convex {
-        Convex { kind, slack: slack([size]), near: CORNER * size }
+        Convex { kind, size, slack: slack([size]), near: CORNER * size }
     }
 
     pub(super) fn ball(center: Vector3<f64>, radius: f64) -> Convex {
@@ -282,11 +299,17 @@ impl Convex {
         Ok(Convex::of(Kind::Capsule(Box::new(Pill { tube, balls })), a.amax().max(b.amax()) + radius))
     }
 
-    pub(super) fn polyhedron(hull: &ConvexPolyhedron, frame: &Frame<3>) -> Convex {
-        let face = |(ring, normal): (Vec<Vector3<f64>>, Vector3<f64>)| Face::Plane { through: ring[0], normal };
-        let points = hull.points().iter().map(|&p| frame.point(&from_glam3(p)));
-        let size = points.map(|p| p.amax()).fold(0.0, f64::max);
-        Convex::of(Kind::Intersection(faces(hull, frame).map(face).collect()), size)
+    pub(super) fn polytope(polytope: &Polytope, frame: &Frame<3>) -> Convex {
+        let planes = polytope.faces.iter().map(|face| Face::Plane {
+            through: frame.point(&polytope.corners[face.top]),
+            normal: frame.direction(&face.normal),
+        });
+        let size = polytope.corners.iter().map(|p| frame.point(p).amax()).fold(0.0, f64::max);
+        Convex::of(Kind::Intersection(planes.collect()), size)
+    }
+
+    pub(super) fn size(&self) -> f64 {
+        self.size
     }
 
     /// How far a point may be off a face and still count as on it, given where the path starts.
@@ -356,8 +379,11 @@ impl Convex {
     pub(super) fn entry(&self, path: &Line<3>) -> Option<(f64, usize)> {
         let [(enter, number), (exit, _)] = self.chord(path)?;
         let slack = self.slack(path);
-        // a chord shorter than rounding cuts an edge from which the path has just come, or will never be missed
-        let real = (exit - enter) * path.velocity.norm() > slack && enter > f64::NEG_INFINITY;
+        let speed = path.velocity.norm();
+        // a chord shorter than rounding cuts an edge from which the path has just come, or touches; from afar, only the solid's own
+        // coordinates count, or thin ones would be passed through
+        let shortest = if enter * speed > slack { self.slack } else { slack };
+        let real = (exit - enter) * speed > shortest && enter > f64::NEG_INFINITY;
         let starts_on_it = || {
             let face = self.face(number, &path.point);
             exit > 0.0 && face.is_some_and(|f| f.off(&path.point) >= -slack && f.approached(path))

@@ -5,6 +5,7 @@ use super::super::{
     distance::{Distance, Field},
     mesh::Mesh,
     outer::projected,
+    polytope::Polytope,
 };
 use super::unsupported;
 use crate::Error;
@@ -97,20 +98,23 @@ impl Scaled {
 }
 
 /// The distance from a convex polyhedron through its faces: parry's own goes through an iteration good to 10⁻⁸.
-pub(super) fn hull(points: &[Glam], triangles: &[[u32; 3]]) -> Result<Scaled, Error> {
-    Scaled::of_triangles(points, triangles)
+pub(super) fn polytope(polytope: &Polytope) -> Result<Scaled, Error> {
+    let corners: Vec<Glam> = polytope.corners.iter().map(to_glam3).collect();
+    Scaled::of_triangles(&corners, &numbered(&polytope.triangles())?)
+}
+
+/// Triangles as parry has them.
+fn numbered(triangles: &[[usize; 3]]) -> Result<Vec<[u32; 3]>, Error> {
+    let number = |v: usize| u32::try_from(v).map_err(|_| unsupported("triangle mesh", "it has too many vertices"));
+    triangles.iter().map(|[a, b, c]| Ok([number(*a)?, number(*b)?, number(*c)?])).collect()
 }
 
 /// The distance from a mesh that stands where it is.
 pub(super) fn mesh_distance(mesh: &Mesh, side: Side) -> Result<Distance<3>, Error> {
     let vertices: Vec<Glam> = mesh.vertices.iter().map(to_glam3).collect();
-    let number = |v: usize| u32::try_from(v).map_err(|_| unsupported("triangle mesh", "it has too many vertices"));
-    let mut triangles = vec![];
-    for &[a, b, c] in &mesh.triangles {
-        // parry wants them counter-clockwise from outside, ours are so from the table
-        let [b, c] = if side == Side::Outside { [b, c] } else { [c, b] };
-        triangles.push([number(a)?, number(b)?, number(c)?]);
-    }
+    // parry wants them counter-clockwise from outside, ours are so from the table
+    let outwards = |[a, b, c]: [usize; 3]| if side == Side::Outside { [a, b, c] } else { [a, c, b] };
+    let triangles = numbered(&mesh.triangles.iter().map(|t| outwards(*t)).collect::<Vec<_>>())?;
     let whole = Frame { rotation: Matrix3::identity(), translation: Vector3::zeros() };
     Ok(Scaled::of_triangles(&vertices, &triangles)?.placed(&whole, side))
 }

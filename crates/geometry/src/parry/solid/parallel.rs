@@ -81,8 +81,15 @@ impl Parallel {
     /// margin `m`. What is so within rounding counts as no corner, with a factor of four.
     pub(super) fn land(&self, k: usize, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, bool) {
         let (point, normal) = self.plates[k].land(x);
-        let mut corner = false;
-        self.touched(&point, |_, its| corner |= (its - normal).norm_squared() * self.margin > 8.0 * self.near);
+        let (mut corner, mut flat) = (false, None);
+        self.touched(&point, |other, its| {
+            corner |= (its - normal).norm_squared() * self.margin > 8.0 * self.near;
+            if its == self.mesh.normals[other] {
+                flat = Some(other);
+            }
+        });
+        // beside its edge a face is no farther than the edge, within rounding, but its normal is another to half the digits
+        let (point, normal) = flat.filter(|_| !corner).map_or((point, normal), |other| self.plates[other].land(&point));
         (point, normal, corner)
     }
 

@@ -14,6 +14,7 @@ use super::{
         Side,
         convert::{Frame, from_glam3},
         mesh::across,
+        polytope::Polytope,
     },
     Closest, positive, unsupported,
 };
@@ -23,7 +24,7 @@ use core::fmt::Debug;
 use hull::Hull;
 use lathe::Lathe;
 use nalgebra::Vector3;
-use parry3d_f64::shape::{Cone, ConvexPolyhedron, Cuboid, Cylinder, Triangle};
+use parry3d_f64::shape::{Cone, Cuboid, Cylinder, Triangle};
 
 pub(in crate::parry) use plate::Plate;
 
@@ -88,8 +89,8 @@ impl Rounded {
     pub(super) fn cone(inner: &Cone, radius: f64, frame: &Frame<3>) -> Result<Rounded, Error> {
         Rounded::new(Box::new(Lathe::cone(inner, frame)?), radius)
     }
-    pub(super) fn polyhedron(inner: &ConvexPolyhedron, radius: f64, frame: &Frame<3>) -> Result<Rounded, Error> {
-        Rounded::new(Box::new(Hull::polyhedron(inner, frame)), radius)
+    pub(super) fn polytope(inner: &Polytope, radius: f64, frame: &Frame<3>) -> Result<Rounded, Error> {
+        Rounded::new(Box::new(Hull::new(inner, frame)), radius)
     }
     pub(super) fn triangle(inner: &Triangle, radius: f64, frame: &Frame<3>) -> Result<Rounded, Error> {
         let corners = [inner.a, inner.b, inner.c].map(|p| frame.point(&from_glam3(p)));

@@ -1,9 +1,6 @@
 //! Where the centre of a ball can be that moves inside or around a shape: the shape's parallel body, again a shape.
 use super::SolidSpec;
-use crate::{
-    Error,
-    parry::{Side, convert::from_glam3},
-};
+use crate::{Error, parry::Side};
 
 impl SolidSpec {
     /// The shape whose surface lies at a distance \[L\] from this one's, on the given side, and by what it is to be moved: the table of
@@ -68,10 +65,10 @@ impl SolidSpec {
             }
             SolidSpec::ConvexHull { rounding, .. } if distance <= *rounding => *rounding -= distance,
             SolidSpec::ConvexHull { points, rounding } => {
-                let (vertices, triangles) = super::hull(points)?.to_trimesh();
+                let hull = super::hull(points)?;
                 spec = SolidSpec::TriMesh {
-                    vertices: vertices.iter().map(|p| from_glam3(*p).into()).collect(),
-                    triangles: triangles.iter().map(|t| t.map(|v| v as usize)).collect(),
+                    vertices: hull.corners.iter().map(|p| (*p).into()).collect(),
+                    triangles: hull.triangles(),
                     margin: distance - *rounding,
                 };
             }

@@ -1,6 +1,5 @@
 //! What drawings need of a shape: its sharp edges, and the point farthest in a direction.
-use super::{super::solid::faces, SolidSpec};
-use crate::parry::convert::Frame;
+use super::SolidSpec;
 use core::f64::consts::TAU;
 use nalgebra::Vector3;
 
@@ -71,9 +70,8 @@ impl SolidSpec {
             }
             SolidSpec::Cone { radius, height, rounding: 0.0 } => vec![circle(*radius, -0.5 * height)],
             SolidSpec::ConvexHull { points, rounding: 0.0 } => {
-                let still = Frame { rotation: nalgebra::Matrix3::identity(), translation: Vector3::zeros() };
                 let hull = super::hull(points);
-                hull.map_or_else(|_| vec![], |hull| faces(&hull, &still).map(|(ring, _)| closed(ring)).collect())
+                hull.map_or_else(|_| vec![], |hull| hull.faces.iter().map(|face| closed(hull.ring(face))).collect())
             }
             SolidSpec::TriMesh { vertices, triangles, margin: 0.0 } => {
                 let triangles = triangles.iter().filter(|t| t.iter().all(|v| *v < vertices.len()));

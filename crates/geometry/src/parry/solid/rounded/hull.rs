@@ -2,10 +2,12 @@
 use super::{Core, View, facet::Facet};
 use crate::{
     BoxTree, Extent,
-    parry::{convert::Frame, solid::polyhedron::faces},
+    parry::{
+        convert::Frame,
+        polytope::{Face, Polytope},
+    },
 };
 use nalgebra::Vector3;
-use parry3d_f64::shape::ConvexPolyhedron;
 
 /// A convex polyhedron as its faces in triangles.
 #[derive(Debug)]
@@ -15,17 +17,15 @@ pub(super) struct Hull {
 }
 
 impl Hull {
-    fn new(triangles: Vec<Facet>) -> Hull {
-        let tree = BoxTree::new(triangles.iter().map(Facet::extent));
-        Hull { triangles, tree }
-    }
-
-    pub(super) fn polyhedron(hull: &ConvexPolyhedron, frame: &Frame<3>) -> Hull {
-        let fan = |(ring, normal): (Vec<Vector3<f64>>, Vector3<f64>)| {
-            let corners = (1..ring.len().saturating_sub(1)).map(|k| [ring[0], ring[k], ring[k + 1]]);
+    pub(super) fn new(polytope: &Polytope, frame: &Frame<3>) -> Hull {
+        let fan = |face: &Face| {
+            let normal = frame.direction(&face.normal);
+            let corners = face.fan().map(|t| t.map(|k| frame.point(&polytope.corners[k])));
             corners.map(|corners| Facet::new(corners, normal)).collect::<Vec<_>>()
         };
-        Hull::new(faces(hull, frame).flat_map(fan).collect())
+        let triangles: Vec<Facet> = polytope.faces.iter().flat_map(fan).collect();
+        let tree = BoxTree::new(triangles.iter().map(Facet::extent));
+        Hull { triangles, tree }
     }
 }
 

@@ -1,0 +1,97 @@
+//! Tables inside and outside of convex hulls.
+#![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests panic where they fail, and claim exact values")]
+mod random;
+
+use geometry::{
+    Boundary, Line, Vector3,
+    parry::{Side, Solid, SolidSpec},
+};
+use random::Random;
+
+fn hull(points: &[Vector3<f64>], side: Side) -> Solid {
+    let points = points.iter().map(|p| (*p).into()).collect();
+    SolidSpec::ConvexHull { points, rounding: 0.0 }.solid([0.0; 3], side).unwrap()
+}
+fn vector(random: &mut Random) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| random.between(-1.0, 1.0))
+}
+fn turned(p: &Vector3<f64>, axis: &Vector3<f64>, angle: f64) -> Vector3<f64> {
+    let (sin, cos) = libm::sincos(angle);
+    p * cos + axis.cross(p) * sin + axis * (axis.dot(p) * (1.0 - cos))
+}
+fn cube() -> Vec<Vector3<f64>> {
+    (0..8).map(|k| Vector3::from_fn(|i, _| if k >> i & 1 == 1 { 1.0 } else { -1.0 })).collect()
+}
+
+#[test]
+fn a_room_with_points_on_its_faces_and_edges_is_closed() {
+    let mut random = Random(21);
+    let cells = || (0..27).filter(|k| *k != 13).map(|k| [k % 3, k / 3 % 3, k / 9].map(|i| f64::from(i) - 1.0));
+    for _ in 0..60 {
+        let axis = vector(&mut random).normalize();
+        let angle = random.between(0.0, 6.0);
+        let points: Vec<_> = cells().map(|p| turned(&p.into(), &axis, angle)).collect();
+        let room = hull(&points, Side::Inside);
+        let mut path = Line { point: vector(&mut random) * 0.5, velocity: vector(&mut random) };
+        for _ in 0..100 {
+            let hit = room.first_hit(&path).unwrap();
+            let upright = turned(&hit.point, &axis, -angle);
+            assert!((upright.amax() - 1.0).abs() < 1e-14, "{upright:?}");
+            path = Line {
+                point: hit.point,
+                velocity: path.velocity - hit.normal * (2.0 * path.velocity.dot(&hit.normal)),
+            };
+        }
+    }
+}
+
+#[test]
+fn points_beside_the_corners_do_not_move_the_faces() {
+    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector3::from);
+    let mut random = Random(22);
+    for exponent in 6..14 {
+        let little = libm::pow(10.0, -f64::from(exponent));
+        for count in [8, 12, 16, 20, 40] {
+            let beside = (0..count).map(|k| corners[k % 4] + vector(&mut random) * little);
+            let points: Vec<_> = corners.into_iter().chain(beside).collect();
+            let [plain, room] = [&corners[..], &points].map(|points| hull(points, Side::Inside));
+            for _ in 0..20 {
+                let path = Line { point: Vector3::repeat(0.2), velocity: vector(&mut random) };
+                let [a, b] = [&plain, &room].map(|room| room.first_hit(&path).unwrap());
+                // towards corners obliquely, by somewhat more than they are moved
+                assert!((a.point - b.point).norm() < 20.0 * little, "{little:e} {count} {a:?} {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_flat_roof_and_a_thin_plate_are_hit_where_they_are() {
+    let mut points = cube();
+    points.push(Vector3::new(0.0, 0.0, 1.0001));
+    let house = hull(&points, Side::Outside);
+    let hit = house.first_hit(&Line { point: Vector3::new(0.5, 0.1, 3.0), velocity: -Vector3::z() }).unwrap();
+    assert!((hit.time - 1.99995).abs() < 1e-15 && (hit.normal.x - 1e-4).abs() < 1e-11, "{hit:?}");
+    for half in [1e-4, 1e-6, 1e-9] {
+        let plate: Vec<_> = cube().iter().map(|p| p.component_mul(&Vector3::new(1.0, 1.0, half))).collect();
+        let plate = hull(&plate, Side::Outside);
+        for z in [3.0, -3.0] {
+            let path = Line { point: Vector3::new(0.1, 0.2, z), velocity: Vector3::new(0.0, 0.0, -z) };
+            assert_eq!(plate.first_hit(&path).unwrap().point.z, half.copysign(z));
+        }
+        let rod: Vec<_> = cube().iter().map(|p| p.component_mul(&Vector3::new(half, half, 1.0))).collect();
+        let across = Line { point: Vector3::new(2.0, 0.0, 0.3), velocity: -Vector3::x() };
+        assert_eq!(hull(&rod, Side::Outside).first_hit(&across).unwrap().point.x, half);
+    }
+    let square = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    assert!(SolidSpec::ConvexHull { points: square, rounding: 0.0 }.solid([0.0; 3], Side::Outside).is_err());
+}
+
+#[test]
+fn ten_thousand_points_on_a_sphere_have_a_hull_at_once() {
+    let mut random = Random(23);
+    let points: Vec<_> = (0..10_000).map(|_| vector(&mut random).normalize()).collect();
+    let ball = hull(&points, Side::Outside);
+    let hit = ball.first_hit(&Line { point: Vector3::x() * 3.0, velocity: -Vector3::x() }).unwrap();
+    assert!((hit.time - 2.0).abs() < 1e-2);
+}
