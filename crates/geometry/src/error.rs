@@ -225,7 +225,9 @@ pub enum Error {
     #[error("the table is unbounded: it has no uniform distribution")]
     Unbounded,
     /// Walls that do not bound a table together.
-    #[error("nothing is left of the walls: no point of one was found on the table's side of all others")]
+    #[error(
+        "nothing is left of the walls, or too little to draw from: no point of one was found on the table's side of all others"
+    )]
     Vanished,
     /// A parameter that a named table does not have.
     #[error("{table} has no parameter {name}; it has {known}")]

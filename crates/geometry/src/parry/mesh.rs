@@ -2,7 +2,7 @@
 use super::distance::to_unit;
 use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
 use nalgebra::Vector3;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Triangles seen from the table.
 #[derive(Clone)]
@@ -55,6 +55,17 @@ pub(crate) fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
     points.iter().enumerate().map(|(i, p)| *known.entry(key(p)).or_insert(i)).collect()
 }
 
+/// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed. One without area counts, since it may
+/// lie between a long side and the two short ones beyond it.
+pub(crate) fn rims(triangles: &[[usize; 3]]) -> usize {
+    let known: HashSet<[usize; 2]> = triangles.iter().flat_map(sides).collect();
+    known.iter().filter(|[a, b]| !known.contains(&[*b, *a])).count()
+}
+
+fn sides([a, b, c]: &[usize; 3]) -> [[usize; 2]; 3] {
+    [[*a, *b], [*b, *c], [*c, *a]]
+}
+
 /// `(b − a) × (c − a)` in units of the longest edge, and that length, rounded up to a power of two: so no product over- or
 /// underflows.
 pub(crate) fn across([a, b, c]: [Vector3<f64>; 3]) -> (Vector3<f64>, f64) {
@@ -80,11 +91,11 @@ impl Mesh {
         let id = merged(&vertices);
         let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
+        let closed = rims(&triangles) == 0;
         triangles.retain(|t| across(t).0.norm_squared() > 0.0);
         if triangles.is_empty() {
             return error("it has no triangle of positive area");
         }
-        let sides = |t: &[usize; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
         let mut at: HashMap<[usize; 2], usize> = HashMap::new();
         for (k, t) in triangles.iter().enumerate() {
             for side in sides(t) {
@@ -93,7 +104,6 @@ impl Mesh {
                 }
             }
         }
-        let closed = at.keys().all(|&[a, b]| at.contains_key(&[b, a]));
         let origin = vertices[triangles[0][0]];
         let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
         let volume = |t: &[usize; 3]| {

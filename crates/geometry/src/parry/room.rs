@@ -112,36 +112,67 @@ fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
     let infinite = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
     // normals that are parallel but for this count as parallel
     let little = 1e-9;
-    let pairs = || halves.iter().enumerate().flat_map(|(i, a)| halves[..i].iter().map(move |b| (i, a, b)));
+    let size = halves.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
+    let [mut low, mut high] = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
     // where there is a way to infinity, one runs along two of the planes, or all have a direction in common
     let mut spanned = false;
-    for (i, (n, _), (m, _)) in pairs() {
-        let along = n.cross(m);
-        spanned |= halves[..i].iter().any(|(k, _)| k.dot(&along).abs() > little);
-        let is_open = |sign: f64| halves.iter().all(|(k, _)| k.dot(&along) * sign >= -little);
-        if along.norm() > little && (is_open(1.0) || is_open(-1.0)) {
-            return infinite;
+    for (i, a) in halves.iter().enumerate() {
+        for b in &halves[..i] {
+            let along = a.0.cross(&b.0);
+            let length = along.norm();
+            spanned = spanned || halves[..i].iter().any(|(k, _)| k.dot(&along).abs() > little);
+            if length <= little {
+                continue;
+            }
+            match ends(halves, [a, b], little, size) {
+                None => {}
+                Some([Some(start), Some(end)]) => {
+                    for third in [start, end] {
+                        let normals = Matrix3::from_rows(&[a.0, b.0, halves[third].0].map(|n| n.transpose()));
+                        if let Some(inverse) = normals.try_inverse() {
+                            let vertex = inverse * Vector3::new(a.1, b.1, halves[third].1);
+                            (low, high) = (low.inf(&vertex), high.sup(&vertex));
+                        }
+                    }
+                }
+                Some(_) => return infinite,
+            }
         }
     }
     if !spanned {
         return infinite;
     }
-    let size = halves.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
-    let [mut low, mut high] = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
-    for (i, (n, d), (m, e)) in pairs() {
-        for (k, f) in &halves[..i] {
-            let normals = Matrix3::from_rows(&[n.transpose(), m.transpose(), k.transpose()]);
-            let Some(vertex) = normals.try_inverse().map(|inverse| inverse * Vector3::new(*d, *e, *f)) else {
-                continue;
-            };
-            let slack = little * size.max(vertex.amax());
-            if halves.iter().all(|(n, d)| n.dot(&vertex) - d >= -slack) {
-                (low, high) = (low.inf(&vertex), high.sup(&vertex));
-            }
-        }
-    }
     // of half-spaces that have no point in common there is no vertex
     if low <= high { [low, high] } else { [Vector3::zeros(); 2] }
+}
+
+/// Which of some half-spaces bound the line along which two of them meet, from behind and from ahead; None where they leave nothing
+/// of it.
+fn ends(halves: &[Half], [a, b]: [&Half; 2], little: f64, size: f64) -> Option<[Option<usize>; 2]> {
+    let along = a.0.cross(&b.0);
+    let point = (b.0 * a.1 - a.0 * b.1).cross(&along) / along.norm_squared();
+    let along = along / along.norm();
+    let slack = little * size.max(point.amax());
+    let [mut start, mut end] = [(f64::NEG_INFINITY, None), (f64::INFINITY, None)];
+    for (k, (n, d)) in halves.iter().enumerate() {
+        let (rise, height) = (n.dot(&along), n.dot(&point) - d);
+        let at = -height / rise;
+        if rise > little {
+            if at > start.0 {
+                start = (at, Some(k));
+            }
+        } else if rise < -little {
+            if at < end.0 {
+                end = (at, Some(k));
+            }
+        } else if height < -slack {
+            return None;
+        }
+        if start.0 > end.0 + slack {
+            return None;
+        }
+    }
+    Some([start.1, end.1])
 }
 
 impl Boundary<3> for Room {
@@ -176,10 +207,10 @@ impl RoomSurface<'_> {
         let share = uniform() * last.up_to;
         let part = self.parts.iter().find(|part| share < part.up_to).unwrap_or(last);
         let (point, normal) = part.trials.draw(uniform)?;
-        // between solids that touch there is nothing
-        let free = |solid: &Solid| solid.distance(&point) > slack([part.trials.size(), point.amax()]);
-        let others = self.room.solids.iter().enumerate().filter(|(k, _)| *k != part.number);
-        others.into_iter().all(|(_, solid)| free(solid)).then_some((point, normal))
+        let slack = slack([part.trials.size(), point.amax()]);
+        let mut others = self.room.solids.iter().enumerate().filter(|(k, _)| *k != part.number);
+        let leaves = |k: usize, solid: &Solid| solid.closest(&point).leaves(&normal, part.number < k, slack);
+        others.all(|(k, solid)| leaves(k, solid)).then_some((point, normal))
     }
 }
 
@@ -254,6 +285,57 @@ mod tests {
             assert!((room.distance(&(point + normal * 1e-6)) - 1e-6).abs() < 1e-9, "{point:?}");
             let axis = libm::hypot(point.x - 0.3, point.y);
             assert!(point.z > 1e-9 || axis > 0.5, "{point:?}");
+        }
+    }
+
+    /// The share of points of the boundary for which something holds.
+    fn share(room: &Room, of: impl Fn(&Vector3<f64>) -> bool) -> f64 {
+        let surface = room.surface().unwrap();
+        let mut state = 1_u64;
+        let mut uniform = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let trials = 20_000;
+        (0..trials).filter(|_| of(&surface.random_point(&mut uniform).0)).count() as f64 / f64::from(trials)
+    }
+
+    #[test]
+    fn where_walls_lie_on_one_another_points_are_drawn_once() {
+        // a drum within a cube of its height: all of the boundary is the drum's
+        let cube = || SolidSpec::Cuboid { size: [2.0; 3], rounding: 0.0 }.solid([0.0; 3], Side::Inside).unwrap();
+        let drum =
+            || SolidSpec::Cylinder { radius: 0.8, height: 2.0, rounding: 0.0 }.solid([0.0; 3], Side::Inside).unwrap();
+        let ends = 0.8 / (0.8 + 2.0);
+        for solids in [vec![cube(), drum()], vec![drum(), cube()]] {
+            let found = share(&Room::new(solids), |p| p.z.abs() > 1.0 - 1e-9);
+            // five times the standard deviation
+            assert!((found - ends).abs() < 0.016, "{found} {ends}");
+        }
+        // and the same wall twice
+        let found = share(&Room::new(vec![cube(), cube()]), |p| p.z > 1.0 - 1e-9);
+        assert!((found - 1.0 / 6.0).abs() < 0.014, "{found}");
+    }
+
+    #[test]
+    fn where_members_of_a_union_lie_on_one_another_points_are_drawn_once() {
+        use crate::parry::parry3d_f64::{
+            math::Pose,
+            shape::{Compound, SharedShape},
+        };
+        // two cubes that overlap by half
+        let cubes = [0.0, 1.0].map(|x| (Pose::translation(x, 0.0, 0.0), SharedShape::cuboid(1.0, 1.0, 1.0)));
+        let union = Compound::new(cubes.into());
+        for side in [Side::Inside, Side::Outside] {
+            let mut solids = vec![Solid::new(&union, &nalgebra::Isometry3::identity(), side).unwrap()];
+            if side == Side::Outside {
+                solids.push(ball(9.0, [0.0; 3], Side::Inside));
+            }
+            let room = Room::new(solids);
+            let on_it = |p: &Vector3<f64>| p.norm() < 5.0;
+            let found = share(&room, |p| on_it(p) && p.z > 1.0 - 1e-9) / share(&room, on_it);
+            // three by two, of four of these and two ends
+            assert!((found - 6.0 / 32.0).abs() < 0.05, "{side:?} {found}");
         }
     }
 

@@ -3,6 +3,7 @@ use super::{super::Side, Body, Closest, Solid, bound::Bound, parallel::Parallel,
 use crate::{
     Error, Line,
     parry::{distance::to_unit, mesh::Mesh},
+    plane::slack,
     surface::in_disk,
 };
 use core::f64::consts::PI;
@@ -65,10 +66,23 @@ impl Solid {
         trials.collect()
     }
 
-    /// Whether a point of one member is one of the whole: not inside any other.
-    fn exposes(&self, member: usize, point: &Vector3<f64>) -> bool {
-        let outside = |body: &Body| body.closest(point, Side::Outside).distance > 0.0;
-        self.members.iter().enumerate().all(|(k, body)| k == member || outside(body))
+    /// Whether a point of one member, with the outward normal there, is one of the whole: not inside any other.
+    fn exposes(&self, member: usize, point: &Vector3<f64>, outward: &Vector3<f64>, slack: f64) -> bool {
+        let others = self.members.iter().enumerate().filter(|(k, _)| *k != member);
+        // from outside, whatever side the table is on
+        let seen = |body: &Body| match (body.closest(point, self.side), self.side) {
+            (seen, Side::Outside) => seen,
+            (Closest { distance, point, normal }, _) => Closest { distance: -distance, point, normal: -normal },
+        };
+        others.into_iter().all(|(k, body)| seen(body).leaves(outward, member < k, slack))
+    }
+}
+
+impl Closest {
+    /// Whether a point of another wall, with this normal there, is on the table's side of this one. Where both lie on one another
+    /// there is nothing between them if they face each other; otherwise they are one wall, which belongs to the `first` of them.
+    pub(in crate::parry) fn leaves(&self, normal: &Vector3<f64>, first: bool, slack: f64) -> bool {
+        self.distance > slack || (self.distance >= -slack && first && self.normal.dot(normal) > 0.0)
     }
 }
 
@@ -106,7 +120,9 @@ impl Trials<'_> {
             }
             Kind::Strata { parallel, strata, sums, .. } => parallel.draw(&strata[pick(sums, uniform)], uniform)?,
         };
-        self.solid.exposes(self.member, &point).then_some((point, normal))
+        let outward = if self.solid.side == Side::Outside { normal } else { -normal };
+        let slack = slack([self.size(), point.amax()]);
+        self.solid.exposes(self.member, &point, &outward, slack).then_some((point, normal))
     }
 }
 

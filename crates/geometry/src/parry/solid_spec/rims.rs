@@ -1,8 +1,7 @@
 //! Where a surface of triangles ends.
 use super::SolidSpec;
-use crate::parry::mesh::merged;
+use crate::parry::mesh::{self, merged};
 use nalgebra::Vector3;
-use std::collections::HashSet;
 
 impl SolidSpec {
     /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed, as those of all other shapes
@@ -24,8 +23,6 @@ impl SolidSpec {
         let points: Vec<Vector3<f64>> = vertices.iter().map(|v| Vector3::from(*v)).collect();
         let number = merged(&points);
         let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len()));
-        let corners = known.map(|t| t.map(|v| number[v]));
-        let sides: HashSet<[usize; 2]> = corners.flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]).collect();
-        sides.iter().filter(|[a, b]| !sides.contains(&[*b, *a])).count()
+        mesh::rims(&known.map(|t| t.map(|v| number[v])).collect::<Vec<_>>())
     }
 }
