@@ -63,8 +63,9 @@ impl Bend<3> for SpatialTable {
 
 /// Any walls, felt by two shots straight at the wall beside the hit.
 ///
-/// Where one of them finds another piece or nothing, as beside a vertex, the other one is compared with the hit itself;
-/// where both do, the wall counts as flat. A difference quotient is right to 10⁻⁴ or better; that is enough for chaotic
+/// Where one of them finds another piece, another face of the same solid or nothing, as beside a vertex, the other one is compared
+/// with the hit itself; where both do, the wall counts as flat. A face is another one if the normal turns at once and not by half as
+/// much halfway there. A difference quotient is right to 10⁻⁴ or better; that is enough for chaotic
 /// orbits, and for others up to about a thousand collisions.
 #[derive(Clone, Copy)]
 pub struct Felt<'a, const N: usize, const S: usize>(pub &'a dyn Bounce<N, S>);
@@ -125,6 +126,10 @@ const PLACE: f64 = 1.0 / 67_108_864.0; // 2⁻²⁶
 /// How far from a hit the wall is felt for its curvature, in parts of the flight; never less than this part of the distance
 /// from the origin, of which normals are rounded by ε: both leave an error of 10⁻⁴ of the curvature at most.
 const NEARBY: [f64; 2] = [1.0 / 65_536.0, 1.0 / 1_099_511_627_776.0]; // 2⁻¹⁶, 2⁻⁴⁰
+
+/// By how much of what the normal turns near a hit it may turn unevenly; where curvature changes over a length, that is the step in
+/// parts of that length.
+const UNEVEN: f64 = 0.25;
 
 impl Horizon {
     /// Follows an orbit on a table of some `size` \[L\] for at most so many collisions and so much time, `[collisions, time]`.
@@ -368,11 +373,18 @@ impl<const N: usize, const S: usize> Bend<N> for Felt<'_, N, S> {
         let normal = hit.unit_normal();
         let inwards = normal.map(|n| -n);
         let nearby = (NEARBY[0] * flight).max(NEARBY[1] * norm(&hit.point));
-        let felt = |side: f64| {
+        let seen = |side: f64| {
             let from = plus(&plus(&hit.point, side * nearby, along), nearby, &normal);
             let other = self.0.first_hit(&from, &inwards);
             let same = other.time < 4.0 * nearby && other.piece == hit.piece && !other.corner;
             same.then(|| other.unit_normal())
+        };
+        let felt = |side: f64| {
+            let (far, halfway) = (seen(side)?, seen(0.5 * side)?);
+            let turn = plus(&far, -1.0, &normal);
+            // on a wall that bends evenly none, beside an edge all of it
+            let uneven = plus(&turn, -2.0, &plus(&halfway, -1.0, &normal));
+            (norm(&uneven) <= UNEVEN * norm(&turn) + 8.0 * f64::EPSILON).then_some(far)
         };
         let rate = |to: &[f64; N], from: &[f64; N], way: f64| plus(to, -1.0, from).map(|x| x / way);
         match (felt(-1.0), felt(1.0)) {

@@ -9,7 +9,13 @@ use collision_laws::{
     laws::{NoSlip, RandomGrassmannian, Specular},
 };
 use core::f64::consts::{FRAC_1_SQRT_2, TAU};
-use geometry::{Table, Walls, WithWalls, tables, tables::SpatialTable};
+use geometry::{
+    Table, Walls, WithWalls,
+    parry::{Room, Side, SolidSpec},
+    tables,
+    tables::SpatialTable,
+    walls::ByLane,
+};
 
 struct With<'a, R>(&'a Disk, &'a dyn Fn(&dyn Bounce<2, 1>) -> R);
 
@@ -263,4 +269,18 @@ fn an_orbit_that_starts_on_a_wall_on_its_way_out_is_not_lost() {
         let seen = horizon(&tables::square(1.0).unwrap(), &law, start, 1.0, 100);
         assert_eq!((seen.collisions, seen.lost), (100, false), "{seen:?}");
     }
+}
+
+#[test]
+fn the_edges_of_an_obstacle_bend_no_orbit_that_hits_beside_them() {
+    // all faces of a solid are one piece of a room, and flat
+    let cube = SolidSpec::Cuboid { size: [1.0; 3], rounding: 0.0 }.solid([0.0; 3], Side::Inside).unwrap();
+    let tips = [0, 1, 2].map(|i| [-0.45, 0.45].map(|x| core::array::from_fn(|k| if k == i { x } else { 0.0 })));
+    let octahedron = SolidSpec::ConvexHull { points: tips.concat(), rounding: 0.0 };
+    let room = Room::new(vec![cube, octahedron.solid([0.0; 3], Side::Outside).unwrap()]);
+    let billiard = Billiard { walls: &ByLane(&room), law: &billiards::laws::Specular };
+    let velocity = [-0.850_097_322_059_256_9, 0.463_196_842_175_627_84, -1.232_620_903_193_262_5];
+    let start = Start { position: [0.45, -0.45, 0.45], velocity, spin: [] };
+    let horizon = Horizon::of(&billiard, &Felt::<3, 0>(&billiard), start, 1.0, [12_500.0, f64::INFINITY]);
+    assert!(!horizon.lost && horizon.error < 1e-6, "{horizon:?}");
 }
