@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use geometry::{
     Boundary, Error, Line, Vector3,
     parry::{
-        Side, Solid,
+        Room, Side, Solid, SolidSpec,
         parry3d_f64::{
             bounding_volume::{Aabb, BoundingSphere},
             mass_properties::MassProperties,
@@ -221,6 +221,38 @@ fn a_mesh_inside_out_is_turned_round_and_a_mixed_one_is_refused() {
     mixed[0].swap(0, 1);
     let mixed = TriMesh::new(vertices, mixed).unwrap();
     assert!(matches!(Solid::new(&mixed, &here(), Side::Inside), Err(Error::Shape { .. })));
+}
+
+#[test]
+fn a_mesh_closed_by_triangles_without_area_is_closed_for_all() {
+    // a cube, of whose top one side is two: what lies between has no area
+    let mut vertices: Vec<[f64; 3]> = (0..8).map(|k| [0, 1, 2].map(|i| f64::from(k >> i & 1))).collect();
+    vertices.push([0.5, 0.0, 1.0]);
+    let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let top = [[4, 8, 6], [8, 7, 6], [8, 5, 7], [4, 5, 8]];
+    let outwards: Vec<_> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).chain(top).collect();
+    let inwards = outwards.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+    for triangles in [outwards, inwards] {
+        let mesh = SolidSpec::TriMesh { vertices: vertices.clone(), triangles, margin: 0.0 };
+        assert_eq!(mesh.rims(), 0);
+        // whichever way round
+        let room = mesh.solid([0.0; 3], Side::Inside).unwrap();
+        let path = Line { point: Vector3::new(0.3, 0.4, 0.5), velocity: Vector3::new(0.1, 0.2, 1.0) };
+        assert_eq!(room.first_hit(&path).unwrap().normal, -Vector3::z());
+    }
+}
+
+#[test]
+fn between_hundreds_of_planes_a_room_has_the_box_of_its_corners() {
+    let mut random = Random(19);
+    // all of them touch the unit ball
+    let planes = (0..700).map(|_| direction(&mut random));
+    let plane = |n: Vector3<f64>| SolidSpec::HalfSpace { normal: (-n).into() }.solid(n.into(), Side::Outside).unwrap();
+    let [low, high] = Room::new(planes.map(plane).collect()).extent();
+    assert!(
+        low.iter().all(|x| (-1.1..-1.0).contains(x)) && high.iter().all(|x| (1.0..1.1).contains(x)),
+        "{low} {high}"
+    );
 }
 
 type Pair = (&'static str, Box<dyn Shape>, Box<dyn Shape>);

@@ -301,6 +301,17 @@ mod tests {
     }
 
     #[test]
+    fn thin_rooms_are_drawn_from() {
+        for (radius, height) in [(1e-5, 1.0), (1.0, 1e-9)] {
+            let can = SolidSpec::Cylinder { radius, height, rounding: 0.0 }.solid([0.0; 3], Side::Inside).unwrap();
+            let ends = radius / (radius + height);
+            let found = share(&Room::new(vec![can]), |p| p.z.abs() > (0.5 - 1e-14) * height);
+            // five times the standard deviation
+            assert!((found - ends).abs() <= 5.0 * libm::sqrt(ends * (1.0 - ends) / 20_000.0) + 1e-4, "{found} {ends}");
+        }
+    }
+
+    #[test]
     fn where_walls_lie_on_one_another_points_are_drawn_once() {
         // a drum within a cube of its height: all of the boundary is the drum's
         let cube = || SolidSpec::Cuboid { size: [2.0; 3], rounding: 0.0 }.solid([0.0; 3], Side::Inside).unwrap();

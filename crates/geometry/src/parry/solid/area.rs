@@ -19,9 +19,9 @@ pub(in crate::parry) struct Trials<'a> {
 
 #[derive(Debug)]
 enum Kind<'a> {
-    /// Lines through a ball, alike from everywhere, which enter a convex body: in each part of its surface as many as it has area
-    /// (Cauchy, Crofton).
-    Lines { body: &'a Body, ball: Bound },
+    /// Lines through a box, alike from everywhere, which enter a convex body: in each part of its surface as many as it has area
+    /// (Cauchy, Crofton). Of a box around a thin body they do not miss as many as of a ball.
+    Lines { body: &'a Body, extent: [Vector3<f64>; 2] },
     /// The part of a plane in a disk about a point of it.
     Disk { about: Closest, radius: f64 },
     /// Triangles, up to each of which so many units of area come.
@@ -38,13 +38,13 @@ impl Solid {
     pub(in crate::parry) fn trials(&self, bound: Option<Bound>) -> Result<Vec<Trials<'_>>, Error> {
         let trials = self.members.iter().enumerate().map(|(member, body)| {
             let kind = match body {
-                Body::Convex(..) | Body::Rounded(_) => match (Bound::of(body.extent()), bound) {
-                    (Some(ball), _) => Kind::Lines { body, ball },
-                    (None, Some(bound)) => {
+                Body::Convex(..) | Body::Rounded(_) => match (body.extent(), bound) {
+                    (extent, _) if extent.iter().flatten().all(|x| x.is_finite()) => Kind::Lines { body, extent },
+                    (_, Some(bound)) => {
                         let about = self.closest(&bound.center);
                         Kind::Disk { about, radius: bound.radius }
                     }
-                    (None, None) => return Err(Error::Unbounded),
+                    (_, None) => return Err(Error::Unbounded),
                 },
                 Body::Parallel(parallel) => {
                     let [low, high] = parallel.extent();
@@ -90,7 +90,7 @@ impl Trials<'_> {
     /// The area that would be found if every trial found a point, in units of a length whose inverse is `unit`.
     pub(in crate::parry) fn area(&self, unit: f64) -> f64 {
         match &self.kind {
-            Kind::Lines { ball, .. } => 4.0 * PI * (ball.radius * unit) * (ball.radius * unit),
+            Kind::Lines { extent: [low, high], .. } => 2.0 * sides(&((high - low) * unit)).sum(),
             Kind::Disk { radius, .. } => PI * (radius * unit) * (radius * unit),
             Kind::Triangles { unit: own, sums, .. } | Kind::Strata { unit: own, sums, .. } => {
                 sums[sums.len() - 1] * (unit / own) * (unit / own)
@@ -101,7 +101,8 @@ impl Trials<'_> {
     /// The greatest length in it.
     pub(in crate::parry) fn size(&self) -> f64 {
         match &self.kind {
-            Kind::Lines { ball: Bound { radius, .. }, .. } | Kind::Disk { radius, .. } => *radius,
+            Kind::Lines { extent: [low, high], .. } => (high - low).amax(),
+            Kind::Disk { radius, .. } => *radius,
             Kind::Triangles { unit, .. } | Kind::Strata { unit, .. } => 1.0 / unit,
         }
     }
@@ -109,8 +110,8 @@ impl Trials<'_> {
     /// One trial: a point \[L\] and the unit normal there, into the table.
     pub(in crate::parry) fn draw(&self, uniform: &mut dyn FnMut() -> f64) -> Option<(Vector3<f64>, Vector3<f64>)> {
         let (point, normal) = match &self.kind {
-            Kind::Lines { body, ball } => {
-                let (point, outward) = body.entered(&ball.line(uniform))?;
+            Kind::Lines { body, extent } => {
+                let (point, outward) = body.entered(&line_into(extent, uniform))?;
                 (point, if self.solid.side == Side::Outside { outward } else { -outward })
             }
             Kind::Disk { about, radius } => (about.point + in_disk(&about.normal, uniform) * *radius, about.normal),
@@ -124,6 +125,26 @@ impl Trials<'_> {
         let slack = slack([self.size(), point.amax()]);
         self.solid.exposes(self.member, &point, &outward, slack).then_some((point, normal))
     }
+}
+
+/// The areas of the sides of a box across each axis.
+fn sides(size: &Vector3<f64>) -> Vector3<f64> {
+    Vector3::new(size.y * size.z, size.z * size.x, size.x * size.y)
+}
+
+/// A random line that meets a box, from far enough that it starts outside: through each part of its surface as many as it has area, and
+/// there by the cosine of the angle of incidence.
+fn line_into([low, high]: &[Vector3<f64>; 2], uniform: &mut dyn FnMut() -> f64) -> Line<3> {
+    let size = high - low;
+    let areas = sides(&(size * to_unit(size.amax())));
+    let axis = pick(&sums(areas.iter().copied()), uniform);
+    let mut inwards = Vector3::zeros();
+    inwards[axis] = if uniform() < 0.5 { 1.0 } else { -1.0 };
+    let mut point = low + Vector3::from_fn(|i, _| uniform() * size[i]);
+    point[axis] = if inwards[axis] > 0.0 { low[axis] } else { high[axis] };
+    let across = in_disk(&inwards, uniform);
+    let velocity = across + inwards * libm::sqrt((1.0 - across.norm_squared()).max(0.0));
+    Line { point: point - velocity * size.norm(), velocity }
 }
 
 /// The sums of the first, the first two, ... of some numbers.

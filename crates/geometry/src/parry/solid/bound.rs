@@ -1,10 +1,5 @@
 //! Balls around things.
-use crate::{
-    Extent, Line,
-    parry::distance::to_unit,
-    plane::slack,
-    surface::{direction, in_disk},
-};
+use crate::{Extent, Line, parry::distance::to_unit, plane::slack};
 use nalgebra::Vector3;
 
 /// A ball \[L\].
@@ -28,13 +23,6 @@ impl Bound {
         let center = min * 0.5 + max * 0.5;
         let reach = points.iter().map(|p| (p - center).norm()).fold(0.0, f64::max);
         Bound { center, radius: reach + margin + slack([min.amax(), max.amax(), margin]) }
-    }
-
-    /// A random line that meets the ball, from far enough that it starts outside.
-    pub(super) fn line(&self, uniform: &mut dyn FnMut() -> f64) -> Line<3> {
-        let velocity = direction(uniform);
-        let point = self.center + (in_disk(&velocity, uniform) - velocity * 2.0) * self.radius;
-        Line { point, velocity }
     }
 }
 
