@@ -37,7 +37,7 @@ pub struct Ensemble {
     /// Seed of the random choices.
     pub seed: u64,
     /// How they are chosen: a name from [`SAMPLES`].
-    pub sample: &'static str,
+    pub sample: Spanned<&'static str>,
     /// Length of the whole velocity, spin included.
     pub speed: Spanned<f64>,
 }
@@ -97,8 +97,10 @@ fn ensemble(item: &Item, problems: &mut Problems) -> Option<Ensemble> {
     let number = section.required("count", "count = 1000").and_then(|item| count(item, 1, problems));
     let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
     let samples: Vec<_> = SAMPLES.iter().map(|sample| (sample.0, sample.0)).collect();
-    let sample =
-        section.optional("sample").map_or(Some(SAMPLES[0].0), |item| choice(item, "sample", &samples, problems));
+    let sample = match section.optional("sample") {
+        Some(item) => choice(item, "sample", &samples, problems).map(|sample| Spanned::new(sample, item.span)),
+        None => Some(Spanned::new(SAMPLES[0].0, item.span)),
+    };
     let speed = section.optional("speed").map_or(Some(Spanned::new(1.0, item.span)), |item| positive(item, problems));
     section.finish(problems);
     Some(Ensemble { span: item.span, count: number?, seed: seed?, sample: sample?, speed: speed? })

@@ -87,7 +87,7 @@ impl Planar {
         };
         let scale = Scale { length: self.drawn.factor, speed: to_unity([ensemble.speed.value]) };
         let speed = ensemble.speed.value * scale.speed;
-        let drawn: Box<dyn billiards::Starts<2, 1>> = match ensemble.sample {
+        let drawn: Box<dyn billiards::Starts<2, 1>> = match ensemble.sample.value {
             "grid" => Box::new(Grid::with_count(&self.centres, speed, ensemble.count.value)?),
             _ => Box::new(Canonical::new(&self.centres, speed, ensemble.seed)?),
         };

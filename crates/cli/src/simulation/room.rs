@@ -3,7 +3,7 @@
 use billiards::geometry::parry::{Room, Side, SolidSpec};
 use billiards::geometry::{Error, import};
 
-use crate::document::{Diagnostic, Spanned, spell};
+use crate::document::{Diagnostic, LARGEST, SMALLEST, Spanned, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
 use super::drawing;
@@ -71,20 +71,33 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diag
             (*name, spec.clone(), *center, side(*domain))
         }
         Border::Mesh { file, unit, center, domain } => {
-            (&file.value[..], mesh(scene, file)?.scaled(*unit), coordinates(&center.value), side(*domain))
+            (&file.value[..], mesh(scene, file, *unit)?, coordinates(&center.value), side(*domain))
         }
         _ => return Err(Box::new(scene.source.diagnostic(entry.span, "this is no wall in space"))),
     };
     Ok((name, Wall { spec, center, side }))
 }
 
-/// Triangles from a file.
-fn mesh(scene: &Scene, file: &Spanned<String>) -> Result<SolidSpec, Box<Diagnostic>> {
-    drawing::read(scene, file, "a mesh is read from a file .stl or .obj", |ending, bytes| match ending {
-        "stl" => Some(import::stl(bytes)),
-        "obj" => Some(import::obj(&String::from_utf8_lossy(bytes))),
-        _ => None,
-    })
+/// Triangles from a file whose unit is so long.
+fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<SolidSpec, Box<Diagnostic>> {
+    let mesh: SolidSpec =
+        drawing::read(scene, file, "a mesh is read from a file .stl or .obj", |ending, bytes| match ending {
+            "stl" => Some(import::stl(bytes)),
+            "obj" => Some(import::obj(&String::from_utf8_lossy(bytes))),
+            _ => None,
+        })?;
+    let mesh = mesh.scaled(unit);
+    let largest = match &mesh {
+        SolidSpec::TriMesh { vertices, .. } => vertices.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())),
+        _ => 0.0,
+    };
+    if (SMALLEST..=LARGEST).contains(&largest) {
+        return Ok(mesh);
+    }
+    let what = format!("the largest coordinate of {} is {}", file.value, short(largest));
+    let help =
+        format!("coordinates, times `unit`, may be as large as {LARGEST:e} and must not all be below {SMALLEST:e}");
+    Err(Box::new(scene.source.diagnostic(file.span, what).with_help(help)))
 }
 
 fn coordinates(p: &[f64]) -> [f64; 3] {

@@ -1,9 +1,9 @@
 //! A ball on a table in space.
 
-use billiards::geometry::parry::{Room, Side, SolidSpec};
+use billiards::geometry::parry::{Room, Side, Solid, SolidSpec};
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::walls::ByLane;
-use billiards::geometry::{Error, Surface, Vector3, Walls, WithWalls};
+use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
@@ -15,7 +15,6 @@ use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, Start};
 use super::wires::Wall;
-use super::words::short;
 use crate::document::Diagnostic;
 use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
 
@@ -53,8 +52,8 @@ pub(crate) enum Space {
 /// Where a point lies with respect to a region.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Touched {
-    /// How far outside, if it is outside.
-    pub(crate) outside: Option<f64>,
+    /// How far outside, if it is outside, and of which piece: the one of which most.
+    pub(crate) outside: Option<(f64, usize)>,
     /// Normals of the walls on which it lies, into the region.
     pub(crate) normals: Vec<Vector3<f64>>,
 }
@@ -64,34 +63,47 @@ impl Space {
     pub(crate) fn touched(&self, point: &Vector3<f64>) -> Touched {
         let slack = |size: f64| 16.0 * f64::EPSILON * size.max(point.amax());
         let mut touched = Touched::default();
-        let mut wall = |distance: f64, normal: Vector3<f64>, slack: f64| {
+        let mut wall = |piece: usize, distance: f64, normal: Vector3<f64>, slack: f64| {
             if distance < -slack {
-                touched.outside = Some(touched.outside.unwrap_or(0.0).max(-distance));
+                if touched.outside.is_none_or(|(most, _)| most < -distance) {
+                    touched.outside = Some((-distance, piece));
+                }
             } else if distance <= slack {
                 touched.normals.push(normal);
             }
         };
         match self {
             Space::Room(room) => {
-                for closest in room.solids().iter().map(|solid| solid.closest(point)) {
-                    wall(closest.distance, closest.normal, slack(0.0));
+                for (piece, solid) in room.solids().iter().enumerate() {
+                    let closest = solid.closest(point);
+                    wall(piece, closest.distance, closest.normal, solid.slack(point));
                 }
             }
             Space::Named(table) if table.name() == "ball" => {
                 let [_, high] = table.extent();
-                wall(table.signed_distance(point), -point, slack(high.x));
+                wall(0, table.signed_distance(point), -point, slack(high.x));
             }
             Space::Named(table) => {
                 let [low, high] = table.extent();
-                for axis in (0..3).filter(|axis| high[*axis].is_finite()) {
+                let bounded = (0..3).filter(|axis| high[*axis].is_finite());
+                for (pair, axis) in bounded.enumerate() {
                     let mut normal = Vector3::zeros();
                     normal[axis] = 1.0;
-                    wall(point[axis] - low[axis], normal, slack(high[axis]));
-                    wall(high[axis] - point[axis], -normal, slack(high[axis]));
+                    wall(2 * pair, point[axis] - low[axis], normal, slack(high[axis]));
+                    wall(2 * pair + 1, high[axis] - point[axis], -normal, slack(high[axis]));
                 }
             }
         }
         touched
+    }
+
+    /// Whether a path that starts on walls of a room is hit by one at once, as one out of an edge may be though it leaves one face.
+    fn is_hit_at_once(&self, path: &Line<3>) -> bool {
+        let Space::Room(room) = self else { return false };
+        let speed = path.velocity.norm();
+        let at_once =
+            |solid: &Solid| solid.first_hit(path).is_some_and(|hit| hit.time * speed <= solid.slack(&path.point));
+        room.solids().iter().any(at_once)
     }
 
     /// The distance of a point from the boundary; negative outside.
@@ -150,8 +162,9 @@ impl Spatial {
         };
         if let Starts::Ensemble(ensemble) = &starts {
             let wrong = |what: String| vec![scene.source.diagnostic(ensemble.span, what)];
-            if ensemble.sample == "grid" {
-                return Err(wrong("in space, the sample is \"canonical\"".into()));
+            if ensemble.sample.value == "grid" {
+                let what = "in space, the sample is \"canonical\"";
+                return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
             }
             if let Space::Room(room) = &centres {
                 room.surface().map_err(|error| match error {
@@ -322,12 +335,12 @@ fn checked(
     start.position = point.into();
     let touched = centres.touched(&point);
     let at = orbit.position.span;
-    if let Some(distance) = touched.outside {
-        let what = format!("the start lies {} outside the region of centres", short(distance / length));
-        return Err(Box::new(scene.source.diagnostic(at, what)));
+    if let Some((distance, piece)) = touched.outside {
+        return Err(Box::new(start::outside(scene, at, distance / length, piece)));
     }
     let velocity = Vector3::from(start.velocity);
-    if touched.normals.iter().any(|normal| velocity.dot(normal) <= 0.0) {
+    let leaves = touched.normals.iter().all(|normal| velocity.dot(normal) > 0.0);
+    if !leaves || centres.is_hit_at_once(&Line { point, velocity }) {
         let what = "the start lies on a wall and does not move into the table";
         return Err(Box::new(
             scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall"),

@@ -2,7 +2,7 @@
 
 use billiards::geometry::{Table, Vector2};
 
-use crate::document::{Diagnostic, spell};
+use crate::document::{Diagnostic, Span, spell};
 use crate::scene::{Orbit, Scene};
 
 use super::scale::{Scale, to_unity};
@@ -77,23 +77,32 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
         if off.dot(&landing.normal) > 0.0 {
             return Ok(start);
         }
-        let beyond = format!("{} beyond piece {piece}", short(distance / length));
-        let radius = scene.particle.radius.value;
-        let what = if radius > 0.0 {
-            format!(
-                "a disk of radius {} does not fit there: its centre would be {beyond} of the region of centres",
-                spell(radius)
-            )
-        } else {
-            format!("the start lies outside the table, {beyond}")
-        };
-        return Err(Box::new(scene.source.diagnostic(at, what)));
+        return Err(Box::new(outside(scene, at, distance / length, piece)));
     }
     if moves_inwards(table, &home, &Vector2::from(start.velocity), slack) {
         return Ok(start);
     }
     let what = format!("the start lies on piece {piece} and does not move into the table");
     Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
+}
+
+/// That a start lies so far beyond a piece of the table of centres.
+pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: usize) -> Diagnostic {
+    let beyond = format!("{} beyond piece {piece}", short(distance));
+    let radius = scene.particle.radius.value;
+    let particle = if scene.dimension == 2 { "disk" } else { "ball" };
+    let what = if radius > 0.0 {
+        format!(
+            "a {particle} of radius {} does not fit there: its centre would be {beyond} of the region of centres",
+            spell(radius)
+        )
+    } else {
+        format!("the start lies outside the table, {beyond}")
+    };
+    scene
+        .source
+        .diagnostic(at, what)
+        .with_help("move the start into the table, at least the particle's radius from all walls")
 }
 
 /// Whether a path from a point of the boundary enters the table.

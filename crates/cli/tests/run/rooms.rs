@@ -110,6 +110,8 @@ fn triangles_come_from_a_file() {
     };
     std::fs::write(folder.0.join("broken.obj"), obj.replace("f 2 3 5", "f 2 3 six")).unwrap();
     std::fs::write(folder.0.join("short.stl"), [1; 200]).unwrap();
+    std::fs::write(folder.0.join("huge.obj"), obj.replace("v 0 0 0", "v 0 0 1e200")).unwrap();
+    refused("huge.obj", "the largest coordinate of huge.obj is 1e200");
     refused("none.obj", "cannot read");
     refused("scene.toml", "a mesh is read from a file .stl or .obj");
     refused("broken.obj", "line 9: ");
@@ -133,12 +135,68 @@ fn rooms_that_cannot_be_filled_are_refused() {
             "a ball of radius 1.5 has no room to move in the table; its radius must be less than 1.5",
         ),
         (1.2, "", "", "9:10", "a ball of radius 1.2 has no room to move between the walls"),
-        (0.0, "seed = 3", "sample = \"grid\"", "11:1", "in space, the sample is \"canonical\""),
+        (0.0, "seed = 3", "sample = \"grid\"", "13:10", "in space, the sample is \"canonical\""),
     ] {
         let scene = can(radius).replacen(this, instead, 1);
         let output = folder.run(&scene, &[]);
         let told = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{told}");
         assert!(told.contains(what) && told.contains(&format!("scene.toml:{place}")), "{told}");
+    }
+}
+
+/// A room with these walls and one orbit.
+fn one(walls: &[&str], position: &str, velocity: &str) -> String {
+    let walls: String = walls.iter().map(|wall| format!("[[table.boundary]]\n{wall}\n")).collect();
+    format!(
+        "law = \"specular\"\n[table]\ndimension = 3\n{walls}[[orbit]]\nposition = {position}\nvelocity = {velocity}\n\
+         [run]\ncollisions = 1\n"
+    )
+}
+
+#[test]
+fn a_start_on_a_wall_is_on_it_within_the_rounding_of_the_wall() {
+    let folder = Folder::new("rooms-rounding");
+    for (wall, position, velocity) in [
+        ("plane = { through = [1e3, -1e3, 0.3], normal = [1, 1, 1] }", "[0.3, 0, 0]", "[1, 1, 1]"),
+        ("shape = { name = \"cuboid\", center = [100.1, 0, 0], size = [199.4, 3, 3] }", "[0.4, 0, 0.1]", "[-1, 0, 0]"),
+    ] {
+        let around = "sphere = { center = [0, 0, 0], radius = 5000 }";
+        let summary = folder.done(&one(&[wall, around], position, velocity), &[]);
+        assert_eq!(summary["stops"]["finished"], 1, "{wall}");
+    }
+}
+
+#[test]
+fn a_start_on_an_edge_must_leave_all_faces_of_a_container() {
+    let folder = Folder::new("rooms-edge");
+    let cuboid = "shape = { name = \"cuboid\", size = [1, 1, 1], domain = \"inside\" }";
+    for velocity in ["[-1, 1, 0]", "[1, -1, 0]", "[-1, -1, 0.5]"] {
+        let output = folder.run(&one(&[cuboid], "[-0.5, -0.5, 0]", velocity), &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains("scene.toml:7:12") && told.contains("does not move into the table"), "{told}");
+    }
+    assert_eq!(folder.done(&one(&[cuboid], "[-0.5, -0.5, 0]", "[1, 2, 0]"), &[])["stops"]["finished"], 1);
+}
+
+#[test]
+fn a_start_outside_is_told_of_which_piece_and_by_how_much() {
+    let folder = Folder::new("rooms-outside");
+    let walls = [
+        "sphere = { center = [0, 0, 0], radius = 2 }",
+        "sphere = { center = [0, 0, 0], radius = 0.5, domain = \"outside\" }",
+    ];
+    for (radius, position, what) in [
+        (0.0, "[0.25, 0, 0]", "the start lies outside the table, 0.25 beyond piece 1"),
+        (0.0, "[2.5, 0, 0]", "the start lies outside the table, 0.5 beyond piece 0"),
+        (0.25, "[0.5, 0, 0]", "a ball of radius 0.25 does not fit there: its centre would be 0.25 beyond piece 1"),
+    ] {
+        let scene =
+            one(&walls, position, "[1, 0, 0]").replace("[run]", &format!("[particle]\nradius = {radius}\n[run]"));
+        let output = folder.run(&scene, &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{told}");
+        assert!(told.contains(what) && told.contains("move the start"), "{told}");
     }
 }
