@@ -154,7 +154,7 @@ fn every_kind_of_boundary_entry_is_read() {
     let Border::Shape { lengths, domain: Domain::Outside, .. } = &entries[7].border else { panic!() };
     assert!(lengths.contains(&0.1), "{lengths:?}");
     let Starts::Ensemble(ensemble) = &scene.starts else { panic!() };
-    assert_eq!((ensemble.count.value, ensemble.seed, ensemble.sample), (100_000, u64::MAX, "canonical"));
+    assert_eq!((ensemble.count.value, ensemble.seed, ensemble.sample.value), (100_000, u64::MAX, "canonical"));
     assert!(matches!(scene.limit, Some(Limit::Time(t)) if t.value == 250.0));
 }
 

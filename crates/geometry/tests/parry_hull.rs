@@ -95,3 +95,23 @@ fn ten_thousand_points_on_a_sphere_have_a_hull_at_once() {
     let hit = ball.first_hit(&Line { point: Vector3::x() * 3.0, velocity: -Vector3::x() }).unwrap();
     assert!((hit.time - 2.0).abs() < 1e-2);
 }
+
+#[test]
+fn beside_an_edge_of_a_rounded_hull_the_normal_is_that_of_the_face() {
+    let points = cube().iter().map(|p| (*p).into()).collect();
+    let tile = SolidSpec::ConvexHull { points, rounding: 0.125 }.solid([0.0; 3], Side::Outside).unwrap();
+    for axis in 0..3 {
+        for (sign, beside) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            for across in [(axis + 1) % 3, (axis + 2) % 3] {
+                for exponent in 1..52 {
+                    let mut point = Vector3::repeat(0.3);
+                    point[axis] = 1.75 * sign;
+                    point[across] = beside * (1.0 - libm::ldexp(1.0, -exponent));
+                    let mut normal = Vector3::zeros();
+                    normal[axis] = sign;
+                    assert_eq!(tile.closest(&point).normal, normal, "{point:?}");
+                }
+            }
+        }
+    }
+}

@@ -147,7 +147,7 @@ fn rooms_that_cannot_be_filled_are_refused() {
 
 /// A room with these walls and one orbit.
 fn one(walls: &[&str], position: &str, velocity: &str) -> String {
-    let walls: String = walls.iter().map(|wall| format!("[[table.boundary]]\n{wall}\n")).collect();
+    let walls = walls.iter().map(|wall| format!("[[table.boundary]]\n{wall}\n")).collect::<Vec<_>>().concat();
     format!(
         "law = \"specular\"\n[table]\ndimension = 3\n{walls}[[orbit]]\nposition = {position}\nvelocity = {velocity}\n\
          [run]\ncollisions = 1\n"

@@ -168,7 +168,7 @@ mod tests {
                             (1, _) => p / p.norm(),
                             // drums, double cones, rods of points on lines
                             (2, _) => Vector3::new(p.x, p.y, p.z.signum()) / libm::hypot(p.x, p.y),
-                            (3, 0) | (4, 0) => Vector3::z() * p.z,
+                            (3 | 4, 0) => Vector3::z() * p.z,
                             (3, _) => Vector3::new(p.x, p.y, 0.0) / libm::hypot(p.x, p.y),
                             (4, _) => Vector3::new(p.x.signum(), 0.3 * p.y.signum(), p.z),
                             // coarse coordinates, far away, long

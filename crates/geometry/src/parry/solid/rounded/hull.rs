@@ -14,6 +14,8 @@ use nalgebra::Vector3;
 pub(super) struct Hull {
     triangles: Vec<Facet>,
     tree: BoxTree<3>,
+    /// The largest coordinate.
+    size: f64,
 }
 
 impl Hull {
@@ -25,13 +27,21 @@ impl Hull {
         };
         let triangles: Vec<Facet> = polytope.faces.iter().flat_map(fan).collect();
         let tree = BoxTree::new(triangles.iter().map(Facet::extent));
-        Hull { triangles, tree }
+        let size = triangles.iter().flat_map(Facet::corners).map(|corner| corner.amax()).fold(0.0, f64::max);
+        Hull { triangles, tree, size }
     }
 }
 
 impl Core for Hull {
     fn outer(&self, x: &Vector3<f64>) -> View {
-        let nearest = self.tree.nearest(x, f64::INFINITY, |k| self.triangles[k].front(x).height);
+        // what lies straight above a face is nearest to that; beside its edge this is no farther within rounding, but its normal is
+        // another to half the digits
+        let rounding = 8.0 * f64::EPSILON * self.size.max(x.amax());
+        let height = |k: usize| {
+            let View { height, normal } = self.triangles[k].front(x);
+            if normal == self.triangles[k].normal() { height } else { height + rounding }
+        };
+        let nearest = self.tree.nearest(x, f64::INFINITY, height);
         nearest.map_or(View { height: f64::NAN, normal: Vector3::zeros() }, |(_, k)| self.triangles[k].front(x))
     }
 
