@@ -10,6 +10,7 @@ mod domain;
 mod number;
 mod parser;
 mod program;
+mod turn;
 
 use std::fmt;
 

@@ -112,7 +112,7 @@ impl Table {
             let area = if members.iter().any(|c| infinite(c)) {
                 f64::INFINITY
             } else {
-                let enclosed: f64 = members.iter().map(|c| self.enclosed_by(c)).sum();
+                let enclosed = self.enclosed_by(members.iter().copied());
                 match self.lattice() {
                     _ if enclosed > 0.0 => enclosed,
                     Some(lattice) => lattice.cell_area() + enclosed,
@@ -123,20 +123,6 @@ impl Table {
         }
         components.sort_by(|a, b| a.pieces.cmp(&b.pieces));
         components
-    }
-
-    /// The area that a chain contributes; one that goes on in a translate of itself is closed along edges of the cell.
-    fn enclosed_by(&self, chain: &[usize]) -> f64 {
-        let area: f64 = chain.iter().map(|&i| self.pieces()[i].area()).sum();
-        match (chain.first(), chain.last()) {
-            (Some(&first), Some(&last)) if !self.is_closed(chain) => {
-                match (self.pieces()[first].ends(), self.pieces()[last].ends()) {
-                    (Some([a, _]), Some([_, b])) => area + 0.5 * a.perp(&b),
-                    _ => area,
-                }
-            }
-            _ => area,
-        }
     }
 }
 
@@ -171,7 +157,7 @@ impl Groups {
 mod tests {
     use super::*;
     use crate::{
-        Outline, Piece,
+        Error, Outline, Piece, Turn,
         shapes::{Circle, FullLine},
         tables,
     };
@@ -207,6 +193,26 @@ mod tests {
         assert_eq!(sizes, [10, 5, 4]);
         let areas = [64.0 - 16.0 - 0.5 * PI, 4.0 - 0.25 * PI, 1.0];
         assert!(found.iter().zip(areas).all(|(c, a)| (c.area - a).abs() < 1e-13), "{found:?}");
+    }
+
+    #[test]
+    fn areas_and_senses_do_not_depend_on_where_a_table_is() {
+        for far in [0.0, 1e6, 1e8, 1e12] {
+            let room = |hole: bool| Table::new(square(far + 0.25, 0.5 - far, 1.0, hole)).unwrap();
+            assert_eq!((room(false).area(), room(false).describe().area()), (1.0, 1.0), "{far:e}");
+            let inner = room(false).offset(0.25).unwrap().table.describe();
+            assert_eq!((inner.area(), inner.largest_disk.radius), (0.25, 0.25), "{far:e}");
+            assert!(room(false).validate().is_ok());
+            assert!(matches!(room(true).validate(), Err(Error::Orientation { .. })), "{far:e}");
+            assert!(room(true).unbounded().validate().is_ok());
+            assert!(room(true).largest_disk().radius.is_infinite());
+            let cap = |x: f64, y: f64| v(far + x, y - far);
+            let o = Outline::from(cap(-1.0, -1.0)).line_to(cap(1.0, -1.0)).unwrap();
+            let o = o.arc_to(cap(1.0, 1.0), cap(1.0, 0.0), Turn::CounterClockwise).unwrap();
+            let o = o.line_to(cap(-1.0, 1.0)).unwrap().line_to(cap(-1.0, -1.0)).unwrap();
+            let area = Table::new(o.close().unwrap()).unwrap().area();
+            assert!((area - (4.0 + 0.5 * PI)).abs() < 1e-14, "{far:e}: {area}");
+        }
     }
 
     #[test]

@@ -50,6 +50,16 @@ pub enum Error {
         /// The radius at angle 2π.
         end: f64,
     },
+    /// A radius as a function of the angle that jumps.
+    #[error("the curve is open: r(φ) jumps from {before} to {after} at φ = {angle:.4}")]
+    PolarJump {
+        /// Where, in radians.
+        angle: f64,
+        /// The radius before it.
+        before: f64,
+        /// The radius after it.
+        after: f64,
+    },
     /// A formula that is positive inside its curve.
     #[error("the formula must be negative inside its curve; it is positive there")]
     Inverted,
@@ -72,8 +82,33 @@ pub enum Error {
     /// A formula with so many waves that nobody waits for the first hit.
     #[error("the curve winds to and fro thousands of times, more often than can be tabulated")]
     Winding,
+    /// A formula without a zero in its box, as far as is seen.
+    #[error(
+        "no curve was found in the box of the formula: on none of its lines does it change sign, and in the middle it is {:?}", six_digits(*value)
+    )]
+    NoCurve {
+        /// What the formula says in the middle of its box.
+        value: f64,
+    },
+    /// A curve with a parallel that would turn back: its radius of curvature is smaller than the distance.
+    #[error(
+        "the curve bends too much for a parallel at distance {distance}: near {} its radius of curvature is smaller",
+        about(at)
+    )]
+    Bend {
+        /// The distance of the parallel.
+        distance: f64,
+        /// About where.
+        at: [f64; 2],
+    },
+    /// A curve with a kink that points into the table, about which its parallel would be open.
+    #[error("the curve has a kink near {}", about(at))]
+    Kink {
+        /// About where.
+        at: [f64; 2],
+    },
     /// A formula that does not bound a table.
-    #[error("the curve of the formula must {must}; it does not near ({}, {})", at[0], at[1])]
+    #[error("the curve of the formula must {must}; it does not near {}", about(at))]
     Curve {
         /// What the curve must do.
         must: &'static str,
@@ -273,6 +308,16 @@ fn into_nowhere(starts: bool, gap: f64) -> String {
         (false, true) => format!("ends {gap:?} away from the nearest start of another piece"),
         (false, false) => "ends where nothing comes after it".into(),
     }
+}
+
+/// A point to six digits.
+fn about(at: &[f64; 2]) -> String {
+    let [x, y] = at.map(six_digits);
+    format!("({x:?}, {y:?})")
+}
+
+fn six_digits(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
 }
 
 /// What is wrong with a radius.

@@ -4,10 +4,11 @@ use crate::{
     copies::{Copies, finite_extent},
     nearest::nearest_of,
     plane::slack,
+    shapes::curve::rising_root,
 };
 use core::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector2, Vector3};
-use std::collections::BinaryHeap;
+use std::{cell::OnceCell, collections::BinaryHeap};
 
 /// Where the largest disk in a table lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,23 +57,66 @@ impl Ord for Square {
     }
 }
 
+/// Places along a curve between which the distance from a point has one minimum at most.
+const PLACES: u32 = 256;
+
 /// Signed distances from a table's boundary, by a tree.
-struct Field(Copies);
+struct Field {
+    copies: Copies,
+    /// Arc lengths along curves that may be touched in several places, and where these are, once somebody asks.
+    places: Vec<OnceCell<Vec<(f64, Landing)>>>,
+}
 
 impl Field {
+    fn new(copies: Copies) -> Field {
+        let places = copies.order().map(|_| OnceCell::new()).collect();
+        Field { copies, places }
+    }
+
+    /// The closest points of all pieces that may come as near as `reach`.
     fn feet(&self, point: &Vector2<f64>, reach: f64) -> Vec<Landing> {
         let mut feet = vec![];
-        self.0.search(|e| e.distance(point) <= reach, |i| feet.push(self.0.get(i).0.piece.closest(point)));
+        self.copies.search(|e| e.distance(point) <= reach, |i| feet.push(self.copies.get(i).0.piece.closest(point)));
+        feet
+    }
+
+    /// The points of all pieces that may come as near as `reach`, each closest among its neighbours along the piece.
+    fn local_feet(&self, point: &Vector2<f64>, reach: f64) -> Vec<Landing> {
+        let mut feet = self.feet(point, reach);
+        // how far a foot lies ahead of the point, along the curve
+        let ahead = |l: &Landing| (l.point - point).dot(&Vector2::new(l.normal.y, -l.normal.x));
+        let visit = |i: usize| {
+            let piece = &self.copies.get(i).0.piece;
+            let length = piece.length();
+            if piece.figure() != Figure::Other || piece.tips().is_some() || !length.is_finite() {
+                return;
+            }
+            let at = |k: u32| length * (f64::from(k) / f64::from(PLACES));
+            let places =
+                self.places[i].get_or_init(|| (0..=PLACES).map(at).map(|s| (s, piece.landing_at(s))).collect());
+            for w in places.windows(2) {
+                let [(low, before), (high, after)] = [w[0], w[1]];
+                if ahead(&before) < 0.0 && ahead(&after) >= 0.0 {
+                    let rise = |s: f64| {
+                        let here = piece.landing_at(s);
+                        let rate = 1.0 + piece.curvature(&here.point) * (here.point - point).dot(&here.normal);
+                        [ahead(&here), rate]
+                    };
+                    feet.push(piece.landing_at(rising_root(rise, [low, high])));
+                }
+            }
+        };
+        self.copies.search(|e| e.distance(point) <= reach, visit);
         feet
     }
 
     /// The distance from the boundary, negative outside the table.
     fn distance(&self, point: &Vector2<f64>) -> f64 {
-        let Some((d, _)) = self.0.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
+        let Some((d, _)) = self.copies.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
         let mut near = vec![];
-        self.0.search(|e| e.distance(point) <= d * (1.0 + 1e-12), |i| near.push(i));
+        self.copies.search(|e| e.distance(point) <= d * (1.0 + 1e-12), |i| near.push(i));
         let pieces = near.iter().map(|&i| {
-            let copy = self.0.get(i).0;
+            let copy = self.copies.get(i).0;
             (copy.number, &*copy.piece)
         });
         let behind = nearest_of(pieces, point).is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) < 0.0);
@@ -90,7 +134,7 @@ impl Field {
                 break;
             }
             let walls: Vec<Vector3<f64>> = self
-                .feet(&center, radius + 2.0 * step)
+                .local_feet(&center, radius + 2.0 * step)
                 .iter()
                 .filter_map(|foot| {
                     let off = center - foot.point;
@@ -151,8 +195,8 @@ impl Table {
         let home = self.search_box();
         if finite {
             // around holes alone, and walls on both sides, there is no end
-            let areas = || self.pieces().iter().map(|p| p.area());
-            if self.lattice().is_none() && areas().sum::<f64>() <= slack(areas()) {
+            let width = (home.max - home.min).norm();
+            if self.lattice().is_none() && self.enclosed_by(&self.chains()) <= slack([width * width]) {
                 return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
             }
             return self.largest_disk_in(&home);
@@ -244,7 +288,7 @@ impl Table {
 
     fn largest_disk_in(&self, home: &Extent) -> LargestDisk {
         let sides = home.max - home.min;
-        let field = Field(Copies::new(self.pieces(), self.lattice(), home, sides.amax()));
+        let field = Field::new(Copies::new(self.pieces(), self.lattice(), home, sides.amax()));
         let square = |middle: Vector2<f64>, half: f64| {
             let distance = field.distance(&middle);
             Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
@@ -297,7 +341,10 @@ impl Table {
 mod tests {
     use crate::{
         Outline, Piece, Table, Turn, Vector2,
-        shapes::{Circle, Ellipse, FullLine, Ray, Segment},
+        shapes::{
+            Circle, Ellipse, FullLine, Ray, Segment,
+            curve::{Interval, Polar, PolarFormula},
+        },
     };
 
     fn v(x: f64, y: f64) -> Vector2<f64> {
@@ -326,6 +373,28 @@ mod tests {
         assert!((disk.radius - 2.0).abs() < 1e-14, "{disk:?}");
         let ellipse = of(vec![Box::new(Ellipse::new(v(0.0, 0.0), [2.0, 1.0], 0.3, true).unwrap())]).largest_disk();
         assert!((ellipse.radius - 1.0).abs() < 1e-13, "{ellipse:?}");
+    }
+
+    /// `r = 2 − 0.3 cos 3φ`
+    #[derive(Clone, Debug)]
+    struct Clover;
+
+    impl PolarFormula for Clover {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(3.0 * angle);
+            [2.0 - 0.3 * cos, 0.9 * sin, 2.7 * cos]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let [sin, cos] = (angle * 3.0).sin_cos();
+            [cos * -0.3 + 2.0, sin * 0.9, cos * 2.7]
+        }
+    }
+
+    #[test]
+    fn the_largest_disk_may_touch_one_curve_in_several_places() {
+        let clover = || Polar::new(v(0.5, -0.25), Clover, true).unwrap();
+        let disk = of(vec![Box::new(clover())]).largest_disk();
+        assert!((disk.radius - 1.7).abs() < 1e-14 && (disk.center - v(0.5, -0.25)).norm() < 1e-14, "{disk:?}");
     }
 
     #[test]

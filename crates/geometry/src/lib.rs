@@ -54,7 +54,7 @@ pub use nalgebra::{SVector, Vector2, Vector3};
 pub use offset::{Offset, Origin};
 pub use outline::{Outline, Turn};
 pub use path::Line;
-pub use piece::{Extent, Figure, Landing, Piece};
+pub use piece::{Extent, Figure, Landing, Piece, enclosed_area};
 pub use sample::{BoundaryPoint, Interior, Perimeter};
 pub use surface::Surface;
 pub use table::Table;

@@ -57,7 +57,8 @@ impl Table {
     /// that radius can be.
     ///
     /// Pieces are numbered loop by loop, each loop from its piece of lowest origin. A neck narrower than the disk cuts the
-    /// region into several parts; a neck exactly as wide counts as closed.
+    /// region into several parts; a neck exactly as wide counts as closed, or is
+    /// refused as [`Error::Undecided`] where rounding decides about it.
     ///
     /// ```
     /// use geometry::{Origin, tables};

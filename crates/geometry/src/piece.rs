@@ -112,8 +112,10 @@ pub trait Piece: Debug + Send + Sync {
     /// A box around the piece.
     fn extent(&self) -> Extent;
 
-    /// `½ ∮ (x dy − y dx)` along the piece \[L²\]: the areas of the pieces of a closed boundary add up to the area of
-    /// the table. Infinite pieces return NaN.
+    /// The area \[L²\] between the piece and its chord, `½ ∫ (x dy − y dx)` about a point of the chord: positive where the piece runs
+    /// counter-clockwise around it, 0 for a straight one. A closed curve has its own area, infinite pieces have NaN.
+    ///
+    /// [`enclosed_area`] is what several pieces bound together.
     fn area(&self) -> f64;
 
     /// The piece as a shape that answers in lanes, if it is one: lists of those run side by side at full speed, other
@@ -137,4 +139,21 @@ pub trait Piece: Debug + Send + Sync {
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         None
     }
+}
+
+/// The area \[L²\] that pieces enclose, each of which begins where the one before it ends: positive if they run counter-clockwise. From
+/// the end of the last one to the start of the first leads a straight line; infinite pieces have the area NaN.
+///
+/// Triangles are summed about a vertex, so that no digit depends on how far away the origin is.
+pub fn enclosed_area<'a>(pieces: impl IntoIterator<Item = &'a dyn Piece>) -> f64 {
+    let mut corner = None;
+    let mut area = 0.0;
+    for piece in pieces {
+        area += piece.area();
+        if let Some([a, b]) = piece.ends() {
+            let corner = *corner.get_or_insert(a);
+            area += 0.5 * (a - corner).perp(&(b - corner));
+        }
+    }
+    area
 }

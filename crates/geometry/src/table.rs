@@ -4,7 +4,7 @@ mod fastest;
 mod two_sided;
 
 use crate::{
-    Error, Extent, Figure, Landing, Lattice, Piece,
+    Error, Extent, Figure, Landing, Lattice, Piece, enclosed_area,
     nearest::nearest_of,
     plane::slack,
     shapes::{self, Shape},
@@ -217,19 +217,29 @@ impl Table {
 
     /// Area of the table \[L²\], per unit cell on a lattice; infinite or NaN for infinite tables.
     pub fn area(&self) -> f64 {
-        let mut enclosed: f64 = self.pieces.iter().map(|p| p.area()).sum();
-        // a chain that goes on in a translate of itself is closed along edges of the cell, of which two differ by the
-        // vector from its start to its end
-        for chain in self.chains().iter().filter(|chain| !self.is_closed(chain)) {
-            let (first, last) = (chain[0], chain[chain.len() - 1]);
-            if let (Some([a, _]), Some([_, b])) = (self.pieces[first].ends(), self.pieces[last].ends()) {
-                enclosed += 0.5 * a.perp(&b);
-            }
-        }
+        let enclosed = self.enclosed_by(&self.chains());
         match &self.lattice {
             Some(lattice) if enclosed < 0.0 => lattice.cell_area() + enclosed,
             _ => enclosed,
         }
+    }
+
+    /// The area that chains contribute together. One that goes on in a translate of itself is closed along edges of the cell, of which
+    /// two differ by the vector from its start to its end.
+    pub(crate) fn enclosed_by<'a>(&self, chains: impl IntoIterator<Item = &'a Vec<usize>>) -> f64 {
+        // edges of the cell lead to one point from all chains
+        let mut corner = None;
+        let of_chain = |chain: &Vec<usize>| {
+            let inside = enclosed_area(chain.iter().map(|&i| &*self.pieces[i]));
+            let ends = [chain[0], chain[chain.len() - 1]].map(|i| self.pieces[i].ends());
+            match ends {
+                [Some([a, _]), Some([_, b])] if !self.is_closed(chain) => {
+                    inside + (a - *corner.get_or_insert(a)).perp(&(b - a))
+                }
+                _ => inside,
+            }
+        };
+        chains.into_iter().map(of_chain).sum()
     }
 
     /// Length of the boundary \[L\], per unit cell on a lattice.

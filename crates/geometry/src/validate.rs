@@ -2,6 +2,7 @@
 use crate::{
     Error, Extent, Figure, Meeting, MeetingKind, Table,
     copies::Copies,
+    enclosed_area,
     intersect::{direction_at, self_crossing},
     meetings,
     nearest::ALIKE,
@@ -132,17 +133,16 @@ impl Table {
     /// Fails where a piece has the table on its right.
     fn orientation(&self, sight: &Sight) -> Result<(), Error> {
         let chains = &sight.chains;
-        // the area on the left of a loop; a wall with two sides has none, but for rounding
-        let area = |chain: &[usize]| {
-            let areas = || chain.iter().map(|&i| self.pieces()[i].area());
-            let area = areas().sum::<f64>();
-            if area.abs() > slack(areas()) { area } else { 0.0 }
-        };
         let width = |k: usize| {
             let e = &sight.extents[k];
             (e.max.x - e.min.x) + (e.max.y - e.min.y)
         };
-        let collapsed = |k: usize| area(&chains[k]).abs() <= slack([sight.extents[k].size()]) * width(k);
+        // the area on the left of a loop; a wall with two sides has none, but for rounding
+        let area = |k: usize| {
+            let area = enclosed_area(chains[k].iter().map(|&i| &*self.pieces()[i]));
+            if area.abs() > slack([width(k) * width(k)]) { area } else { 0.0 }
+        };
+        let collapsed = |k: usize| area(k).abs() <= slack([sight.extents[k].size()]) * width(k);
         // in the plane, the widest loop lies in no other
         let outermost = (0..chains.len()).max_by(|&a, &b| width(a).total_cmp(&width(b)));
         if let Some(k) = outermost
@@ -150,7 +150,7 @@ impl Table {
             && chains.iter().all(|c| self.is_closed(c))
             && chains[k].len() > 1
         {
-            let (piece, area) = (chains[k][0], area(&chains[k]));
+            let (piece, area) = (chains[k][0], area(k));
             match (self.unbounded, collapsed(k)) {
                 (false, true) if area != 0.0 => return Err(Error::Collapsed { piece, area }),
                 (true, false) if area > 0.0 => return Err(Error::Orientation { piece }),

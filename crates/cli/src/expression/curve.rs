@@ -15,9 +15,6 @@ pub struct PolarCurve {
     returns: bool,
 }
 
-/// Angles at which a formula is compared with itself a turn later and before.
-const PLACES: u32 = 61;
-
 /// Some ulp of a turn.
 const ROUNDING: f64 = 4.0 * TAU * f64::EPSILON;
 
@@ -26,17 +23,7 @@ impl PolarCurve {
     pub fn new(radius: &Expression) -> Self {
         let slope = radius.derivative(0);
         let jet = Program::new([radius, &slope, &slope.derivative(0)]);
-        let at = |angle: f64| -> f64 {
-            let [r, ..] = jet.evaluate(&[angle]);
-            r
-        };
-        let returns = (0..PLACES).all(|k| {
-            let angle = TAU * f64::from(k) / f64::from(PLACES);
-            // the rounding of an angle times a number of waves; a formula that means something else is off by more
-            let near = |r: f64| (r - at(angle)).abs() <= 1e-9 * r.abs();
-            near(at(angle + TAU)) && near(at(angle - TAU))
-        });
-        Self { jet, returns }
+        Self { jet, returns: radius.comes_back() }
     }
 }
 
@@ -132,6 +119,7 @@ mod tests {
     use super::*;
     use billiards::geometry::shapes::curve::{Implicit, Polar};
     use billiards::geometry::{Error, Line, Piece};
+    use core::f64::consts::PI;
 
     #[test]
     fn a_polar_formula_is_a_table_with_the_area_of_its_integral() {
@@ -171,6 +159,52 @@ mod tests {
         let [corner] =
             [pieces(parabola)].map(|arcs| arcs.iter().filter_map(|arc| arc.ends()).flatten().collect::<Vec<_>>());
         assert!(corner.iter().any(|end| (end - Vector2::new(1.0, 0.0)).amax() < 1e-14), "{corner:?}");
+    }
+
+    #[test]
+    fn a_narrow_bump_meant_for_one_turn_is_there_at_every_angle() {
+        let r = Expression::parse("2-0.05*exp(-((t-pi)/0.01)^2)", &["t"]).unwrap();
+        let bump = PolarCurve::new(&r);
+        assert_eq!([bump.jet(PI), bump.jet(-PI)].map(|[r, ..]| r), [1.95; 2]);
+        let table = Polar::new(Vector2::zeros(), bump, true).unwrap();
+        let path = Line { point: Vector2::zeros(), velocity: Vector2::new(-1.0, -1e-4) };
+        assert!((table.crossing(&path).time() - 1.95).abs() < 1e-4);
+    }
+
+    #[test]
+    fn the_length_of_a_curve_counts_its_narrow_bumps() {
+        for width in [3e-4, 1e-5, 1e-8] {
+            let r = Expression::parse(&format!("2+0.1*exp(-((t-1.05)/{width})^2)"), &["t"]).unwrap();
+            let curve = Polar::new(Vector2::zeros(), PolarCurve::new(&r), true).unwrap();
+            // up and down, and between them less than twice ten widths of the circle
+            let expected = 2.0 * TAU + 0.2;
+            assert!((curve.length() - expected).abs() < 20.0 * width, "{width}: {}", curve.length() - expected);
+        }
+    }
+
+    #[test]
+    fn formulas_that_jump_are_no_curves() {
+        for text in [
+            "2+0.1*atan(tan(t))",
+            "2+0.1*atan2(sin(t),cos(t))",
+            "2+0.1*atan(1/sin(t-0.1))",
+            "2+1e-7*atan(100*tan(t+1))",
+            "2+0.1*atan(tan(t/2-1))*(2*pi-t)*t",
+        ] {
+            let found = Polar::new(Vector2::zeros(), PolarCurve::new(&Expression::parse(text, &["t"]).unwrap()), true);
+            assert!(matches!(found, Err(Error::PolarJump { .. })), "{text}: {found:?}");
+        }
+        // steep, and without a bound on the slope, but closed
+        for text in [
+            "2+0.1*atan(1e6*sin(t))",
+            "2-0.3*sqrt(abs(sin(t-1)))",
+            "2-0.3*abs(sin(t-1))^(1/3)",
+            "2+0.1*asin(sin(t))",
+            "2+0.1*sin(3*t)*atan2(sin(t),2+cos(t))",
+        ] {
+            let found = Polar::new(Vector2::zeros(), PolarCurve::new(&Expression::parse(text, &["t"]).unwrap()), true);
+            assert!(found.is_ok(), "{text}: {found:?}");
+        }
     }
 
     #[test]
@@ -229,7 +263,7 @@ mod tests {
             "(x^2+y^2-1)*((x-0.25)^2+(y-0.25)^2)",
         ] {
             let found = curve(f);
-            assert!(matches!(found, Err(Error::Curve { must: "be the only one in its extent", .. })), "{f}: {found:?}");
+            assert!(matches!(found, Err(Error::Curve { must: "be the only one in its box", .. })), "{f}: {found:?}");
         }
         for f in [
             "x^2+y^2-1",

@@ -4,6 +4,8 @@ mod complaint;
 mod pieces;
 mod scaled;
 
+use core::f64::consts::TAU;
+
 use billiards::geometry::tables::{self, Kind, Values};
 use billiards::geometry::{Error, Table};
 
@@ -12,8 +14,8 @@ use crate::scene::{Arguments, Border, Curve, EdgePath, LawKind, Scene, Starts, T
 
 use super::scale;
 
-pub(super) use complaint::wrong_argument;
-use complaint::{in_user_units, with_advice};
+use complaint::in_user_units;
+pub(super) use complaint::{with_advice, wrong_argument};
 use pieces::explicit;
 
 /// A planar table as drawn, all lengths multiplied by a factor.
@@ -116,6 +118,9 @@ pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
     all
 }
 
+/// Angles at which a polar formula is asked how large it is.
+const ANGLES: u32 = 16;
+
 fn of_border(border: &Border, all: &mut Vec<f64>) {
     match border {
         Border::Loop { from, edges, .. } => {
@@ -131,7 +136,11 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         Border::Ellipse { center, semi_axes, .. } => all.extend(center.value.iter().chain(&semi_axes.value)),
         Border::Line { through, .. } | Border::Plane { through, .. } => all.extend(&through.value),
         Border::Ray { from, .. } => all.extend(&from.value),
-        Border::Curve { curve: Curve::Polar { center, .. }, .. } => all.extend(&center.value),
+        Border::Curve { curve: Curve::Polar { radius, center }, .. } => {
+            all.extend(&center.value);
+            // a formula says how large it is by what it comes to
+            all.extend((0..ANGLES).map(|k| radius.evaluate(&[TAU * f64::from(k) / f64::from(ANGLES)])));
+        }
         Border::Curve { curve: Curve::Implicit { within, .. }, .. } => all.extend(within.value.as_flattened()),
         Border::Shape { lengths, .. } => all.extend(lengths),
         Border::Outline { .. } | Border::Mesh { .. } => {}

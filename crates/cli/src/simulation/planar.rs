@@ -161,11 +161,17 @@ fn centres(scene: &Scene, drawn: &Drawn) -> Result<(Table, Vec<u64>), Vec<Diagno
         Ok(offset) => Ok((offset.table, offset.origins.iter().map(|origin| origin.piece() as u64).collect())),
         Err(error) => {
             let error = drawn.in_user_units(&error);
-            let what = match error {
+            let what = match &error {
                 Error::NothingLeft { .. } | Error::Undecided { .. } => error.to_string(),
                 other => format!("a disk of radius {}: {other}", spell(radius.value)),
             };
-            Err(vec![scene.source.diagnostic(radius.span, what)])
+            let diagnostic = scene.source.diagnostic(radius.span, what);
+            Err(vec![match error {
+                Error::Bend { .. } | Error::Kink { .. } => {
+                    boundary::with_advice(diagnostic, &error, &scene.table.shape)
+                }
+                _ => diagnostic,
+            }])
         }
     }
 }

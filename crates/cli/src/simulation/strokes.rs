@@ -1,6 +1,6 @@
 //! Walls as pictures draw them.
 
-use billiards::geometry::{Figure, Lattice, Piece, Table, Vector2};
+use billiards::geometry::{Figure, Lattice, Piece, Table, Vector2, enclosed_area};
 
 use crate::picture::{Solid, Stroke};
 
@@ -27,7 +27,7 @@ pub(crate) fn of(table: &Table, factor: f64) -> Vec<Stroke> {
 
 /// The insides of all loops that are obstacles, and the hollows in these, larger ones first.
 pub(crate) fn solids(table: &Table, factor: f64) -> Vec<Solid> {
-    let area = |chain: &[usize]| chain.iter().map(|&number| table.pieces()[number].area()).sum::<f64>();
+    let area = |chain: &[usize]| enclosed_area(chain.iter().map(|&number| &*table.pieces()[number]));
     let chains = table.chains().into_iter().filter(|chain| table.is_closed(chain));
     let mut loops: Vec<(f64, Vec<usize>)> = chains.map(|chain| (area(&chain), chain)).collect();
     loops.sort_by(|(a, _), (b, _)| b.abs().total_cmp(&a.abs()));

@@ -130,6 +130,9 @@ fn a_polar_formula_without_a_radius_somewhere_is_refused_at_once() {
         ("2+sqrt(1-2)*cos(t)", 22, "sqrt of the negative number -1"),
         ("2+3*cos(t)", 19, "r(φ) must be positive and finite at every angle; near φ = 2.3017 it is -0.00"),
         ("2+0.2*sqrt(1-cos(t)^2)", 19, "write kinks with abs"),
+        ("2+0.1*atan(tan(t))", 19, "the curve is open: r(φ) jumps from 2.157"),
+        ("2+0.1*atan2(sin(t),cos(t))", 19, "at φ = 3.1416"),
+        ("1e160*(2+cos(t))", 19, "lengths lie between 1e-150 and 1e150"),
     ] {
         let scene = format!(
             "law = \"no-slip\"\n[[table.boundary]]\ncurve = {{ polar = \"{formula}\" }}\n\
@@ -143,6 +146,43 @@ fn a_polar_formula_without_a_radius_somewhere_is_refused_at_once() {
         assert_eq!(output.status.code(), Some(2), "{formula}: {text}");
         assert!(text.contains(&format!("scene.toml:3:{column}: error: ")), "{formula}: {column} expected in\n{text}");
         assert!(text.contains(message), "{formula}: \"{message}\" expected in\n{text}");
+    }
+}
+
+#[test]
+fn what_a_formula_lacks_is_told_with_the_place_and_the_mend() {
+    let folder = Folder::new("formulas");
+    for (curve, radius, place, message, mend) in [
+        (
+            "implicit = \"x^2+y^2-0.3*abs(x+0.1*y)-1\", within = [[-1.6, -1.6], [1.6, 1.6]]",
+            0.2,
+            "5:10",
+            "a disk of radius 0.2: the curve has a kink near (",
+            "write kinks with abs",
+        ),
+        ("polar = \"2+0.1*asin(sin(t))\"", 0.2, "5:10", "the curve has a kink near (", "write kinks with abs"),
+        ("polar = \"2-0.3*abs(cos(1.5*t+0.2))^1.2\"", 0.1, "5:10", "radius of curvature is smaller", "another radius"),
+        (
+            "implicit = \"(x-333.3)^2+(y-77.7)^2-1\", within = [[-1000, -1000], [1000, 1000]]",
+            0.0,
+            "3:22",
+            "no curve was found in the box",
+            "draw that box closer",
+        ),
+        ("implicit = \"x^2+y^2-1\", within = [[-2, -2], [0.3, 2]]", 0.0, "3:22", "stay in its box", "`within` larger"),
+    ] {
+        let scene = format!(
+            "law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n[particle]\nradius = {radius:?}\n\
+             [[orbit]]\nposition = [0.01, 0.02]\nvelocity = [1, 0.35]\n[run]\ncollisions = 30\n"
+        );
+        let output = folder.run(&scene, &[]);
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{curve}: {text}");
+        assert!(text.contains(&format!("scene.toml:{place}: error: ")), "{curve}: {place} expected in\n{text}");
+        assert!(
+            text.contains(message) && text.contains(mend),
+            "{curve}: \"{message}\", \"{mend}\" expected in\n{text}"
+        );
     }
 }
 

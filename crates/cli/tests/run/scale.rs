@@ -90,3 +90,19 @@ fn expressions(text: &str, length: &str) -> String {
     }
     out + rest
 }
+
+#[test]
+fn a_polar_formula_says_how_large_a_scene_is() {
+    let folder = Folder::new("polar-size");
+    for (curve, radius) in [
+        ("polar = \"1e100*(2-0.3*cos(3*t))\"", "1e-100"),
+        ("polar = \"1e60*(2-0.3*cos(3*t))\", center = [1e-140, 0]", "0"),
+        ("polar = \"1e-100*(2-0.3*cos(3*t))\"", "0"),
+    ] {
+        let scene = format!(
+            "law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n[particle]\nradius = {radius}\n\
+             [ensemble]\ncount = 4\n[run]\ncollisions = 50\n"
+        );
+        assert_eq!(folder.done(&scene, &[])["stops"]["finished"], 4, "{curve}");
+    }
+}

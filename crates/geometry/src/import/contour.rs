@@ -1,6 +1,6 @@
 //! Closed outlines, turned the right way.
 use crate::{
-    BoxTree, Error, Extent, MeetingKind, Piece, meetings,
+    BoxTree, Error, Extent, MeetingKind, Piece, enclosed_area, meetings,
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
@@ -171,11 +171,13 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
     let tree = BoxTree::new(all.iter().map(|p| p.extent()));
     let mut turned = vec![];
     for (k, contour) in contours.iter().enumerate() {
-        let area: f64 = loops[k].iter().map(|p| p.area()).sum();
+        let area = enclosed_area(loops[k].iter().map(|p| &**p));
         let size = loops[k].iter().map(|p| p.extent().size()).fold(0.0, f64::max);
-        if area.is_nan() || area.abs() <= size * slack([size]) {
-            let extent = loops[k].iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union);
-            let far = (extent.max - extent.min).amax() < 1e-3 * size;
+        let extent = loops[k].iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union);
+        let width = (extent.max - extent.min).amax();
+        // the vertices may be off by the rounding of their coordinates
+        if area.is_nan() || area.abs() <= width * slack([size]) {
+            let far = width < 1e-3 * size;
             let problem = if far {
                 "the outline is so far from the origin that its coordinates are rounded to less than its size: move it nearer"
             } else {

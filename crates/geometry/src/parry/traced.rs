@@ -87,7 +87,10 @@ impl Traced {
         let half = s + left.0 + gain[0] / 30.0;
         self.nodes.push(Node { at: middle, s: half, starts: false });
         self.nodes.push(Node { at: *b, s: half + right.0 + gain[0] / 30.0, starts: false });
-        self.area += 0.5 * cross(a.point.into(), b.point.into()) + whole.1 + gain[1] * (16.0 / 15.0);
+        // about a point of the boundary: far away, the areas of triangles have no digits left
+        let corner = self.nodes[0].at.point;
+        let triangle = 0.5 * cross((a.point - corner).into(), (b.point - corner).into());
+        self.area += triangle + whole.1 + gain[1] * (16.0 / 15.0);
     }
 
     pub(crate) fn length(&self) -> f64 {

@@ -201,9 +201,7 @@ impl Piece for Arc {
         Extent::of(on_arc.chain([self.a.into(), self.b.into()]))
     }
     fn area(&self) -> f64 {
-        // chord, plus the circular segment between chord and arc
-        let segment = 0.5 * self.circle.radius * self.circle.radius * (self.sweep - libm::sin(self.sweep));
-        0.5 * cross(self.a, self.b) + self.circle.turn() * segment
+        0.5 * self.circle.radius * self.circle.radius * (self.sweep - libm::sin(self.sweep)) * self.circle.turn()
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Arc(*self))

@@ -216,7 +216,7 @@ impl Piece for Bump {
     }
     fn area(&self) -> f64 {
         // ∫ p du = 16/35
-        0.5 * cross(self.a.into(), self.b.into()) + 16.0 / 35.0 * self.height * self.length
+        16.0 / 35.0 * self.height * self.length
     }
 }
 

@@ -192,10 +192,9 @@ impl Piece for EllipticArc {
         Some(Shape::EllipticArc(*self))
     }
     fn area(&self) -> f64 {
-        // chord, plus the segment between chord and arc: the affine image of a circular one
+        // the affine image of a circular one
         let [a, b] = self.ellipse.semi_axes();
-        let segment = 0.5 * a * b * (self.sweep - libm::sin(self.sweep));
-        0.5 * cross(self.a, self.b) + self.ellipse.unit().turn() * segment
+        0.5 * a * b * (self.sweep - libm::sin(self.sweep)) * self.ellipse.unit().turn()
     }
 }
 

@@ -6,6 +6,7 @@ pub mod curve;
 mod ellipse;
 mod elliptic_arc;
 mod elliptic_integral;
+mod kink;
 mod line;
 mod parallel;
 mod ray;

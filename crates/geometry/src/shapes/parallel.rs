@@ -3,7 +3,10 @@
 //! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of
 //! points so dense that the direction turns little and one way between neighbours therefore finds every crossing; the
 //! closest points of the base curve then give the time to the last bits.
-use super::curve::{ArcLength, Blocks, Graph, Parametric, rising_root, rough_graphs};
+use super::{
+    curve::{ArcLength, Blocks, Graph, Parametric, rising_root, rough_graphs},
+    kink::{kink, turning},
+};
 use crate::{
     Error,
     crossing::Crossing,
@@ -57,7 +60,8 @@ impl Parallel {
     ///
     /// # Errors
     /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Length`] where `distance` is not
-    /// positive and finite or reaches beyond a centre of curvature of the base.
+    /// positive and finite, [`Error::Bend`] where it reaches beyond a centre of curvature of the base, and [`Error::Kink`] where the
+    /// base has a kink that points to its table side.
     pub fn new(
         base: Arc<dyn Piece>,
         distance: f64,
@@ -77,9 +81,11 @@ impl Parallel {
             extend(&*base, distance, &mut nodes, next, HALVINGS);
         }
         // the ends may be cusps
-        if nodes[1..nodes.len() - 1].iter().any(|n| n.stretch <= 0.0) {
-            let must = "less than the base's least radius of curvature";
-            return Err(Error::Length { name: "distance", must, value: distance });
+        if let Some(n) = nodes[1..nodes.len() - 1].iter().find(|n| n.stretch <= 0.0) {
+            return Err(Error::Bend { distance, at: base.point_at(n.s).into() });
+        }
+        if let Some(s) = kink(&*base, nodes.windows(2).map(|w| [w[0].s, w[1].s])) {
+            return Err(Error::Kink { at: base.point_at(s).into() });
         }
         let mut along = 0.0;
         for k in 1..nodes.len() {
@@ -218,11 +224,6 @@ impl Parallel {
     }
 }
 
-/// The angle from one unit vector to another, counter-clockwise.
-fn turning(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
-    libm::atan2(a.perp(b), a.dot(b))
-}
-
 impl Node {
     fn new(base: &dyn Piece, distance: f64, s: f64) -> Node {
         let Landing { point: foot, normal } = base.landing_at(s);
@@ -358,17 +359,17 @@ impl Piece for Parallel {
         self.extent
     }
     fn area(&self) -> f64 {
-        // ½∫(x + R n) × d(x + R n) = ½∫x × dx + ½ R [x × n] − R Δs + ½ R² Δθ
+        // ½∫(x + R n) × d(x + R n) = ½∫x × dx + ½ R [x × n] − R Δs + ½ R² Δθ, with x from the start of the curve: over its chord
         let [first, last] = [&self.nodes[0], &self.nodes[self.nodes.len() - 1]];
         let span = last.s - first.s;
         let turned = (span - last.along) / self.distance;
-        let foot = |n: &Node| n.point - n.normal * self.distance;
+        let foot = |n: &Node| n.point - first.point - n.normal * self.distance;
         let base = if self.ends.is_none() {
             self.base.area()
         } else {
             let curve = Base(&*self.base);
             let table = ArcLength::new(&curve, self.nodes.iter().map(|n| n.s));
-            table.enclosed_area(&curve, foot(first)) + 0.5 * foot(first).perp(&foot(last))
+            table.enclosed_area(&curve, first.point + foot(first)) + 0.5 * foot(first).perp(&foot(last))
         };
         let r = self.distance;
         base + 0.5 * r * (foot(last).perp(&last.normal) - foot(first).perp(&first.normal)) - r * span
@@ -379,7 +380,10 @@ impl Piece for Parallel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes::{Circle, Ellipse, EllipticArc};
+    use crate::shapes::{
+        Circle, Ellipse, EllipticArc,
+        curve::{Interval, Polar, PolarFormula},
+    };
 
     fn ellipse(inside: bool) -> Ellipse {
         Ellipse::new(Vector2::new(0.3, -0.2), [2.0, 1.0], 0.5, inside).unwrap()
@@ -499,6 +503,31 @@ mod tests {
     fn beyond_a_centre_of_curvature_there_is_no_parallel() {
         let base = ellipse(true); // least radius of curvature 1/2
         let far = Parallel::new(Arc::new(base), 0.6, [0.0, base.length()], None);
-        assert!(matches!(far, Err(Error::Length { name: "distance", .. })));
+        assert!(matches!(far, Err(Error::Bend { distance: 0.6, .. })));
+    }
+
+    /// `r = 2 + 0.1 arcsin(sin φ)`, with kinks that its second derivative does not tell.
+    #[derive(Clone, Debug)]
+    struct Sawtooth;
+
+    impl PolarFormula for Sawtooth {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(angle);
+            [2.0 + 0.1 * libm::asin(sin), libm::copysign(0.1, cos), 0.0]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let [sin, _] = angle.sin_cos();
+            [sin.asin() * 0.1 + 2.0, Interval::new(-0.1, 0.1), Interval::from(0.0)]
+        }
+    }
+
+    #[test]
+    fn a_base_with_a_kink_has_no_parallel_across_it() {
+        let base: Arc<dyn Piece> = Arc::new(Polar::new(Vector2::zeros(), Sawtooth, true).unwrap());
+        let whole = Parallel::new(base.clone(), 0.2, [0.0, base.length()], None);
+        let Err(Error::Kink { at: [x, y] }) = whole else { panic!("{:?}", whole.err()) };
+        // at the angle 3π/2, where it points into the table
+        assert!(x.abs() < 1e-5 && (y + 2.0 - 0.05 * core::f64::consts::PI).abs() < 1e-5, "{x} {y}");
+        assert!(Parallel::new(base, 0.2, [0.0, 6.0], None).is_ok());
     }
 }

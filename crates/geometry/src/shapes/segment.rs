@@ -162,7 +162,7 @@ impl Piece for Segment {
         Extent::of([self.a.into(), self.b.into()])
     }
     fn area(&self) -> f64 {
-        0.5 * cross(self.a, self.b)
+        0.0
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Segment(*self))

@@ -68,9 +68,7 @@ impl Piece for Translated {
         Extent { min: e.min + self.by, max: e.max + self.by }
     }
     fn area(&self) -> f64 {
-        // ½ ∮ (p + b) × dp = area + ½ b × (end − start)
-        let [a, b] = self.piece.ends().unwrap_or([Vector2::zeros(); 2]);
-        self.piece.area() + 0.5 * (self.by.x * (b.y - a.y) - self.by.y * (b.x - a.x))
+        self.piece.area()
     }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         self.piece.tips().map(|tips| tips.map(|p| p + self.by))

@@ -12,6 +12,9 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Radius { radius } => Error::Radius { radius: back(radius) },
         Error::Length { name, must, value } => Error::Length { name, must, value: back(value) },
         Error::Unclosed { start, end } => Error::Unclosed { start: back(start), end: back(end) },
+        Error::PolarJump { angle, before, after } => {
+            Error::PolarJump { angle, before: back(before), after: back(after) }
+        }
         Error::PolarRadius { angle, radius, certain } => Error::PolarRadius { angle, radius: back(radius), certain },
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
         Error::Open { piece, starts, gap } => Error::Open { piece, starts, gap: back(gap) },
@@ -19,6 +22,8 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Spike { piece, at } => Error::Spike { piece, at: at.map(back) },
         Error::Collapsed { piece, area } => Error::Collapsed { piece, area: back(back(area)) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
+        Error::Bend { distance, at } => Error::Bend { distance: back(distance), at: at.map(back) },
+        Error::Kink { at } => Error::Kink { at: at.map(back) },
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
@@ -53,7 +58,7 @@ fn in_keys(must: &'static str) -> &'static str {
 }
 
 /// Adds how to mend an error of the geometry, where its words do not say so.
-pub(super) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableShape) -> Diagnostic {
+pub(crate) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableShape) -> Diagnostic {
     let advice = match shape {
         TableShape::Named { .. } => about_parameters(error),
         TableShape::Boundary(_) => about_pieces(error),
@@ -79,6 +84,9 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
+        Error::PolarJump { .. } => {
+            "take a formula without jumps: atan(tan(t)), atan2 and quotients by what comes to 0 have some"
+        }
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => {
             "close the loop, or continue it to infinity with a ray; a straight wall that ends nowhere is a line"
@@ -90,6 +98,16 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "move its vertices apart; a wall without thickness in the open plane is a \
              shape = { name = \"polyline\", points = ... }"
         }
+        Error::NoCurve { .. } => "`within` must contain the curve; if it does, draw that box closer around it",
+        Error::Curve { must, .. } if must.contains("stay") => {
+            "make the box `within` larger: the whole curve lies in it"
+        }
+        Error::Curve { must, .. } if must.contains("only") => "draw the box `within` closer around one of them",
+        Error::Curve { .. } => "an implicit formula has no kinks; a polar one may have them, written with abs",
+        Error::Kink { .. } => {
+            "a disk needs to know where: in a polar formula write kinks with abs, as in abs(sin(t)); an implicit one has none"
+        }
+        Error::Bend { .. } => "take another radius, or a formula with a curvature that has a bound",
         Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",
         Error::Orientation { .. } => {
             "list the vertices in the opposite order, or exchange inside and outside; in the open plane an obstacle is a shape or a \

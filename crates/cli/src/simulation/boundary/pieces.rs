@@ -2,7 +2,7 @@
 
 use billiards::geometry::shapes::curve::{Implicit, Polar};
 use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
-use billiards::geometry::{Error, Lattice, Piece, Table, Vector2, import, parry};
+use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, enclosed_area, import, parry};
 
 use super::Drawn;
 use super::complaint::{in_user_units, with_advice};
@@ -190,9 +190,10 @@ impl Collected<'_> {
     /// Fails where the loop of the pieces from this one on has the domain on its left elsewhere than the scene says.
     fn runs_around(&self, first: usize, domain: Domain, span: Span) -> Result<(), Box<Diagnostic>> {
         // a wall with two sides has neither inside nor outside, but for rounding
-        let areas = || self.pieces[first..].iter().map(|piece| piece.area());
-        let area: f64 = areas().sum();
-        let rounding = 16.0 * f64::EPSILON * areas().fold(0.0, |m: f64, area| m.max(area.abs()));
+        let pieces = || self.pieces[first..].iter().map(|piece| &**piece);
+        let area = enclosed_area(pieces());
+        let around = pieces().map(Piece::extent).fold(Extent::EMPTY, Extent::union);
+        let rounding = 16.0 * f64::EPSILON * (around.max - around.min).norm_squared();
         let (way, other) = match domain {
             _ if area.abs() <= rounding => return Ok(()),
             Domain::Inside if area < 0.0 => ("clockwise, so that the domain is outside", "inside"),

@@ -46,8 +46,9 @@ pub(crate) struct ArcLength {
     blocks: Blocks,
 }
 
-/// Halvings of one interval at most.
-const HALVINGS: u32 = 24;
+/// Intervals shorter than this part of the parameter's range are not halved: in what is steep so near by, the rounding of the parameter
+/// shows.
+const FINEST: f64 = 1.0 / 536_870_912.0;
 
 /// Halvings in a row that do not help at most, where the rules differ by more than rounding can explain: so many until an interval
 /// with 64 waves has one.
@@ -65,9 +66,10 @@ impl ArcLength {
         let mut nodes: Vec<Node> = Vec::new();
         let parameters: Vec<f64> = parameters.into_iter().collect();
         let most = MOST.max(8 * parameters.len());
+        let finest = FINEST * parameters.last().zip(parameters.first()).map_or(0.0, |(last, first)| last - first);
         for u in parameters {
             if let Some(last) = nodes.last().copied() {
-                let start = Progress { difference: f64::INFINITY, in_vain: 0, halvings: 0, most };
+                let start = Progress { difference: f64::INFINITY, in_vain: 0, finest, most };
                 extend(curve, &mut nodes, [last.u, u], start);
             } else {
                 nodes.push(Node { u, s: 0.0, at: curve.at(u) });
@@ -159,7 +161,8 @@ struct Progress {
     difference: f64,
     /// Halvings in a row that have not made it less.
     in_vain: u32,
-    halvings: u32,
+    /// The width that is not halved any more.
+    finest: f64,
     /// Nodes, from which on nothing is halved.
     most: usize,
 }
@@ -174,10 +177,10 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let in_vain = if difference <= 0.7 * last.difference { 0 } else { last.in_vain + 1 };
     let patience = if difference > NOISE { IN_VAIN } else { 1 };
     // a difference that is no number is none that halving mends
-    let may_halve = last.halvings < HALVINGS && nodes.len() < last.most;
+    let may_halve = u - from > last.finest && nodes.len() < last.most;
     let mends = difference > 8.0 * f64::EPSILON && in_vain < patience && may_halve;
     if mends {
-        let progress = Progress { difference, in_vain, halvings: last.halvings + 1, most: last.most };
+        let progress = Progress { difference, in_vain, ..last };
         extend(curve, nodes, [from, middle], progress);
         extend(curve, nodes, [middle, u], progress);
     } else {

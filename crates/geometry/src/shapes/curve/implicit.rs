@@ -103,7 +103,7 @@ impl<F: ImplicitFormula> Implicit<F> {
     /// The curve `f = 0`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::Parameter`] if the box is empty or infinite, or holds no curve; [`Error::Inverted`] if `f` is positive inside;
+    /// [`Error::Parameter`] if the box is empty or infinite; [`Error::NoCurve`] if no curve is found in it; [`Error::Inverted`] if `f` is positive inside;
     /// [`Error::Curve`] if the box cuts the curve or holds another zero of `f`, or if the curve is not smooth. (A zero as near to the
     /// curve as the points are to each other from which its length is summed is not seen.)
     pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
@@ -115,11 +115,8 @@ impl<F: ImplicitFormula> Implicit<F> {
         // a curve may touch the box that was given
         let room = Vector2::repeat(size / 1_048_576.0);
         let region = Extent { min: given.min - room, max: given.max + room };
-        let start = seed(&formula, &region).ok_or(Error::Parameter {
-            name: "formula",
-            must: "zero somewhere in its extent, and change sign there",
-            value: formula.value(((given.min + given.max) * 0.5).into()),
-        })?;
+        let middle = (given.min + given.max) * 0.5;
+        let start = seed(&formula, &region).ok_or_else(|| Error::NoCurve { value: formula.value(middle.into()) })?;
         let vertices = trace(&formula, &region, start)?;
         let chords = Chords { formula: &formula, vertices: &vertices };
         let count = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
@@ -279,7 +276,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
                 let [p, _] = next;
                 let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
                 if !(inside(0) && inside(1)) {
-                    return Err(Error::Curve { must: "stay in its extent", at: p.into() });
+                    return Err(Error::Curve { must: "stay in its box", at: p.into() });
                 }
                 here = next;
                 vertices.push(p);
@@ -332,7 +329,7 @@ fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -
             continue;
         }
         if fails {
-            return Err(Error::Curve { must: "be the only one in its extent", at: middle.into() });
+            return Err(Error::Curve { must: "be the only one in its box", at: middle.into() });
         }
         let quarters = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]].map(Vector2::from);
         open.extend(quarters.map(|q| (middle + half.component_mul(&q), halvings + 1)));

@@ -8,9 +8,13 @@ const NARROW: f64 = 4.0 * f64::EPSILON;
 /// without end.
 const MOST: usize = 4096;
 
-/// The kinks in some parts of a turn, in rising order: parts that are not `calm`, however narrow. `None` where a part is not calm for another
-/// reason: something hides there, or a bend grows without end.
-pub(super) fn kinks(parts: impl Iterator<Item = Interval>, calm: impl Fn(Interval) -> bool) -> Option<Vec<Interval>> {
+/// Where, within rounding, some parts of a turn are not `calm`, in rising order. `None` where there are too many such places, or
+/// where a part is calm in halves, though not as a whole, and nothing `may_hide`.
+pub(super) fn places(
+    parts: impl Iterator<Item = Interval>,
+    calm: impl Fn(Interval) -> bool,
+    may_hide: bool,
+) -> Option<Vec<Interval>> {
     let mut parts: Vec<_> = parts.filter(|part| !calm(*part)).collect();
     while parts.iter().any(|part| part.width() > NARROW) {
         if parts.len() > MOST {
@@ -26,15 +30,22 @@ pub(super) fn kinks(parts: impl Iterator<Item = Interval>, calm: impl Fn(Interva
             let halves = [Interval { low: part.low, high: middle }, Interval { low: middle, high: part.high }];
             let before = narrower.len();
             narrower.extend(halves.into_iter().filter(|half| !calm(*half)));
-            // what is calm in halves but not as a whole is no kink
-            if narrower.len() == before {
+            if narrower.len() == before && !may_hide {
                 return None;
             }
         }
         parts = narrower;
     }
+    Some(parts)
+}
+
+/// The kinks in some parts of a turn, in rising order: parts that are not `calm`, however narrow. `None` where a part is not calm for another
+/// reason: something hides there, or a bend grows without end.
+pub(super) fn kinks(parts: impl Iterator<Item = Interval>, calm: impl Fn(Interval) -> bool) -> Option<Vec<Interval>> {
+    // what is calm in halves but not as a whole is no kink
+    let places = places(parts, calm, false)?;
     let mut found: Vec<Interval> = vec![];
-    for part in parts {
+    for part in places {
         match found.last_mut() {
             Some(last) if part.low - last.high <= NARROW => last.high = part.high,
             _ => found.push(part),

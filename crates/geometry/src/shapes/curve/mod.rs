@@ -12,12 +12,14 @@ mod fit;
 mod graph;
 mod implicit;
 mod interval;
+mod jump;
 mod kinks;
 mod majorant;
 mod nearest;
 mod polar;
 mod polar_arc;
 mod root;
+mod seeds;
 
 pub(crate) use arc_length::ArcLength;
 pub use arc_length::Parametric;

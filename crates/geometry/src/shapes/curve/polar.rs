@@ -1,5 +1,8 @@
 //! A closed curve given as a radius for every direction.
-use super::{ArcLength, Graph, Interval, Parametric, PolarArc, Smooth, first_rise, graphs, kinks::kinks};
+use super::{
+    ArcLength, Graph, Interval, Parametric, PolarArc, Smooth, first_rise, graphs, jump::jump, kinks::kinks,
+    seeds::seeds,
+};
 use crate::{
     Error,
     crossing::Crossing,
@@ -72,13 +75,16 @@ pub struct Polar<F> {
 /// Sectors in which `r > 0` must be provable.
 const SECTORS: u32 = 4096;
 
+/// What the angle 2π may be off by in a formula (radians): some ulp.
+const SEAM: f64 = 16.0 * f64::EPSILON;
+
 impl<F: PolarFormula> Polar<F> {
     /// The curve about `center`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
     /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
-    /// (to 10⁻⁹), [`Error::PolarSlope`] where `r′` is not a number, so that the curve has no length or no normal, and [`Error::Winding`]
-    /// for thousands of waves.
+    /// (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′` is not a number, so that the curve has
+    /// no length or no normal, and [`Error::Winding`] for thousands of waves.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
         let sector = |k: u32| Interval::new(whole(k), whole(k + 1));
@@ -95,13 +101,21 @@ impl<F: PolarFormula> Polar<F> {
         }
         let greatest = jets.iter().fold(0.0_f64, |m, [r, ..]| m.max(r.high));
         let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
-        // the angle 2π is rounded, and formulas may turn it by some multiple; a jump that anybody sees is no rounding
-        if (start - end).abs() > 1e-9 * greatest || end.is_nan() {
+        // the angle 2π is rounded, and formulas may turn it by some multiple; a jump that anybody sees is no rounding, nor is one that
+        // is more than what the formula makes of a rounded angle where its slope has no bound
+        let rounding = 1e-9 * greatest;
+        let [before, _, _] = formula.jet(2.0 * PI - SEAM);
+        if (start - end).abs() > rounding.max(2.0 * (end - before).abs()) || end.is_nan() {
             return Err(Error::Unclosed { start, end });
+        }
+        let slopes: Vec<_> = (0..SECTORS).map(sector).zip(jets.iter().map(|[_, slope, _]| *slope)).collect();
+        if let Some(Interval { low, high }) = jump(&formula, &slopes, rounding) {
+            let [before, after] = [low, high].map(|angle| formula.jet(angle)[0]);
+            return Err(Error::PolarJump { angle: low, before, after });
         }
         let slack = slack([center.x, center.y, greatest]);
         let about = About { center, formula: &formula };
-        let table = ArcLength::new(&about, (0..=32).map(|k| whole(k * (SECTORS / 32))));
+        let table = ArcLength::new(&about, seeds(&slopes, |part| formula.jet_over(part)[1], greatest));
         if table.is_full() {
             return Err(Error::Winding);
         }
