@@ -1,4 +1,6 @@
 //! Surfaces from Wavefront OBJ.
+//!
+//! The reader is our own: `tobj` cuts dented faces into a wrong surface, and does not say in which line something is wrong.
 use super::{contour::in_range, ears};
 use crate::{Error, parry::SolidSpec};
 use nalgebra::Vector3;

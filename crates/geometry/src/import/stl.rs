@@ -1,4 +1,6 @@
 //! Surfaces from STL.
+//!
+//! The reader is our own: `stl_io` takes the first solid of a text for all, and a binary file for as long as it says it is.
 use crate::{Error, parry::SolidSpec};
 use std::collections::HashMap;
 
