@@ -92,8 +92,8 @@ fn under_stress(name: &str, most_error: f64) -> Tally {
     tally
 }
 
-/// Energy is restored every 32nd collision: what up to 32 of them round off is there, at random, a dozen roundings of ½ ulp
-/// each: √32 times that, and nearly half as much again for the worst of many orbits.
+/// Energy is restored every sixteenth collision: what up to sixteen of them round off is there, at random, a dozen roundings of ½ ulp
+/// each: 4 times that, and as much again for the worst of many orbits.
 const ENERGY: f64 = 8.0 * 12.0 * 0.5 * f64::EPSILON;
 
 #[test]

@@ -111,7 +111,8 @@ fn triangles_come_from_a_file() {
     std::fs::write(folder.0.join("broken.obj"), obj.replace("f 2 3 5", "f 2 3 six")).unwrap();
     std::fs::write(folder.0.join("short.stl"), [1; 200]).unwrap();
     std::fs::write(folder.0.join("huge.obj"), obj.replace("v 0 0 0", "v 0 0 1e200")).unwrap();
-    refused("huge.obj", "the largest coordinate of huge.obj is 1e200");
+    refused("huge.obj", "line 2: \"1e200\" is no coordinate");
+    refused("pyramid.obj\", unit = \"1e149", "the largest coordinate of pyramid.obj is 2e151");
     refused("none.obj", "cannot read");
     refused("scene.toml", "a mesh is read from a file .stl or .obj");
     refused("broken.obj", "line 9: ");
