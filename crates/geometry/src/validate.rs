@@ -133,14 +133,12 @@ impl Table {
     /// Fails where a piece has the table on its right.
     fn orientation(&self, sight: &Sight) -> Result<(), Error> {
         let chains = &sight.chains;
-        let width = |k: usize| {
-            let e = &sight.extents[k];
-            (e.max.x - e.min.x) + (e.max.y - e.min.y)
-        };
+        let sides = |k: usize| sight.extents[k].max - sight.extents[k].min;
+        let width = |k: usize| sides(k).sum();
         // the area on the left of a loop; a wall with two sides has none, but for rounding
         let area = |k: usize| {
             let area = enclosed_area(chains[k].iter().map(|&i| &*self.pieces()[i]));
-            if area.abs() > slack([width(k) * width(k)]) { area } else { 0.0 }
+            if area.abs() > slack([sides(k).product()]) { area } else { 0.0 }
         };
         let collapsed = |k: usize| area(k).abs() <= slack([sight.extents[k].size()]) * width(k);
         // in the plane, the widest loop lies in no other
