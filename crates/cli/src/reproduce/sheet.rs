@@ -114,7 +114,8 @@ pub(super) fn math(text: &str) -> String {
     let mut space = 0.0;
     let put = |markup: &mut String, run: &str, italic: bool, small: bool, [dx, dy]: [f64; 2]| {
         let face = if italic { " font-style=\"italic\"" } else { "" };
-        let size = if small { " font-size=\"70%\"" } else { "" };
+        // of the text around it: CairoSVG takes percents of the page
+        let size = if small { " font-size=\"0.7em\"" } else { "" };
         let right = if dx == 0.0 { String::new() } else { format!(" dx=\"{dx}em\"") };
         let down = if dy == 0.0 { String::new() } else { format!(" dy=\"{dy}\"") };
         // Writing to a string cannot fail.
@@ -144,4 +145,15 @@ pub(super) fn math(text: &str) -> String {
         }
     }
     markup
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn indices_have_a_size_that_no_renderer_takes_of_the_page() {
+        let markup = math("v_0^{12}");
+        assert!(markup.contains("font-size=\"0.7em\"") && !markup.contains('%'), "{markup}");
+    }
 }
