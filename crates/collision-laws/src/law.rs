@@ -2,7 +2,7 @@
 
 use crate::{Contact, Delassus, Roughness};
 use nalgebra::{SMatrix, SVector};
-use std::{fmt, sync::Arc};
+use std::sync::Arc;
 
 /// From the contact velocity `u` to the impulse `p` on body 1. Object safe.
 ///
@@ -10,7 +10,8 @@ use std::{fmt, sync::Arc};
 /// thrown away, as where orbits run side by side and some of them idle. Chance and memory have no place in it but as functions of the
 /// contact, as in [`RandomGrassmannian`](crate::laws::RandomGrassmannian).
 ///
-/// Where a law is taken by value, [`ByRef`] passes one that stays where it is, and [`AnyLaw`] one of several types.
+/// Where a law is taken by value, [`Through`](crate::Through) passes one that stays where it is, and [`AnyLaw`](crate::AnyLaw) one of
+/// several types.
 pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
@@ -140,111 +141,6 @@ fn solve<const N: usize>(a: SMatrix<f64, N, N>, b: SVector<f64, N>) -> SVector<f
     match a.cholesky() {
         Some(factor) => factor.solve(&b),
         None => SVector::repeat(f64::NAN),
-    }
-}
-
-/// Any collision law, chosen at run time.
-///
-/// `Box<dyn StrictLaw<N>>` is a law already; this holds the others too.
-///
-/// ```
-/// use collision_laws::{AnyLaw, laws::{NoSlip, Restitution}};
-///
-/// let laws: [AnyLaw<3>; 2] = [AnyLaw::new(NoSlip), AnyLaw::new(Restitution::new(0.9, 0.4)?)];
-/// # Ok::<(), collision_laws::Error>(())
-/// ```
-#[derive(Clone)]
-pub struct AnyLaw<const N: usize>(Arc<dyn CollisionLaw<N> + Send + Sync>);
-
-impl<const N: usize> AnyLaw<N> {
-    /// Takes hold of `law`.
-    pub fn new(law: impl CollisionLaw<N> + Send + Sync + 'static) -> Self {
-        Self(Arc::new(law))
-    }
-}
-
-impl<const N: usize> CollisionLaw<N> for AnyLaw<N> {
-    #[inline]
-    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
-        self.0.impulse(contact, delassus, u)
-    }
-
-    #[inline]
-    fn missing_impulse(
-        &self,
-        contact: &Contact<N>,
-        delassus: &Delassus<N>,
-        u_minus: &SVector<f64, N>,
-        u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        self.0.missing_impulse(contact, delassus, u_minus, u_plus)
-    }
-
-    #[inline]
-    fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
-        self.0.pushes(contact)
-    }
-}
-
-/// A law that somebody else owns, strict or not: `L` may borrow data, or be `dyn CollisionLaw<N>`.
-///
-/// A reference to a strict law is a law already.
-///
-/// ```
-/// use collision_laws::{ByRef, CollisionLaw, Contact, Delassus, laws::PerSurface, reflect, Roughness};
-/// use nalgebra::{SVector, Vector2};
-///
-/// /// Each surface gives back its own part of the normal velocity.
-/// struct Bouncing<'a>(&'a [f64]);
-///
-/// impl CollisionLaw<2> for Bouncing<'_> {
-///     fn impulse(&self, contact: &Contact<2>, delassus: &Delassus<2>, u: &Vector2<f64>) -> Vector2<f64> {
-///         reflect(&Roughness::Smooth, contact, delassus, u) * (0.5 + 0.5 * self.0[contact.surface])
-///     }
-/// }
-///
-/// let measured = [1.0, 0.5];
-/// let law = Bouncing(&measured);
-/// let elsewhere = PerSurface::new(ByRef(&law)).with(7, ByRef(&law));
-/// # let _ = elsewhere;
-/// ```
-#[derive(Debug)]
-pub struct ByRef<'a, L: ?Sized>(pub &'a L);
-
-impl<L: ?Sized> Clone for ByRef<'_, L> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<L: ?Sized> Copy for ByRef<'_, L> {}
-
-impl<const N: usize, L: CollisionLaw<N> + ?Sized> CollisionLaw<N> for ByRef<'_, L> {
-    #[inline]
-    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
-        self.0.impulse(contact, delassus, u)
-    }
-
-    #[inline]
-    fn missing_impulse(
-        &self,
-        contact: &Contact<N>,
-        delassus: &Delassus<N>,
-        u_minus: &SVector<f64, N>,
-        u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        self.0.missing_impulse(contact, delassus, u_minus, u_plus)
-    }
-
-    #[inline]
-    fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
-        self.0.pushes(contact)
-    }
-}
-
-impl<const N: usize> fmt::Debug for AnyLaw<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("AnyLaw")
     }
 }
 

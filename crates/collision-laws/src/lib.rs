@@ -56,6 +56,7 @@ mod random;
 mod roughness;
 mod symmetric;
 mod tangent_space;
+mod through;
 mod twist;
 
 pub use ball_wall::{DiskLaw, DiskMap};
@@ -64,8 +65,9 @@ pub use classify::{Classification, classify};
 pub use contact::Contact;
 pub use delassus::Delassus;
 pub use error::Error;
-pub use law::{AnyLaw, ByRef, CollisionLaw, StrictLaw, reflect};
+pub use law::{CollisionLaw, StrictLaw, reflect};
 pub use pair::{Collision, Pair, Velocities};
 pub use roughness::{RoughSubspace, Roughness};
 pub use tangent_space::TangentSpace;
+pub use through::{AnyLaw, Through};
 pub use twist::{TangentVector, Twist};

@@ -54,6 +54,33 @@ pub(crate) fn slack(coordinates: impl IntoIterator<Item = f64>) -> f64 {
     16.0 * f64::EPSILON * coordinates.into_iter().fold(0.0, |m: f64, c| m.max(c.abs()))
 }
 
+/// How far behind an infinite straight wall a start must lie to be beyond it: minus the rounding of coordinates, which grows along the wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Behind {
+    /// Times `|x₁| + |x₂|` of the start.
+    relative: f64,
+    constant: f64,
+}
+
+impl Behind {
+    /// Of a wall through a point whose coordinates have this [`slack`].
+    pub(crate) fn of(slack: f64) -> Behind {
+        Behind { relative: -16.0 * f64::EPSILON, constant: -slack }
+    }
+    /// Of one side of a wall with two: a start must lie inside by half of that.
+    pub(crate) fn two_sided(self) -> Behind {
+        Behind { relative: 0.5 * self.relative.abs(), constant: 0.5 * self.constant.abs() }
+    }
+    pub(crate) fn is_two_sided(self) -> bool {
+        self.relative > 0.0
+    }
+    /// The least distance on the table's side at which a path from `x` meets the wall.
+    #[inline(always)]
+    pub(crate) fn at<F: Lane>(self, x: [F; 2]) -> F {
+        (x[0].abs() + x[1].abs()) * self.relative + self.constant
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,10 +4,10 @@ mod fastest;
 mod two_sided;
 
 use crate::{
-    Error, Extent, Figure, Landing, Lattice, Piece, enclosed_area,
+    Error, Extent, Landing, Lattice, Piece, enclosed_area,
     nearest::nearest_of,
     plane::slack,
-    shapes::{self, Shape},
+    shapes,
     walls::{Pieces, Polygon},
 };
 use container::Enclosed;
@@ -138,16 +138,10 @@ impl Table {
             few_cells(&pieces, lattice)?;
         }
         let mut nearby = all_nearby(&pieces, lattice.as_ref());
-        let straight = nearby.iter().filter_map(|copy| match copy.piece.figure() {
-            Figure::Segment { ends } => Some((copy.number, ends)),
-            _ => None,
-        });
-        let double = two_sided::two_sided(straight);
+        let double = two_sided::two_sided(&nearby);
         if !double.is_empty() {
             for i in double {
-                if let Some(Shape::Segment(segment)) = pieces[i].shape() {
-                    pieces[i] = Arc::new(segment.two_sided());
-                }
+                pieces[i] = two_sided::one_side(&pieces[i]);
             }
             nearby = all_nearby(&pieces, lattice.as_ref());
         }

@@ -150,6 +150,11 @@ impl Arc {
         Arc { circle: self.circle.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }
     }
 
+    /// The same as one side of a wall on which the table lies behind, too.
+    pub(crate) fn two_sided(self) -> Arc {
+        Arc { circle: self.circle.two_sided(), ..self }
+    }
+
     /// The angle from the start to `point`, in the sense of traversal, in [0, 2π).
     fn angle_along(&self, point: &Vector2<f64>) -> f64 {
         let angle = self.circle.turn() * (self.circle.angle(point) - self.start);

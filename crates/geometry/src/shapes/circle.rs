@@ -23,7 +23,7 @@ pub struct Circle {
     /// `±1/r`: from `p − c` to the inward normal.
     to_normal: f64,
     pub(crate) slack: f64,
-    /// How much `|x − c|² − r²` may be off.
+    /// How much `|x − c|² − r²` may be off. Of one side of a wall with two, minus what a start must lie inside by.
     off: f64,
 }
 
@@ -131,7 +131,15 @@ impl Circle {
     }
     /// The same with another rounding of coordinates.
     pub(crate) fn with_slack(self, slack: f64) -> Circle {
-        Circle { slack, off: 2.0 * self.radius * slack, ..self }
+        let moved = Circle { slack, off: 2.0 * self.radius * slack, ..self };
+        if self.is_two_sided() { moved.two_sided() } else { moved }
+    }
+    /// The same as one side of a wall on which the table lies behind, too: a start on it, within rounding, may be on either side.
+    pub(crate) fn two_sided(self) -> Circle {
+        Circle { off: -0.5 * self.off.abs(), ..self }
+    }
+    pub(crate) fn is_two_sided(&self) -> bool {
+        self.off < 0.0
     }
     pub(crate) fn ground(&self) -> Ground {
         Ground::Round { center: self.center, to_normal: self.to_normal, square: self.square }

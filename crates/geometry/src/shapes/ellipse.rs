@@ -81,6 +81,11 @@ impl Ellipse {
         Ellipse { center, unit, ..self }
     }
 
+    /// The same as one side of a wall on which the table lies behind, too.
+    pub(crate) fn two_sided(self) -> Ellipse {
+        Ellipse { unit: self.unit.two_sided(), ..self }
+    }
+
     /// The two foci \[L\].
     pub fn foci(&self) -> [Vector2<f64>; 2] {
         let [a, b] = self.semi_axes;
@@ -247,6 +252,15 @@ impl Ellipse {
     pub(crate) fn eccentric_angle(&self, point: &Vector2<f64>) -> f64 {
         let y = self.eccentric(point);
         libm::atan2(y[1], y[0])
+    }
+
+    pub(crate) fn center(&self) -> [f64; 2] {
+        self.center
+    }
+    /// The greatest `d · (x − c)` of its points.
+    pub(crate) fn reach(&self, d: [f64; 2]) -> f64 {
+        let [u, w] = self.from_unit;
+        libm::hypot(dot(d, u), dot(d, w))
     }
 
     /// The points of greatest and least coordinates.

@@ -108,6 +108,11 @@ impl EllipticArc {
         EllipticArc { ellipse: self.ellipse.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }
     }
 
+    /// The same as one side of a wall on which the table lies behind, too.
+    pub(crate) fn two_sided(self) -> EllipticArc {
+        EllipticArc { ellipse: self.ellipse.two_sided(), ..self }
+    }
+
     /// The eccentric angle from the start to `point`, in the sense of traversal, in [0, 2π).
     fn angle_along(&self, point: &Vector2<f64>) -> f64 {
         let angle = self.ellipse.unit().turn() * (self.ellipse.eccentric_angle(point) - self.angle);

@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{self, along, dot, from, moved, slack},
+    plane::{self, Behind, along, dot, from, moved, slack},
     shapes::Shape,
 };
 use lanes::Lane;
@@ -15,7 +15,7 @@ use nalgebra::Vector2;
 pub struct FullLine {
     through: [f64; 2],
     normal: [f64; 2],
-    slack: f64,
+    behind: Behind,
 }
 
 impl FullLine {
@@ -26,7 +26,7 @@ impl FullLine {
     pub fn new(through: Vector2<f64>, direction: Vector2<f64>) -> Result<FullLine, Error> {
         let ([along_x, along_y], _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
         let normal = [-along_y, along_x];
-        Ok(FullLine { through: through.into(), normal, slack: slack([through.x, through.y]) })
+        Ok(FullLine { through: through.into(), normal, behind: Behind::of(slack([through.x, through.y])) })
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
@@ -42,8 +42,7 @@ impl FullLine {
         let to_line = from(x, self.through);
         let distance = -(to_line[0] * self.normal[0] + to_line[1] * self.normal[1]);
         let speed = -(v[0] * self.normal[0] + v[1] * self.normal[1]);
-        let far = (x[0].abs() + x[1].abs()) * (16.0 * f64::EPSILON) + self.slack;
-        Candidate { really: zero.lt(speed) & (-far).lt(distance), num: distance, den: speed }
+        Candidate { really: zero.lt(speed) & self.behind.at(x).lt(distance), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -65,7 +64,15 @@ impl FullLine {
     }
     pub(crate) fn translated(self, by: [f64; 2]) -> FullLine {
         let through = moved(self.through, by);
-        FullLine { through, slack: slack(through), ..self }
+        let moved = FullLine { through, behind: Behind::of(slack(through)), ..self };
+        if self.is_two_sided() { moved.two_sided() } else { moved }
+    }
+    /// The same as one side of a wall on which the table lies behind, too: a start on it, within rounding, may be on either side.
+    pub(crate) fn two_sided(self) -> FullLine {
+        FullLine { behind: self.behind.two_sided(), ..self }
+    }
+    pub(crate) fn is_two_sided(&self) -> bool {
+        self.behind.is_two_sided()
     }
 
     fn direction(&self) -> Vector2<f64> {

@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Figure, Landing, Piece},
-    plane::{self, along, cross, dot, from, moved, slack},
+    plane::{self, Behind, along, cross, dot, from, moved, slack},
     shapes::Shape,
 };
 use lanes::Lane;
@@ -17,7 +17,7 @@ pub struct Ray {
     direction: [f64; 2],
     /// +1 where the table lies on the left of `direction`, −1 on the right.
     side: f64,
-    slack: f64,
+    behind: Behind,
 }
 
 impl Ray {
@@ -27,7 +27,12 @@ impl Ray {
     /// [`Error::ZeroLength`] if `direction` is zero.
     pub fn new(from: Vector2<f64>, direction: Vector2<f64>, left: bool) -> Result<Ray, Error> {
         let (direction, _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
-        Ok(Ray { from: from.into(), direction, side: if left { 1.0 } else { -1.0 }, slack: slack([from.x, from.y]) })
+        Ok(Ray {
+            from: from.into(),
+            direction,
+            side: if left { 1.0 } else { -1.0 },
+            behind: Behind::of(slack([from.x, from.y])),
+        })
     }
 
     /// Its end.
@@ -36,7 +41,15 @@ impl Ray {
     }
     pub(crate) fn translated(self, by: [f64; 2]) -> Ray {
         let from = moved(self.from, by);
-        Ray { from, slack: slack(from), ..self }
+        let moved = Ray { from, behind: Behind::of(slack(from)), ..self };
+        if self.is_two_sided() { moved.two_sided() } else { moved }
+    }
+    /// The same as one side of a wall on which the table lies behind, too: a start on it, within rounding, may be on either side.
+    pub(crate) fn two_sided(self) -> Ray {
+        Ray { behind: self.behind.two_sided(), ..self }
+    }
+    pub(crate) fn is_two_sided(&self) -> bool {
+        self.behind.is_two_sided()
     }
     /// Unit normal into the table.
     pub(crate) fn inward_normal(&self) -> [f64; 2] {
@@ -59,8 +72,7 @@ impl Ray {
         let speed = -(v[0] * n[0] + v[1] * n[1]);
         // a ray with the table on its left goes from its end to infinity: its end must not be on the left of the path
         let passes = if self.side > 0.0 { !end_left } else { end_left };
-        let far = (x[0].abs() + x[1].abs()) * (16.0 * f64::EPSILON) + self.slack;
-        Candidate { really: passes & (-far).lt(distance), num: distance, den: speed }
+        Candidate { really: passes & self.behind.at(x).lt(distance), num: distance, den: speed }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

@@ -2,6 +2,7 @@
 use super::{Arc, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment};
 use crate::Piece;
 use nalgebra::Vector2;
+use std::sync::Arc as Shared;
 
 /// A piece whose crossings and landings are formulas in [`Lane`](lanes::Lane)s: a list of such pieces is asked for many
 /// paths at a time.
@@ -47,6 +48,43 @@ impl Shape {
             Shape::Circle(s) => Shape::Circle(s.translated(by)),
             Shape::EllipticArc(s) => Shape::EllipticArc(s.translated(by)),
             Shape::Ellipse(s) => Shape::Ellipse(s.translated(by)),
+        }
+    }
+
+    /// The same as one side of a wall on which the table lies behind, too: what starts on the wall, within rounding, may be on either
+    /// side and does not cross it.
+    pub(crate) fn two_sided(self) -> Shape {
+        match self {
+            Shape::Segment(s) => Shape::Segment(s.two_sided()),
+            Shape::Ray(s) => Shape::Ray(s.two_sided()),
+            Shape::Line(s) => Shape::Line(s.two_sided()),
+            Shape::Arc(s) => Shape::Arc(s.two_sided()),
+            Shape::Circle(s) => Shape::Circle(s.two_sided()),
+            Shape::EllipticArc(s) => Shape::EllipticArc(s.two_sided()),
+            Shape::Ellipse(s) => Shape::Ellipse(s.two_sided()),
+        }
+    }
+    pub(crate) fn is_two_sided(&self) -> bool {
+        match self {
+            Shape::Segment(s) => s.is_two_sided(),
+            Shape::Ray(s) => s.is_two_sided(),
+            Shape::Line(s) => s.is_two_sided(),
+            Shape::Arc(s) => s.circle().is_two_sided(),
+            Shape::Circle(s) => s.is_two_sided(),
+            Shape::EllipticArc(s) => s.ellipse().unit().is_two_sided(),
+            Shape::Ellipse(s) => s.unit().is_two_sided(),
+        }
+    }
+
+    pub(crate) fn into_piece(self) -> Shared<dyn Piece> {
+        match self {
+            Shape::Segment(s) => Shared::new(s),
+            Shape::Ray(s) => Shared::new(s),
+            Shape::Line(s) => Shared::new(s),
+            Shape::Arc(s) => Shared::new(s),
+            Shape::Circle(s) => Shared::new(s),
+            Shape::EllipticArc(s) => Shared::new(s),
+            Shape::Ellipse(s) => Shared::new(s),
         }
     }
 

@@ -7,7 +7,6 @@ use super::{
 use crate::{
     Figure, Lattice, Piece,
     nearest::nearest_of,
-    shapes::Shape,
     walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
 };
 use nalgebra::Vector2;
@@ -76,7 +75,7 @@ impl Table {
     /// All pieces as the sides of a polygon, if they are straight and none is one side of a wall with two.
     fn polygon(&self) -> Option<Polygon> {
         let side = |(i, piece): (usize, &Arc<dyn Piece>)| match (piece.figure(), piece.shape()) {
-            (_, Some(Shape::Segment(segment))) if segment.is_two_sided() => None,
+            (_, Some(shape)) if shape.is_two_sided() => None,
             (Figure::Segment { ends }, _) => Some((i, ends)),
             _ => None,
         };
@@ -119,6 +118,9 @@ impl Table {
         let rest = |used: &[usize]| (0..self.pieces.len()).filter(|i| !used.contains(i)).collect();
         for chain in self.chains() {
             let of_chain: Vec<Figure> = chain.iter().map(|&i| figures[i]).collect();
+            if chain.iter().any(|&i| self.pieces[i].shape().is_some_and(|shape| shape.is_two_sided())) {
+                continue; // what starts on it may be on either side
+            }
             if let Some(container) = Container::of(&chain, &of_chain) {
                 let rest: Vec<usize> = rest(&chain);
                 // what else there is must lie inside: a table may have several rooms

@@ -8,6 +8,7 @@ mod leaks;
 mod periodic;
 mod side_by_side;
 
+use geometry::shapes::curve::{Implicit, ImplicitFormula};
 use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, Translated};
 use geometry::{
     Interior, Lattice, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
@@ -283,6 +284,89 @@ fn what_starts_on_a_wall_between_two_rooms_does_not_hit_its_other_side() {
         }
         assert!((0..room.len()).all(|piece| of_walls.contains(&piece)), "some wall is never hit");
         table.with_walls(side_by_side::SameBits { name: "two sides", paths: &paths });
+    }
+}
+
+/// Pieces, the room of a point, and the pieces of each room.
+type Rooms<'a> = (&'a str, Vec<Box<dyn Piece>>, &'a dyn Fn(&Vector2<f64>) -> usize, [&'a [usize]; 2]);
+
+#[test]
+fn nothing_passes_a_curved_or_infinite_wall_with_the_table_on_both_sides() {
+    let v = Vector2::new;
+    let circle = |r: f64, inside: bool| Box::new(Circle::new(v(0.1, -0.2), r, inside).unwrap()) as Box<dyn Piece>;
+    let oval = |angle: f64, axes: [f64; 2], inside: bool| Ellipse::new(v(0.1, -0.2), axes, angle, inside).unwrap();
+    let line = |y: f64, x: f64| Box::new(FullLine::new(v(0.7, y), v(x, 0.3 * x)).unwrap()) as Box<dyn Piece>;
+    let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 0.4), left).unwrap()) as Box<dyn Piece>;
+    let quartic = formulas::Quartic { semi_axes: [2.0, 1.0], twist: 0.3 };
+    let formula = |inside: bool| Box::new(Implicit::new(quartic, inside).unwrap()) as Box<dyn Piece>;
+    // the upper half of a disk from outside and inside, with a diameter of its own, in a room
+    let (a, b, middle) = (v(1.0, 0.0), v(-1.0, 0.0), v(0.0, 0.0));
+    let arc = |from, to, inside| Box::new(Arc::new(middle, from, to, inside).unwrap()) as Box<dyn Piece>;
+    let side = |from, to| Box::new(Segment::new(from, to).unwrap()) as Box<dyn Piece>;
+    let half = [arc(a, b, true), side(b, a), arc(b, a, false), side(a, b), circle(5.0, true)];
+    // the same with the arc cut elsewhere on its other side
+    let cut = v(0.6, 0.8);
+    let parts = [arc(a, b, true), side(b, a), arc(b, cut, false), arc(cut, a, false), side(a, b), circle(5.0, true)];
+    // half an ellipse, told by its axes either way
+    let [p, q] = [[2.0, 1.0], [1.0, 2.0]];
+    let half_oval = |turn: bool, from, to, inside| {
+        let whole = if turn { oval(core::f64::consts::FRAC_PI_2, q, inside) } else { oval(0.0, p, inside) };
+        Box::new(EllipticArc::new(whole, from, to).unwrap()) as Box<dyn Piece>
+    };
+    let (c, d) = (v(2.1, -0.2), v(-1.9, -0.2));
+    let half_ovals =
+        [half_oval(false, c, d, true), side(d, c), half_oval(true, d, c, false), side(c, d), circle(5.0, true)];
+    let ellipses = [true, false].map(|inside| Box::new(oval(0.3, p, inside)) as Box<dyn Piece>);
+
+    let in_circle = |p: &Vector2<f64>| usize::from((p - v(0.1, -0.2)).norm() > 1.0);
+    let in_half = |p: &Vector2<f64>| usize::from(!(p.norm() < 1.0 && p.y > 0.0));
+    let in_oval =
+        |p: &Vector2<f64>| usize::from(!((p.x - 0.1).powi(2) / 4.0 + (p.y + 0.2).powi(2) < 1.0 && p.y > -0.2));
+    let in_ellipse = |p: &Vector2<f64>| {
+        let (along, y) = (v(0.3_f64.cos(), 0.3_f64.sin()), p - v(0.1, -0.2));
+        usize::from((y.dot(&along) / 2.0).powi(2) + along.perp(&y).powi(2) > 1.0)
+    };
+    let above = |p: &Vector2<f64>| usize::from(p.y < 0.5 + 0.3 * (p.x - 0.7));
+    let between = |p: &Vector2<f64>| usize::from(0.6 * p.y < 0.4 * p.x.abs());
+    let in_quartic = |p: &Vector2<f64>| usize::from(quartic.value((*p).into()) > 0.0);
+    let cases: [Rooms<'_>; 9] = [
+        ("circle", vec![circle(1.0, true), circle(1.0, false), circle(5.0, true)], &in_circle, [&[0], &[1, 2]]),
+        ("circle in the plane", vec![circle(1.0, true), circle(1.0, false)], &in_circle, [&[0], &[1]]),
+        ("half a disk", half.into(), &in_half, [&[0, 1], &[2, 3, 4]]),
+        ("its arc in two", parts.into(), &in_half, [&[0, 1], &[2, 3, 4, 5]]),
+        ("half an ellipse", half_ovals.into(), &in_oval, [&[0, 1], &[2, 3, 4]]),
+        ("ellipse", ellipses.into_iter().chain([circle(5.0, true)]).collect(), &in_ellipse, [&[0], &[1, 2]]),
+        ("lines", vec![line(0.5, 1.0), line(0.5, -2.0), line(2.0, -1.0), line(-2.0, 3.0)], &above, [&[0, 2], &[1, 3]]),
+        (
+            "rays",
+            vec![ray(0.6, true), ray(-0.6, false), ray(-0.6, true), ray(0.6, false)],
+            &between,
+            [&[0, 1], &[2, 3]],
+        ),
+        ("formula", vec![formula(true), formula(false), circle(5.0, true)], &in_quartic, [&[0], &[1, 2]]),
+    ];
+    let mut random = Random(5);
+    for (name, pieces, room, of_rooms) in cases {
+        let table = Table::new(pieces).unwrap();
+        let (mut paths, mut seen) = (vec![], vec![0; table.pieces().len()]);
+        for _ in 0..200 {
+            let point = v(random.between(-2.5, 2.5), random.between(-2.5, 2.5));
+            let mut path = Line { point, velocity: random.velocity() };
+            for n in 0..40 {
+                paths.push(path);
+                let Some(hit) = table.with_walls(Ask(path)).filter(|hit| !hit.corner) else { break };
+                let speed = path.velocity.norm();
+                if hit.normal.dot(&path.velocity).abs() < 1e-6 * speed {
+                    break;
+                }
+                assert!(of_rooms[room(&point)].contains(&hit.piece), "{name}: {point:?} {n} {path:?} {hit:?}");
+                seen[hit.piece] += 1;
+                let v = path.velocity;
+                path = Line { point: hit.point, velocity: v - hit.normal * (2.0 * v.dot(&hit.normal)) };
+            }
+        }
+        assert!(seen.iter().all(|&n| n > 10), "{name}: {seen:?}");
+        table.with_walls(side_by_side::SameBits { name, paths: &paths });
     }
 }
 

@@ -1,0 +1,71 @@
+//! One side of a wall on which the table lies behind, too.
+use crate::{Crossing, Extent, Landing, Line, Piece, plane::slack};
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// A piece with the table on both sides, where another one coincides with it: what starts on the wall, within rounding, and moves to the
+/// other side was there before, and does not cross it.
+#[derive(Clone, Debug)]
+pub(crate) struct OneSide {
+    piece: Arc<dyn Piece>,
+    /// How far inside a start must lie to cross.
+    inside: f64,
+    /// The size of the piece.
+    size: f64,
+}
+
+/// A hit farther away than this part of the size does not begin on the wall, unless it grazes it to rounding.
+const FAR: f64 = 1e-3;
+
+impl OneSide {
+    pub(crate) fn new(piece: Arc<dyn Piece>) -> OneSide {
+        let size = piece.extent().size();
+        OneSide { piece, inside: 0.5 * slack([size]), size }
+    }
+}
+
+impl Piece for OneSide {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        let crossing = self.piece.crossing(path);
+        if crossing.time() * path.velocity.norm() > FAR * self.size {
+            return crossing;
+        }
+        let foot = self.piece.closest(&path.point);
+        let from_behind =
+            (path.point - foot.point).dot(&foot.normal) < self.inside && path.velocity.dot(&foot.normal) <= 0.0;
+        if from_behind { Crossing::NEVER } else { crossing }
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.piece.landing(path, time)
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        self.piece.curvature(point)
+    }
+    fn length(&self) -> f64 {
+        self.piece.length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.piece.point_at(s)
+    }
+    fn landing_at(&self, s: f64) -> Landing {
+        self.piece.landing_at(s)
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        self.piece.arc_length_at(point)
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        self.piece.closest(point)
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        self.piece.ends()
+    }
+    fn extent(&self) -> Extent {
+        self.piece.extent()
+    }
+    fn area(&self) -> f64 {
+        self.piece.area()
+    }
+    fn tips(&self) -> Option<[Vector2<f64>; 2]> {
+        self.piece.tips()
+    }
+}
