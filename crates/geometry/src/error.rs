@@ -198,6 +198,16 @@ pub enum Error {
         /// About so many cells.
         cells: f64,
     },
+    /// A piece so far from the unit cell of a lattice that coordinates there do not tell one cell from the next.
+    #[error(
+        "piece {piece} lies {cells:.0e} cells of the lattice away, where coordinates are rounded to parts of a cell"
+    )]
+    FarFromCell {
+        /// The piece.
+        piece: usize,
+        /// About so many cells.
+        cells: f64,
+    },
     /// An arc so flat that rounding decides where it is.
     #[error(
         "piece {piece} is an arc of radius {radius:?} in a table that reaches only {size:?} from the origin: rounding decides where it lies"

@@ -83,8 +83,13 @@ impl Table {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
-        let raw = raw::raw(self, radius)?;
-        let loops = Arrangement::new(self, radius, raw).loops()?;
+        // on a flat torus a copy of any point lies within half the sum of two shortest vectors, and so does a wall
+        let fills_cells = self.lattice().is_some_and(|lattice| match lattice.reduced().0.vectors() {
+            [a, b] => radius > 0.5 * (a.norm() + b.norm()),
+            _ => false,
+        });
+        let loops =
+            if fills_cells { vec![] } else { Arrangement::new(self, radius, raw::raw(self, radius)?).loops()? };
         if loops.is_empty() {
             return Err(Error::NothingLeft { radius, largest: self.largest_disk().radius });
         }

@@ -56,6 +56,9 @@ struct Translate {
 /// flat, there would be any number of them.
 const MOST_TRANSLATES: f64 = 1e6;
 
+/// Farther away than this, coordinates are rounded to an eighth of a cell and more.
+const FARTHEST_CELL: f64 = 1_125_899_906_842_624.0; // 2⁵⁰
+
 /// Two normals that differ by less than this belong to a smooth joint.
 ///
 /// Rounding of the vertices of a joint meant to be smooth turns the normals by a few ulp of size over length of the
@@ -74,7 +77,8 @@ impl Table {
     /// The same on the plane modulo a lattice. A piece may then end where a translate of another one starts.
     ///
     /// # Errors
-    /// As [`Table::new`], and [`Error::ManyCells`] if the pieces reach over a million cells.
+    /// As [`Table::new`], [`Error::ManyCells`] if the pieces reach over a million cells, and [`Error::FarFromCell`] for one some 10¹⁵
+    /// cells away.
     pub fn periodic(pieces: Vec<Box<dyn Piece>>, lattice: Option<Lattice>) -> Result<Table, Error> {
         if pieces.is_empty() {
             return Err(Error::Empty);
@@ -365,11 +369,16 @@ fn all_nearby(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>) -> Vec<Trans
     pieces.iter().cloned().enumerate().map(alone).collect()
 }
 
-/// Fails where the pieces reach over so many cells that their translates would fill the memory.
+/// Fails where the pieces reach over so many cells that their translates would fill the memory, or lie too far away to count them.
 fn few_cells(pieces: &[Arc<dyn Piece>], lattice: &Lattice) -> Result<(), Error> {
     let mut sum = 0.0;
     for (piece, p) in pieces.iter().enumerate() {
-        let cells: f64 = reach(&p.extent(), lattice, 1.0).iter().map(|[first, last]| last - first + 1.0).product();
+        let reach = reach(&p.extent(), lattice, 1.0);
+        let away = reach.as_flattened().iter().fold(0.0, |m: f64, cell| m.max(cell.abs()));
+        let cells: f64 = reach.iter().map(|[first, last]| last - first + 1.0).product();
+        if away > FARTHEST_CELL && cells <= MOST_TRANSLATES {
+            return Err(Error::FarFromCell { piece, cells: away });
+        }
         sum += cells;
         if sum > MOST_TRANSLATES {
             return Err(Error::ManyCells { piece, cells });

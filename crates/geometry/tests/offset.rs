@@ -593,3 +593,14 @@ fn no_disk_moves_inside_obstacles_that_touch() {
         assert!(check("obstacles that touch", table, small).table.largest_disk().radius > 0.0);
     }
 }
+
+#[test]
+fn a_disk_larger_than_the_cells_of_a_torus_fits_nowhere_however_large() {
+    let torus = tables::sinai_torus(0.25, 1.0).unwrap();
+    let free = 0.5_f64.sqrt() - 0.25;
+    for radius in [free + 1e-3, 1.01, 1e4, 1e16, 1e150] {
+        let offset = torus.offset(radius).map(|offset| offset.table);
+        let Err(Error::NothingLeft { radius: asked, largest }) = offset else { panic!("{radius}: {offset:?}") };
+        assert!(asked == radius && (largest - free).abs() < 1e-9, "{radius}: {largest}");
+    }
+}

@@ -14,7 +14,7 @@ use crate::scene::{Arguments, Border, Curve, EdgePath, LawKind, Scene, Starts, T
 
 use super::scale;
 
-use complaint::in_user_units;
+use complaint::{about, in_user_units};
 pub(super) use complaint::{with_advice, wrong_argument};
 use pieces::explicit;
 
@@ -66,21 +66,7 @@ pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<()
 impl Drawn {
     /// An error of the geometry as one about the scene.
     pub(crate) fn complaint(&self, scene: &Scene, error: &Error) -> Diagnostic {
-        let at = |piece: usize| self.spans.get(piece).copied().unwrap_or(scene.table.span);
-        let span = match error {
-            Error::Open { piece, .. }
-            | Error::Orientation { piece }
-            | Error::Spike { piece, .. }
-            | Error::Collapsed { piece, .. }
-            | Error::TooShort { piece, .. }
-            | Error::Flat { piece, .. }
-            | Error::ManyCells { piece, .. }
-            | Error::InfiniteOnLattice { piece }
-            | Error::SelfCrossing { piece, .. } => at(*piece),
-            Error::Crossing { second, .. } => at(*second),
-            _ => scene.table.span,
-        };
-        with_advice(scene.source.diagnostic(span, self.in_user_units(error).to_string()), error, &scene.table.shape)
+        about(scene, &self.spans, self.factor, error)
     }
 
     /// An error whose lengths are those of the user.

@@ -53,11 +53,23 @@ impl PlanarLaw {
     /// The laws of numbered pieces for a disk with γ.
     pub(crate) fn new<'a>(pieces: impl IntoIterator<Item = (&'a LawKind, &'a dyn Piece)>, gamma: f64) -> PlanarLaw {
         let kinds: Vec<Simple> = pieces.into_iter().map(|(kind, piece)| Simple::of(kind, piece)).collect();
-        let disk = |kind: &Simple| kind.disk(gamma);
+        // it takes milliseconds to find the digits of a law: once for each, not for each piece
+        let mut known: Vec<(Simple, Disk)> = vec![];
+        let mut disk = |kind: &Simple| {
+            if let Some((_, disk)) = known.iter().find(|(other, _)| other == kind) {
+                return *disk;
+            }
+            let disk = kind.disk(gamma);
+            known.push((*kind, disk));
+            disk
+        };
         match &kinds[..] {
-            [] => PlanarLaw::Uniform(Simple::Specular.disk(gamma)),
+            [] => PlanarLaw::Uniform(disk(&Simple::Specular)),
             [first, rest @ ..] if rest.iter().all(|kind| kind == first) => PlanarLaw::Uniform(disk(first)),
-            [first, rest @ ..] => PlanarLaw::PerPiece(PerPiece::new(disk(first), rest.iter().map(disk))),
+            [first, rest @ ..] => {
+                let first = disk(first);
+                PlanarLaw::PerPiece(PerPiece::new(first, rest.iter().map(disk)))
+            }
         }
     }
 }

@@ -47,6 +47,9 @@ pub(crate) fn folded(table: &Table, point: &[f64; 2]) -> ([f64; 2], [f64; 2]) {
     })
 }
 
+/// Farther away than this, coordinates are rounded to an eighth of a cell and more, and soon cells can no longer be counted.
+const FARTHEST_CELL: f64 = 1_125_899_906_842_624.0; // 2⁵⁰
+
 /// All starts, or all that is wrong with them.
 pub(crate) fn all<T>(
     orbits: &[Orbit],
@@ -66,6 +69,16 @@ pub(crate) fn all<T>(
 pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -> Result<Start<2, 1>, Box<Diagnostic>> {
     let mut start: Start<2, 1> = scaled(orbit, length);
     (start.position, start.cell) = folded(table, &start.position);
+    if let Some(away) = start.cell.into_iter().find(|cell| cell.abs() > FARTHEST_CELL) {
+        let what = format!(
+            "the start lies {:.0e} cells of the lattice away, where cells can no longer be counted",
+            away.abs()
+        );
+        let diagnostic = scene.source.diagnostic(orbit.position.span, what);
+        return Err(Box::new(
+            diagnostic.with_help("start in the copy of that place next to the origin: all others are the same"),
+        ));
+    }
     let home = Vector2::from(start.position);
     let (piece, landing) = table.closest(&home);
     let off = home - landing.point;

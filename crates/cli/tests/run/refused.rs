@@ -6,6 +6,19 @@ use assert_cmd::Command;
 
 use super::{Folder, SQUARE, scale::stadium};
 
+/// A flat torus with a disk.
+const TORUS: &str = r#"law = "specular"
+[table]
+lattice = [[1, 0], [0, 1]]
+[[table.boundary]]
+circle = { center = [0.5, 0.5], radius = 0.25, domain = "outside" }
+[[orbit]]
+position = [0, 0.125]
+velocity = [1, 0]
+[run]
+collisions = 1
+"#;
+
 /// A table drawn by hand.
 const HAND: &str = r#"law = "no-slip"
 [[table.boundary]]
@@ -105,6 +118,32 @@ fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
             "there is no piece 5",
         ),
     ];
+    refused(&folder, cases);
+}
+
+#[test]
+fn what_is_too_far_away_for_a_lattice_is_told() {
+    let cases = [
+        (
+            TORUS,
+            "center = [0.5, 0.5]",
+            "center = [1e16, 0]",
+            "scene.toml:5:10",
+            "piece 0 lies 1e16 cells of the lattice away",
+        ),
+        (
+            TORUS,
+            "position = [0, 0.125]",
+            "position = [0, 1e20]",
+            "scene.toml:7:12",
+            "lies 1e20 cells of the lattice away",
+        ),
+    ];
+    refused(&Folder::new("far-away"), &cases);
+}
+
+/// Each of these scenes, with something else in place of what stands there, is refused with a place and a message.
+fn refused(folder: &Folder, cases: &[(&str, &str, &str, &str, &str)]) {
     for (scene, from, to, place, message) in cases {
         assert!(scene.contains(from), "{from}");
         let output = folder.run(&scene.replacen(from, to, 1), &[]);

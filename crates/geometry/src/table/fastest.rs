@@ -16,14 +16,15 @@ impl Table {
     /// Runs a computation with the best walls for this table.
     pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
         if let Some(lattice) = &self.lattice {
+            let boxes = || self.pieces.iter().map(|piece| piece.extent());
             return match self.figures().as_slice() {
                 [Figure::Circle { center, radius, inside: false }] if inside_cell(*center, *radius, lattice) => {
                     match Scatterer::new(*center, *radius, 0) {
-                        Ok(disk) => visit.run(&Periodic::new(disk, lattice)),
+                        Ok(disk) => visit.run(&Periodic::new(disk, lattice).within(lattice, boxes())),
                         Err(_) => visit.run(&Periodic::new(self.translates(lattice), lattice)),
                     }
                 }
-                _ => visit.run(&Periodic::new(self.translates(lattice), lattice)),
+                _ => visit.run(&Periodic::new(self.translates(lattice), lattice).within(lattice, boxes())),
             };
         }
         // obstacles of straight sides in a rectangle, too, are asked faster together with it

@@ -1,6 +1,6 @@
 //! Walls repeated by a lattice of translations.
 use super::{WallHit, Walls};
-use crate::lattice::Lattice;
+use crate::{extent::Extent, lattice::Lattice, plane::slack};
 use lanes::{Double, Lane, Mask};
 
 /// Walls on a channel or a flat torus: the particle is followed from unit cell to unit cell.
@@ -12,6 +12,9 @@ pub struct Periodic<W> {
     walls: W,
     /// A channel's second one is crossed by no path.
     translations: [Translation; 2],
+    /// At right angles to the vector of a channel, and how far the walls reach that way; 0 and without end elsewhere.
+    across: [f64; 2],
+    range: [f64; 2],
 }
 
 /// A flight through this many cells without a hit is taken never to end: the particle escapes along a corridor.
@@ -45,7 +48,28 @@ impl<W> Periodic<W> {
             let rounding = ROUNDING * (1.0 + f.abs() * reach(0) + g.abs() * reach(1));
             *translation = Translation { functional: [f, g], vector: (*vector).into(), rounding };
         }
-        Periodic { walls, translations }
+        Periodic { walls, translations, across: [0.0; 2], range: [-f64::INFINITY, f64::INFINITY] }
+    }
+
+    /// The same walls, which lie in some boxes: on a channel, a flight beyond these that moves away from them ends at once.
+    #[must_use]
+    pub fn within(self, lattice: &Lattice, boxes: impl IntoIterator<Item = Extent>) -> Self {
+        let [along] = lattice.vectors() else { return self };
+        let size = along.amax();
+        let across = [-along.y / size, along.x / size];
+        let mut range = [f64::INFINITY, -f64::INFINITY];
+        for Extent { min, max } in boxes {
+            for corner in [[min.x, min.y], [max.x, min.y], [max.x, max.y], [min.x, max.y]] {
+                // where a box goes on for ever along the channel, that counts nothing
+                let parts = [0, 1].map(|i| across[i] * corner[i]);
+                let at: f64 = parts.iter().filter(|part| !part.is_nan()).sum();
+                let rounding = slack(parts.into_iter().filter(|part| part.is_finite()));
+                // of a slanted box without end, ∞ − ∞
+                let at = if at.is_nan() { [-f64::INFINITY, f64::INFINITY] } else { [at - rounding, at + rounding] };
+                range = [range[0].min(at[0]), range[1].max(at[1])];
+            }
+        }
+        Periodic { across, range, ..self }
     }
 }
 
@@ -146,6 +170,11 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
                 if cells >= PATIENCE && cells.is_power_of_two() {
                     mark = start;
                 }
+                let [n0, n1] = self.across;
+                let (place, speed) = (start[0] * n0 + start[1] * n1, v[0] * n0 + v[1] * n1);
+                let [low, high] = self.range.map(|end| zero.same(end));
+                let beyond = (high.lt(place) & !speed.lt(zero)) | (place.lt(low) & !zero.lt(speed));
+                flying = flying & !beyond;
             }
         }
         best

@@ -1,6 +1,8 @@
 //! Walls of the plane modulo a lattice.
 
 use super::*;
+use geometry::walls::Periodic;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Lattice walls against all translates of the pieces around the origin.
 struct CompareLifted<'a> {
@@ -49,6 +51,64 @@ fn lattice_walls_agree_with_all_translates() {
         let table = entry.planar(&entry.typical()).unwrap();
         let paths = orbit_starts(&table, 1000, &mut random);
         table.with_walls(CompareLifted { name, table: &table, paths: &paths });
+    }
+}
+
+/// Walls that count how often they are asked.
+struct Counting<'a, W>(W, &'a AtomicU64);
+
+impl<W: Walls<2>> Walls<2> for Counting<'_, W> {
+    fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
+        self.1.fetch_add(1, Ordering::Relaxed);
+        self.0.first_hit(x, v)
+    }
+}
+
+#[test]
+fn flights_that_leave_a_grating_sideways_end_at_once_and_no_hit_is_lost() {
+    let v = Vector2::new;
+    let along = v(0.8, 0.6);
+    let lattice = Lattice::new(&[along]).unwrap();
+    let mut pieces: Vec<Box<dyn Piece>> = vec![Box::new(Circle::new(v(7.3, 5.4), 0.2, false).unwrap())];
+    let triangle = polygon([v(0.1, 0.7), v(0.2, 1.0), v(0.4, 0.8)]);
+    pieces.extend(triangle.into_iter().map(|s| Box::new(s) as Box<dyn Piece>));
+    let table = Table::periodic(pieces, Some(lattice.clone())).unwrap();
+    let translates = table.pieces().iter().enumerate().flat_map(|(i, piece)| {
+        let moved = |k: i32| Translated::new(piece.clone(), along * f64::from(k));
+        (-40..=30).map(move |k| (i, std::sync::Arc::new(moved(k)) as std::sync::Arc<dyn Piece>))
+    });
+    let (lifted, asked) = (List::new(translates.collect(), &[]), AtomicU64::new(0));
+    let boxes = table.pieces().iter().map(|piece| piece.extent());
+    let walls = Periodic::new(Counting(&lifted, &asked), &lattice).within(&lattice, boxes);
+    let across = v(-0.6, 0.8);
+    let mut random = Random(9);
+    let (mut hits, mut escapes) = (0, 0);
+    for _ in 0..2000 {
+        // from the obstacles' height and from far above and below them
+        let point = along * random.uniform() + across * random.between(-5.0, 5.0);
+        let path = Line { point, velocity: random.velocity() };
+        let slope = path.velocity.dot(&across).abs() / path.velocity.norm();
+        if slope < 0.25 {
+            continue;
+        }
+        let (before, expected) = (asked.load(Ordering::Relaxed), lifted.hit(&path));
+        let hit = walls.hit(&path);
+        assert_eq!(hit.map(|hit| hit.piece), expected.map(|hit| hit.piece), "{path:?}");
+        assert!(asked.load(Ordering::Relaxed) - before < 64, "{path:?}");
+        if hit.is_some() { hits += 1 } else { escapes += 1 }
+    }
+    assert!(hits > 300 && escapes > 300, "{hits} {escapes}");
+}
+
+#[test]
+fn pieces_too_far_away_to_count_the_cells_are_refused() {
+    let lattice = |second: f64| Lattice::new(&[Vector2::new(1.0, 0.0), Vector2::new(0.0, second)]).unwrap();
+    for (far, second) in [(1e16, 1.0), (1e19, 1.0), (1.6e16, 1e9)] {
+        for center in [Vector2::new(far, 0.0), Vector2::new(-far, 0.5)] {
+            let disk = Box::new(Circle::new(center, 0.25, false).unwrap()) as Box<dyn Piece>;
+            let table = Table::periodic(vec![disk], Some(lattice(second)));
+            assert!(matches!(table, Err(geometry::Error::FarFromCell { piece: 0, .. })), "{center} {second}");
+        }
     }
 }
 

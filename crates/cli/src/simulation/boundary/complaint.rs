@@ -2,7 +2,7 @@
 
 use billiards::geometry::{Error, tables};
 
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, Span};
 use crate::scene::{Arguments, Scene, TableShape};
 
 /// An error whose lengths and names are those of the user.
@@ -57,6 +57,30 @@ fn in_keys(must: &'static str) -> &'static str {
     if must == "another point than a" { "another point than from" } else { must }
 }
 
+/// An error of the geometry as one about the scene, in whose file the pieces stand at these places.
+pub(super) fn about(scene: &Scene, pieces: &[Span], factor: f64, error: &Error) -> Diagnostic {
+    let span = piece_of(error).and_then(|piece| pieces.get(piece)).copied().unwrap_or(scene.table.span);
+    with_advice(scene.source.diagnostic(span, in_user_units(error, factor).to_string()), error, &scene.table.shape)
+}
+
+/// The piece that an error is about.
+fn piece_of(error: &Error) -> Option<usize> {
+    match error {
+        Error::Open { piece, .. }
+        | Error::Orientation { piece }
+        | Error::Spike { piece, .. }
+        | Error::Collapsed { piece, .. }
+        | Error::TooShort { piece, .. }
+        | Error::Flat { piece, .. }
+        | Error::ManyCells { piece, .. }
+        | Error::FarFromCell { piece, .. }
+        | Error::InfiniteOnLattice { piece }
+        | Error::SelfCrossing { piece, .. } => Some(*piece),
+        Error::Crossing { second, .. } => Some(*second),
+        _ => None,
+    }
+}
+
 /// Adds how to mend an error of the geometry, where its words do not say so.
 pub(crate) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableShape) -> Diagnostic {
     let advice = match shape {
@@ -76,6 +100,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::TooShort { .. } => "leave it out, or move its ends apart",
         Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
         Error::ManyCells { .. } => "make the piece smaller, or the vectors longer and more unlike",
+        Error::FarFromCell { .. } => "give the copy of it that lies next to the origin: all others are the same",
         Error::OffCircle { .. } => "put the center on the perpendicular bisector of the two ends",
         Error::Crossing { first, second, .. } if first == second => {
             "it crosses its own translate in the next cell of the lattice: make it smaller, or the cell larger"

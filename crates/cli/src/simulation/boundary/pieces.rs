@@ -5,7 +5,7 @@ use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
 use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, enclosed_area, import, parry};
 
 use super::Drawn;
-use super::complaint::{in_user_units, with_advice};
+use super::complaint::{about, in_user_units, with_advice};
 use super::scaled::Scaled;
 use crate::document::{Diagnostic, Span, Spanned};
 use crate::expression::{ImplicitCurve, PolarCurve};
@@ -36,14 +36,7 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
     let lattice = lattice(scene, factor)?;
     let Collected { pieces, spans, laws, .. } = all;
     let unbounded = entries.iter().all(|entry| entry.border.is_obstacle());
-    let table = Table::periodic(pieces, lattice).map_err(|error| {
-        let span = match &error {
-            Error::Open { piece, .. } => spans.get(*piece).copied(),
-            _ => None,
-        };
-        let what = in_user_units(&error, factor).to_string();
-        vec![with_advice(scene.source.diagnostic(span.unwrap_or(scene.table.span), what), &error, &scene.table.shape)]
-    })?;
+    let table = Table::periodic(pieces, lattice).map_err(|error| vec![about(scene, &spans, factor, &error)])?;
     let table = if unbounded { table.unbounded() } else { table };
     Ok(Drawn { table, spans, laws, factor })
 }
