@@ -46,6 +46,58 @@ fn a_room_with_points_on_its_faces_and_edges_is_closed() {
 }
 
 #[test]
+fn faces_that_are_flat_to_some_digits_have_no_edges_within() {
+    // the corner that is not one digit's rounding off lies above the lid, which has a crease along its diagonal
+    for digits in 6..17 {
+        let mut points = cube();
+        points[7].z += libm::pow(10.0, -f64::from(digits));
+        for side in [Side::Inside, Side::Outside] {
+            let (cube, [from, up]) = (hull(&points, side), if side == Side::Inside { [0.0, 1.0] } else { [2.0, -1.0] });
+            let hit = |x: f64, y: f64| {
+                let path = Line { point: Vector3::new(x, y, from), velocity: Vector3::new(0.01, 0.02, up) };
+                cube.first_hit(&path).unwrap()
+            };
+            for k in 1..100 {
+                let x = 0.015 * f64::from(k) - 0.75;
+                for beside in [0.0, 1e-9, 1e-6, 1e-3] {
+                    // within rounding of the crease itself there is an edge, if it is one at all
+                    if digits > 9 || beside > 1e-8 {
+                        assert!(!hit(x, -x + beside).corner, "{digits} {side:?} {x} {beside:e}");
+                    }
+                }
+            }
+            // onto the edge of the lid opposite to that corner
+            let way = Vector3::new(-0.7 * up, -0.3 * up, up);
+            let path = Line { point: Vector3::new(-1.0, -0.1, 1.0) - way, velocity: way };
+            assert!(cube.first_hit(&path).unwrap().corner, "{digits} {side:?}");
+        }
+    }
+}
+
+#[test]
+fn edges_of_flat_roofs_and_cones_are_corners_and_what_lies_beside_them_is_none() {
+    let mut points = cube();
+    points.push(Vector3::new(0.0, 0.0, 1.0 + 1e-7));
+    let roof = hull(&points, Side::Outside);
+    let cone = SolidSpec::Cone { radius: 1.0, height: 1e-5, rounding: 0.0 };
+    let cone = cone.solid([0.0; 3], Side::Inside).unwrap();
+    let is_corner = |solid: &Solid, x: f64, y: f64| {
+        let path = Line { point: Vector3::new(x, y, 3.0), velocity: -Vector3::z() };
+        solid.first_hit(&path).unwrap().corner
+    };
+    for k in 1..50 {
+        let x = 0.0175 * f64::from(k);
+        assert!(is_corner(&roof, x, x) && is_corner(&roof, x, -x), "{x}");
+        assert!(!is_corner(&roof, x, x + 1e-14) && !is_corner(&roof, x + 1e-10, x), "{x}");
+    }
+    for beside in [4e-16, 1e-13, 1e-11] {
+        let onto_the_base = Vector3::new(0.6 * (1.0 - beside), 0.8 * (1.0 - beside), -5e-6);
+        let hit = cone.first_hit(&Line { point: Vector3::zeros(), velocity: onto_the_base }).unwrap();
+        assert_eq!(hit.corner, beside < 1e-15, "{beside:e} {hit:?}");
+    }
+}
+
+#[test]
 fn points_beside_the_corners_do_not_move_the_faces() {
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector3::from);
     let mut random = Random(22);

@@ -66,6 +66,12 @@ impl Polytope {
 }
 
 impl Face {
+    /// From corner to corner.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = [usize; 2]> {
+        let next = self.ring.iter().cycle().skip(1);
+        self.ring.iter().zip(next).map(|(a, b)| [*a, *b])
+    }
+
     /// Triangles with these corners.
     pub(crate) fn fan(&self) -> impl Iterator<Item = [usize; 3]> {
         self.ring[1..].windows(2).map(|side| [self.ring[0], side[0], side[1]])
@@ -106,8 +112,7 @@ mod tests {
                 let off = face.normal.dot(&(corner - hull.corners[face.top]));
                 assert!(off.abs() <= 4.0 * tolerance, "{off:e} off {face:?}");
             }
-            let next = face.ring.iter().cycle().skip(1);
-            sides.extend(face.ring.iter().zip(next).map(|(a, b)| [*a, *b]));
+            sides.extend(face.sides());
         }
         let count = sides.len();
         sides.sort_unstable();

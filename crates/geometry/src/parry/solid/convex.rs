@@ -4,15 +4,18 @@ use super::positive;
 use crate::{Error, Line, parry::polytope::Polytope, plane::slack, surface::any_across, walls::CORNER};
 use nalgebra::Vector3;
 use parry3d_f64::shape::{Capsule, Cone, Cuboid, Cylinder, HalfSpace};
+use std::collections::HashMap;
 
 /// A convex solid.
 #[derive(Clone, Debug)]
 pub(super) struct Convex {
     kind: Kind,
+    /// The edges of each face; none where faces meet at right angles only, so that an edge is as far as the face beyond it.
+    edges: Vec<Vec<Edge>>,
     /// The largest of its coordinates: of a half-space, that of the point through which its plane was laid.
     size: f64,
     slack: f64,
-    /// Within this distance of a second face a point lies on an edge.
+    /// Within this distance of an edge a point lies on it.
     near: f64,
 }
 
@@ -55,6 +58,31 @@ enum Face {
         slope: f64,
     },
 }
+
+/// Where two faces meet.
+#[derive(Clone, Copy, Debug)]
+enum Edge {
+    /// A line along a unit vector.
+    Straight { through: Vector3<f64>, along: Vector3<f64> },
+    /// A circle around an axis.
+    Round { center: Vector3<f64>, axis: Vector3<f64>, radius: f64 },
+}
+
+impl Edge {
+    /// How far a point lies from it.
+    fn distance(&self, x: &Vector3<f64>) -> f64 {
+        match self {
+            Edge::Straight { through, along } => along.cross(&(x - through)).norm(),
+            Edge::Round { center, axis, radius } => {
+                let w = x - center;
+                libm::hypot(across(&w, axis).norm() - radius, w.dot(axis))
+            }
+        }
+    }
+}
+
+/// Faces whose normals differ by no more continue one another: no angle that anybody means is this small.
+const SMOOTH: f64 = 1e-9;
 
 /// The part of a line on the convex side of a face.
 #[derive(Clone, Copy, Debug)]
@@ -225,7 +253,12 @@ fn across(w: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
 
 impl Convex {
     fn of(kind: Kind, size: f64) -> Convex {
-        Convex { kind, size, slack: slack([size]), near: CORNER * size }
+        Convex { kind, edges: vec![], size, slack: slack([size]), near: CORNER * size }
+    }
+
+    /// With these edges of its faces.
+    fn with_edges(self, edges: Vec<Vec<Edge>>) -> Convex {
+        Convex { edges, ..self }
     }
 
     pub(super) fn ball(center: Vector3<f64>, radius: f64) -> Convex {
@@ -275,10 +308,12 @@ impl Convex {
         positive("the radius", cone.radius)?;
         let down = frame.direction(&-Vector3::y());
         let apex = frame.point(&(Vector3::y() * cone.half_height));
-        let base = Face::Plane { through: frame.point(&(Vector3::y() * -cone.half_height)), normal: down };
+        let middle = frame.point(&(Vector3::y() * -cone.half_height));
+        let base = Face::Plane { through: middle, normal: down };
         let nappe = Face::Nappe { apex, axis: down, slope: cone.radius / (2.0 * cone.half_height) };
         let size = frame.translation.amax() + cone.half_height + cone.radius;
-        Ok(Convex::of(Kind::Intersection(vec![nappe, base]), size))
+        let rim = Edge::Round { center: middle, axis: down, radius: cone.radius };
+        Ok(Convex::of(Kind::Intersection(vec![nappe, base]), size).with_edges(vec![vec![rim]; 2]))
     }
 
     pub(super) fn capsule(capsule: &Capsule, frame: &Frame<3>) -> Result<Convex, Error> {
@@ -305,7 +340,17 @@ impl Convex {
             normal: frame.direction(&face.normal),
         });
         let size = polytope.corners.iter().map(|p| frame.point(p).amax()).fold(0.0, f64::max);
-        Convex::of(Kind::Intersection(planes.collect()), size)
+        let normals: HashMap<[usize; 2], &Vector3<f64>> =
+            polytope.faces.iter().flat_map(|face| face.sides().map(|side| (side, &face.normal))).collect();
+        let edges = polytope.faces.iter().map(|face| {
+            let smooth = |[a, b]: [usize; 2]| normals.get(&[b, a]).is_some_and(|n| (face.normal - *n).norm() <= SMOOTH);
+            let straight = |side: [usize; 2]| {
+                let [a, b] = side.map(|k| frame.point(&polytope.corners[k]));
+                Edge::Straight { through: a, along: (b - a).normalize() }
+            };
+            face.sides().filter(|side| !smooth(*side)).map(straight).collect()
+        });
+        Convex::of(Kind::Intersection(planes.collect()), size).with_edges(edges.collect())
     }
 
     pub(super) fn size(&self) -> f64 {
@@ -396,11 +441,15 @@ impl Convex {
         self.face(face, x).map_or((*x, Vector3::zeros()), |f| f.project(x))
     }
 
-    /// Whether a point of one face lies on another one too, within rounding.
+    /// Whether a point of one face lies on an edge of it, within rounding.
+    ///
+    /// Where faces meet at a small angle, all of a strip beside their edge lies on both of them within rounding.
     pub(super) fn on_edge(&self, face: usize, x: &Vector3<f64>) -> bool {
         match &self.kind {
             Kind::Intersection(faces) => {
-                faces.iter().enumerate().any(|(i, f)| i != face && f.off(x).abs() <= self.near)
+                let is_near = |edge: &Edge| edge.distance(x) <= self.near;
+                (faces.iter().enumerate().any(|(i, f)| i != face && f.off(x).abs() <= self.near)
+                    && self.edges.get(face).is_none_or(|own| own.iter().any(is_near)))
                     || matches!(faces[face], Face::Nappe { apex, .. } if (x - apex).norm() <= self.near)
             }
             Kind::Capsule(_) => false,
