@@ -485,6 +485,44 @@ fn stl_is_read_to_its_end_or_refused() {
     assert!(matches!(import::stl(b"solid a\nendsolid\n"), Err(Error::Empty)));
 }
 
+#[test]
+fn texts_of_stl_keep_all_their_digits() {
+    let corners = ["0 0 0", "0.1 1e-17 3", "0.10000000000000002 1 0.3333333333333333", "1e100 0 0"];
+    let facet = |[a, b, c]: [usize; 3]| {
+        let [a, b, c] = [a, b, c].map(|k| corners[k]);
+        format!("facet\nouter\nvertex {a}\nvertex {b}\nvertex {c}\nendloop\nendfacet\n")
+    };
+    let text = format!("solid\n{}{}endsolid\n", facet([0, 1, 2]), facet([3, 1, 2]));
+    let SolidSpec::TriMesh { vertices, triangles, .. } = import::stl(text.as_bytes()).unwrap() else { panic!() };
+    let written = corners.map(|corner| corner.split(' ').map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>());
+    assert_eq!(vertices.iter().map(|v| v.to_vec()).collect::<Vec<_>>(), written);
+    assert_eq!(triangles, [[0, 1, 2], [3, 1, 2]]);
+}
+
+#[test]
+fn a_face_of_thousands_of_corners_is_cut_at_once() {
+    // a thin corridor that goes up and down: half of its corners point inwards
+    let half = 1500;
+    let side = |up: f64| (0..half).map(move |k| Vector3::new(f64::from(k), f64::from(k % 2) * 10.0 + up, 0.0));
+    let corners: Vec<_> = side(0.0).chain(side(0.05).collect::<Vec<_>>().into_iter().rev()).collect();
+    let vertices = joined(corners.iter().map(|p| format!("v {} {} 0\n", p.x, p.y)));
+    let face = joined((1..=corners.len()).map(|k| format!(" {k}")));
+    let began = std::time::Instant::now();
+    let SolidSpec::TriMesh { vertices, triangles, .. } = import::obj(&format!("{vertices}f{face}\n")).unwrap() else {
+        panic!()
+    };
+    // a third of a second; where each ear took the square of their number it had been twenty
+    assert!(began.elapsed().as_secs() < 5, "{:?}", began.elapsed());
+    assert_eq!(triangles.len(), corners.len() - 2);
+    let area = |t: &[usize; 3]| {
+        let [a, b, c] = t.map(|k| Vector3::from(vertices[k]));
+        0.5 * (b - a).cross(&(c - a)).z
+    };
+    assert!(triangles.iter().all(|t| area(t) > 0.0));
+    let sum: f64 = triangles.iter().map(area).sum();
+    assert!((sum - 0.05 * f64::from(half - 1)).abs() < 1e-10, "{sum}");
+}
+
 proptest! {
     // whatever is in the file, there is a table or an error
     #[test]

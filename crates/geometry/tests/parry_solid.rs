@@ -224,6 +224,17 @@ fn a_mesh_inside_out_is_turned_round_and_a_mixed_one_is_refused() {
 }
 
 #[test]
+fn triangles_with_a_corner_twice_close_nothing() {
+    let vertices = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let rims = |more: &[[usize; 3]]| {
+        let triangles = [&[[0, 2, 1], [0, 1, 3], [0, 3, 2]], more].concat();
+        SolidSpec::TriMesh { vertices: vertices.clone(), triangles, margin: 0.0 }.rims()
+    };
+    assert_eq!(rims(&[[1, 2, 3]]), 0);
+    assert_eq!(rims(&[[1, 1, 2], [2, 3, 3], [3, 1, 3]]), 3);
+}
+
+#[test]
 fn a_mesh_closed_by_triangles_without_area_is_closed_for_all() {
     // a cube, of whose top one side is two: what lies between has no area
     let mut vertices: Vec<[f64; 3]> = (0..8).map(|k| [0, 1, 2].map(|i| f64::from(k >> i & 1))).collect();

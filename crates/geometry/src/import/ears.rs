@@ -64,30 +64,46 @@ impl Polygon {
 
     /// Triangles cut off at corners one after another.
     fn ears(&self) -> Option<Vec<[usize; 3]>> {
-        let mut left: Vec<usize> = (0..self.corners.len()).collect();
+        let n = self.corners.len();
+        let mut before: Vec<usize> = (0..n).map(|k| (k + n - 1) % n).collect();
+        let mut after: Vec<usize> = (0..n).map(|k| (k + 1) % n).collect();
+        let is_blunt = |corner: [usize; 3]| self.turn(corner) <= 0.0;
+        let mut blunt: Vec<bool> = (0..n).map(|k| is_blunt([before[k], k, after[k]])).collect();
+        // what was no ear is none until a neighbour is cut off, unless another corner only touched it
+        let mut refused = vec![false; n];
         let mut cut = vec![];
-        let (mut at, mut refused) = (0, 0);
-        while left.len() > 3 {
-            let n = left.len();
-            let ear = [left[(at + n - 1) % n], left[at], left[(at + 1) % n]];
-            if self.is_ear(ear, &left) {
+        let (mut at, mut left, mut passed, mut since) = (0, n, 0, 0);
+        while left > 3 {
+            let ear = [before[at], at, after[at]];
+            if !refused[at] && self.is_ear(ear, &blunt) {
                 cut.push(ear);
-                left.remove(at);
-                (at, refused) = (at % left.len(), 0);
-            } else if refused < n {
-                (at, refused) = ((at + 1) % n, refused + 1);
+                let [a, _, c] = ear;
+                (after[a], before[c]) = (c, a);
+                for k in [a, c] {
+                    blunt[k] = is_blunt([before[k], k, after[k]]);
+                    refused[k] = false;
+                }
+                (at, left, passed, since) = (c, left - 1, 0, since + 1);
+            } else if passed < left {
+                refused[at] = true;
+                (at, passed) = (after[at], passed + 1);
+            } else if since > 0 {
+                refused.fill(false);
+                (passed, since) = (0, 0);
             } else {
                 return None;
             }
         }
-        cut.push([left[0], left[1], left[2]]);
+        cut.push([before[at], at, after[at]]);
         Some(cut)
     }
 
-    /// Whether a triangle is a left turn with no other corner in it or on its edges.
-    fn is_ear(&self, [a, b, c]: [usize; 3], left: &[usize]) -> bool {
+    /// Whether a triangle is a left turn with no other corner in it or on its edges. Where there is one, one of them is blunt: that which
+    /// is farthest in.
+    fn is_ear(&self, [a, b, c]: [usize; 3], blunt: &[bool]) -> bool {
         let own = [a, b, c].map(|k| self.corners[k]);
         let is_in = |k: usize| [[a, b, k], [b, c, k], [c, a, k]].into_iter().all(|edge| self.turn(edge) >= 0.0);
-        self.turn([a, b, c]) > 0.0 && !left.iter().any(|&k| !own.contains(&self.corners[k]) && is_in(k))
+        let mut others = (0..blunt.len()).filter(|&k| blunt[k] && !own.contains(&self.corners[k]));
+        self.turn([a, b, c]) > 0.0 && !others.any(is_in)
     }
 }

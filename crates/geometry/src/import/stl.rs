@@ -6,9 +6,9 @@ use std::collections::HashMap;
 
 /// The triangles of an STL file, binary or text: a [`SolidSpec::TriMesh`].
 ///
-/// STL has coordinates in single precision, and they are taken as they are; what its normals say is not asked for, but the corners of
-/// each triangle must go round counter-clockwise as seen from outside (a closed surface may be inside out). All solids of a text are one
-/// surface.
+/// Binary files have coordinates in single precision, and texts as many digits as they have: all are taken as they are. What its normals
+/// say is not asked for, but the corners of each triangle must go round counter-clockwise as seen from outside (a closed surface may be
+/// inside out). All solids of a text are one surface.
 ///
 /// ```
 /// use geometry::{import, parry::Side};
@@ -38,10 +38,10 @@ pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
         return Err(Error::Empty);
     }
     let (mut vertices, mut numbers) = (vec![], HashMap::new());
-    let mut number = |corner: [f32; 3]| {
+    let mut number = |corner: [f64; 3]| {
         // zeros of either sign are one number
         *numbers.entry(corner.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
-            vertices.push(corner.map(f64::from));
+            vertices.push(corner);
             vertices.len() - 1
         })
     };
@@ -49,7 +49,7 @@ pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
     Ok(SolidSpec::TriMesh { vertices, triangles, margin: 0.0 })
 }
 
-type Facet = [[f32; 3]; 3];
+type Facet = [[f64; 3]; 3];
 
 const HEADER: usize = 84;
 const FACET: usize = 50;
@@ -71,7 +71,7 @@ fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Vec<Facet>, Error> {
     }
     let facet = |(k, bytes): (usize, &[u8])| {
         // the normal comes first
-        let number = |i: usize| f32::from_le_bytes([0, 1, 2, 3].map(|b| bytes[12 + 4 * i + b]));
+        let number = |i: usize| f64::from(f32::from_le_bytes([0, 1, 2, 3].map(|b| bytes[12 + 4 * i + b])));
         let corners = [0, 3, 6].map(|i| [number(i), number(i + 1), number(i + 2)]);
         let is_finite = corners.as_flattened().iter().all(|x| x.is_finite());
         is_finite
@@ -101,13 +101,10 @@ fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
             return Err(fail(format!("{wanted:?} is wanted, where {first:?} is")));
         }
         if is("vertex") {
-            let coordinates = numbers.iter().map(|text| text.parse::<f32>().ok().filter(|x| x.is_finite()));
-            let coordinates: Option<Vec<f32>> = coordinates.collect();
+            let coordinates = numbers.iter().map(|text| text.parse::<f64>().ok().filter(|x| x.is_finite()));
+            let coordinates: Option<Vec<f64>> = coordinates.collect();
             let Some(&[x, y, z]) = coordinates.as_deref() else {
-                return Err(fail(format!(
-                    "a vertex has three finite numbers in single precision, not {:?}",
-                    numbers.join(" ")
-                )));
+                return Err(fail(format!("a vertex has three finite numbers, not {:?}", numbers.join(" "))));
             };
             corners.push([x, y, z]);
         }

@@ -56,9 +56,10 @@ pub(crate) fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
 }
 
 /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed. One without area counts, since it may
-/// lie between a long side and the two short ones beyond it.
+/// lie between a long side and the two short ones beyond it; one with a corner twice is a side and nothing beyond it.
 pub(crate) fn rims(triangles: &[[usize; 3]]) -> usize {
-    let known: HashSet<[usize; 2]> = triangles.iter().flat_map(sides).collect();
+    let real = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
+    let known: HashSet<[usize; 2]> = real.flat_map(sides).collect();
     known.iter().filter(|[a, b]| !known.contains(&[*b, *a])).count()
 }
 
