@@ -39,19 +39,33 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Bounce<2, 1> for Rolling<'_, W, L> {
     }
 }
 
-/// Walls that know how their normal turns.
+/// Walls that know how their normal turns, and how large their numbers are.
 pub trait Bend<const N: usize> {
     /// The derivative of the unit normal at a hit, after a `flight` of some length \[L\], along a unit vector in the wall
     /// \[L⁻¹\].
     fn bend(&self, hit: &WallHit<f64, N>, flight: f64, along: &[f64; N]) -> [f64; N];
+
+    /// The largest of the numbers that the wall is made of at a hit \[L\], such as the radius of a flat arc: their rounding moves the
+    /// place of the hit. 0 where none is larger than the coordinates of the wall's points.
+    fn size(&self, _hit: &WallHit<f64, N>) -> f64 {
+        0.0
+    }
+}
+
+/// The number of the piece that was hit.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+fn piece<const N: usize>(hit: &WallHit<f64, N>) -> usize {
+    hit.piece as usize
 }
 
 /// `−κ t`: the table is on the concave side where `κ > 0`.
 impl Bend<2> for Table {
     fn bend(&self, hit: &WallHit<f64, 2>, _: f64, along: &[f64; 2]) -> [f64; 2] {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        let curvature = self.curvature(hit.piece as usize, &Vector2::from(hit.point));
+        let curvature = self.curvature(piece(hit), &Vector2::from(hit.point));
         along.map(|t| -curvature * t)
+    }
+    fn size(&self, hit: &WallHit<f64, 2>) -> f64 {
+        self.size_of(piece(hit), &Vector2::from(hit.point))
     }
 }
 
@@ -102,8 +116,8 @@ pub struct Horizon {
     pub collisions: u64,
     /// When the last of them was \[T\].
     pub time: f64,
-    /// A bound for the error of the last of them, to first order: of the position in units of the size, or of the velocity in units of
-    /// the speed, whichever is larger.
+    /// A bound for the error of the last of them, to first order: of the position in units of the size (of a table of no size: of how
+    /// far the orbit had been from a wall that it hit next), or of the velocity in units of the speed, whichever is larger.
     pub error: f64,
     /// Whether the next collision is lost.
     pub lost: bool,
@@ -134,7 +148,8 @@ const UNEVEN: f64 = 0.25;
 impl Horizon {
     /// Follows an orbit on a table of some `size` \[L\] for at most so many collisions and so much time, `[collisions, time]`.
     ///
-    /// For a table of no size (a strip) give infinity: then the orbit is lost with the direction of its velocity.
+    /// For a table of no size (a strip, a wedge) give infinity: then the farthest counts that the orbit has been from a wall that it hit
+    /// next, which is the width of a strip however it lies.
     /// Any law will do, also one that is another at each place: it is differentiated by velocity, spin, normal and place. Where nothing
     /// is known of the walls' curvature, `walls` is [`Felt`].
     pub fn of<const N: usize, const S: usize>(
@@ -147,6 +162,7 @@ impl Horizon {
         let mut at = start;
         let mut spread = Spread::new(&at);
         let mut horizon = Horizon { collisions: 0, time: 0.0, error: 0.0, lost: false };
+        let mut farthest = 0.0_f64;
         loop {
             let hit = billiard.first_hit(&at.position, &at.velocity);
             let time = horizon.time + hit.time;
@@ -156,7 +172,9 @@ impl Horizon {
             }
             let n = (horizon.collisions + 1) as f64;
             let next = Derivative::step(billiard, walls, &at, &hit, &mut spread, n);
-            let error = spread.error(&next, size);
+            farthest = farthest.max(dot(&hit.unit_normal(), &plus(&at.position, -1.0, &hit.point)));
+            let is_known = size < f64::INFINITY || farthest == 0.0;
+            let error = spread.error(&next, if is_known { size } else { farthest });
             // NaN is an error, too
             if !(error < 1.0) {
                 return Horizon { lost: true, ..horizon };
@@ -291,7 +309,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let nearby = libm::sqrt(length * flight.max(f64::EPSILON * length));
         let derivative = Derivative { billiard, before: *at, hit: *hit, normal, nearby, bends };
         spread.widen(n);
-        spread.round(length, 0.0, 1.0 + n);
+        spread.round(length.max(walls.size(hit)), 0.0, 1.0 + n);
         spread.carry(|d| derivative.apply(d));
         let mut next = Start { position: hit.point, ..*at };
         billiard.collide(hit, &mut next.velocity, &mut next.spin);

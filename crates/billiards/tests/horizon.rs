@@ -178,6 +178,54 @@ fn orbits_that_turn_around_come_back_within_the_horizon() {
 }
 
 #[test]
+fn a_strip_that_lies_askew_has_the_horizon_of_an_upright_one() {
+    use geometry::{Piece, Vector2, shapes::FullLine};
+    let turned = |[x, y]: [f64; 2]| Vector2::new(0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y);
+    let wall = |y: f64, along: f64| {
+        let line = FullLine::new(turned([0.0, y]), turned([along, 0.0])).unwrap();
+        Box::new(line) as Box<dyn Piece>
+    };
+    let askew = Table::new(vec![wall(0.0, 1.0), wall(1.0, -1.0)]).unwrap();
+    let upright = tables::strip(1.0).unwrap();
+    for law in laws() {
+        let start = |turned: &dyn Fn([f64; 2]) -> Vector2<f64>| Start {
+            position: turned([0.0, 0.5]).into(),
+            velocity: turned([1.0, 0.0037]).into(),
+            spin: [0.1],
+        };
+        let of_upright = horizon(&upright, &law, start(&Vector2::from), 1.0, 5000);
+        // of no size, as far as anybody knows
+        let of_askew = horizon(&askew, &law, start(&turned), f64::INFINITY, 5000);
+        let share = of_askew.error / of_upright.error;
+        assert!((0.3..3.0).contains(&share), "{of_askew:?} {of_upright:?}");
+        assert_eq!(of_upright.lost, of_askew.lost);
+    }
+}
+
+#[test]
+fn the_rounding_of_a_large_radius_or_a_far_centre_counts() {
+    use geometry::{
+        Piece, Vector2,
+        shapes::{Arc, Segment},
+    };
+    let law = Disk::new(&Specular, FRAC_1_SQRT_2);
+    let error = |radius: f64| {
+        // a unit square whose floor is a flat arc
+        let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Vector2::from);
+        let floor = Arc::new(Vector2::new(0.5, libm::sqrt(radius * radius - 0.25)), a, b, true).unwrap();
+        let side = |from, to| Box::new(Segment::new(from, to).unwrap()) as Box<dyn Piece>;
+        let table = Table::new(vec![Box::new(floor), side(b, c), side(c, d), side(d, a)]).unwrap();
+        let start = Start { position: [0.3, 0.4], velocity: [0.31, -0.95], spin: [0.0] };
+        horizon(&table, &law, start, 1.0, 2).error
+    };
+    for radius in [1e3, 1e5, 1e7] {
+        // an ulp of the radius
+        let ulps = error(radius) / (f64::EPSILON * radius);
+        assert!((0.5..10.0).contains(&ulps), "{radius:e}: {ulps}");
+    }
+}
+
+#[test]
 fn in_space_the_curvature_of_walls_counts() {
     struct Look<'a>(&'a RoughBall, &'a SpatialTable, Start<3, 3>);
     impl WithWalls<3> for Look<'_> {

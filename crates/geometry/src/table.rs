@@ -4,7 +4,7 @@ mod fastest;
 mod two_sided;
 
 use crate::{
-    Error, Extent, Landing, Lattice, Piece, enclosed_area,
+    Error, Extent, Figure, Landing, Lattice, Piece, enclosed_area,
     nearest::nearest_of,
     plane::slack,
     shapes,
@@ -267,6 +267,16 @@ impl Table {
     /// The curvature \[L⁻¹\] of a piece at a point of it, or on a lattice of a translate of it; 0 for a number beyond the last.
     pub fn curvature(&self, piece: usize, point: &Vector2<f64>) -> f64 {
         self.copy_at(piece, point).map_or(0.0, |piece| piece.curvature(point))
+    }
+
+    /// The largest of the numbers \[L\] that a piece is made of at a point of it, or on a lattice a translate of it: where it is part of a
+    /// line or a circle, of the points and lengths that tell which; 0 for a number beyond the last.
+    pub fn size_of(&self, piece: usize, point: &Vector2<f64>) -> f64 {
+        self.copy_at(piece, point).map_or(0.0, |piece| match piece.figure() {
+            Figure::Line { through, .. } => through.amax(),
+            Figure::Arc { center, radius, .. } | Figure::Circle { center, radius, .. } => center.amax() + radius,
+            _ => piece.extent().size(),
+        })
     }
 
     /// The arc length \[L\] from the start of a piece to a point of it, or on a lattice of a translate of it; 0 for a number beyond

@@ -21,7 +21,13 @@ pub struct Horizons {
     pub time: Option<f64>,
     /// The first orbits, one by one.
     pub orbits: Vec<OfOrbit>,
+    /// What errors of places are compared with, in words.
+    #[serde(skip)]
+    pub unit: &'static str,
 }
+
+/// Errors on a table that has a size, and on one that has none.
+const UNITS: [&str; 2] = ["the table's size", "the distance from the walls"];
 
 /// The horizon of an orbit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -32,7 +38,8 @@ pub struct OfOrbit {
     pub collisions: u64,
     /// When the last of them was.
     pub time: f64,
-    /// A bound for the error there, in units of the table's size or of the speed.
+    /// A bound for the error there, in units of the table's size or of the speed. A strip that lies askew, a half-plane or a wedge has no
+    /// size; there, the farthest counts that the orbit has been from a wall that it hit next.
     pub error: f64,
     /// Whether what follows is lost; if not, nothing more was looked at.
     pub lost: bool,
@@ -59,7 +66,8 @@ impl Horizons {
         };
         let orbits: Vec<OfOrbit> = (0..looked_at).map(horizon).collect();
         let first = orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions).copied();
-        Horizons { collisions: first.map(|first| first.collisions), time: first.map(|first| first.time), orbits }
+        let unit = UNITS[usize::from(size == f64::INFINITY)];
+        Horizons { collisions: first.map(|first| first.collisions), time: first.map(|first| first.time), orbits, unit }
     }
 
     /// The number of the last collision of an orbit whose place is known, if the orbit goes on and was looked at.
@@ -95,11 +103,11 @@ impl Horizons {
             return format!("all but gone {after}{of}");
         }
         let error = if *error == 0.0 { "0".into() } else { format!("{error:.0e}") };
-        format!("right to {error} of the table's size {after}{of}")
+        format!("right to {error} of {} {after}{of}", self.unit)
     }
 }
 
-/// An error of more than this part of the table's size leaves less than a digit.
+/// An error of more than this part leaves less than a digit.
 const A_DIGIT: f64 = 0.05;
 
 /// The largest of the finite sides of a box; infinite if there is none.
@@ -125,7 +133,8 @@ mod tests {
             error,
             lost,
         };
-        Horizons { collisions: None, time: None, orbits: orbits.iter().enumerate().map(of).collect() }
+        let orbits = orbits.iter().enumerate().map(of).collect();
+        Horizons { collisions: None, time: None, orbits, unit: UNITS[0] }
     }
 
     #[test]

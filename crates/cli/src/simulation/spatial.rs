@@ -3,7 +3,7 @@
 use billiards::geometry::parry::{Room, Side, Solid, SolidSpec};
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::walls::ByLane;
-use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, Walls, WithWalls};
+use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
@@ -245,10 +245,13 @@ impl Spatial {
         let size = horizon::size(low.as_slice(), high.as_slice());
         Ok(self.with_engine(|engine| {
             let billiard: &dyn Bounce<3, 3> = engine;
-            let felt = Felt(billiard);
+            let of_room;
             let walls: &dyn Bend<3> = match &self.centres {
                 Space::Named(table) => table,
-                Space::Room(_) => &felt,
+                Space::Room(room) => {
+                    of_room = FeltRoom { felt: Felt(billiard), room };
+                    &of_room
+                }
             };
             Horizons::of(billiard, walls, size, self.orbits(), &*starts, limit)
         }))
@@ -347,6 +350,22 @@ fn checked(
         ));
     }
     Ok(start)
+}
+
+/// The walls of a room, whose curvature is felt.
+struct FeltRoom<'a> {
+    felt: Felt<'a, 3, 3>,
+    room: &'a Room,
+}
+
+impl Bend<3> for FeltRoom<'_> {
+    fn bend(&self, hit: &WallHit<f64, 3>, flight: f64, along: &[f64; 3]) -> [f64; 3] {
+        self.felt.bend(hit, flight, along)
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+    fn size(&self, hit: &WallHit<f64, 3>) -> f64 {
+        self.room.solids().get(hit.piece as usize).map_or(0.0, Solid::size)
+    }
 }
 
 struct On<'a, A> {

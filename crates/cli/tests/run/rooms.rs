@@ -17,6 +17,54 @@ fn can(radius: f64) -> String {
     )
 }
 
+/// The error of the last collision of the first orbit, as the summary tells it.
+fn told(folder: &Folder, scene: &str) -> f64 {
+    folder.done(scene, &[])["horizon"]["orbits"][0]["error"].as_f64().unwrap()
+}
+
+#[test]
+fn the_horizon_of_a_slab_is_that_of_its_planes_upright_and_askew() {
+    let folder = Folder::new("slabs");
+    let scene = |table: &str, position: [f64; 3], velocity: [f64; 3]| {
+        format!(
+            "law = \"specular\"\n[table]\ndimension = 3\n{table}[[orbit]]\nposition = {position:?}\n\
+             velocity = {velocity:?}\n[run]\ncollisions = 2000\n"
+        )
+    };
+    let plane = |through: [f64; 3], normal: [f64; 3]| {
+        format!("[[table.boundary]]\nplane = {{ through = {through:?}, normal = {normal:?} }}\n")
+    };
+    let (position, velocity) = ([0.0, 0.0, 0.5], [1.0, 0.3, 0.0037]);
+    let named = told(&folder, &scene("name = \"slab\"\n", position, velocity));
+    let turned = |[x, y, z]: [f64; 3]| [x, 0.6 * y - 0.8 * z, 0.8 * y + 0.6 * z];
+    for (of_what, turn) in [("upright", &(|p| p) as &dyn Fn([f64; 3]) -> [f64; 3]), ("askew", &turned)] {
+        let planes =
+            plane(turn([0.0; 3]), turn([0.0, 0.0, 1.0])) + &plane(turn([0.0, 0.0, 1.0]), turn([0.0, 0.0, -1.0]));
+        let error = told(&folder, &scene(&planes, turn(position), turn(velocity)));
+        assert!((0.3..3.0).contains(&(error / named)), "{of_what}: {error:e}, named {named:e}");
+    }
+}
+
+#[test]
+fn the_horizon_knows_how_large_the_numbers_of_a_wall_are() {
+    let folder = Folder::new("large");
+    let cube = "[[table.boundary]]\nshape = { name = \"cuboid\", size = [4, 4, 4], domain = \"inside\" }\n";
+    for wall in [
+        "sphere = { center = [0, 0, -1000000001], radius = 1e9, domain = \"outside\" }",
+        "plane = { through = [0, 6e8, -8e8], normal = [0, 0.8, 0.6] }",
+    ] {
+        let error = told(
+            &folder,
+            &format!(
+                "law = \"specular\"\n[table]\ndimension = 3\n{cube}[[table.boundary]]\n{wall}\n[[orbit]]\n\
+                 position = [0.1, 0.2, 0.3]\nvelocity = [0.01, -0.5, -0.8]\n[run]\ncollisions = 3\n"
+            ),
+        );
+        // an ulp of 10⁹ is 10⁻⁷
+        assert!(error > 1e-8, "{wall}: {error:e}");
+    }
+}
+
 #[test]
 fn an_ensemble_fills_a_room_of_any_shape() {
     let folder = Folder::new("rooms");

@@ -43,15 +43,17 @@ impl Room {
         self.solids.iter().map(|solid| solid.distance(point)).fold(f64::INFINITY, f64::min)
     }
 
-    /// A box around the room: least and greatest coordinates. Around the boundary where the room has no end; infinite where that has
-    /// none.
+    /// A box around the room: least and greatest coordinates. Around the boundary where the room is not known to have an end; infinite
+    /// where that has none.
     pub fn extent(&self) -> [Vector3<f64>; 2] {
         let room = self.container();
         if room.iter().flatten().all(|x| x.is_finite()) {
             return room;
         }
         let none = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
-        self.solids.iter().map(Solid::extent).fold(none, |[low, high], [a, b]| [low.inf(&a), high.sup(&b)])
+        let boundary =
+            self.solids.iter().map(Solid::extent).fold(none, |[low, high], [a, b]| [low.inf(&a), high.sup(&b)]);
+        [0, 1].map(|end| room[end].zip_map(&boundary[end], |room, wall| if room.is_finite() { room } else { wall }))
     }
 
     /// Random points of the boundary.
@@ -85,7 +87,7 @@ impl Room {
         if found { Ok(surface) } else { Err(Error::Vanished) }
     }
 
-    /// A box around the room; infinite where no such box is known.
+    /// A box around the room; infinite where no end of it is known.
     fn container(&self) -> [Vector3<f64>; 2] {
         let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
         let inner = self.solids.iter().filter(|solid| solid.side() == Side::Inside);
@@ -107,9 +109,8 @@ const MOST_TRIALS: u32 = 100_000;
 /// All points with `n·x ≥ d`, for a unit vector `n`.
 type Half = (Vector3<f64>, f64);
 
-/// A box around the points that lie in all of some half-spaces; infinite where they have no end.
+/// A box around the points that lie in all of some half-spaces. Where they have no end, only walls across an axis bound it.
 fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
-    let infinite = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
     // normals that are parallel but for this count as parallel
     let little = 1e-9;
     let size = halves.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
@@ -135,15 +136,32 @@ fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
                         }
                     }
                 }
-                Some(_) => return infinite,
+                Some(_) => return across_axes(halves),
             }
         }
     }
     if !spanned {
-        return infinite;
+        return across_axes(halves);
     }
     // of half-spaces that have no point in common there is no vertex
     if low <= high { [low, high] } else { [Vector3::zeros(); 2] }
+}
+
+/// The box that those of some half-spaces bound whose planes lie across an axis, within rounding.
+fn across_axes(halves: &[Half]) -> [Vector3<f64>; 2] {
+    let [mut low, mut high] = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
+    for (n, d) in halves {
+        let axis = n.iamax();
+        if n[axis].abs() < 1.0 - f64::EPSILON {
+            continue;
+        }
+        if n[axis] > 0.0 {
+            low[axis] = low[axis].max(*d);
+        } else {
+            high[axis] = high[axis].min(-d);
+        }
+    }
+    [low, high]
 }
 
 /// Which of some half-spaces bound the line along which two of them meet, from behind and from ahead; None where they leave nothing
@@ -394,6 +412,20 @@ mod tests {
         let balls = [-0.5, 0.5].map(|x| ball(1.0, [x, 0.0, -1.0], Side::Outside));
         let down = Line { point: Vector3::new(0.0, 0.0, 2.0), velocity: -Vector3::z() };
         assert!(Room::new(balls.into()).first_hit(&down).unwrap().corner);
+    }
+
+    #[test]
+    fn a_room_without_end_ends_at_the_walls_across_an_axis() {
+        let slab = || vec![plane([0.0, 0.0, 1.0], [3.0, 0.0, -1.0]), plane([0.0, 0.0, -2.0], [0.0, 5.0, 1.0])];
+        let [low, high] = Room::new(slab()).extent();
+        let free = f64::INFINITY;
+        assert_eq!((low, high), (Vector3::new(-free, -free, -1.0), Vector3::new(free, free, 1.0)));
+        let with_balls = slab().into_iter().chain([[0.0; 3], [9.0, 0.0, 0.0]].map(|at| ball(0.9, at, Side::Outside)));
+        assert_eq!(Room::new(with_balls.collect()).extent(), [low, high]);
+        let tube =
+            slab().into_iter().chain([plane([0.0, 1.0, 0.0], [0.0; 3]), plane([0.0, -1.0, 0.0], [0.0, 4.0, 0.0])]);
+        let [low, high] = Room::new(tube.collect()).extent();
+        assert_eq!((low, high), (Vector3::new(-free, 0.0, -1.0), Vector3::new(free, 4.0, 1.0)));
     }
 
     #[test]

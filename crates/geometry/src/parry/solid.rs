@@ -168,11 +168,16 @@ impl Solid {
 
     /// How far off the boundary \[L\] a point may lie and still count as on it: the rounding of its coordinates and of the walls'.
     pub fn slack(&self, point: &Vector3<f64>) -> f64 {
+        slack([self.size(), point.amax()])
+    }
+
+    /// The largest of the numbers that it is made of \[L\]: of a half-space a coordinate of the point through which its plane was laid.
+    pub fn size(&self) -> f64 {
         let sizes = self.members.iter().map(|member| match member {
             Body::Convex(convex, _) => convex.size(),
             _ => member.extent().iter().map(Vector3::amax).fold(0.0, f64::max),
         });
-        slack(sizes.chain([point.amax()]))
+        sizes.fold(0.0, f64::max)
     }
 
     /// Whether a point lies in the table, off the boundary.
