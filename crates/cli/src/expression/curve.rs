@@ -183,6 +183,46 @@ mod tests {
     }
 
     #[test]
+    fn the_length_of_a_curve_counts_its_steep_flanks() {
+        let polar = |text: &str| {
+            Polar::new(Vector2::zeros(), PolarCurve::new(&Expression::parse(text, &["t"]).unwrap()), true).unwrap()
+        };
+        // lengths by Gauss' rule on a ladder towards each flank
+        for (text, length) in [
+            ("2+0.1*atan(1e6*sin(12*t-1))", 20.0957),
+            ("2+0.1*atan(1e5*sin(13*t-1))", 20.69998),
+            ("2+0.1*atan(1e4*sin(40*t-1))", 37.5076),
+            ("2+0.1*atan(1e11*sin(t-1))", 13.1946),
+            ("2+0.1*atan(1e12*(t-1)*(t-2))", 13.8675),
+            ("2+0.001*sqrt(abs(sin(100*t)))", 12.5948),
+        ] {
+            let found = polar(text).length();
+            assert!((found / length - 1.0).abs() < 1e-5, "{text}: {found}");
+        }
+        // 600 flanks of height π/1000 that hardly lean
+        let found = polar("2+0.001*atan(1e9*sin(300*t-1))").length();
+        assert!((found / (2.0 * TAU + 0.6 * PI) - 1.0).abs() < 1e-4, "{found}");
+    }
+
+    #[test]
+    fn points_inside_a_curve_lie_on_its_inner_side_whatever_flank_or_cusp_is_nearest() {
+        for text in ["2+0.1*atan(1e6*sin(12*t-1))", "2+0.1*atan(1e11*sin(t-1))", "2+0.1*sqrt(abs(sin(3*t-1)))"] {
+            let r = Expression::parse(text, &["t"]).unwrap();
+            let curve = Polar::new(Vector2::zeros(), PolarCurve::new(&r), true).unwrap();
+            for k in 0..2000 {
+                let angle = 0.01 * f64::from(k);
+                let (sin, cos) = libm::sincos(angle);
+                let radius: f64 = r.evaluate(&[angle]);
+                for part in [0.01, 0.3, 0.6, 0.9, 0.99, 1.01, 1.2] {
+                    let at = Vector2::new(cos, sin) * (radius * part);
+                    let foot = curve.closest(&at);
+                    assert_eq!(foot.normal.dot(&(at - foot.point)) > 0.0, part < 1.0, "{text}: {at}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn formulas_that_jump_are_no_curves() {
         for text in [
             "2+0.1*atan(tan(t))",

@@ -44,6 +44,7 @@ struct Node {
 pub(crate) struct ArcLength {
     nodes: Vec<Node>,
     blocks: Blocks,
+    is_full: bool,
 }
 
 /// Intervals shorter than this part of the parameter's range are not halved: in what is steep so near by, the rounding of the parameter
@@ -76,7 +77,8 @@ impl ArcLength {
             }
         }
         let blocks = Blocks::new(nodes.iter().map(|node| node.at[0]));
-        ArcLength { nodes, blocks }
+        let is_full = nodes.len() >= most;
+        ArcLength { nodes, blocks, is_full }
     }
 
     pub(crate) fn length(&self) -> f64 {
@@ -85,7 +87,7 @@ impl ArcLength {
 
     /// Whether the curve winds more often than the table can tell.
     pub(crate) fn is_full(&self) -> bool {
-        self.nodes.len() >= MOST
+        self.is_full
     }
 
     /// The first parameter up to which the curve has no finite length, if it has none.

@@ -4,8 +4,13 @@ use super::{Interval, PolarFormula, kinks::places};
 /// So far around a place a jump is told from a slope without bound (radians): a thousand times the width to which places are known.
 const NEAR: f64 = 4096.0 * f64::EPSILON;
 
-/// The angles on both sides of the first jump of `r(φ)` by more than `rounding`. `sectors` are those looked at, with the slope in each.
-pub(super) fn jump<F: PolarFormula>(formula: &F, sectors: &[(Interval, Interval)], rounding: f64) -> Option<Interval> {
+/// The angles on both sides of the first jump of `r(φ)` by more than `rounding`. `sectors` are those looked at, with `r` and its
+/// derivatives in each.
+pub(super) fn jump<F: PolarFormula>(
+    formula: &F,
+    sectors: &[(Interval, [Interval; 3])],
+    rounding: f64,
+) -> Option<Interval> {
     let change = |a: f64, b: f64| formula.jet(b)[0] - formula.jet(a)[0];
     // between two angles `r` changes by what its slope allows
     let steady = |part: Interval, slope: Interval| {
@@ -19,6 +24,6 @@ pub(super) fn jump<F: PolarFormula>(formula: &F, sectors: &[(Interval, Interval)
         let around = [(place.low - NEAR, place.high), (place.low, place.high + NEAR)];
         here > rounding && around.iter().all(|(a, b)| here > 0.5 * change(*a, *b).abs())
     };
-    let unsteady = sectors.iter().filter(|(sector, slope)| !steady(*sector, *slope)).map(|(sector, _)| *sector);
+    let unsteady = sectors.iter().filter(|(sector, [_, slope, _])| !steady(*sector, *slope)).map(|(sector, _)| *sector);
     places(unsteady, |part| steady(part, formula.jet_over(part)[1]), true)?.into_iter().find(jumps)
 }

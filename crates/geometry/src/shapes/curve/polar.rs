@@ -108,14 +108,14 @@ impl<F: PolarFormula> Polar<F> {
         if (start - end).abs() > rounding.max(2.0 * (end - before).abs()) || end.is_nan() {
             return Err(Error::Unclosed { start, end });
         }
-        let slopes: Vec<_> = (0..SECTORS).map(sector).zip(jets.iter().map(|[_, slope, _]| *slope)).collect();
-        if let Some(Interval { low, high }) = jump(&formula, &slopes, rounding) {
+        let sectors: Vec<_> = (0..SECTORS).map(sector).zip(jets.iter().copied()).collect();
+        if let Some(Interval { low, high }) = jump(&formula, &sectors, rounding) {
             let [before, after] = [low, high].map(|angle| formula.jet(angle)[0]);
             return Err(Error::PolarJump { angle: low, before, after });
         }
         let slack = slack([center.x, center.y, greatest]);
         let about = About { center, formula: &formula };
-        let table = ArcLength::new(&about, seeds(&slopes, |part| formula.jet_over(part)[1], greatest));
+        let table = ArcLength::new(&about, seeds(&sectors, |part| formula.jet_over(part), greatest));
         if table.is_full() {
             return Err(Error::Winding);
         }
@@ -409,7 +409,15 @@ impl<F: PolarFormula> Piece for Polar<F> {
         self.traversed(self.table.at_parameter(&self.about(), angle))
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        self.at_angle(self.table.closest(&self.about(), point))
+        let landing = self.at_angle(self.table.closest(&self.about(), point));
+        let off = point - landing.point;
+        let distance = libm::hypot(off.x, off.y);
+        let y = point - self.center;
+        let [r, ..] = self.formula.jet(libm::atan2(y.y, y.x));
+        let side = if (libm::hypot(y.x, y.y) < r) == self.inside { 1.0 } else { -1.0 };
+        // at the tip of a cusp the normal tells no side, the radius does
+        let misled = distance > self.slack && landing.normal.dot(&off) * side < 0.0;
+        if misled { Landing { normal: off * (side / distance), ..landing } } else { landing }
     }
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {
         None
