@@ -81,10 +81,21 @@ pub struct Material {
 pub struct Path {
     /// Connected parts, each a chain of points; more than one where it crosses the edge of a lattice cell.
     pub chains: Vec<Vec<[f64; 2]>>,
-    /// Last point and direction of an orbit that leaves for ever.
-    pub escape: Option<[[f64; 2]; 2]>,
+    /// How an orbit leaves for ever that does; more than one leg where it crosses edges of lattice cells.
+    pub escape: Vec<Leaving>,
     /// The last collision whose place is known, where the lines go on beyond it.
     pub horizon: Option<[f64; 2]>,
+}
+
+/// A straight leg of an orbit that leaves for ever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leaving {
+    /// Where it begins.
+    pub from: [f64; 2],
+    /// Its direction.
+    pub direction: [f64; 2],
+    /// How far it goes, in units of the direction: without end on a plane that is not folded.
+    pub until: f64,
 }
 
 /// A file of a picture.

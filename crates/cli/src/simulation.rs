@@ -228,7 +228,16 @@ impl Simulation {
             run_all(engine, &launch, portraits.as_deref(), &work, &mut |results| harvest.take(&results))
         })?;
         harvest.clouds.merge(counts);
+        let draws_walls = harvest.draws_paths();
         let (mut material, totals) = harvest.finish()?;
+        if draws_walls {
+            self.draw_walls(planar, &mut material);
+        }
+        Ok((material, totals, busy))
+    }
+
+    /// Adds to the material of pictures the walls as drawn, and the lines around the region of centres and the unit cell.
+    fn draw_walls(&self, planar: &Planar, material: &mut Material) {
         let factor = planar.drawn.factor;
         material.solids = strokes::solids(&planar.drawn.table, factor);
         material.outline = strokes::of(&planar.drawn.table, factor);
@@ -239,7 +248,6 @@ impl Simulation {
         if let Some(lattice) = planar.centres.lattice() {
             material.guides.extend(strokes::of_cell(lattice, factor));
         }
-        Ok((material, totals, busy))
     }
 
     fn in_space(
@@ -260,8 +268,11 @@ impl Simulation {
         };
         let (busy, _) = spatial
             .with_engine(|engine| run_all(engine, &launch, None, &work, &mut |results| harvest.take(&results)))?;
+        let draws_walls = harvest.draws_paths();
         let (mut material, totals) = harvest.finish()?;
-        seen.draw(&mut material);
+        if draws_walls {
+            seen.draw(&mut material);
+        }
         Ok((material, totals, busy))
     }
 

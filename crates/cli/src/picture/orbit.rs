@@ -4,7 +4,7 @@ use super::ink::{Colour, ORBITS};
 use super::stroke::joined;
 use super::svg::{Outline, Style, Svg};
 use super::view::{View, Window};
-use super::{COLUMN, File, Material, Needs, Picture};
+use super::{COLUMN, File, Leaving, Material, Needs, Picture};
 
 /// Width of walls.
 const WALL: f64 = 0.8;
@@ -26,6 +26,8 @@ pub(super) const PICTURE: Picture = Picture {
 
 /// Longest side of a picture of a table without end, in units of its shorter side.
 const LONGEST: f64 = 5.0;
+/// The same where that much is between the starts, the finite walls and the first collisions.
+const FARTHEST: f64 = 50.0;
 
 /// Draws walls and orbits in true proportions, without axes; each start is marked by a dot, or by the particle itself if
 /// it has a radius, and the last collision whose place is known by an open dot.
@@ -52,19 +54,28 @@ pub fn draw(material: &Material) -> Svg {
 
 /// Everything; of a table without end, some room beyond the orbits.
 fn window(material: &Material) -> Window {
-    let walls = material.outline.iter().chain(&material.guides).flat_map(super::Stroke::extent);
+    let walls = || material.outline.iter().chain(&material.guides).flat_map(super::Stroke::extent);
     let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
     let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
-    let tight = Window::around(walls.chain(points)).unwrap_or(whole);
+    let tight = Window::around(walls().chain(points)).unwrap_or(whole);
     let endless = material.outline.iter().any(|s| matches!(s, super::Stroke::Line(..) | super::Stroke::Ray(..)))
-        || material.paths.iter().any(|path| path.escape.is_some());
+        || material.paths.iter().any(|path| !path.escape.is_empty());
     if !endless {
         return tight;
     }
     // what goes on for ever is seen to go on, but not to the vanishing point
-    let starts = material.paths.iter().filter_map(|path| path.chains.first()?.first().copied());
-    let about = Window::around(starts).unwrap_or(tight);
-    tight.no_longer_than(LONGEST, about).padded(0.05)
+    let chains = || material.paths.iter().filter_map(|path| path.chains.first());
+    let starts = || chains().filter_map(|chain| chain.first().copied());
+    let collisions = chains().filter_map(|chain| chain.get(1).copied());
+    let about = starts().next().unwrap_or(tight.low);
+    let kept = [
+        Window::around(walls().chain(starts()).chain(collisions)),
+        Window::around(walls().chain(starts())),
+        Window::around(starts()),
+        Some(Window { low: about, high: about }),
+    ];
+    let mut cuts = kept.into_iter().flatten().map(|kept| tight.no_longer_than(LONGEST, kept, about));
+    cuts.find(|cut| cut.is_no_longer_than(FARTHEST)).unwrap_or(tight).padded(0.05)
 }
 
 fn orbits(svg: &mut Svg, view: &View, material: &Material) {
@@ -80,8 +91,8 @@ fn orbits(svg: &mut Svg, view: &View, material: &Material) {
     };
     for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
         let style = Style::line(colour, width).with_opacity(opacity);
-        let last = path.escape.and_then(|[point, direction]| view.window().clip(point, direction, 0.0));
-        let last = last.map(|ends| parts(core::iter::once(ends), view)).unwrap_or_default();
+        let seen = |leg: &Leaving| view.window().clip(leg.from, leg.direction, [0.0, leg.until]);
+        let last = parts(path.escape.iter().filter_map(seen), view);
         let legs = path.chains.iter().flat_map(|chain| chain.windows(2)).map(|leg| [leg[0], leg[1]]);
         svg.paths(parts(legs, view).into_iter().chain(last), style);
     }
@@ -153,6 +164,27 @@ mod tests {
         assert_eq!(counts(&Material { outline, ..Material::default() }), [1, 1, 1, 100]);
     }
 
+    /// The window around orbits from these starts, two legs up and down each, in a strip.
+    fn window_of(starts: &[f64]) -> Window {
+        let chain = |x: &f64| vec![[*x, 0.5], [*x + 0.5, 1.0], [*x + 60.0, 0.0]];
+        let path = |x| Path { chains: vec![chain(x)], ..Path::default() };
+        let outline = [0.0, 1.0].map(|y| Stroke::Line([0.0, y], [1.0, 0.0])).into();
+        window(&Material { outline, paths: starts.iter().map(path).collect(), ..Material::default() })
+    }
+
+    #[test]
+    fn of_a_table_without_end_every_start_is_shown() {
+        for starts in [&[0.0, 20.0][..], &[20.0, 0.0], &[-3.0, 0.0, 30.0], &[7.0]] {
+            let window = window_of(starts);
+            for x in starts {
+                assert!(window.low[0] < *x && x + 0.5 < window.high[0], "{x}: {window:?}");
+            }
+        }
+        // where they are too far from one another to be told from a line, the first one
+        let window = window_of(&[1000.0, 0.0]);
+        assert!(window.low[0] < 1000.0 && window.high[0] > 1000.0 && window.is_no_longer_than(6.0), "{window:?}");
+    }
+
     #[test]
     fn every_kind_of_wall_and_path_gives_a_finite_picture() {
         let material = Material {
@@ -168,7 +200,7 @@ mod tests {
             paths: vec![
                 Path {
                     chains: vec![vec![[0.0, 0.0], [2.0, 2.0]], vec![]],
-                    escape: Some([[2.0, 2.0], [1.0, 1.0]]),
+                    escape: vec![Leaving { from: [2.0, 2.0], direction: [1.0, 1.0], until: f64::INFINITY }],
                     horizon: Some([2.0, 2.0]),
                 },
                 Path { chains: vec![vec![[f64::NAN, 0.0]]], ..Path::default() },

@@ -115,7 +115,7 @@ impl Stroke {
 }
 
 fn clipped(outline: &mut Outline, view: &View, window: Window, point: [f64; 2], direction: [f64; 2], from: f64) {
-    if let Some(ends) = window.clip(point, direction, from) {
+    if let Some(ends) = window.clip(point, direction, [from, f64::INFINITY]) {
         outline.chain(ends.map(|p| view.place(p)));
     }
 }

@@ -43,25 +43,32 @@ impl Window {
         Self { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by) }
     }
 
-    /// The part of it, about another window, of which no side is longer than `longest` times the other.
+    /// The part of it of which no side is longer than `longest` times the other, but all of another window that lies in it: about a
+    /// point as far as that goes.
     #[must_use]
-    pub fn no_longer_than(self, longest: f64, about: Self) -> Self {
+    pub fn no_longer_than(self, longest: f64, kept: Self, about: [f64; 2]) -> Self {
         let size = self.size();
         let mut cut = self;
         for i in 0..2 {
-            let most = longest * size[1 - i];
+            let most = (longest * size[1 - i]).max(kept.size()[i]);
             if size[i] > most && most > 0.0 {
-                let middle = 0.5 * (about.low[i] + about.high[i]);
-                let low = (middle - 0.5 * most).clamp(self.low[i], self.high[i] - most);
+                let low = (about[i] - 0.5 * most).max(kept.high[i] - most).min(kept.low[i]);
+                let low = low.max(self.low[i]).min(self.high[i] - most);
                 (cut.low[i], cut.high[i]) = (low, low + most);
             }
         }
         cut
     }
 
-    /// The part of the line `point + s direction`, `from ≤ s`, inside the window.
-    pub fn clip(self, point: [f64; 2], direction: [f64; 2], from: f64) -> Option<[[f64; 2]; 2]> {
-        let (mut enter, mut leave) = (from, f64::INFINITY);
+    /// Whether no side is longer than so many times the other.
+    pub fn is_no_longer_than(self, longest: f64) -> bool {
+        let [width, height] = self.size();
+        width <= longest * height && height <= longest * width
+    }
+
+    /// The part of the line `point + s direction`, `from ≤ s ≤ to`, inside the window.
+    pub fn clip(self, point: [f64; 2], direction: [f64; 2], [from, to]: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+        let (mut enter, mut leave) = (from, to);
         for i in 0..2 {
             if direction[i] == 0.0 {
                 if point[i] < self.low[i] || point[i] > self.high[i] {
@@ -131,19 +138,24 @@ mod tests {
     #[test]
     fn lines_are_cut_at_the_window() {
         let window = Window { low: [0.0, 0.0], high: [2.0, 1.0] };
-        assert_eq!(window.clip([1.0, 0.5], [1.0, 0.0], f64::NEG_INFINITY), Some([[0.0, 0.5], [2.0, 0.5]]));
-        assert_eq!(window.clip([1.0, 0.5], [1.0, 0.0], 0.0), Some([[1.0, 0.5], [2.0, 0.5]]));
-        assert_eq!(window.clip([1.0, 2.0], [1.0, 0.0], f64::NEG_INFINITY), None);
-        assert_eq!(window.clip([0.0, 0.0], [1.0, 1.0], f64::NEG_INFINITY), Some([[0.0, 0.0], [1.0, 1.0]]));
+        let whole = [f64::NEG_INFINITY, f64::INFINITY];
+        assert_eq!(window.clip([1.0, 0.5], [1.0, 0.0], whole), Some([[0.0, 0.5], [2.0, 0.5]]));
+        assert_eq!(window.clip([1.0, 0.5], [1.0, 0.0], [0.0, f64::INFINITY]), Some([[1.0, 0.5], [2.0, 0.5]]));
+        assert_eq!(window.clip([1.0, 0.5], [1.0, 0.0], [0.0, 0.5]), Some([[1.0, 0.5], [1.5, 0.5]]));
+        assert_eq!(window.clip([1.0, 2.0], [1.0, 0.0], whole), None);
+        assert_eq!(window.clip([0.0, 0.0], [1.0, 1.0], whole), Some([[0.0, 0.0], [1.0, 1.0]]));
     }
 
     #[test]
-    fn a_long_window_is_cut_about_another_one() {
-        let long = Window { low: [0.0, 0.0], high: [100.0, 1.0] };
-        let about = |x: f64| Window { low: [x, 0.5], high: [x, 0.5] };
-        assert_eq!(long.no_longer_than(4.0, about(50.0)), Window { low: [48.0, 0.0], high: [52.0, 1.0] });
-        assert_eq!(long.no_longer_than(4.0, about(1.0)), Window { low: [0.0, 0.0], high: [4.0, 1.0] });
-        assert_eq!(long.no_longer_than(200.0, about(1.0)), long);
+    fn a_long_window_is_cut_about_a_point_but_not_into_what_is_kept() {
+        let part = |a: f64, b: f64| Window { low: [a, 0.0], high: [b, 1.0] };
+        let long = part(0.0, 100.0);
+        let cut = |about: f64, [a, b]: [f64; 2]| long.no_longer_than(4.0, part(a, b), [about, 0.5]);
+        assert_eq!(cut(50.0, [50.0, 50.0]), part(48.0, 52.0));
+        assert_eq!(cut(1.0, [1.0, 1.0]), part(0.0, 4.0));
+        assert_eq!(cut(50.0, [50.0, 53.0]), part(49.0, 53.0));
+        assert_eq!(cut(50.0, [20.0, 53.0]), part(20.0, 53.0));
+        assert_eq!(long.no_longer_than(200.0, part(1.0, 1.0), [1.0, 0.5]), long);
     }
 
     #[test]

@@ -50,6 +50,8 @@ const AXES: [[f64; 2]; 3] = [
 ];
 /// How far a table without end is shown, in units of its height.
 const FARTHEST: f64 = 3.0;
+/// The same where starts are so far apart.
+const FARTHEST_START: f64 = 50.0;
 /// How thin what is shown of it may be, as a share of its largest side.
 const THINNEST: f64 = 0.5;
 
@@ -61,20 +63,27 @@ fn projected(p: [f64; 3]) -> [f64; 2] {
 pub(crate) struct Solid<'a> {
     spatial: &'a Spatial,
     starts: &'a dyn Fn(u64) -> Start<3, 3>,
-    /// The box of all points seen so far.
-    bounds: Cell<[[f64; 3]; 2]>,
+    /// The box of all points seen so far, and that of the starts among them.
+    bounds: Cell<Bounds>,
+    begins: Cell<Bounds>,
     /// The first point seen.
     first: Cell<[f64; 3]>,
 }
 
+/// Opposite corners of a box.
+type Bounds = [[f64; 3]; 2];
+
+/// The box of nothing.
+const EMPTY: Bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+
+/// A box made larger, so that a point is in it.
+fn around([low, high]: Bounds, point: [f64; 3]) -> Bounds {
+    [[0, 1, 2].map(|i| low[i].min(point[i])), [0, 1, 2].map(|i| high[i].max(point[i]))]
+}
+
 impl<'a> Solid<'a> {
     pub(crate) fn new(spatial: &'a Spatial, starts: &'a dyn Fn(u64) -> Start<3, 3>) -> Self {
-        Solid {
-            spatial,
-            starts,
-            bounds: Cell::new([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]]),
-            first: Cell::new([0.0; 3]),
-        }
+        Solid { spatial, starts, bounds: Cell::new(EMPTY), begins: Cell::new(EMPTY), first: Cell::new([0.0; 3]) }
     }
 
     /// Draws the walls and, for a particle of positive radius, those of its centre; of a table without end the part about the orbits.
@@ -100,7 +109,7 @@ impl<'a> Solid<'a> {
 
     /// Opposite corners of what is shown of a box whose sides may lie at infinity: there, as far as orbits and walls go, but not
     /// much farther than the box is high.
-    fn part(&self, low: Vector3<f64>, high: Vector3<f64>) -> [[f64; 3]; 2] {
+    fn part(&self, low: Vector3<f64>, high: Vector3<f64>) -> Bounds {
         let [mut least, mut most] = self.bounds.get();
         for wall in &self.spatial.walls {
             for i in 0..3 {
@@ -111,20 +120,29 @@ impl<'a> Solid<'a> {
                 most[i] = end(1.0).map_or(most[i], |end| most[i].max(end));
             }
         }
-        shown([low, high].map(Into::into), [least, most], self.first.get())
+        shown([low, high].map(Into::into), [least, most], self.begins.get(), self.first.get())
     }
 }
 
-/// Opposite corners of what is shown of a box: where it has no end, as far as what was `seen` about the `first` point.
-fn shown([low, high]: [[f64; 3]; 2], [least, most]: [[f64; 3]; 2], first: [f64; 3]) -> [[f64; 3]; 2] {
+/// Opposite corners of what is shown of a box: where it has no end, as far as what was `seen` about the `first` point, and about all
+/// starts if they are not too far apart.
+fn shown([low, high]: Bounds, [least, most]: Bounds, begins: Bounds, first: [f64; 3]) -> Bounds {
     let size = (0..3).map(|i| high[i] - low[i]).filter(|size| size.is_finite()).fold(0.0, f64::max);
     let reach = if size > 0.0 { FARTHEST * size } else { f64::INFINITY };
-    let end = |i: usize, given: f64, seen: f64, sign: f64| {
+    let is_near = (0..3).all(|i| begins[1][i] - begins[0][i] <= FARTHEST_START * size);
+    let kept = if is_near { begins } else { [first; 2] };
+    let end = |i: usize, given: f64, seen: f64, kept: f64, sign: f64| {
+        if given.is_finite() {
+            return given;
+        }
         let room = 0.1 * (most[i] - least[i]) + 0.1 * size;
-        if given.is_finite() { given } else { first[i] + (seen + sign * room - first[i]).clamp(-reach, reach) }
+        let near = (seen + sign * room - first[i]).clamp(-reach, reach);
+        let beyond = kept + sign * size.min(room) - first[i];
+        first[i] + if sign * near < sign * beyond { beyond } else { near }
     };
-    let mut sides: [[f64; 2]; 3] =
-        core::array::from_fn(|i| [end(i, low[i], least[i], -1.0), end(i, high[i], most[i], 1.0)]);
+    let mut sides: [[f64; 2]; 3] = core::array::from_fn(|i| {
+        [end(i, low[i], least[i], kept[0][i], -1.0), end(i, high[i], most[i], kept[1][i], 1.0)]
+    });
     let largest = sides.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
     for (i, side) in sides.iter_mut().enumerate() {
         let open = [low[i], high[i]].map(|end| !end.is_finite());
@@ -138,7 +156,9 @@ fn shown([low, high]: [[f64; 3]; 2], [least, most]: [[f64; 3]; 2], first: [f64; 
 impl Seen for Solid<'_> {
     fn start(&self, orbit: u64) -> [f64; 2] {
         let start = (self.starts)(orbit);
-        self.point([0, 1, 2].map(|i| start.scale.length_out(start.position[i] + self.spatial.shift[i])))
+        let position = [0, 1, 2].map(|i| start.scale.length_out(start.position[i] + self.spatial.shift[i]));
+        self.begins.set(around(self.begins.get(), position));
+        self.point(position)
     }
 
     fn point(&self, position: [f64; 3]) -> [f64; 2] {
@@ -146,8 +166,7 @@ impl Seen for Solid<'_> {
         if low[0] > high[0] {
             self.first.set(position);
         }
-        let bound = |of: [f64; 3], pick: fn(f64, f64) -> f64| [0, 1, 2].map(|i| pick(of[i], position[i]));
-        self.bounds.set([bound(low, f64::min), bound(high, f64::max)]);
+        self.bounds.set(around([low, high], position));
         projected(position)
     }
 
@@ -168,12 +187,28 @@ mod tests {
     fn of_a_table_without_end_no_side_is_thin_and_given_ends_stay() {
         let [free, flat] = [f64::INFINITY, 0.25];
         // a floor, and all that is seen in one plane above it
-        let sides = shown([[-free, -free, -2.0], [free; 3]], [[-3.0, flat, -2.0], [2.0, flat, 1.0]], [0.0, flat, 0.0]);
+        let first = [0.0, flat, 0.0];
+        let sides = shown([[-free, -free, -2.0], [free; 3]], [[-3.0, flat, -2.0], [2.0, flat, 1.0]], [first; 2], first);
         let size = [0, 1, 2].map(|i| sides[1][i] - sides[0][i]);
         assert_eq!((sides[0][2], sides[0][0]), (-2.0, -3.5));
         assert!(size[1] > 0.4 * size[0] && sides[0][1] + sides[1][1] == 2.0 * flat, "{sides:?}");
         // a closed one is all shown
         let closed = [[0.0, 0.0, -1.0], [9.0, 0.5, 1.0]];
-        assert_eq!(shown(closed, [[1.0; 3], [2.0; 3]], [1.0; 3]), closed);
+        assert_eq!(shown(closed, [[1.0; 3], [2.0; 3]], [[1.0; 3]; 2], [1.0; 3]), closed);
+    }
+
+    #[test]
+    fn of_a_table_without_end_every_start_in_space_is_shown() {
+        let slab = [[f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0], [f64::INFINITY, f64::INFINITY, 1.0]];
+        let start = |x: f64| [x, 0.0, 0.5];
+        for (first, other) in [(0.0, 40.0), (40.0, 0.0), (0.0, -7.0)] {
+            let begins = around([start(first); 2], start(other));
+            let seen = around(around(begins, start(200.0)), start(-200.0));
+            let [low, high] = shown(slab, seen, begins, start(first));
+            assert!(low[0] < begins[0][0] && begins[1][0] < high[0], "{low:?} {high:?}");
+            assert!(high[0] - low[0] <= 60.0, "{low:?} {high:?}");
+        }
+        let far = [start(0.0), start(1000.0)];
+        assert_eq!(shown(slab, far, far, start(0.0))[1][0], FARTHEST);
     }
 }

@@ -2,7 +2,7 @@
 
 use billiards::geometry::{Lattice, Vector2};
 
-use crate::picture::Path;
+use crate::picture::{Leaving, Path};
 
 /// Lines of orbits; on a lattice, folded into the unit cell.
 #[derive(Debug)]
@@ -65,12 +65,15 @@ impl Paths {
         self.fly(home.into(), cells);
     }
 
-    /// Leaves for ever in a direction.
+    /// Leaves for ever in a direction; on a lattice, what is drawn of that stays in the unit cell.
     pub(crate) fn escape(&mut self, direction: [f64; 2]) {
         if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond)
-            && let Some(&point) = path.chains.last().and_then(|chain| chain.last())
+            && let Some(&from) = path.chains.last().and_then(|chain| chain.last())
         {
-            path.escape = Some([point, direction]);
+            path.escape = match &self.lattice {
+                Some(lattice) => leaving(lattice, from.into(), direction.into(), self.left.min(MOST_FOLDS)),
+                None => vec![Leaving { from, direction, until: f64::INFINITY }],
+            };
         }
     }
 
@@ -98,19 +101,8 @@ fn fold(
     most: usize,
 ) -> usize {
     let leg = to + lattice.translation(cells) - from;
-    // the parts of the leg, between 0 and 1, at which a lattice coordinate is a whole number
-    let (start, along) = (lattice.coordinates(&from), lattice.coordinates(&leg));
-    let mut cuts = vec![];
-    for i in (0..lattice.vectors().len()).filter(|i| along[*i] != 0.0) {
-        let forwards = along[i] > 0.0;
-        let (first, step) = if forwards { (libm::ceil(start[i]), 1.0) } else { (libm::floor(start[i]), -1.0) };
-        // one more than are drawn, and the one at the start if that is on an edge
-        let parts = (0..most + 2).map(|k| (first + step * k as f64 - start[i]) / along[i]);
-        cuts.extend(parts.take_while(|part| *part <= 1.0));
-    }
-    cuts.sort_by(f64::total_cmp);
     let (mut begun, mut drawn) = (0.0, 0);
-    for end in cuts.into_iter().chain([1.0]) {
+    for end in cuts(lattice, &from, &leg, 1.0, most).into_iter().chain([1.0]) {
         if end > begun {
             if drawn == most {
                 chains.push(vec![to.into()]);
@@ -135,9 +127,68 @@ fn fold(
     drawn
 }
 
+/// A leg without end cut at the edges of cells, the first `most` parts of it moved into the unit cell.
+fn leaving(lattice: &Lattice, from: Vector2<f64>, direction: Vector2<f64>, most: usize) -> Vec<Leaving> {
+    let cuts = cuts(lattice, &from, &direction, f64::INFINITY, most);
+    if cuts.is_empty() {
+        return vec![Leaving { from: from.into(), direction: direction.into(), until: f64::INFINITY }];
+    }
+    let mut begun = 0.0;
+    let mut legs = vec![];
+    for end in cuts.into_iter().filter(|end| *end > 0.0) {
+        if end > begun && legs.len() < most {
+            let middle = from + direction * (0.5 * (begun + end));
+            let home = lattice.translation(lattice.reduce(&middle).1);
+            let first = from + direction * begun - home;
+            legs.push(Leaving { from: first.into(), direction: direction.into(), until: end - begun });
+            begun = end;
+        }
+    }
+    legs
+}
+
+/// The parts of a leg, between 0 and `until`, at which a lattice coordinate is a whole number: the first `most` of them, and more.
+fn cuts(lattice: &Lattice, from: &Vector2<f64>, leg: &Vector2<f64>, until: f64, most: usize) -> Vec<f64> {
+    let (start, along) = (lattice.coordinates(from), lattice.coordinates(leg));
+    let mut cuts = vec![];
+    for i in (0..lattice.vectors().len()).filter(|i| along[*i] != 0.0) {
+        let forwards = along[i] > 0.0;
+        let (first, step) = if forwards { (libm::ceil(start[i]), 1.0) } else { (libm::floor(start[i]), -1.0) };
+        // one more than are drawn, and the one at the start if that is on an edge
+        let parts = (0..most + 2).map(|k| (first + step * k as f64 - start[i]) / along[i]);
+        cuts.extend(parts.take_while(|part| *part <= until));
+    }
+    cuts.sort_by(f64::total_cmp);
+    cuts
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_way_out_of_a_channel_stays_in_the_unit_cell() {
+        let band = Lattice::new(&[Vector2::new(1.0, 0.0)]).unwrap();
+        let mut paths = Paths::new(Some(band), 20_000);
+        for (from, direction) in [([0.25, 0.0], [1.0, 0.25]), ([0.25, 3.0], [-3.0, -0.5]), ([0.0, 1.0], [-0.5, 1.0])] {
+            paths.start(from);
+            paths.escape(direction);
+            let legs = &paths.drawn.last().unwrap().escape;
+            assert_eq!(legs.len(), MOST_FOLDS);
+            let mut height = from[1];
+            for leg in legs {
+                let x = [0.0, leg.until].map(|s| leg.from[0] + s * leg.direction[0]);
+                assert!(x.iter().all(|x| (-1e-9..=1.0 + 1e-9).contains(x)), "{leg:?}");
+                assert!((leg.from[1] - height).abs() < 1e-9, "{leg:?} {height}");
+                height += leg.until * leg.direction[1];
+            }
+        }
+        // straight out, nothing is folded
+        paths.start([0.25, 0.0]);
+        paths.escape([0.0, -2.0]);
+        let straight = Leaving { from: [0.25, 0.0], direction: [0.0, -2.0], until: f64::INFINITY };
+        assert_eq!(paths.drawn.last().unwrap().escape, [straight]);
+    }
 
     fn on_torus(most: usize) -> Paths {
         let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0)]).unwrap();
@@ -176,7 +227,7 @@ mod tests {
         }
         paths.mark_horizon();
         paths.escape([1.0, 0.0]);
-        assert_eq!((paths.drawn[0].horizon, paths.drawn[0].escape), (None, None));
+        assert_eq!((paths.drawn[0].horizon, &paths.drawn[0].escape[..]), (None, &[][..]));
         assert_eq!(lines(paths), 10);
     }
 }

@@ -15,12 +15,23 @@ const PER_CELL: f64 = 256.0;
 const FEWEST: f64 = 16.0;
 const MOST: f64 = 1e5;
 
-/// The walls of a table, all lengths divided by `factor`. On a lattice, all copies that reach into the unit cell.
+/// The walls of a table, all lengths divided by `factor`. On a lattice, all copies that reach into the unit cell, loops as wholes.
 pub(crate) fn of(table: &Table, factor: f64) -> Vec<Stroke> {
+    let mut seen = vec![vec![]; table.pieces().len()];
+    for chain in table.chains() {
+        let alone = chain.iter().map(core::slice::from_ref);
+        let together: Vec<&[usize]> = if table.is_closed(&chain) { vec![&chain] } else { alone.collect() };
+        for numbers in together {
+            let shifts = copies(table, numbers);
+            for &number in numbers {
+                seen[number].clone_from(&shifts);
+            }
+        }
+    }
     let mut strokes = vec![];
-    for (number, piece) in table.pieces().iter().enumerate() {
+    for (piece, shifts) in table.pieces().iter().zip(&seen) {
         let points = points(&**piece);
-        strokes.extend(copies(table, number).map(|by| stroke(&**piece, &points, &by, factor)));
+        strokes.extend(shifts.iter().map(|by| stroke(&**piece, &points, by, factor)));
     }
     strokes
 }
@@ -33,17 +44,11 @@ pub(crate) fn solids(table: &Table, factor: f64) -> Vec<Solid> {
     loops.sort_by(|(a, _), (b, _)| b.abs().total_cmp(&a.abs()));
     let solid = |(area, chain): &(f64, Vec<usize>)| {
         let points: Vec<_> = chain.iter().map(|&number| points(&*table.pieces()[number])).collect();
-        let mut shifts: Vec<Vector2<f64>> = vec![];
-        for by in chain.iter().flat_map(|&number| copies(table, number)) {
-            if !shifts.contains(&by) {
-                shifts.push(by);
-            }
-        }
         let edge = |by: &Vector2<f64>| {
             let pieces = chain.iter().zip(&points);
             pieces.map(|(&number, points)| stroke(&*table.pieces()[number], points, by, factor)).collect()
         };
-        shifts.iter().map(|by| Solid { edge: edge(by), is_hollow: *area > 0.0 }).collect::<Vec<_>>()
+        copies(table, chain).iter().map(|by| Solid { edge: edge(by), is_hollow: *area > 0.0 }).collect::<Vec<_>>()
     };
     // what is larger than all obstacles is around them
     loops.iter().skip_while(|(area, _)| *area > 0.0).flat_map(solid).collect()
@@ -65,28 +70,32 @@ pub(crate) fn of_cell(lattice: &Lattice, factor: f64) -> Vec<Stroke> {
     }
 }
 
-/// By what a piece is moved in the copies of it that are seen: those that reach into the unit cell of a lattice.
-fn copies(table: &Table, number: usize) -> impl Iterator<Item = Vector2<f64>> {
-    let piece = &table.pieces()[number];
-    let lattice = table.lattice().filter(|_| piece.length().is_finite());
-    let seen = lattice.map(|lattice| (lattice, samples(&**piece, lattice)));
-    table.translations(number).filter(move |by| {
-        seen.as_ref().is_none_or(|(lattice, samples)| {
-            // the edges of the cell are left out
-            samples.iter().any(|point| lattice.reduce(&(point + by)).1 == [0.0, 0.0])
-        })
-    })
+/// By what pieces are moved together in the copies of them that are seen: where any of them reaches into the unit cell of a lattice.
+fn copies(table: &Table, numbers: &[usize]) -> Vec<Vector2<f64>> {
+    let pieces = numbers.iter().map(|&number| &table.pieces()[number]);
+    let Some(lattice) = table.lattice().filter(|_| pieces.clone().all(|piece| piece.length().is_finite())) else {
+        return numbers.first().map_or(vec![], |&number| table.translations(number).collect());
+    };
+    // back from every cell in which there are points; the edges of cells are left out
+    let back = |point: Vector2<f64>| lattice.reduce(&point).1.map(|cells| 0.0 - cells);
+    let mut cells: Vec<[f64; 2]> = vec![];
+    for piece in pieces {
+        cells.extend(samples(&**piece, lattice).map(back));
+        cells.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        cells.dedup();
+    }
+    cells.into_iter().map(|cell| lattice.translation(cell)).collect()
 }
 
 /// Points of a piece, several in every cell that it reaches for some length.
-fn samples(piece: &dyn Piece, lattice: &Lattice) -> Vec<Vector2<f64>> {
+fn samples<'a>(piece: &'a dyn Piece, lattice: &Lattice) -> impl Iterator<Item = Vector2<f64>> + use<'a> {
     let length = piece.length();
     let longest = lattice.vectors().iter().map(Vector2::norm).fold(0.0, f64::max);
     // how far it is through a cell, which may be lean
     let cell = longest.min(lattice.cell_area() / longest);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred thousand")]
     let many = (PER_CELL * length / cell).clamp(FEWEST, MOST) as u32;
-    (0..many).map(|k| piece.point_at(length * (f64::from(k) + 0.5) / f64::from(many))).collect()
+    (0..many).map(move |k| piece.point_at(length * (f64::from(k) + 0.5) / f64::from(many)))
 }
 
 /// A piece moved, drawn through [`points`] of it if it is neither straight nor circular.
@@ -183,6 +192,38 @@ mod tests {
         // those on its lower side and beside it, and those on its upper side
         let (below, above) = ([0.0, 0.5, 1.0].map(|x| [x, 0.0]), [2.0, 2.5, 3.0].map(|x| [x, 0.5]));
         assert_eq!(drawn, [below, above].concat());
+    }
+
+    #[test]
+    fn obstacles_of_several_pieces_are_outlined_wherever_they_are_filled() {
+        let v = Vector2::new;
+        let mut square = Outline::from(v(-0.1, -0.2));
+        for corner in [v(-0.1, 0.3), v(0.4, 0.3), v(0.4, -0.2), v(-0.1, -0.2)] {
+            square = square.line_to(corner).unwrap();
+        }
+        let square = square.close().unwrap();
+        let table = Table::periodic(square, Some(lattice([[1.0, 0.0], [0.0, 1.0]]))).unwrap();
+        let solids = solids(&table, 1.0);
+        assert_eq!(solids.len(), 4);
+        let drawn = of(&table, 1.0);
+        assert_eq!(drawn.len(), 16);
+        assert!(solids.iter().flat_map(|solid| &solid.edge).all(|side| drawn.contains(side)));
+    }
+
+    #[test]
+    fn walls_through_very_many_cells_are_drawn_at_once() {
+        let v = Vector2::new;
+        let mut triangle = Outline::from(v(0.1, 0.0));
+        for corner in [v(0.1, 0.000_05), v(0.9, 0.9), v(0.1, 0.0)] {
+            triangle = triangle.line_to(corner).unwrap();
+        }
+        let triangle = triangle.close().unwrap();
+        let table = Table::periodic(triangle, Some(lattice([[1.0, 0.0], [0.0, 0.0001]]))).unwrap();
+        let begun = std::time::Instant::now();
+        let many = of(&table, 1.0).len();
+        assert!((27_000..27_010).contains(&many), "{many}");
+        // every sample in every cell takes half a minute
+        assert!(begun.elapsed().as_secs() < 5, "{:?}", begun.elapsed());
     }
 
     /// `r = 1 + 0.05 cos(n φ)`
