@@ -77,7 +77,7 @@ impl ReducedState {
         let starts = table.arc_length_offsets();
         let piece = starts.partition_point(|start| *start <= s).saturating_sub(1);
         let state = ReducedState { piece, s: s - starts.get(piece).unwrap_or(&0.0), v0, vt, speed };
-        state.arc_length_on(&**table.pieces().get(piece).ok_or(Error::Piece { piece, pieces: 0 })?)?;
+        state.arc_length_along(&**table.pieces().get(piece).ok_or(Error::Piece { piece, pieces: 0 })?)?;
         Ok(state)
     }
 
@@ -114,10 +114,16 @@ impl ReducedState {
     /// `s`, if the piece has such an arc length; that of a closed curve is reduced to its length.
     fn arc_length_on(&self, piece: &dyn Piece) -> Result<f64, Error> {
         let (s, length) = (self.s, piece.length());
+        if piece.ends().is_none() && s.is_finite() && length.is_finite() {
+            return Ok(if (0.0..=length).contains(&s) { s } else { s - libm::floor(s / length) * length });
+        }
+        self.arc_length_along(piece)
+    }
+
+    /// `s`, if it is between the ends of the piece or, along a closed curve, between 0 and its length.
+    fn arc_length_along(&self, piece: &dyn Piece) -> Result<f64, Error> {
+        let (s, length) = (self.s, piece.length());
         let [from, to] = match piece.ends() {
-            None if s.is_finite() && length.is_finite() => {
-                return Ok(if (0.0..=length).contains(&s) { s } else { s - libm::floor(s / length) * length });
-            }
             None => [0.0, length],
             Some(ends) => {
                 let [starts, stops] = ends.map(|end| end.iter().all(|x| x.is_finite()));

@@ -233,6 +233,18 @@ fn impossible_states_are_refused() {
         ReducedState::from_coordinates(&billiard.table, [4.5, 0.0, 0.0], 1.0),
         Err(Error::ArcLength { piece: 3, s: 1.5, .. })
     ));
+    // a boundary has an end where the curve that it ends with has none
+    for table in [tables::circle(1.0).unwrap(), tables::ellipse([2.0, 1.0]).unwrap(), tables::sinai(1.0, 0.25).unwrap()]
+    {
+        let perimeter = table.perimeter();
+        for (s, is_there) in
+            [(-0.3, false), (0.0, true), (perimeter - 0.3, true), (perimeter, true), (perimeter + 0.3, false)]
+        {
+            let state = ReducedState::from_coordinates(&table, [s, 0.0, 0.0], 1.0);
+            assert_eq!(state.is_ok(), is_there, "{s}: {state:?}");
+            assert!(is_there || matches!(state, Err(Error::ArcLength { .. })), "{s}: {state:?}");
+        }
+    }
     let wedge = Planar { table: tables::wedge(1.0).unwrap(), law: Specular };
     let away = ReducedState { piece: 0, s: 1.0, v0: 0.0, vt: 0.9, speed: 1.0 };
     let ends = [wedge.map(&away), wedge.map(&ReducedState { vt: -0.9, ..away })];

@@ -366,6 +366,22 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
 }
 
 #[test]
+fn what_is_seen_of_each_orbit_in_two_runs_is_merged_in_their_order() {
+    let billiard = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    let starts = starts(&billiard.table, 50);
+    let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
+    let portrait = |_, _: &Disks| VelocityPortrait::new(vec![]);
+    let (mut once, mut twice) = (EachOrbit::new(portrait), EachOrbit::new(portrait));
+    billiard.run_side_by_side(&mut starts.iter().map(orbit), 20, &mut once, &mut |_| {});
+    for part in [&starts[..20], &starts[20..20], &starts[20..]] {
+        billiard.run_side_by_side(&mut part.iter().map(orbit), 20, &mut twice, &mut |_| {});
+    }
+    let [once, twice] = [once, twice].map(|seen| seen.merged().unwrap());
+    assert_eq!(once.points().len(), starts.len() * 20);
+    assert!(once.points() == twice.points());
+}
+
+#[test]
 fn every_track_grows_side_by_side_as_it_does_alone() {
     type Tracks = (Clock, (Angle, Cell));
     let table = tables::sinai_torus(0.25, 1.0).unwrap();

@@ -8,9 +8,13 @@ use std::collections::BTreeMap;
 
 /// An [`Observer`] of its own for each of the orbits that run side by side, merged in the order of the starts.
 ///
-/// What comes out is the same, to the last bit, on every CPU, as if one orbit ran after another. Each collision is taken out of its lane
-/// for it, which costs more than a [`LaneObserver`] made for the purpose, and the orbits themselves cost as little as they do. An orbit of
-/// which its observer has seen enough goes on unseen.
+/// What comes out is the same, to the last bit, on every CPU, and the same as if one orbit ran after another, each with an observer of its
+/// own. One observer that sees them all adds up their collisions in another order than observers that are merged: its means may differ in
+/// the last bits. Of several runs, what was seen is merged in the order of the runs.
+///
+/// Each collision is taken out of its lane, which costs more than a [`LaneObserver`] made for the purpose, and the orbits themselves cost
+/// as little as they do. An orbit of which its observer has seen enough goes on unseen. The observers of orbits that have ended stay in
+/// memory while one that began before them goes on.
 ///
 /// ```
 /// use billiards::{Canonical, Collisions, Conserved, Orbit, Planar, Starts, laws::Disk};
@@ -31,7 +35,10 @@ use std::collections::BTreeMap;
 #[derive(Clone, Debug)]
 pub struct EachOrbit<O, M> {
     make: M,
-    /// What was seen of the orbits before number `next`.
+    /// How many orbits there were in earlier runs, and how many have begun in all.
+    earlier: u64,
+    begun: u64,
+    /// What was seen of the orbits before number `next`, counted through all runs.
     merged: Option<O>,
     next: u64,
     /// What was seen of later ones that have ended already.
@@ -42,16 +49,17 @@ pub struct EachOrbit<O, M> {
 #[derive(Debug)]
 pub struct Seat<O> {
     observer: O,
-    index: u64,
+    /// The number of the orbit, counted through all runs.
+    number: u64,
     collisions: u64,
     /// Whether it has seen enough.
     done: bool,
 }
 
 impl<O: Merge, M> EachOrbit<O, M> {
-    /// The observer of orbit number `index` is `make(index, orbit)`, called when that begins.
+    /// The observer of orbit number `index` of a run is `make(index, orbit)`, called when that begins.
     pub fn new(make: M) -> Self {
-        EachOrbit { make, merged: None, next: 0, ahead: BTreeMap::new() }
+        EachOrbit { make, earlier: 0, begun: 0, merged: None, next: 0, ahead: BTreeMap::new() }
     }
 
     /// What was seen of all orbits; `None` if there was none.
@@ -61,8 +69,8 @@ impl<O: Merge, M> EachOrbit<O, M> {
 
     /// An orbit has ended.
     fn take(&mut self, seat: Option<Seat<O>>) {
-        let Some(Seat { observer, index, .. }) = seat else { return };
-        self.ahead.insert(index, observer);
+        let Some(Seat { observer, number, .. }) = seat else { return };
+        self.ahead.insert(number, observer);
         while let Some(observer) = self.ahead.remove(&self.next) {
             self.merged = Some(match self.merged.take() {
                 Some(merged) => merged.merge(observer),
@@ -85,9 +93,15 @@ where
         [const { None }; MOST_LANES]
     }
     fn begin<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask, index: u64, orbit: &Orbit<f64, N, S, K, T>) {
+        // every run begins with its first orbit
+        if index == 0 {
+            self.earlier = self.begun;
+        }
+        let number = self.earlier + index;
+        self.begun = self.begun.max(number + 1);
         for (_, seat) in view.iter_mut().enumerate().take(F::LANES).filter(|(lane, _)| here.at(*lane)) {
             let observer = (self.make)(index, orbit);
-            let before = seat.replace(Seat { observer, index, collisions: 0, done: false });
+            let before = seat.replace(Seat { observer, number, collisions: 0, done: false });
             self.take(before);
         }
     }
