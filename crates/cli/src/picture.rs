@@ -40,6 +40,8 @@ pub struct Picture {
     pub summary: &'static str,
     /// What it is drawn from.
     pub needs: Needs,
+    /// The files that it may be drawn into.
+    pub files: &'static [&'static str],
     /// Draws it.
     pub draw: fn(&Material) -> Vec<File>,
 }

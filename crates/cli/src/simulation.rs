@@ -186,6 +186,11 @@ impl Simulation {
         // better now than after hours
         let path = folder.join("summary.json");
         WholeFile::probe(&path)?;
+        for picture in &pictures {
+            for name in picture.files {
+                WholeFile::probe(&folder.join(name))?;
+            }
+        }
         let (material, totals, busy) = match &self.body {
             Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
             Body::Space(spatial) => self.in_space(spatial, &kept, control)?,

@@ -1,5 +1,6 @@
 //! Files that appear whole or not at all.
 
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -51,17 +52,19 @@ impl WholeFile {
     /// Starts a file, and makes its folder if need be.
     ///
     /// # Errors
-    /// The folder or the temporary file cannot be made, or the path names no file.
+    /// The folder or the temporary file cannot be made, or the path names no file, or a folder.
     pub fn create(path: &Path) -> io::Result<Self> {
         let name =
             path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not the name of a file"))?;
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
-        let mut hidden = std::ffi::OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{}.partial", std::process::id()));
-        let temporary = folder.join(hidden);
-        let file = BufWriter::with_capacity(1 << 16, File::create(&temporary)?);
+        if path.is_dir() {
+            // renaming would find it out after all the work
+            let what = format!("{} is a folder, not a file", name.display());
+            return Err(io::Error::new(io::ErrorKind::IsADirectory, what));
+        }
+        let (temporary, file) = temporary(folder, name)?;
+        let file = BufWriter::with_capacity(1 << 16, file);
         Ok(Self { path: path.into(), temporary, file: Some(file), portion: 0, carrier: None })
     }
 
@@ -104,6 +107,23 @@ impl WholeFile {
 
     fn inner(&mut self) -> io::Result<&mut BufWriter<File>> {
         self.file.as_mut().ok_or_else(|| io::Error::other("the file is finished"))
+    }
+}
+
+/// A new file that nobody else writes. In containers that share a folder processes may have the same number, and one that was killed
+/// leaves its file behind.
+fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
+    let process = std::process::id();
+    let mut number = 0_u64;
+    loop {
+        let mut hidden = OsString::from(".");
+        hidden.push(name);
+        hidden.push(format!(".{process}-{number}.partial"));
+        let path = folder.join(hidden);
+        match File::create_new(&path) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+            made => return made.map(|file| (path, file)),
+        }
     }
 }
 
@@ -166,6 +186,32 @@ mod tests {
         file.finish().unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"other");
         assert_eq!(fs::read_dir(path.parent().unwrap()).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn two_that_write_one_file_do_not_tear_it() {
+        let folder = std::env::temp_dir().join(format!("billiards-torn-{}", std::process::id()));
+        let path = folder.join("x.txt");
+        // one that was killed leaves its part behind
+        std::mem::forget(WholeFile::create(&path).unwrap());
+        let [mut one, mut other] = [(); 2].map(|()| WholeFile::create(&path).unwrap());
+        one.write_all(b"of the first").unwrap();
+        other.write_all(b"other").unwrap();
+        one.finish().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"of the first");
+        other.finish().unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"other");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_folder_in_place_of_a_file_is_found_before_the_work() {
+        let folder = std::env::temp_dir().join(format!("billiards-folder-{}", std::process::id()));
+        let path = folder.join("x.txt");
+        fs::create_dir_all(&path).unwrap();
+        assert_eq!(WholeFile::probe(&path).unwrap_err().to_string(), "x.txt is a folder, not a file");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
         fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -105,6 +105,33 @@ fn the_mean_free_time_is_that_of_the_law() {
 }
 
 #[test]
+fn there_is_no_mean_free_time_where_no_measure_is_invariant() {
+    let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-free-time", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let start = "[[orbit]]\nposition = [0.3, 0.4]\nvelocity = [0.6, 0.8]\n";
+    let own = "laws = { 2 = { name = \"restitution\", normal = 0.9, tangential = 0 } }\n";
+    let law = |normal: &str, tangential: &str| {
+        format!("{{ name = \"restitution\", normal = {normal}, tangential = {tangential} }}")
+    };
+    for (law, own, told) in [
+        (law("0.9", "0"), "", None),
+        (law("1", "0.5"), "", None),
+        ("\"no-slip\"".into(), own, None),
+        // elastic ones are strict
+        (law("1", "1"), "", Some("1 = 4 area/perimeter, at unit speed, spin included")),
+        (law("1", "-1"), "", Some("0.785398 = pi area/perimeter, at unit speed of the centre")),
+    ] {
+        let scene = folder.join("scene.toml");
+        fs::write(&scene, format!("law = {law}\n[table]\nname = \"square\"\n{own}{start}")).unwrap();
+        let output = billiards().arg("check").arg(&scene).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(output.status.success() && text.contains("engine"), "{text}");
+        assert!(told.map_or(!text.contains("mean free"), |told| text.contains(told)), "{law} {own}: {text}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn a_scene_has_the_same_results_twice_and_on_any_number_of_threads() {
     let scene = scenes().into_iter().find(|scene| scene.ends_with("isosceles.toml")).unwrap();
     let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-twice", std::process::id()));

@@ -61,6 +61,55 @@ fn item(value: ::toml::Spanned<DeValue<'_>>) -> Item {
 fn whole(integer: &DeInteger<'_>) -> Value {
     match i128::from_str_radix(integer.as_str(), integer.radix()) {
         Ok(n) => Value::Integer(n),
-        Err(_) => Value::Float(integer.as_str().parse().unwrap_or(f64::NAN)),
+        Err(_) if integer.radix() == 10 => Value::Float(integer.as_str().parse().unwrap_or(f64::NAN)),
+        Err(_) => Value::Float(nearest(integer.as_str(), integer.radix())),
+    }
+}
+
+/// The double nearest to a whole number, written with a power of two for a radix.
+fn nearest(digits: &str, radix: u32) -> f64 {
+    let bits = radix.trailing_zeros();
+    let (mut leading, mut left) = (0_u128, 0_i32);
+    for digit in digits.chars().filter_map(|digit| digit.to_digit(radix)) {
+        if leading >> 120 == 0 {
+            leading = leading << bits | u128::from(digit);
+        } else {
+            // far behind the digits of a double: these only tell that something is left
+            leading |= u128::from(digit != 0);
+            left = left.saturating_add_unsigned(bits);
+        }
+    }
+    libm::ldexp(leading as f64, left)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Source;
+
+    fn value(number: &str) -> Value {
+        let mut problems = Problems::new(&Source::new("x.toml", &format!("a = {number}")));
+        let Some(Value::Table(mut entries)) = parse(&mut problems).map(|item| item.value) else { panic!("{number}") };
+        entries.remove(0).1.value
+    }
+
+    #[test]
+    fn whole_numbers_beyond_128_bits_are_the_nearest_double_in_every_radix() {
+        let zeros = "0".repeat(32);
+        let power = |n: i32| libm::ldexp(1.0, n);
+        for (number, x) in [
+            (format!("0x1{zeros}"), power(128)),
+            (format!("0x{}", "f".repeat(34)), power(136)),
+            (format!("-1{zeros}0000000"), -1e39),
+            (format!("0o1{zeros}{zeros}"), power(192)),
+            (format!("0b1{zeros}{zeros}{zeros}{zeros}{zeros}"), power(160)),
+            // half an ulp above, and a bit more
+            (format!("0x10000_0000_0000_08{zeros}"), power(128 + 56)),
+            (format!("0x10000_0000_0000_08{zeros}1"), power(132 + 56) * (1.0 + f64::EPSILON)),
+            (format!("0x1{}", "0".repeat(400)), f64::INFINITY),
+        ] {
+            assert_eq!(value(&number), Value::Float(x), "{number}");
+        }
+        assert_eq!(value("0x7fff_ffff_ffff_ffff_ffff_ffff_ffff_ffff"), Value::Integer(i128::MAX));
     }
 }

@@ -51,6 +51,26 @@ impl Label {
         }
         markup
     }
+
+    /// About how wide the markup is, in a serif face.
+    fn width(&self, exponent: i32) -> f64 {
+        let of = |text: &str, share: f64| share * LABEL * text.chars().count() as f64;
+        let name = of(&self.symbol, 0.45) + of(&self.index, 0.5 * SMALL);
+        // a slash between two spaces, two digits, and those of the power
+        let power = 1.8 * LABEL + of(&exponent.to_string(), 0.5 * SMALL);
+        if exponent == 0 { name } else { name + power }
+    }
+
+    /// Writes it in the middle of the line about a point.
+    fn write(&self, svg: &mut Svg, [x, y]: [f64; 2], exponent: i32) {
+        let markup = self.markup(exponent);
+        if exponent == 0 {
+            svg.text([x, y], LABEL, Anchor::Middle, &markup);
+        } else {
+            // CairoSVG centres every part of a text alone, so that they lie on one another; from the left it puts them in a row
+            svg.text([x - 0.5 * self.width(exponent), y], LABEL, Anchor::Start, &markup);
+        }
+    }
 }
 
 /// One axis.
@@ -110,8 +130,8 @@ pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
         svg.text([left - 3.0, at + 0.33 * NUMBER], NUMBER, Anchor::End, name);
     }
     let [across, up] = [0.5 * (left + right), 0.5 * (top + bottom)];
-    svg.text([across, bottom + 2.0 + NUMBER + LABEL + 1.0], LABEL, Anchor::Middle, &x.label.markup(x_power));
-    svg.text([left - 3.0 - 2.9 * NUMBER, up + 0.3 * LABEL], LABEL, Anchor::Middle, &y.label.markup(y_power));
+    x.label.write(svg, [across, bottom + 2.0 + NUMBER + LABEL + 1.0], x_power);
+    y.label.write(svg, [left - 3.0 - 2.9 * NUMBER, up + 0.3 * LABEL], y_power);
 }
 
 /// About `many` round numbers (1, 2 or 5 times a power of ten apart) between two ends.
@@ -203,6 +223,12 @@ mod tests {
         }
         let label = Label { symbol: "s".into(), index: String::new() };
         assert!(label.markup(-9).ends_with(">\u{2212}9</tspan>") && label.markup(0).ends_with(">s</tspan>"));
+        for (power, anchor, x) in [(0, "middle", 100.0), (-9, "start", 100.0 - 0.5 * label.width(-9))] {
+            let mut svg = Svg::new(200.0, 100.0);
+            label.write(&mut svg, [100.0, 50.0], power);
+            let start = format!("<text x=\"{}\" y=\"50\" font-size=\"9\" text-anchor=\"{anchor}\">", Short(x));
+            assert!(svg.to_string().contains(&start), "{svg}");
+        }
         assert!(!Label::indexed("v", "0").markup(3).contains('%'), "CairoSVG takes percents of the page");
     }
 }

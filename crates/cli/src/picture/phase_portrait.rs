@@ -19,6 +19,7 @@ const PIXELS: usize = 1000;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "phase-portrait",
+    files: &["phase-portrait.svg", "phase-portrait.png"],
     summary: "each collision: tangential velocity against arc length (SVG; dense ones PNG too)",
     needs: Needs::Reduced,
     draw: |material: &Material| {

@@ -7,6 +7,7 @@ use billiards::geometry::{self, Figure, Piece, Vector2, Walls, WithWalls};
 use serde::Serialize;
 
 use super::engine::{Engine, Until, Watch};
+use super::law::is_strict;
 use super::planar::Planar;
 use super::spatial::{Space, Spatial};
 use super::trail::Trail;
@@ -46,7 +47,7 @@ pub struct Description {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_disk: Option<(f64, [f64; 2])>,
     /// Mean time between collisions in the invariant measure, at unit speed, spin included. Where no law turns velocity into spin it is
-    /// given for ensembles only: it is the mean over orbits, each of which keeps its spin.
+    /// given for ensembles only: it is the mean over orbits, each of which keeps its spin. None where a law is not strict.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_free_time: Option<f64>,
     /// The same where no law turns velocity into spin, at unit speed of the centre.
@@ -259,12 +260,20 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
 /// Notes the mean times between collisions, with and without spin, that say something of the orbits of a scene.
 fn mean_free_times<'a>(
     scene: &Scene,
-    mut laws: impl Iterator<Item = &'a LawKind>,
+    laws: impl Iterator<Item = &'a LawKind> + Clone,
     [with, without]: [f64; 2],
     description: &mut Description,
 ) {
+    // other laws leave no measure invariant of which these are means
+    if !laws.clone().all(is_strict) {
+        return;
+    }
     // then the centre keeps its speed
-    let parts = laws.all(|law| *law == LawKind::Specular);
+    let keeps_spin = |law: &LawKind| match law {
+        LawKind::Restitution { tangential, .. } => *tangential == -1.0,
+        law => *law == LawKind::Specular,
+    };
+    let parts = laws.clone().all(keeps_spin);
     let is_ensemble = matches!(scene.starts, Starts::Ensemble(_));
     description.mean_free_time = finite(with).filter(|_| !parts || is_ensemble);
     description.mean_free_time_without_spin = finite(without).filter(|_| parts);

@@ -38,6 +38,20 @@ collisions = 1
 "#;
 
 #[test]
+fn a_folder_in_place_of_a_file_is_told_before_the_work() {
+    for name in ["summary.json", "collisions.csv", "orbit.svg", "velocity-portrait.png", "phase-portrait.svg"] {
+        let folder = Folder::new("folder-for-file");
+        fs::create_dir_all(folder.0.join("out").join(name)).unwrap();
+        let pictures = "pictures = [\"orbit\", \"velocity-portrait\", \"phase-portrait\"]\n";
+        let output = folder.run(&format!("{SQUARE}{pictures}"), &[]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(told.contains(&format!("{name} is a folder, not a file")), "{told}");
+        assert_eq!(output.status.code(), Some(1));
+        assert_eq!(fs::read_dir(folder.0.join("out")).unwrap().count(), 1, "{name}");
+    }
+}
+
+#[test]
 fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
     let folder = Folder::new("errors");
     let stadium = stadium(1.0, 1.0);
