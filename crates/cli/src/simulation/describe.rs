@@ -260,12 +260,13 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
 /// Notes the mean times between collisions, with and without spin, that say something of the orbits of a scene.
 fn mean_free_times<'a>(
     scene: &Scene,
-    laws: impl Iterator<Item = &'a LawKind> + Clone,
+    laws: impl Iterator<Item = &'a LawKind>,
     [with, without]: [f64; 2],
     description: &mut Description,
 ) {
+    let laws: Vec<_> = laws.collect();
     // other laws leave no measure invariant of which these are means
-    if !laws.clone().all(is_strict) {
+    if !laws.iter().all(|law| is_strict(law)) {
         return;
     }
     // then the centre keeps its speed
@@ -273,7 +274,7 @@ fn mean_free_times<'a>(
         LawKind::Restitution { tangential, .. } => *tangential == -1.0,
         law => *law == LawKind::Specular,
     };
-    let parts = laws.clone().all(keeps_spin);
+    let parts = laws.into_iter().all(keeps_spin);
     let is_ensemble = matches!(scene.starts, Starts::Ensemble(_));
     description.mean_free_time = finite(with).filter(|_| !parts || is_ensemble);
     description.mean_free_time_without_spin = finite(without).filter(|_| parts);
