@@ -19,6 +19,13 @@ pub(crate) const SAME_DIRECTION: f64 = 1e-9;
 /// Tries to find a line of sight that grazes nothing and meets no vertex.
 const TRIES: usize = 16;
 
+/// Each further try along a normal leans by so much more (radians, about).
+const LEAN: f64 = 0.0625;
+
+/// So far along a wall (times the size of the table) its two faces are still one, while walls that touch at a point are apart by its
+/// square times the difference of their curvatures, which is more than rounding.
+const BESIDE: f64 = 1e-5;
+
 /// A table's chains of pieces, ready to be looked at.
 pub(crate) struct Sight<'a> {
     table: &'a Table,
@@ -53,6 +60,8 @@ pub(crate) struct Wall {
 /// A meeting of a line of sight with a piece, so far from its start.
 struct Ahead {
     far: f64,
+    /// The index of its copy.
+    index: usize,
     /// What it is; nothing where the line grazes or meets a vertex.
     wall: Option<Wall>,
 }
@@ -105,11 +114,14 @@ impl<'a> Sight<'a> {
             let (index, from) = self.place(chain, k, 0.381_966_011_250_105);
             let (copy, _) = self.copies.get(index);
             let normal = copy.piece.closest(&from).normal;
+            // the normals of a circle all meet in one point, where walls may touch
+            let leaning = normal + Vector2::new(-normal.y, normal.x) * (LEAN * k as f64);
             let direction = match aim {
-                Aim::Inward => normal,
-                Aim::Outward => -normal,
+                Aim::Inward => leaning,
+                Aim::Outward => -leaning,
                 Aim::Along(direction) => direction,
-                Aim::At(other) => self.place(other, k, 0.618_033_988_749_895).1 - from,
+                // a part that is not 1 minus that of the start: lines between circles that touch would go through where they do
+                Aim::At(other) => self.place(other, k, 0.754_877_666_246_693).1 - from,
             };
             let direction = direction / libm::hypot(direction.x, direction.y);
             // as seen from where the line goes: a wall with two sides has the table on both
@@ -126,8 +138,14 @@ impl<'a> Sight<'a> {
                 let found = match *met {
                     [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
                     // two faces of one wall: the line comes to the one and goes on from the other
-                    [Ahead { wall: Some(a), .. }, Ahead { wall: Some(b), .. }] if a.into_table != b.into_table => {
-                        if a.into_table { [Some(b), Some(a)] } else { [Some(a), Some(b)] }
+                    [Ahead { far, index: i, wall: Some(a) }, Ahead { index: j, wall: Some(b), .. }]
+                        if a.into_table != b.into_table && self.coincide([i, j], from + direction * far, rounding) =>
+                    {
+                        if a.into_table {
+                            [Some(b), Some(a)]
+                        } else {
+                            [Some(a), Some(b)]
+                        }
                     }
                     // a corner, or one wall that is seen twice
                     _ => continue 'tries,
@@ -145,6 +163,17 @@ impl<'a> Sight<'a> {
             return Some((walls, true));
         }
         None
+    }
+
+    /// Whether two copies, with these indices, run along each other at a point of both.
+    fn coincide(&self, copies: [usize; 2], point: Vector2<f64>, rounding: f64) -> bool {
+        let [a, b] = copies.map(|index| &self.copies.get(index).0.piece);
+        let normal = a.closest(&point).normal;
+        let along = Vector2::new(normal.y, -normal.x) * (BESIDE * self.size);
+        [point - along, point + along].iter().any(|beside| {
+            let here = a.closest(beside).point;
+            (here - point).norm() >= 0.5 * along.norm() && (b.closest(&here).point - here).norm() <= rounding
+        })
     }
 
     /// A distance that tells the sides of a wall apart in spite of rounding.
@@ -175,7 +204,7 @@ impl<'a> Sight<'a> {
                     let facing = copy.piece.closest(&(m.point - direction * self.aside())).normal.dot(&direction);
                     let clear = m.kind == MeetingKind::Crossing && facing.abs() > GRAZING;
                     let wall = clear.then_some(Wall { number: copy.number, into_table: facing > 0.0 });
-                    ahead.push(Ahead { far, wall });
+                    ahead.push(Ahead { far, index, wall });
                 }
             },
         );

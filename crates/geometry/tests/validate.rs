@@ -403,3 +403,10 @@ fn cells_as_thin_as_a_hair_fill_no_memory() {
     // between two columns of disks
     assert!((largest_disk.radius - 0.5).abs() < 1e-3, "{largest_disk:?}");
 }
+
+#[test]
+fn disks_may_touch_a_circular_wall_from_inside_and_one_another_in_its_centre() {
+    assert_eq!(check([vec![disk(0.0, 0.0, 1.0, true), disk(0.75, 0.0, 0.25, false)]]), Ok(()));
+    let two = [1.0, -1.0].map(|x| disk(x, 0.0, 1.0, false));
+    assert_eq!(check([vec![disk(0.0, 0.0, 5.0, true)], two.into()]), Ok(()));
+}

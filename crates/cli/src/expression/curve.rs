@@ -118,7 +118,7 @@ impl ImplicitFormula for ImplicitCurve {
 mod tests {
     use super::*;
     use billiards::geometry::shapes::curve::{Implicit, Polar};
-    use billiards::geometry::{Error, Line, Piece};
+    use billiards::geometry::{Error, Line, MeetingKind, Piece, Table, meetings, shapes::Circle};
     use core::f64::consts::PI;
 
     #[test]
@@ -202,6 +202,31 @@ mod tests {
         // 600 flanks of height π/1000 that hardly lean
         let found = polar("2+0.001*atan(1e9*sin(300*t-1))").length();
         assert!((found / (2.0 * TAU + 0.6 * PI) - 1.0).abs() < 1e-4, "{found}");
+    }
+
+    #[test]
+    fn lines_cross_the_steepest_flanks_and_circles_on_them_are_seen_to() {
+        let polar = |text: &str| -> Box<dyn Piece> {
+            Box::new(
+                Polar::new(Vector2::zeros(), PolarCurve::new(&Expression::parse(text, &["t"]).unwrap()), true).unwrap(),
+            )
+        };
+        for text in ["2+0.3*atan(100*sin(40*t-1))", "2+0.1*atan(500*sin(40*t-1))", "2+0.1*atan(1e4*sin(40*t-1))"] {
+            assert_eq!(Table::new(vec![polar(text)]).unwrap().validate(), Ok(()), "{text}");
+        }
+        // on a circle around a place of one flank, which is all but radial, lie two of its points
+        for (text, waves) in [("2+0.1*atan(1e5*sin(5*t-1))", 5.0), ("2+0.1*atan(1e6*sin(3*t-1))", 3.0)] {
+            let curve = polar(text);
+            for k in 0..6 {
+                let (sin, cos) = libm::sincos((1.0 + f64::from(k) * PI) / waves);
+                let disk = Circle::new(Vector2::new(cos, sin) * 2.0, 0.03, false).unwrap();
+                let found = meetings(&disk, &*curve);
+                assert!(
+                    found.len() == 2 && found.iter().all(|m| m.kind == MeetingKind::Crossing),
+                    "{text} {k}: {found:?}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -209,8 +209,8 @@ fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found:
         steps += 1;
         let sine = hulls[0].along.perp(&hulls[1].along).abs();
         if sine > 2.0 * (hulls[0].turning + hulls[1].turning) {
-            if let Some(m) = newton(pieces, pair, &hulls, tolerance)
-                && !found.iter().any(|n| (n.point - m.point).norm() <= 8.0 * tolerance / sine)
+            if let Some((m, known)) = newton(pieces, pair, &hulls, tolerance)
+                && !found.iter().any(|n| (n.point - m.point).norm() <= 8.0 * known / sine)
             {
                 found.push(m);
             }
@@ -251,10 +251,10 @@ fn domain(piece: &dyn Piece) -> [f64; 2] {
     }
 }
 
-/// The crossing of two nearly straight stretches.
-fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<Meeting> {
+/// The crossing of two nearly straight stretches, and how exactly its place is known.
+fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<(Meeting, f64)> {
     let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
-    let mut last = f64::INFINITY;
+    let (mut last, mut rest) = (f64::INFINITY, f64::INFINITY);
     let mut point = hulls[0].middle;
     // a place is known by its arc length to so much: of a piece that winds, less well than by its coordinates
     let known = |k: usize| 4.0 * f64::EPSILON * pair[k].from.s.abs().max(pair[k].to.s.abs());
@@ -275,6 +275,7 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
         let sine = along.perp(&other);
         let step = [gap.perp(&other) / sine, gap.perp(&along) / sine];
         let size = step[0].abs().max(step[1].abs());
+        rest = size;
         if size.is_nan() || size >= 0.5 * last {
             break;
         }
@@ -289,12 +290,22 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
         }
         places = [0, 1].map(|k| place(k, at[k]));
     }
-    let inside = (0..2).all(|k| pair[k].from.s - tolerance <= at[k] && at[k] <= pair[k].to.s + tolerance);
-    (inside && last <= 4.0 * tolerance / places[0].1.perp(&places[1].1).abs()).then_some(Meeting {
-        point,
-        at,
-        kind: MeetingKind::Crossing,
-    })
+    let [(_, along), (_, other)] = places;
+    let converged = last <= 4.0 * tolerance / along.perp(&other).abs();
+    // a steep formula knows its points less well than anything else does, for they move by the slope times the rounding of the angle: there
+    // steps stop shrinking early, and that the pieces cross is seen from a little way before and behind
+    let way = 8.0 * rest.max(last);
+    let crosses = || {
+        let passes = |k: usize| {
+            let (through, along) = places[1 - k];
+            let [before, behind] = [-way, way].map(|step| along.perp(&(place(k, at[k] + step).0 - through)));
+            before * behind < 0.0
+        };
+        pair.iter().all(|s| way <= s.length()) && passes(0) && passes(1)
+    };
+    let known = if converged { tolerance } else { tolerance.max(way) };
+    let inside = (0..2).all(|k| pair[k].from.s - known <= at[k] && at[k] <= pair[k].to.s + known);
+    (inside && (converged || crosses())).then_some((Meeting { point, at, kind: MeetingKind::Crossing }, known))
 }
 
 /// The pieces run along each other: what is in common begins and ends at ends.
