@@ -166,7 +166,7 @@ pub enum Error {
     },
     /// A piece that rounding has used up.
     #[error(
-        "piece {piece} has a length of only {length:?}: its ends coincide within the rounding of their coordinates"
+        "piece {piece} has a length of only {length:?}: its points coincide within the rounding of their coordinates"
     )]
     TooShort {
         /// The piece.

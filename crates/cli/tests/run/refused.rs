@@ -52,6 +52,19 @@ fn a_folder_in_place_of_a_file_is_told_before_the_work() {
 }
 
 #[test]
+fn a_circle_too_far_from_the_origin_is_told_to_move_nearer() {
+    let folder = Folder::new("far-circle");
+    let scene = "law = \"specular\"\n[[table.boundary]]\ncircle = { center = [1e15, 0], radius = 0.25 }\n[[orbit]]\nposition = [1e15, 0]\n\
+                 velocity = [1, 0]\n[run]\ncollisions = 3\n";
+    fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    let output =
+        Command::cargo_bin("billiards").unwrap().current_dir(&folder.0).args(["run", "scene.toml"]).output().unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    assert!(text.contains("scene.toml:3") && text.contains("move it nearer to the origin"), "{text}");
+}
+
+#[test]
 fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
     let folder = Folder::new("errors");
     let stadium = stadium(1.0, 1.0);

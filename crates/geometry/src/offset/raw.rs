@@ -17,6 +17,10 @@ use std::sync::Arc;
 /// `R` is off by `R` times an eighth of the square, which is rounding.
 const SMOOTH: f64 = 2e-7;
 
+/// A convex corner is smooth as well where the moved sides reach beyond each other by no more than this many times the rounding of
+/// coordinates, for they are parallel then as far as anybody can tell.
+const SHALLOW: f64 = 4.0;
+
 /// A moved piece.
 #[derive(Clone, Debug)]
 pub(super) struct Raw {
@@ -108,7 +112,8 @@ fn turn(
     let (n, m) = (p.closest(&vertex).normal, q.closest(&there).normal);
     let angle = joint.turn(table);
     let shift = vertices.translation(cell);
-    if angle.abs() <= SMOOTH {
+    let shallow = angle > 0.0 && 0.5 * radius * angle * angle <= SHALLOW * slack([vertex.x, vertex.y, radius]);
+    if angle.abs() <= SMOOTH || shallow {
         let point = vertex + (n + m) * (radius / (n + m).norm());
         let site = vertices.add(point);
         ends[before][1] = Some((point, site));

@@ -97,7 +97,7 @@ pub(crate) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableSh
 fn about_pieces(error: &Error) -> Option<&'static str> {
     Some(match error {
         Error::ZeroLength => "leave it out, or move one of its ends",
-        Error::TooShort { .. } => "leave it out, or move its ends apart",
+        Error::TooShort { .. } => "leave it out, make it longer, or move it nearer to the origin",
         Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
         Error::ManyCells { .. } => "make the piece smaller, or the vectors longer and more unlike",
         Error::FarFromCell { .. } => "give the copy of it that lies next to the origin: all others are the same",
