@@ -410,3 +410,28 @@ fn disks_may_touch_a_circular_wall_from_inside_and_one_another_in_its_centre() {
     let two = [1.0, -1.0].map(|x| disk(x, 0.0, 1.0, false));
     assert_eq!(check([vec![disk(0.0, 0.0, 5.0, true)], two.into()]), Ok(()));
 }
+
+#[test]
+fn ellipses_may_touch_straight_walls_and_one_another_but_not_cross() {
+    let room = || polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+    let oval =
+        |x: f64, y: f64, axes, inside| Box::new(Ellipse::new(v(x, y), axes, 0.0, inside).unwrap()) as Box<dyn Piece>;
+    for (i, j) in (1..=6).flat_map(|i| (1..=6).map(move |j| (i, j))) {
+        let [a, b] = [i, j].map(|k| 0.25 * f64::from(k));
+        for (x, y) in [(4.0 - a, 2.0), (a, 1.75), (2.0, b), (2.25, 4.0 - b)] {
+            assert_eq!(check([room(), vec![oval(x, y, [a, b], false)]]), Ok(()), "{a} {b} at {x} {y}");
+        }
+        let deep = check([room(), vec![oval(4.0 - a + 1e-9, 2.0, [a, b], false)]]);
+        assert!(matches!(deep, Err(Error::Crossing { second: 4, .. })), "{a} {b} {deep:?}");
+        // in a larger one, less bent where they touch
+        let larger = [2.0, 1.75];
+        if a * larger[1] * larger[1] <= larger[0] * b * b {
+            continue;
+        }
+        assert_eq!(
+            check([vec![oval(0.0, 0.0, larger, true)], vec![oval(2.0 - a, 0.0, [a, b], false)]]),
+            Ok(()),
+            "{a} {b}"
+        );
+    }
+}

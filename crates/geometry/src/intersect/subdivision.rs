@@ -209,10 +209,12 @@ fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found:
         steps += 1;
         let sine = hulls[0].along.perp(&hulls[1].along).abs();
         if sine > 2.0 * (hulls[0].turning + hulls[1].turning) {
-            if let Some((m, known)) = newton(pieces, pair, &hulls, tolerance)
-                && !found.iter().any(|n| (n.point - m.point).norm() <= 8.0 * known / sine)
-            {
-                found.push(m);
+            if let Some((m, known)) = newton(pieces, pair, &hulls, tolerance) {
+                let touch = touching_at(pieces, &m, tolerance);
+                let near = touch.unwrap_or(8.0 * known / sine);
+                if !found.iter().any(|n| (n.point - m.point).norm() <= near) {
+                    found.push(if touch.is_some() { Meeting { kind: MeetingKind::Tangency, ..m } } else { m });
+                }
             }
             continue;
         }
@@ -238,6 +240,19 @@ fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found:
             found.push(Meeting { point, at, kind: MeetingKind::Tangency });
         }
     }
+}
+
+/// How far about a crossing there may be another one, if no more than rounding lies between the curves from the one to the other: then they
+/// touch there.
+///
+/// Curves that cross at an angle with the sine `σ` and bend apart by `κ` cross again after `2σ/κ`, and are up to `σ²/2κ` apart on the way.
+fn touching_at(pieces: [&dyn Piece; 2], crossing: &Meeting, tolerance: f64) -> Option<f64> {
+    let normals = [0, 1].map(|k| pieces[k].landing_at(crossing.at[k]).normal);
+    let bends = pieces.map(|piece| piece.curvature(&crossing.point));
+    let apart = (bends[0] - bends[1].copysign(bends[1] * normals[0].dot(&normals[1]))).abs();
+    let sine = normals[0].perp(&normals[1]).abs();
+    // where curves touch, steps only halve, and stop within four tolerances
+    (sine * sine <= 2.0 * apart * (8.0 * tolerance)).then(|| 4.0 * sine / apart)
 }
 
 /// The arc lengths at which a piece has points; beyond them `point_at` may stay at the end.
