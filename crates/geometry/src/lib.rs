@@ -33,6 +33,7 @@ pub mod parry;
 mod path;
 mod piece;
 mod plane;
+mod random;
 mod sample;
 pub mod shapes;
 mod sight;

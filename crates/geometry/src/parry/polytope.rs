@@ -81,15 +81,8 @@ impl Face {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random;
     use core::f64::consts::TAU;
-
-    /// Numbers between −1 and 1.
-    fn random(mut seed: u64) -> impl FnMut() -> f64 {
-        move || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        }
-    }
 
     fn turned(p: &Vector3<f64>, axis: &Vector3<f64>, angle: f64) -> Vector3<f64> {
         let (sin, cos) = libm::sincos(angle);
@@ -134,7 +127,7 @@ mod tests {
             let at = |k: i32, i: usize| f64::from(k / n.pow(u32::try_from(i).unwrap()) % n) / f64::from(n - 1) - 0.5;
             (0..n * n * n).map(|k| Vector3::from_fn(|i, _| at(k, i))).collect::<Vec<_>>()
         };
-        let mut random = random(5);
+        let mut random = random::signed(5);
         for n in [3, 4, 7] {
             for k in 0..40 {
                 let axis = Vector3::from_fn(|_, _| random());
@@ -149,7 +142,7 @@ mod tests {
     #[test]
     fn points_nearly_on_one_another_have_a_hull() {
         let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector3::from);
-        let mut random = random(6);
+        let mut random = random::signed(6);
         for exponent in (-17..=-6).chain([-30]) {
             let little = libm::pow(10.0, f64::from(exponent));
             for count in [8, 12, 16, 20, 40] {
@@ -162,7 +155,7 @@ mod tests {
 
     #[test]
     fn random_points_on_spheres_disks_lines_and_all_together_have_a_hull() {
-        let mut random = random(7);
+        let mut random = random::signed(7);
         for n in [4, 5, 8, 20, 100, 400] {
             for kind in 0..8 {
                 let points: Vec<_> = (0..n)
@@ -226,7 +219,7 @@ mod tests {
 
     #[test]
     fn a_hull_of_any_size_is_the_same() {
-        let mut random = random(8);
+        let mut random = random::signed(8);
         let points: Vec<_> = (0..50).map(|_| Vector3::from_fn(|_, _| random())).collect();
         let one = hull(&points);
         for exponent in [-400, 400] {

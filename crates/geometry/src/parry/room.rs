@@ -5,7 +5,7 @@ use super::{
     first::first_of,
     solid::{area::Trials, bound::Bound},
 };
-use crate::{Boundary, Error, Hit, Line, plane::slack, surface::Surface};
+use crate::{Boundary, Error, Hit, Line, plane::slack, random, surface::Surface};
 use nalgebra::{Matrix3, Vector3};
 
 /// The points on the table's side of all of some solids: inside a container and around obstacles, between planes, ...
@@ -78,11 +78,7 @@ impl Room {
         }
         let surface = RoomSurface { room: self, parts };
         // where this many find nothing, a start would take milliseconds, or forever
-        let mut state = 1_u64;
-        let mut uniform = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        };
+        let mut uniform = random::uniform(1);
         let found = sum > 0.0 && (0..MOST_TRIALS).any(|_| surface.trial(&mut uniform).is_some());
         if found { Ok(surface) } else { Err(Error::Vanished) }
     }
@@ -291,11 +287,7 @@ mod tests {
         let drum = SolidSpec::Cylinder { radius: 0.5, height: 1.0, rounding: 0.0 };
         let room = Room::new(vec![cube, drum.solid([0.3, 0.0, 0.5], Side::Outside).unwrap()]);
         let surface = room.surface().unwrap();
-        let mut state = 1_u64;
-        let mut uniform = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        };
+        let mut uniform = random::uniform(1);
         for _ in 0..10_000 {
             let (point, normal) = surface.random_point(&mut uniform);
             assert!(room.distance(&point).abs() < 1e-14, "{point:?}");
@@ -309,11 +301,7 @@ mod tests {
     /// The share of points of the boundary for which something holds.
     fn share(room: &Room, of: impl Fn(&Vector3<f64>) -> bool) -> f64 {
         let surface = room.surface().unwrap();
-        let mut state = 1_u64;
-        let mut uniform = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        };
+        let mut uniform = random::uniform(1);
         let trials = 20_000;
         (0..trials).filter(|_| of(&surface.random_point(&mut uniform).0)).count() as f64 / f64::from(trials)
     }

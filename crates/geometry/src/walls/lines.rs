@@ -212,6 +212,7 @@ impl Lines {
 #[cfg(test)]
 mod tests {
     use super::super::{Graphs, Walls};
+    use crate::random;
     use crate::{
         Piece,
         plane::slack,
@@ -238,17 +239,9 @@ mod tests {
         }
     }
 
-    /// Numbers between −1 and 1.
-    fn random(mut seed: u64) -> impl FnMut() -> f64 {
-        move || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        }
-    }
-
     #[test]
     fn what_is_looked_up_is_what_trying_every_graph_finds() {
-        let mut random = random(1);
+        let mut random = random::signed(1);
         let mut cut = vec![];
         for (number, (x, a, n, inside)) in
             [(0.0, 0.1, 3.0, true), (0.0, 0.2, 5.0, true), (0.0, 0.05, 20.0, true), (0.25, 0.15, 4.0, false)]
@@ -289,7 +282,7 @@ mod tests {
 
     #[test]
     fn paths_that_leave_the_table_at_small_angles_are_looked_up_as_others() {
-        let mut random = random(5);
+        let mut random = random::signed(5);
         for (a, n) in [(0.2, 3.0), (0.2, 5.0), (0.5, 2.0), (0.05, 20.0)] {
             let curve = Polar::new(Vector2::zeros(), Clover { scale: 1.0, a, n }, true).unwrap();
             let graphs: Vec<_> = curve.graphs().unwrap().into_iter().map(|graph| (0, graph)).collect();

@@ -184,6 +184,7 @@ impl Stratum {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random;
     use core::f64::consts::FRAC_PI_2;
 
     /// The strata of triangles as seen from outside: how many planes, cylinders and spheres.
@@ -201,11 +202,7 @@ mod tests {
 
     #[test]
     fn a_triangle_alone_has_a_cylinder_at_each_edge_however_it_lies() {
-        let mut state = 1_u64;
-        let mut random = || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
-        };
+        let mut random = random::uniform(1);
         for _ in 0..1000 {
             let corners =
                 vec![Vector3::from_fn(|_, _| random()), Vector3::from_fn(|_, _| random()), Vector3::x() * 3.0];

@@ -98,16 +98,8 @@ fn eroded(rounding: &mut f64, largest: f64, distance: f64) -> Result<f64, Error>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Boundary, Line};
+    use crate::{Boundary, Line, random};
     use nalgebra::Vector3;
-
-    /// Numbers between −1 and 1.
-    fn random(mut seed: u64) -> impl FnMut() -> f64 {
-        move || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        }
-    }
 
     fn shapes() -> Vec<SolidSpec> {
         let hull = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.2], [0.9, 0.8, 0.7]];
@@ -135,7 +127,7 @@ mod tests {
     #[test]
     fn every_point_is_nearer_to_the_parallel_surface_by_the_distance() {
         let distance = 0.1;
-        let mut random = random(3);
+        let mut random = random::signed(3);
         for spec in shapes() {
             for side in [Side::Inside, Side::Outside] {
                 let (parallel, shift) = spec.parallel(side, distance).unwrap();
@@ -159,7 +151,7 @@ mod tests {
     #[test]
     fn a_path_ends_where_the_ball_first_touches() {
         let distance = 0.1;
-        let mut random = random(7);
+        let mut random = random::signed(7);
         for spec in shapes() {
             for side in [Side::Inside, Side::Outside] {
                 let (parallel, shift) = spec.parallel(side, distance).unwrap();

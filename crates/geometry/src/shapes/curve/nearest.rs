@@ -114,6 +114,7 @@ impl Blocks {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random;
 
     /// `(u, u²/2)`
     struct Parabola;
@@ -158,11 +159,7 @@ mod tests {
         };
         let points = || (0..=1000).map(|k| node(k).1[0]);
         let (blocks, all) = (Blocks::new(points()), Blocks::one(1001));
-        let mut seed = 3_u64;
-        let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        };
+        let mut random = random::signed(3);
         for _ in 0..10_000 {
             let point = Vector2::new(1.5 * random(), 1.5 * random());
             assert_eq!(blocks.closest(&Clover, node, &point), all.closest(&Clover, node, &point), "{point:?}");
