@@ -59,6 +59,7 @@ use planar::Planar;
 use recorder::Recorder;
 use schedule::run_all;
 use spatial::Spatial;
+use summary::Files;
 use work::{Launch, Work};
 
 pub use describe::{Description, First, PieceOf, Region, StartOf};
@@ -177,6 +178,8 @@ impl Simulation {
             PICTURES.iter().filter(|known| asked.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
         let limit = self.limit();
+        // as they are now, not as they are after hours
+        let inputs = Summary::inputs(&self.scene)?;
         let horizons = match &self.body {
             Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1]),
             Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1]),
@@ -202,8 +205,9 @@ impl Simulation {
             WholeFile::write(&path, &file.content)?;
             files.push(path);
         }
-        let names = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned())).collect();
-        let summary = Summary::new(&self.scene, self.orbits(), &totals, horizons, names, busy, control.threads);
+        let written = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned())).collect();
+        let listed = Files { read: inputs, written };
+        let summary = Summary::new(&self.scene, self.orbits(), &totals, horizons, listed, busy, control.threads);
         WholeFile::write(&path, summary.json().as_bytes())?;
         files.insert(0, path);
         Ok(Done { summary, files })

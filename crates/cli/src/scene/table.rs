@@ -1,6 +1,6 @@
 //! `[table]`: a built-in table by name, or a boundary piece by piece; perhaps repeated on a lattice.
 
-use super::boundary::{self, Entry};
+use super::boundary::{self, Border, Entry};
 use super::law::{self, LawKind};
 use super::parameters::{self, Arguments, Model};
 use super::{direction, list};
@@ -26,6 +26,15 @@ impl Table {
         let of_entries = entries.iter().filter_map(|entry| entry.law.as_ref());
         let of_edges = entries.iter().flat_map(|entry| entry.border.edges()).filter_map(|edge| edge.law.as_ref());
         self.laws.iter().map(|piece| &piece.law).chain(of_entries.chain(of_edges).map(|law| &law.kind))
+    }
+
+    /// The names of the drawings and meshes beside the scene file.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        let entries: &[Entry] = if let TableShape::Boundary(entries) = &self.shape { entries } else { &[] };
+        entries.iter().filter_map(|entry| match &entry.border {
+            Border::Outline { file, .. } | Border::Mesh { file, .. } => Some(&file.value[..]),
+            _ => None,
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! `summary.json`: what was run, and what came of it.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use serde::Serialize;
@@ -17,6 +18,9 @@ pub struct Summary {
     pub title: Option<String>,
     /// SHA-256 of the scene file.
     pub scene: String,
+    /// The same of the drawings and meshes beside it, by their names in the scene.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub inputs: BTreeMap<String, String>,
     /// Version of this program.
     pub version: &'static str,
     /// Seed of the starts, 0 where they are given one by one. (That of a random law stands with the law.)
@@ -66,6 +70,15 @@ pub struct Summary {
     pub command: String,
 }
 
+/// The files of a run besides the scene and the summary.
+#[derive(Debug)]
+pub(crate) struct Files {
+    /// What was read, and its SHA-256.
+    pub(crate) read: BTreeMap<String, String>,
+    /// What was written.
+    pub(crate) written: Vec<String>,
+}
+
 impl Summary {
     /// Puts together what is known of a run.
     pub(crate) fn new(
@@ -73,7 +86,7 @@ impl Summary {
         orbits: u64,
         totals: &Totals,
         horizon: Horizons,
-        files: Vec<String>,
+        files: Files,
         busy: Duration,
         threads: usize,
     ) -> Summary {
@@ -92,6 +105,7 @@ impl Summary {
         Summary {
             title: scene.title.clone(),
             scene: crate::sha256::hex(scene.source.text().as_bytes()),
+            inputs: files.read,
             version: env!("CARGO_PKG_VERSION"),
             seed: match &scene.starts {
                 Starts::Ensemble(ensemble) => ensemble.seed,
@@ -113,7 +127,7 @@ impl Summary {
             energy_drift: totals.drift,
             horizon,
             stops,
-            files,
+            files: files.written,
             seconds,
             ns_per_collision,
             threads,
@@ -121,6 +135,15 @@ impl Summary {
             date: date(SystemTime::now()),
             command: std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
         }
+    }
+
+    /// The hashes of the drawings and meshes beside a scene.
+    ///
+    /// # Errors
+    /// One cannot be read.
+    pub(super) fn inputs(scene: &Scene) -> io::Result<BTreeMap<String, String>> {
+        let hash = |name: &str| Ok((name.into(), crate::sha256::hex(&std::fs::read(scene.source.beside(name))?)));
+        scene.table.files().map(hash).collect()
     }
 
     /// The file's content.

@@ -142,6 +142,9 @@ fn triangles_come_from_a_file() {
     for mesh in ["file = \"pyramid.obj\", unit = 0.01", "file = \"pyramid.STL\""] {
         folder.done(&around(&format!("mesh = {{ {mesh}, center = [0, 0, 1] }}")), &[]);
         assert_eq!(folder.read("out/collisions.csv"), expected, "{mesh}");
+        let file = mesh.split('"').nth(1).unwrap();
+        let hash = billiards_cli::sha256::hex(&std::fs::read(folder.0.join(file)).unwrap());
+        assert_eq!(folder.summary("out")["inputs"], serde_json::json!({ file: hash }));
     }
     // without its last face
     std::fs::write(folder.0.join("open.obj"), obj.rsplit_once("f 4").unwrap().0).unwrap();
