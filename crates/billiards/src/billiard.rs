@@ -1,9 +1,10 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
+    creep::{creeps, follows},
     energy::{Arrived, EnergyKeeper, speed},
     laws::Mirror,
     orbit::Orbit,
-    run::GRAZING,
+    run::{GRAZING, Stop, has_stalled, without_hit},
     track::Track,
 };
 use geometry::{WallHit, Walls};
@@ -80,7 +81,7 @@ pub trait Motion<const N: usize, const S: usize> {
         carried: &Self::Carried<F>,
     ) -> (WallHit<F, N>, Self::Arrival<F>);
     /// Moves the orbit to the hit and through the collision there. Returns whether it leaves the wall so flat that the next flight
-    /// cannot be told from rounding: under a strict law, whether the normal speed is not above `slow`.
+    /// cannot be told from rounding, or has stalled: under a strict law, whether the normal speed is not above `slow`.
     fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
         &self,
         orbit: &mut Orbit<F, N, S, K, T>,
@@ -89,6 +90,10 @@ pub trait Motion<const N: usize, const S: usize> {
         arrival: &Self::Arrival<F>,
         slow: F,
     ) -> F::Mask;
+    /// Why an orbit that hits nothing ends: it escapes, it has stalled, or it runs along a wall.
+    fn without_hit(&self, _position: &[f64; N], velocity: &[f64; N]) -> Stop {
+        without_hit(velocity)
+    }
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}
@@ -134,7 +139,11 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         if self.law.is_strict() {
             return !slow.lt((normal_speed * hit.inverse).abs());
         }
-        let leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
-        !(speed(&orbit.velocity, &orbit.spin) * GRAZING).lt(leaving.abs())
+        let leaving = (dot(&orbit.velocity, &hit.normal) * hit.inverse).abs();
+        let flat = !(speed(&orbit.velocity, &orbit.spin) * GRAZING).lt(leaving);
+        flat | creeps(hit, normal_speed, leaving, &orbit.velocity) | has_stalled(&orbit.velocity)
+    }
+    fn without_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> Stop {
+        if follows(self.walls, position, velocity) { Stop::Grazing } else { without_hit(velocity) }
     }
 }

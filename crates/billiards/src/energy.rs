@@ -42,9 +42,8 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
     fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F>) {}
     /// The same as [`leave`](EnergyKeeper::leave) for the components of velocities along the normal, which comes first, and the
-    /// tangents. In this frame a law changes the normal component without rounding, so the others are corrected, and the spin with
-    /// them.
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F);
+    /// tangents, and for the spin with them. A law that `reverses` the normal component does not round it: the others are corrected.
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F, reverses: bool);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
     /// `|v|² + |w|²` as it should be, in one lane.
@@ -114,7 +113,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F>) {}
     #[inline(always)]
-    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F) {}
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F, _: bool) {}
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], _: &[F; S]) -> F {
         velocity[0].same(0.0)
@@ -219,11 +218,11 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F, reverses: bool) {
         if self.is_due() {
             // their share of the energy: as much as they have lost, on average
             let growth = owed * self.share;
-            for i in 1..N {
+            for i in usize::from(reverses)..N {
                 velocity[i] = velocity[i] + velocity[i] * growth;
             }
             for i in 0..S {

@@ -20,6 +20,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod billiard;
+mod creep;
 mod energy;
 mod ensemble;
 mod error;

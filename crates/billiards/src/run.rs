@@ -7,7 +7,7 @@ use crate::{
     track::{Timed, Track},
 };
 use core::ops::ControlFlow;
-use lanes::Task;
+use lanes::{Lane, Task, dot};
 
 /// How long an orbit runs.
 pub trait Limit<T> {
@@ -86,10 +86,20 @@ pub(crate) const MOST_IDLE: u32 = 64;
 /// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
-/// Why an orbit of this velocity hits nothing: no wall is there, or the square of the speed has lost its digits.
-pub(crate) fn without_hit(velocity: &[f64]) -> Stop {
-    let square: f64 = velocity.iter().map(|v| v * v).sum();
-    if square < f64::MIN_POSITIVE { Stop::Stalled } else { Stop::Escaped }
+/// Whether the square of the speed has lost its digits.
+#[inline(always)]
+pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask {
+    dot(velocity, velocity).lt(velocity[0].same(f64::MIN_POSITIVE))
+}
+
+/// Why an orbit of this velocity hits nothing: no wall is there, or it has stalled.
+pub(crate) fn without_hit<const N: usize>(velocity: &[f64; N]) -> Stop {
+    if has_stalled(velocity) { Stop::Stalled } else { Stop::Escaped }
+}
+
+/// Why an orbit that leaves a wall with this velocity does not go on.
+pub(crate) fn without_way<const N: usize>(velocity: &[f64; N]) -> Stop {
+    if has_stalled(velocity) { Stop::Stalled } else { Stop::Grazing }
 }
 
 /// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
@@ -150,7 +160,7 @@ where
             }
             if hit.corner | !moves(hit.time) {
                 if !(hit.time < f64::INFINITY) {
-                    break without_hit(&orbit.velocity);
+                    break billiard.without_hit(&orbit.position, &orbit.velocity);
                 }
                 if hit.corner {
                     break Stop::Corner;
@@ -161,7 +171,7 @@ where
                     break Stop::Stalled;
                 }
             }
-            let grazes = billiard.collide(orbit, &mut carried, &hit, &arrival, slow);
+            let stays = billiard.collide(orbit, &mut carried, &hit, &arrival, slow);
             n += 1;
             if observer.looks() || orbit.track.looks() {
                 billiard.settle(orbit, &carried);
@@ -169,8 +179,9 @@ where
             if let ControlFlow::Break(()) = observer.collision(&Collision { n, hit: &hit, orbit }) {
                 break Stop::Observer;
             }
-            if grazes {
-                break Stop::Grazing;
+            if stays {
+                billiard.settle(orbit, &carried);
+                break without_way(&orbit.velocity);
             }
         };
         billiard.settle(orbit, &carried);

@@ -5,7 +5,7 @@ use crate::{
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
-    run::{GRAZING, MOST_IDLE, Outcome, Stop, without_hit},
+    run::{GRAZING, MOST_IDLE, Outcome, Stop, without_way},
     track::{Track, Tracking},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
@@ -224,11 +224,14 @@ where
         }
     }
 
-    /// Orbits along the boundary, along which they stay, end.
+    /// Orbits that do not get away from the boundary end.
     #[cold]
     #[inline(never)]
     fn slide<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, slides: F::Mask, next: &mut u64, step: u64) {
-        let ended = core::array::from_fn(|lane| (lane < F::LANES && slides.at(lane)).then_some(Stop::Grazing));
+        self.billiard.settle(&mut group.orbit, &group.carried);
+        let velocity = |lane: usize| group.orbit.velocity.map(|x| x.lane(lane));
+        let ended =
+            core::array::from_fn(|lane| (lane < F::LANES && slides.at(lane)).then(|| without_way(&velocity(lane))));
         self.change(group, next, step, &ended);
     }
 
@@ -251,7 +254,9 @@ where
                 continue;
             }
             if !(time < f64::INFINITY) {
-                *stop = Some(without_hit(&group.orbit.velocity.map(|x| x.lane(lane))));
+                let [position, velocity] =
+                    [&group.orbit.position, &group.orbit.velocity].map(|x| x.map(|x| x.lane(lane)));
+                *stop = Some(self.billiard.without_hit(&position, &velocity));
             } else if corner.at(lane) {
                 *stop = Some(Stop::Corner);
             } else if !(time > 0.0) && seat.idle_at != step {

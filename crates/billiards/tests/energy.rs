@@ -3,7 +3,10 @@ use billiards::collision_laws::laws::{NoSlip, Restitution, Specular};
 use billiards::geometry::shapes::{Circle, Ellipse};
 use billiards::geometry::{Table, Vector2, WallHit, tables};
 use billiards::observe::EnergyDrift;
-use billiards::{BallLaw, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};
+use billiards::{
+    BallLaw, Collisions, Conserved, Orbit, Planar, Stop,
+    laws::{Custom, Disk},
+};
 use lanes::Lane;
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>>;
@@ -52,6 +55,34 @@ fn energy_is_kept_between_a_round_room_and_an_ellipse() {
 fn energy_is_kept_under_a_law_that_does_not_reverse_the_normal_component() {
     let drift = drift(Scattering, [0.3, 0.9], 0.5);
     assert!(drift < 2e-14, "{drift:e}");
+}
+
+/// No-slip as somebody would write it who knows nothing of frames.
+struct Written {
+    is_strict: bool,
+}
+
+impl BallLaw<2, 1> for Written {
+    fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+        BallLaw::collide(&Custom::disk(NoSlip, 0.6).unwrap(), hit, velocity, spin);
+    }
+    fn is_strict(&self) -> bool {
+        self.is_strict
+    }
+}
+
+#[test]
+fn energy_is_kept_in_a_circle_under_a_law_of_ones_own() {
+    for is_strict in [false, true] {
+        // nothing but the normal component has energy, or a little beside
+        for (velocity, spin) in [([1.0, 0.0], 0.0), ([0.8, 1e-4], 1e-4), ([0.6, 0.3], 0.2)] {
+            let billiard = Planar { table: tables::circle(1.0).unwrap(), law: Written { is_strict } };
+            let mut orbit: Disks = Orbit::new([0.1, 0.0], velocity, [spin], ());
+            let mut drift = EnergyDrift::of(&orbit);
+            assert_eq!(billiard.run(&mut orbit, &Collisions(20_000), &mut drift).collisions, 20_000);
+            assert!(drift.largest() < 2e-14, "{velocity:?} {is_strict}: {:e}", drift.largest());
+        }
+    }
 }
 
 #[test]

@@ -130,7 +130,7 @@ impl Arc {
         let between = !a_left & b_left;
         let around = self.around.meets(v, a_left, b_left);
         let roots = self.circle.roots(x, v);
-        self.circle.outward(&roots, between | (around & roots.meets))
+        self.circle.outward(&roots, between | (around & self.circle.is_met(&roots)))
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
@@ -245,6 +245,18 @@ mod tests {
                 let hits = [&minor, &major].map(|arc| time(arc, x, direction) < f64::INFINITY);
                 assert!(hits[0] != hits[1], "from {x} along {direction}: {hits:?}");
             }
+        }
+    }
+
+    #[test]
+    fn a_path_that_starts_along_its_arc_does_not_leave_the_disk() {
+        // at less than √ε to the arc the line misses the circle, by rounding
+        let (a, b) = (v(1.0, 0.0), v(-1.0, 0.0));
+        let arcs = [Arc::new(Vector2::zeros(), a, b, true).unwrap(), Arc::new(Vector2::zeros(), b, a, true).unwrap()];
+        for slope in [1e-8, 1e-9, 1e-12, 0.0] {
+            let (start, velocity) = (v(0.0, 1.0), v(1.0, -slope));
+            assert!(time(&arcs[0], start, velocity) <= 2.0 * slope, "{slope:e}");
+            assert_eq!(time(&arcs[1], start, velocity), f64::INFINITY, "{slope:e}");
         }
     }
 

@@ -107,9 +107,14 @@ impl Circle {
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let roots = self.roots(x, v);
-        // a path that starts outside a disk leaves it after it has entered it, if ever
-        let allowed = if self.inside { roots.meets | roots.c.lt(roots.c.same(self.off)) } else { roots.meets };
-        self.outward(&roots, allowed)
+        self.outward(&roots, self.is_met(&roots))
+    }
+
+    /// Whether a path has any business with the circle: its line meets it in two points, or, of a disk that bounds the table from
+    /// inside, the path starts in it, perhaps along its edge. One that starts outside a disk leaves it after it has entered it, if ever.
+    #[inline(always)]
+    pub(crate) fn is_met<F: Lane>(&self, roots: &Roots<F>) -> F::Mask {
+        if self.inside { roots.meets | roots.c.lt(roots.c.same(self.off)) } else { roots.meets }
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

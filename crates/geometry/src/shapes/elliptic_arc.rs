@@ -88,7 +88,8 @@ impl EllipticArc {
         let (y, w) = self.ellipse.affine(x, v);
         let around = self.around.meets(w, a_left, b_left);
         let roots = self.ellipse.unit().roots(y, w);
-        self.ellipse.unit().outward(&roots, between | (around & roots.meets))
+        let circle = self.ellipse.unit();
+        circle.outward(&roots, between | (around & circle.is_met(&roots)))
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

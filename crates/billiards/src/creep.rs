@@ -1,0 +1,59 @@
+//! Motion along a wall, as far as rounding tells.
+use geometry::{WallHit, Walls};
+use lanes::{Lane, dot};
+
+/// A normal speed up to this part of the speed may be that of a particle which follows a focusing wall: a chord at this angle rises
+/// above the wall by no more than places are rounded.
+const FLAT: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
+
+/// A particle no farther than this part of its coordinates from a wall may stand on it.
+const NEAR: f64 = 4.0 * f64::EPSILON;
+
+/// The sum of the absolute values of components.
+#[inline(always)]
+fn sum<F: Lane, const N: usize>(of: &[F; N]) -> F {
+    let mut sum = of[0].abs();
+    for x in &of[1..] {
+        sum = sum + x.abs();
+    }
+    sum
+}
+
+/// Whether a particle that a law has slowed down creeps along a focusing wall: it came from there on a flight that rose above it by no
+/// more than rounding, and leaves it as flat. From then on chords are as long as rounding makes them.
+#[inline(always)]
+pub(crate) fn creeps<F: Lane, const N: usize>(
+    hit: &WallHit<F, N>,
+    arrival: F,
+    leaving: F,
+    velocity: &[F; N],
+) -> F::Mask {
+    // how far it rose is a fourth of this
+    let rise = hit.time * (arrival * hit.inverse).abs();
+    leaving.lt(sum(velocity) * FLAT) & rise.lt(sum(&hit.point) * NEAR)
+}
+
+/// Whether a path that meets no wall starts on a focusing one, along which it runs, within rounding: paths which are turned a little
+/// out of the table cross that wall at once, those that are turned a little inwards come back to it.
+#[cold]
+#[inline(never)]
+pub(crate) fn follows<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {
+    // turned by 2⁻²⁰: far more than FLAT, and still along the wall
+    let turn = sum(velocity) / 1_048_576.0;
+    let turned = |by: &[f64; N]| core::array::from_fn(|i| velocity[i] + turn * by[i]);
+    let axes = (0..2 * N).map(|k| {
+        let mut axis = [0.0; N];
+        axis[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
+        axis
+    });
+    axes.into_iter().any(|axis| {
+        let outwards = turned(&axis);
+        let hit: WallHit<f64, N> = walls.first_hit(position, &outwards);
+        let normal = hit.unit_normal();
+        let again = walls.first_hit(position, &turned(&normal));
+        hit.time * dot(&outwards, &normal).abs() <= sum(position) * NEAR
+            && dot(velocity, &normal).abs() <= sum(velocity) * FLAT
+            && again.time < f64::INFINITY
+            && again.piece == hit.piece
+    })
+}

@@ -1,0 +1,126 @@
+//! Particles that a law slows down, or that start along a wall: they end there, and neither leave the table nor bounce on rounding.
+use billiards::collision_laws::laws::Restitution;
+use billiards::geometry::{
+    Piece, Table, Vector2,
+    parry::{Room, Side, SolidSpec},
+    shapes::{
+        Arc, Circle, FullLine, Segment,
+        curve::{Interval, Polar, PolarFormula},
+    },
+    tables, walls,
+};
+use billiards::laws::{Custom, Disk, Specular};
+use billiards::{Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Planar, Start, Starts, Stop, Timed, run};
+
+/// Slows the motion along the normal down, and the slip.
+fn damping() -> Disk {
+    Disk::new(&Restitution::new(0.5, -0.5).unwrap(), 0.5_f64.sqrt())
+}
+
+#[test]
+fn what_creeps_along_a_focusing_wall_grazes_and_does_not_escape() {
+    for table in [
+        tables::mushroom(1.0, 0.5, 0.75),
+        tables::flower(5, 1.0, 1.0),
+        tables::moon(1.0, 0.8, 1.0),
+        tables::stadium(1.0, 1.0),
+        tables::ellipse([2.0, 1.0]),
+    ] {
+        let table = table.unwrap();
+        let starts = Canonical::new(&table, 1.0, 1).unwrap();
+        let billiard = Planar { table: table.clone(), law: damping() };
+        let starts: Vec<Start<2, 1>> = (0..64).map(|k| starts.start(k)).collect();
+        let mut alone = vec![];
+        for start in &starts {
+            let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>> = start.orbit(());
+            let outcome = billiard.run(&mut orbit, &Collisions(10_000), &mut ());
+            assert!(matches!(outcome.stop, Stop::Grazing | Stop::Corner), "{outcome:?}");
+            assert!(outcome.collisions < 1000, "{outcome:?}");
+            alone.push(outcome);
+        }
+        let mut beside = vec![alone[0]; alone.len()];
+        let mut orbits = starts.iter().map(|start| {
+            let orbit: Orbit<f64, 2, 1, Conserved<f64, 2>> = start.orbit(());
+            orbit
+        });
+        billiard.run_side_by_side(&mut orbits, 10_000, &mut (), &mut |f| beside[f.index as usize] = f.outcome);
+        assert_eq!(beside, alone);
+    }
+}
+
+#[test]
+fn what_creeps_along_a_rounded_solid_grazes_within_some_dozens_of_collisions() {
+    for solid in [
+        SolidSpec::Cylinder { radius: 1.0, height: 2.0, rounding: 0.5 },
+        SolidSpec::Cone { radius: 1.0, height: 2.0, rounding: 0.5 },
+        SolidSpec::Cuboid { size: [1.0; 3], rounding: 0.5 },
+    ] {
+        let room = Room::new(vec![solid.solid([0.0; 3], Side::Inside).unwrap()]);
+        let law = Custom::ball(Restitution::new(0.5, -0.5).unwrap(), 0.4_f64.sqrt()).unwrap();
+        let billiard = Billiard { walls: &walls::ByLane(&room), law: &law };
+        let mut orbit: Orbit<f64, 3, 3> = Orbit::new([0.1, 0.05, -0.1], [0.6, 0.3, 0.2], [0.0; 3], ());
+        let outcome = run(&billiard, &mut orbit, &Collisions(10_000), &mut ());
+        assert_eq!(outcome.stop, Stop::Grazing, "{solid:?}");
+        assert!(outcome.collisions < 200, "{solid:?}: {outcome:?}");
+    }
+}
+
+#[test]
+fn what_has_lost_all_speed_stalls_before_its_squares_vanish() {
+    let law = Disk::new(&Restitution::new(0.5, -0.5).unwrap(), 0.5_f64.sqrt());
+    for table in [tables::square(1.0), tables::hexagon(1.0), tables::sinai(1.0, 0.25)] {
+        let billiard = Planar { table: table.unwrap(), law };
+        let mut orbit: Orbit<f64, 2, 1, (), Clock> = Orbit::new([0.3, 0.6], [0.6, 0.35], [0.2], Clock::new(0.0));
+        let outcome = billiard.run(&mut orbit, &Collisions(10_000), &mut ());
+        assert_eq!(outcome.stop, Stop::Stalled);
+        let speed = orbit.velocity[0].hypot(orbit.velocity[1]);
+        assert!((1e-160..1.5e-154).contains(&speed), "{speed:e}");
+        assert!(orbit.track.time() < 1e160, "{:e}", orbit.track.time());
+    }
+}
+
+/// The circle of radius 1, as a formula.
+#[derive(Debug)]
+struct One;
+
+impl PolarFormula for One {
+    fn jet(&self, _: f64) -> [f64; 3] {
+        [1.0, 0.0, 0.0]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let zero = angle * 0.0;
+        [zero + 1.0, zero, zero]
+    }
+}
+
+#[test]
+fn who_starts_along_a_focusing_wall_grazes_and_does_not_go_through() {
+    let ends = [Vector2::new(1.0, 0.0), Vector2::new(-1.0, 0.0)];
+    let dome: Vec<Box<dyn Piece>> = vec![
+        Box::new(Arc::new(Vector2::zeros(), ends[0], ends[1], true).unwrap()),
+        Box::new(Segment::new(ends[1], ends[0]).unwrap()),
+    ];
+    let formula: Box<dyn Piece> = Box::new(Polar::new(Vector2::zeros(), One, true).unwrap());
+    for table in [Table::new(dome).unwrap(), Table::new(vec![formula]).unwrap()] {
+        let billiard = Planar { table, law: Specular };
+        for slope in [1e-8, 1e-9, 1e-12, 1e-15, 0.0] {
+            let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.0, 1.0], [1.0, -slope], [0.0], ());
+            let stop = billiard.run(&mut orbit, &Collisions(1000), &mut ()).stop;
+            assert!(matches!(stop, Stop::Grazing | Stop::Finished), "{slope:e}: {stop:?}");
+            assert!((orbit.position[0].hypot(orbit.position[1]) - 1.0).abs() < 1e-15, "{slope:e}");
+        }
+    }
+}
+
+#[test]
+fn who_leaves_a_wall_flat_that_does_not_focus_escapes_where_nothing_is_ahead() {
+    let floor: Box<dyn Piece> = Box::new(FullLine::new(Vector2::new(0.0, 1.0), Vector2::new(1.0, 0.0)).unwrap());
+    let disk: Box<dyn Piece> = Box::new(Circle::new(Vector2::new(0.0, -1.0), 2.0, false).unwrap());
+    for wall in [floor, disk] {
+        let billiard = Planar { table: Table::new(vec![wall]).unwrap(), law: Specular };
+        for slope in [1e-9, 1e-12] {
+            let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.0, 1.0], [1.0, slope], [0.0], ());
+            assert_eq!(billiard.run(&mut orbit, &Collisions(10), &mut ()).stop, Stop::Escaped);
+        }
+    }
+}
