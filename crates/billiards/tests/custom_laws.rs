@@ -72,7 +72,7 @@ proptest! {
     fn any_law_agrees_with_the_fast_disk(n in normal(), v in vector(), w in vector(), g in gamma(), m in 0.1..9.0_f64) {
         let custom = Custom::disk(NoSlip, g).unwrap().with_mass(m).unwrap().with_radius(0.3).unwrap();
         agree((&custom, &Disk::new(&NoSlip, g)), g, n, v, w);
-        let custom = Custom::disk(laws::Specular, g).unwrap().with_mass(m).unwrap();
+        let custom = Custom::disk(Specular, g).unwrap().with_mass(m).unwrap();
         agree((&custom, &Specular), g, n, v, w);
         let lossy = laws::Restitution::new(0.7, 0.2).unwrap();
         agree((&Custom::disk(lossy, g).unwrap(), &Disk::new(&lossy, g)), g, n, v, w);
@@ -81,7 +81,7 @@ proptest! {
     #[test]
     fn any_law_agrees_with_the_fast_ball(n in normal(), v in vector(), w in vector(), d in normal(), g in gamma()) {
         agree((&Custom::ball(NoSlip, g).unwrap(), &RoughBall::no_slip(g)), g, n, v, w);
-        agree((&Custom::ball(laws::Specular, g).unwrap(), &Specular), g, n, v, w);
+        agree((&Custom::ball(Specular, g).unwrap(), &Specular), g, n, v, w);
         // a direction near the normal is determined by its tangential part only within rounding over the length of that
         let cross = Vector3::from(n).normalize().cross(&Vector3::from(d).normalize()).norm();
         prop_assume!(cross > 0.25);
@@ -128,7 +128,7 @@ fn a_law_per_surface_is_a_law_per_piece() {
     let mixed = PerSurface::new(Roughness::Smooth).with(1, Roughness::Rough);
     let field = Field::new(move |c: &Contact<2>| *mixed.on(c.surface));
     let custom = Planar { table: table.clone(), law: Custom::disk(field, gamma).unwrap() };
-    let (smooth, rough) = (Disk::new(&laws::Specular, gamma), Disk::new(&NoSlip, gamma));
+    let (smooth, rough) = (Disk::new(&Specular, gamma), Disk::new(&NoSlip, gamma));
     let per_piece = Planar { table, law: PerPiece::new(smooth, [rough, smooth]) };
     let start = || Orbit::<_, 2, 1>::new([0.3, 0.4], [0.6, 0.5], [0.2], ());
     let (mut a, mut b) = (start(), start());
@@ -249,7 +249,7 @@ fn strict_laws_in_space_keep_the_measure_and_laws_that_chase_the_velocity_do_not
     let near = |determinant: f64, expected: f64| {
         assert!((determinant - expected).abs() < TOLERANCE, "{determinant} for {expected}");
     };
-    near(slab_determinant(laws::Specular), 1.0);
+    near(slab_determinant(Specular), 1.0);
     near(slab_determinant(NoSlip), 1.0);
     near(slab_determinant(RoughPlane::new(&[Vector3::new(1.0, 2.0, -3.0)]).unwrap()), 1.0);
     near(slab_determinant(laws::Grooved::new(|c: &Contact<3>| Vector3::new(c.point.y, 1.0, 0.0))), 1.0);

@@ -254,8 +254,7 @@ fn in_space_the_curvature_of_walls_counts() {
         obstacles: geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
     };
     let start = Start { position: [0.9, 0.8, 0.3], ..start };
-    let specular = billiards::laws::Specular;
-    let billiard = Billiard { walls: &walls, law: &specular };
+    let billiard = Billiard { walls: &walls, law: &Specular };
     let chaotic = Horizon::of(&billiard, &Felt::<3, 3>(&billiard), start, 1.0, [400.0, f64::INFINITY]);
     assert!(chaotic.lost && chaotic.collisions < 200, "{chaotic:?}");
 }
@@ -326,7 +325,7 @@ fn the_edges_of_an_obstacle_bend_no_orbit_that_hits_beside_them() {
     let tips = [0, 1, 2].map(|i| [-0.45, 0.45].map(|x| core::array::from_fn(|k| if k == i { x } else { 0.0 })));
     let octahedron = SolidSpec::ConvexHull { points: tips.concat(), rounding: 0.0 };
     let room = Room::new(vec![cube, octahedron.solid([0.0; 3], Side::Outside).unwrap()]);
-    let billiard = Billiard { walls: &ByLane(&room), law: &billiards::laws::Specular };
+    let billiard = Billiard { walls: &ByLane(&room), law: &Specular };
     let velocity = [-0.850_097_322_059_256_9, 0.463_196_842_175_627_84, -1.232_620_903_193_262_5];
     let start = Start { position: [0.45, -0.45, 0.45], velocity, spin: [] };
     let horizon = Horizon::of(&billiard, &Felt::<3, 0>(&billiard), start, 1.0, [12_500.0, f64::INFINITY]);

@@ -202,7 +202,7 @@ fn drifts_of_an_invariant_are_their_largest_and_their_root_mean_square() {
 #[test]
 fn conserved_quantities_are_found_conserved() {
     // |angular momentum about the apex| of a wedge, under every strict law
-    for law in [no_slip(0.5), Disk::new(&collision_laws::laws::Specular, 0.5)] {
+    for law in [no_slip(0.5), Disk::new(&Specular, 0.5)] {
         let wedge = Planar { table: tables::wedge(1.0).unwrap(), law };
         let mut momentum = Invariant::new(|c: &Collision<'_, 2, 1, _, _>| {
             let ([x1, x2], [v1, v2]) = (c.orbit.position, c.orbit.velocity);

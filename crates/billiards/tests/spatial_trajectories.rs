@@ -108,9 +108,7 @@ fn every_reference_trajectory_in_space_is_reproduced() {
         let gamma = 0.4_f64.sqrt();
         let table = table(reference["domain"].as_str().unwrap());
         let (fast, custom) = match reference["law"].as_str().unwrap() {
-            "k0" => {
-                (compare(&Spatial { table: table.clone(), law: Specular }, &reference), AnyLaw::new(laws::Specular))
-            }
+            "k0" => (compare(&Spatial { table: table.clone(), law: Specular }, &reference), AnyLaw::new(Specular)),
             "k1" => {
                 let rough = Vector3::from(vector(&reference["rough"]));
                 let law = RoughBall::along(gamma, rough);

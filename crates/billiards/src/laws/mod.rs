@@ -8,12 +8,12 @@ mod rough_ball;
 mod slip;
 mod specular;
 
+pub use collision_laws::laws::Specular;
 pub use custom::Custom;
 pub use disk::Disk;
 pub use mirror::Mirror;
 pub use per_piece::PerPiece;
 pub use rough_ball::RoughBall;
-pub use specular::Specular;
 
 /// The mass distribution parameter γ, if it is one. Otherwise NaN, and the velocities become that too: an orbit escapes after its first
 /// collision in which the slip counts, instead of going on under another law.

@@ -1,22 +1,16 @@
 //! The specular law: frictionless contact. Spin is neither read nor written.
 use super::Mirror;
 use crate::billiard::BallLaw;
+use collision_laws::laws::Specular;
 use geometry::WallHit;
-use lanes::Lane;
+use lanes::{Lane, dot};
 
 /// `v⁺ = v − 2 (v·ν) ν`, in any dimension, whatever the spin.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Specular;
-
 impl<const N: usize, const S: usize> BallLaw<N, S> for Specular {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], _: &mut [F; S]) {
         let n = &hit.normal;
-        let mut vn = velocity[0] * n[0];
-        for i in 1..N {
-            vn = vn + velocity[i] * n[i];
-        }
-        let vn = vn * hit.inverse;
+        let vn = dot(velocity, n) * hit.inverse;
         let twice = (hit.inverse + hit.inverse) * vn;
         for i in 0..N {
             velocity[i] = velocity[i] - twice * n[i];
