@@ -4,7 +4,7 @@ use crate::{
     energy::{Arrived, EnergyKeeper, speed},
     laws::Mirror,
     orbit::Orbit,
-    run::{GRAZING, Stop, has_stalled, without_hit},
+    stop::{GRAZING, Stop, has_stalled, without_hit},
     track::Track,
 };
 use geometry::{WallHit, Walls};

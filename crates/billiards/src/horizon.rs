@@ -52,20 +52,14 @@ pub trait Bend<const N: usize> {
     }
 }
 
-/// The number of the piece that was hit.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-fn piece<const N: usize>(hit: &WallHit<f64, N>) -> usize {
-    hit.piece as usize
-}
-
 /// `−κ t`: the table is on the concave side where `κ > 0`.
 impl Bend<2> for Table {
     fn bend(&self, hit: &WallHit<f64, 2>, _: f64, along: &[f64; 2]) -> [f64; 2] {
-        let curvature = self.curvature(piece(hit), &Vector2::from(hit.point));
+        let curvature = self.curvature(hit.number(), &Vector2::from(hit.point));
         along.map(|t| -curvature * t)
     }
     fn size(&self, hit: &WallHit<f64, 2>) -> f64 {
-        self.size_of(piece(hit), &Vector2::from(hit.point))
+        self.size_of(hit.number(), &Vector2::from(hit.point))
     }
 }
 

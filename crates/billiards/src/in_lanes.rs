@@ -1,5 +1,6 @@
 //! What belongs to one orbit, in lanes of many.
-use lanes::Lane;
+use crate::orbit::Orbit;
+use lanes::{Double, Lane};
 
 /// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
 pub trait InLanes<F: Lane>: Clone {
@@ -35,5 +36,58 @@ impl<F: Lane, A: InLanes<F>, B: InLanes<F>> InLanes<F> for (A, B) {
     fn put(&mut self, lane: usize, one: &Self::One) {
         self.0.put(lane, &one.0);
         self.1.put(lane, &one.1);
+    }
+}
+
+impl<F: Lane> InLanes<F> for Double<F> {
+    type One = Double;
+    #[inline(always)]
+    fn one(&self, lane: usize) -> Double {
+        Double { high: self.high.lane(lane), low: self.low.lane(lane) }
+    }
+    #[inline(always)]
+    fn all(one: &Double, zero: F) -> Self {
+        Double { high: zero.same(one.high), low: zero.same(one.low) }
+    }
+    #[inline(always)]
+    fn put(&mut self, lane: usize, one: &Double) {
+        self.high.put(lane, one.high);
+        self.low.put(lane, one.low);
+    }
+}
+
+impl<F: Lane, const N: usize, const S: usize, K: InLanes<F>, T: InLanes<F>> InLanes<F> for Orbit<F, N, S, K, T> {
+    type One = Orbit<f64, N, S, K::One, T::One>;
+    #[inline(always)]
+    fn one(&self, lane: usize) -> Self::One {
+        Orbit {
+            position: self.position.map(|x| x.lane(lane)),
+            velocity: self.velocity.map(|x| x.lane(lane)),
+            spin: self.spin.map(|x| x.lane(lane)),
+            keeper: self.keeper.one(lane),
+            track: self.track.one(lane),
+        }
+    }
+    #[inline(always)]
+    fn all(one: &Self::One, zero: F) -> Self {
+        Orbit {
+            position: one.position.map(|x| zero.same(x)),
+            velocity: one.velocity.map(|x| zero.same(x)),
+            spin: one.spin.map(|x| zero.same(x)),
+            keeper: K::all(&one.keeper, zero),
+            track: T::all(&one.track, zero),
+        }
+    }
+    #[inline(always)]
+    fn put(&mut self, lane: usize, one: &Self::One) {
+        let to = self.position.iter_mut().chain(&mut self.velocity).chain(&mut self.spin);
+        for (to, from) in to.zip(one.position.iter().chain(&one.velocity).chain(&one.spin)) {
+            to.put(lane, *from);
+        }
+        self.keeper.put(lane, &one.keeper);
+        self.track.put(lane, &one.track);
+    }
+    fn wait(&self, one: &Self::One) -> u64 {
+        self.keeper.wait(&one.keeper)
     }
 }

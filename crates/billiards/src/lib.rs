@@ -39,8 +39,8 @@ mod run;
 mod side_by_side;
 mod spatial;
 mod start;
+mod stop;
 mod track;
-mod tracked;
 
 pub use billiard::{BallLaw, Billiard, Motion};
 pub use collision_laws;
@@ -60,12 +60,12 @@ pub use recurring::Recurring;
 pub use reduced::ReducedState;
 pub use reverse::reverse;
 pub use rolling::{Frame, Rolling};
-pub use run::{Collisions, Limit, Outcome, Stop, Time, run};
+pub use run::{Collisions, Limit, Time, run};
 pub use side_by_side::{Finished, run_side_by_side};
 pub use spatial::Spatial;
 pub use start::{Canonical, CanonicalSpatial, Grid, Start, Starts};
-pub use track::{Angle, Cell, Clock, Timed, Track, Tracking};
-pub use tracked::{InCell, Turned};
+pub use stop::{Outcome, Stop};
+pub use track::{Angle, Cell, Clock, InCell, Timed, Track, Tracking, Turned};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

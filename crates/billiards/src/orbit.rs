@@ -81,7 +81,7 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
     }
 }
 
-impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T: Timed<f64>> Orbit<f64, N, S, K, T> {
+impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T: Timed> Orbit<f64, N, S, K, T> {
     /// Where the centre is at `time` \[T\], on the flight that begins here: `x + (t − t₀) v`, with the [restored](Orbit::restored)
     /// velocity. Before that flight it is where the flight begins; after its end the law is not asked, and a lattice has no cells.
     ///

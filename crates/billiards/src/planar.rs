@@ -6,8 +6,9 @@ use crate::{
     observe::{LaneObserver, Observer},
     orbit::Orbit,
     rolling::Rolling,
-    run::{Limit, Outcome, run},
+    run::{Limit, run},
     side_by_side::{Finished, run_side_by_side},
+    stop::Outcome,
     track::{Track, Tracking},
 };
 use geometry::{Homogeneous, Table, Walls, WithWalls};

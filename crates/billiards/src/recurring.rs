@@ -48,20 +48,16 @@ impl Recurring {
 impl<F: Lane> InLanes<F> for Recurring<F> {
     type One = Recurring;
     fn one(&self, lane: usize) -> Recurring {
-        let one = |x: &Double<F>| Double { high: x.high.lane(lane), low: x.low.lane(lane) };
-        Recurring { normal: one(&self.normal), spin: one(&self.spin), tangential: one(&self.tangential) }
+        Recurring { normal: self.normal.one(lane), spin: self.spin.one(lane), tangential: self.tangential.one(lane) }
     }
     fn all(one: &Recurring, zero: F) -> Self {
-        let all = |x: Double| Double { high: zero.same(x.high), low: zero.same(x.low) };
-        Recurring { normal: all(one.normal), spin: all(one.spin), tangential: all(one.tangential) }
+        let all = |x: &Double| Double::all(x, zero);
+        Recurring { normal: all(&one.normal), spin: all(&one.spin), tangential: all(&one.tangential) }
     }
     fn put(&mut self, lane: usize, one: &Recurring) {
-        let numbers =
-            [(&mut self.normal, one.normal), (&mut self.spin, one.spin), (&mut self.tangential, one.tangential)];
-        for (to, from) in numbers {
-            to.high.put(lane, from.high);
-            to.low.put(lane, from.low);
-        }
+        self.normal.put(lane, &one.normal);
+        self.spin.put(lane, &one.spin);
+        self.tangential.put(lane, &one.tangential);
     }
 }
 

@@ -35,8 +35,7 @@ pub struct ReducedState {
 impl ReducedState {
     /// The state of an orbit right after the collision at `hit`.
     pub fn after<K, T>(table: &Table, hit: &WallHit<f64, 2>, orbit: &Orbit<f64, 2, 1, K, T>) -> ReducedState {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        let piece = hit.piece as usize;
+        let piece = hit.number();
         let ([n1, n2], [v1, v2]) = (hit.unit_normal(), orbit.velocity);
         ReducedState {
             piece,

@@ -5,7 +5,7 @@ use crate::{
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
-    run::{GRAZING, has_stalled},
+    stop::{GRAZING, has_stalled},
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};

@@ -5,7 +5,7 @@ use crate::{
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
-    run::{GRAZING, MOST_IDLE, Outcome, Stop, without_way},
+    stop::{GRAZING, MOST_IDLE, Outcome, Stop, without_way},
     track::{Track, Tracking},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
@@ -131,22 +131,14 @@ where
             let Some(stop) = ended[lane] else { continue };
             let seat = &mut group.lanes[lane];
             if let Some(index) = seat.index {
-                let o = &group.orbit;
-                let orbit = Orbit {
-                    position: o.position.map(|x| x.lane(lane)),
-                    velocity: o.velocity.map(|x| x.lane(lane)),
-                    spin: o.spin.map(|x| x.lane(lane)),
-                    keeper: o.keeper.one(lane),
-                    track: o.track.one(lane),
-                };
                 let outcome = Outcome { stop, collisions: step - seat.since };
-                (self.finished)(Finished { index, orbit, outcome });
+                (self.finished)(Finished { index, orbit: group.orbit.one(lane), outcome });
             } else if step < seat.until {
                 continue;
             }
             *seat = Seat { index: None, until: u64::MAX, since: step, idle_at: u64::MAX, idle: 0 };
             idle[lane] = true;
-            let wait = self.upcoming.as_ref().map(|next| group.orbit.keeper.wait(&next.keeper));
+            let wait = self.upcoming.as_ref().map(|next| group.orbit.wait(next));
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(mut orbit)) => {
                     let index = *next;
@@ -175,14 +167,7 @@ where
         // an idle lane follows an orbit, which has a future
         let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
         if let (true, Some(model)) = (idle.contains(&true), model) {
-            let o = &group.orbit;
-            let mut orbit = Orbit {
-                position: o.position.map(|x| x.lane(model)),
-                velocity: o.velocity.map(|x| x.lane(model)),
-                spin: o.spin.map(|x| x.lane(model)),
-                keeper: o.keeper.one(model),
-                track: o.track.one(model),
-            };
+            let mut orbit = group.orbit.one(model);
             for lane in (0..F::LANES).filter(|lane| idle[*lane]) {
                 Self::seat(group, lane, &orbit);
             }
@@ -192,13 +177,7 @@ where
 
     /// Puts an orbit into a lane: numbers in memory, for which no vectors are needed.
     fn seat<F: Lane>(group: &mut GroupOf<F, N, S, B, K, T, O>, lane: usize, orbit: &Orbit<f64, N, S, K, T>) {
-        let o = &mut group.orbit;
-        let to = o.position.iter_mut().chain(&mut o.velocity).chain(&mut o.spin);
-        for (to, from) in to.zip(orbit.position.iter().chain(&orbit.velocity).chain(&orbit.spin)) {
-            to.put(lane, *from);
-        }
-        o.keeper.put(lane, &orbit.keeper);
-        o.track.put(lane, &orbit.track);
+        group.orbit.put(lane, orbit);
         group.slow.put(lane, speed(&orbit.velocity, &orbit.spin) * GRAZING);
     }
 
@@ -279,14 +258,7 @@ where
     fn all<F: Lane>(mut self, zero: F) {
         let mut next = 0;
         let seat = Seat { index: None, until: 0, since: 0, idle_at: u64::MAX, idle: 0 };
-        let first = &self.first;
-        let nobody = Orbit {
-            position: first.position.map(|x| zero.same(x)),
-            velocity: first.velocity.map(|x| zero.same(x)),
-            spin: first.spin.map(|x| zero.same(x)),
-            keeper: K::In::<F>::all(&first.keeper, zero),
-            track: T::In::<F>::all(&first.track, zero),
-        };
+        let nobody = Orbit::all(&self.first, zero);
         let mut groups: [GroupOf<F, N, S, B, K, T, O>; TWINS] = core::array::from_fn(|_| Group {
             orbit: nobody.clone(),
             carried: self.billiard.start(zero),

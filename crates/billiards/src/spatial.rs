@@ -5,7 +5,8 @@ use crate::{
     energy::EnergyKeeper,
     observe::Observer,
     orbit::Orbit,
-    run::{Limit, Outcome, run},
+    run::{Limit, run},
+    stop::Outcome,
     track::Track,
 };
 use geometry::{Walls, WithWalls, tables::SpatialTable};

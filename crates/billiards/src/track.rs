@@ -22,9 +22,24 @@ pub trait Tracking<const N: usize, const S: usize>: Clone {
 }
 
 /// A track that knows the time.
-pub trait Timed<F: Lane> {
+pub trait Timed {
     /// The time since the start \[T\].
-    fn time(&self) -> F;
+    fn time(&self) -> f64;
+}
+
+/// A track that knows the scaled spin position.
+pub trait Turned {
+    /// The scaled spin position `x₀ = γ R θ` \[L\], not reduced modulo a turn.
+    fn angle(&self) -> f64;
+}
+
+/// A track that may know the cell of the lattice.
+pub trait InCell {
+    /// The accumulated translation in multiples of the lattice vectors; `None` where nobody counts it, as in most tracks.
+    #[inline(always)]
+    fn cell(&self) -> Option<[f64; 2]> {
+        None
+    }
 }
 
 impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for () {
@@ -35,6 +50,8 @@ impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for () {
         false
     }
 }
+
+impl InCell for () {}
 
 impl<const N: usize, const S: usize> Tracking<N, S> for () {
     type In<F: Lane> = ();
@@ -49,6 +66,13 @@ impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, 
     #[inline(always)]
     fn looks(&self) -> bool {
         self.0.looks() || self.1.looks()
+    }
+}
+
+impl<A: InCell, B: InCell> InCell for (A, B) {
+    #[inline(always)]
+    fn cell(&self) -> Option<[f64; 2]> {
+        self.0.cell().or_else(|| self.1.cell())
     }
 }
 
@@ -78,51 +102,37 @@ impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Clock<F> {
     }
 }
 
-impl<F: Lane> Timed<F> for Clock<F> {
+impl Timed for Clock {
     #[inline(always)]
-    fn time(&self) -> F {
+    fn time(&self) -> f64 {
         self.0.value()
     }
 }
 
-impl<F: Lane, B> Timed<F> for (Clock<F>, B) {
+impl<B> Timed for (Clock, B) {
     #[inline(always)]
-    fn time(&self) -> F {
+    fn time(&self) -> f64 {
         self.0.time()
     }
 }
 
+impl InCell for Clock {}
+
 impl<F: Lane> InLanes<F> for Clock<F> {
     type One = Clock;
     fn one(&self, lane: usize) -> Clock {
-        Clock(one(&self.0, lane))
+        Clock(self.0.one(lane))
     }
     fn all(one: &Clock, zero: F) -> Self {
-        Clock(all(&one.0, zero))
+        Clock(Double::all(&one.0, zero))
     }
     fn put(&mut self, lane: usize, one: &Clock) {
-        put(&mut self.0, lane, &one.0);
+        self.0.put(lane, &one.0);
     }
 }
 
 impl<const N: usize, const S: usize> Tracking<N, S> for Clock {
     type In<F: Lane> = Clock<F>;
-}
-
-/// The sum in one lane.
-fn one<F: Lane>(sums: &Double<F>, lane: usize) -> Double {
-    Double { high: sums.high.lane(lane), low: sums.low.lane(lane) }
-}
-
-/// The same sum in every lane.
-fn all<F: Lane>(sum: &Double, zero: F) -> Double<F> {
-    Double { high: zero.same(sum.high), low: zero.same(sum.low) }
-}
-
-/// Puts a sum into one lane.
-fn put<F: Lane>(sums: &mut Double<F>, lane: usize, sum: &Double) {
-    sums.high.put(lane, sum.high);
-    sums.low.put(lane, sum.low);
 }
 
 /// The scaled spin position `x₀ = γ R θ` of a disk \[L\], not reduced modulo a turn, as a compensated sum.
@@ -143,16 +153,39 @@ impl<F: Lane, const N: usize> Track<F, N, 1> for Angle<F> {
     }
 }
 
+impl Turned for Angle {
+    #[inline(always)]
+    fn angle(&self) -> f64 {
+        self.0.value()
+    }
+}
+
+impl<B> Turned for (Angle, B) {
+    #[inline(always)]
+    fn angle(&self) -> f64 {
+        self.0.angle()
+    }
+}
+
+impl<B: Turned> Turned for (Clock, B) {
+    #[inline(always)]
+    fn angle(&self) -> f64 {
+        self.1.angle()
+    }
+}
+
+impl InCell for Angle {}
+
 impl<F: Lane> InLanes<F> for Angle<F> {
     type One = Angle;
     fn one(&self, lane: usize) -> Angle {
-        Angle(one(&self.0, lane))
+        Angle(self.0.one(lane))
     }
     fn all(one: &Angle, zero: F) -> Self {
-        Angle(all(&one.0, zero))
+        Angle(Double::all(&one.0, zero))
     }
     fn put(&mut self, lane: usize, one: &Angle) {
-        put(&mut self.0, lane, &one.0);
+        self.0.put(lane, &one.0);
     }
 }
 
@@ -187,6 +220,13 @@ impl<F: Lane, const S: usize> Track<F, 2, S> for Cell<F> {
                 self.cell[i] = old.each(|k| if k == lane { old.lane(k) + step[i] } else { old.lane(k) });
             }
         }
+    }
+}
+
+impl InCell for Cell {
+    #[inline(always)]
+    fn cell(&self) -> Option<[f64; 2]> {
+        Some(self.cell)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Any law of [`collision_laws`], yours included, for a ball against a fixed wall.
 use crate::{Error, billiard::BallLaw};
 use collision_laws::{CollisionLaw, Contact, Delassus};
-use geometry::WallHit;
+use geometry::{WallHit, walls::number};
 use lanes::{Lane, MOST_LANES, stored};
 use nalgebra::{SVector, Unit, Vector2, Vector3};
 
@@ -117,8 +117,7 @@ impl<L, const N: usize> Custom<L, N> {
     {
         let normal = in_lane(&at.normal, lane);
         let point = in_lane(&at.point, lane) - normal * self.radius;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        let surface = at.piece[0][lane] as usize;
+        let surface = number(at.piece[0][lane]);
         let contact = Contact { point, normal: Unit::new_unchecked(normal), surface };
 
         let along = normal * normal.dot(v);

@@ -4,7 +4,7 @@ use super::{
     disk::{Disk, in_frame, in_plane},
 };
 use crate::billiard::BallLaw;
-use geometry::WallHit;
+use geometry::{WallHit, walls::number};
 use lanes::{Lane, stored};
 
 /// The disk laws of the pieces, by their numbers; pieces beyond the list have the last law of it.
@@ -23,8 +23,7 @@ impl PerPiece {
     #[inline(always)]
     fn at<'a, F: Lane>(&'a self, hit: &WallHit<F, 2>) -> impl Fn(usize) -> &'a Disk + use<'a, F> {
         let [pieces] = stored(&[hit.piece]);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        move |lane| &self.0[(pieces[lane] as usize).min(self.0.len() - 1)]
+        move |lane| &self.0[number(pieces[lane]).min(self.0.len() - 1)]
     }
 }
 

@@ -119,21 +119,7 @@ where
         for (lane, seat) in view.iter_mut().enumerate().take(F::LANES) {
             let Some(seat) = seat.as_mut().filter(|seat| !seat.done) else { continue };
             seat.collisions += 1;
-            let hit = WallHit {
-                time: hit.time.lane(lane),
-                point: hit.point.map(|x| x.lane(lane)),
-                normal: hit.normal.map(|x| x.lane(lane)),
-                inverse: hit.inverse.lane(lane),
-                piece: hit.piece.lane(lane),
-                corner: hit.corner.at(lane),
-            };
-            let orbit = Orbit {
-                position: orbit.position.map(|x| x.lane(lane)),
-                velocity: orbit.velocity.map(|x| x.lane(lane)),
-                spin: orbit.spin.map(|x| x.lane(lane)),
-                keeper: orbit.keeper.one(lane),
-                track: orbit.track.one(lane),
-            };
+            let (hit, orbit) = (hit.one(lane), orbit.one(lane));
             let seen = seat.observer.collision(&Collision { n: seat.collisions, hit: &hit, orbit: &orbit });
             seat.done = seen == ControlFlow::Break(());
         }

@@ -49,9 +49,8 @@ pub struct Collision<'a, const N: usize, const S: usize, K, T> {
 
 impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
     /// Number of the piece hit.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
     pub fn piece(&self) -> usize {
-        self.hit.piece as usize
+        self.hit.number()
     }
 }
 

@@ -1,9 +1,6 @@
 //! The raw record: every collision as a row of plain numbers.
 use super::{Collision, Observer};
-use crate::{
-    track::Timed,
-    tracked::{InCell, Turned},
-};
+use crate::track::{InCell, Timed, Turned};
 use core::{fmt, ops::ControlFlow};
 
 /// A collision of a disk on a planar table.
@@ -89,7 +86,7 @@ impl<F> fmt::Debug for Record<F> {
 
 impl<K, T, F> Observer<2, 1, K, T> for Record<F>
 where
-    T: Timed<f64> + Turned<f64> + InCell<f64>,
+    T: Timed + Turned + InCell,
     F: FnMut(PlanarRow) -> ControlFlow<()>,
 {
     #[inline]
@@ -112,7 +109,7 @@ where
 
 impl<K, T, F> Observer<3, 3, K, T> for Record<F>
 where
-    T: Timed<f64>,
+    T: Timed,
     F: FnMut(SpatialRow) -> ControlFlow<()>,
 {
     #[inline]

@@ -20,7 +20,7 @@ pub(crate) struct Until {
     pub(crate) time: f64,
 }
 
-impl<T: Timed<f64>> Limit<T> for Until {
+impl<T: Timed> Limit<T> for Until {
     #[inline(always)]
     fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool {
         n > self.collisions || track.time() + flight > self.time

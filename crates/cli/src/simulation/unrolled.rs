@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-use billiards::geometry::{Figure, Piece, Table, Vector2};
+use billiards::geometry::{Figure, Piece, Table, Vector2, walls};
 use lanes::{Lane, Mask};
 
 use super::bearings::Bearings;
@@ -181,8 +181,7 @@ impl Unrolled {
     /// The same for a piece of any kind.
     #[inline(never)]
     fn of_one(&self, piece: f64, at: Vector2<f64>) -> f64 {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
-        let number = (piece as usize).min(self.offsets.len() - 1);
+        let number = walls::number(piece).min(self.offsets.len() - 1);
         if let Some(Some(bearings)) = self.bearings.get(number) {
             return (self.offsets[number] + bearings.arc_length(at, &self.shifts[number])) * self.unit;
         }

@@ -2,8 +2,8 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, capsule, sphere), scatterers, pairs of those, straight sides eight at a time, or a list of
-//! pieces.
+//! zonogon, convex polygon, wedge, capsule, sphere), scatterers, pairs of those, straight sides eight at a time, straight,
+//! circular and elliptic pieces as a list in lanes, smooth curves as graphs of polynomials, or a list of any pieces.
 mod around;
 mod by_lane;
 mod capsule;
@@ -66,7 +66,35 @@ pub struct WallHit<F: Lane, const N: usize> {
     pub corner: F::Mask,
 }
 
+/// The number of a piece, which lanes carry as a number among others.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
+#[inline(always)]
+pub fn number(piece: f64) -> usize {
+    piece as usize
+}
+
+impl<const N: usize> WallHit<f64, N> {
+    /// The number of the piece hit.
+    #[inline(always)]
+    pub fn number(&self) -> usize {
+        number(self.piece)
+    }
+}
+
 impl<F: Lane, const N: usize> WallHit<F, N> {
+    /// The hit in one lane. `lane` must be below [`Lane::LANES`].
+    #[inline(always)]
+    pub fn one(&self, lane: usize) -> WallHit<f64, N> {
+        WallHit {
+            time: self.time.lane(lane),
+            point: self.point.map(|x| x.lane(lane)),
+            normal: self.normal.map(|x| x.lane(lane)),
+            inverse: self.inverse.lane(lane),
+            piece: self.piece.lane(lane),
+            corner: self.corner.at(lane),
+        }
+    }
+
     /// The unit normal into the table.
     #[inline(always)]
     pub fn unit_normal(&self) -> [F; N] {
@@ -123,12 +151,11 @@ pub trait Walls<const N: usize>: Sync {
     /// The first hit of one path.
     fn hit(&self, path: &Line<N>) -> Option<Hit<N>> {
         let hit = self.first_hit::<f64>(&path.point.into(), &path.velocity.into());
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
         (hit.time < f64::INFINITY).then(|| Hit {
             time: hit.time,
             point: hit.point.into(),
             normal: hit.unit_normal().into(),
-            piece: hit.piece as usize,
+            piece: hit.number(),
             corner: hit.corner,
         })
     }

@@ -1,0 +1,66 @@
+//! Why an orbit ends.
+use lanes::{Lane, dot};
+
+/// Why an orbit ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Stop {
+    /// The limit was reached.
+    Finished,
+    /// An observer had seen enough.
+    Observer,
+    /// The path ends in a corner, where no normal is defined.
+    Corner,
+    /// The ball leaves the wall so flat that the next flight cannot be told from rounding.
+    Grazing,
+    /// The path meets no wall any more.
+    Escaped,
+    /// Many collisions without any progress: the end of a cusp. Or the particle has all but stopped, under a law that takes energy from
+    /// it.
+    Stalled,
+}
+
+impl Stop {
+    /// The word for it in summaries.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stop::Finished => "finished",
+            Stop::Observer => "observer",
+            Stop::Corner => "corner",
+            Stop::Grazing => "grazing",
+            Stop::Escaped => "escaped",
+            Stop::Stalled => "stalled",
+        }
+    }
+}
+
+/// How a run ended: why, and after how many collisions. The orbit holds the state right after the last of these, or that of the
+/// start.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Outcome {
+    /// Why.
+    pub stop: Stop,
+    /// Collisions made.
+    pub collisions: u64,
+}
+
+/// So many flights of no length in a row are no motion: two curves that touch can hold a particle for ever.
+pub(crate) const MOST_IDLE: u32 = 64;
+
+/// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
+pub(crate) const GRAZING: f64 = f64::EPSILON;
+
+/// Whether the square of the speed has lost its digits.
+#[inline(always)]
+pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask {
+    dot(velocity, velocity).lt(velocity[0].same(f64::MIN_POSITIVE))
+}
+
+/// Why an orbit of this velocity hits nothing: no wall is there, or it has stalled.
+pub(crate) fn without_hit<const N: usize>(velocity: &[f64; N]) -> Stop {
+    if has_stalled(velocity) { Stop::Stalled } else { Stop::Escaped }
+}
+
+/// Why an orbit that leaves a wall with this velocity does not go on.
+pub(crate) fn without_way<const N: usize>(velocity: &[f64; N]) -> Stop {
+    if has_stalled(velocity) { Stop::Stalled } else { Stop::Grazing }
+}
