@@ -45,11 +45,17 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// tangents, and for the spin with them. A law that `reverses` the normal component does not round it: the others are corrected.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F, reverses: bool);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
-    fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F;
-    /// `|v|² + |w|²` as it should be, in one lane.
-    fn square(&self, lane: usize) -> Option<Double>;
+    #[inline(always)]
+    fn lack(&self, velocity: &[F; N], _spin: &[F; S]) -> F {
+        velocity[0].same(0.0)
+    }
+    /// `|v|² + |w|²` as it should be, in one lane; `None` where no energy is kept.
+    fn square(&self, _lane: usize) -> Option<Double> {
+        None
+    }
     /// Counts a collision that rounds nothing.
-    fn pass(&mut self);
+    #[inline(always)]
+    fn pass(&mut self) {}
     /// What is known of the velocity between round walls besides its energy.
     fn recurring(&mut self) -> Option<&mut Recurring<F>> {
         None
@@ -114,15 +120,6 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F>) {}
     #[inline(always)]
     fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F, _: bool) {}
-    #[inline(always)]
-    fn lack(&self, velocity: &[F; N], _: &[F; S]) -> F {
-        velocity[0].same(0.0)
-    }
-    fn square(&self, _: usize) -> Option<Double> {
-        None
-    }
-    #[inline(always)]
-    fn pass(&mut self) {}
 }
 
 impl<const N: usize, const S: usize> Keeping<N, S> for Free {
