@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use billiards::collision_laws::bodies::{Inertia, RigidBody};
 use billiards::collision_laws::check::{self, Axiom, Samples};
-use billiards::collision_laws::laws::{NoSlip, RandomGrassmannian, Restitution, RoughPlane, Specular};
+use billiards::collision_laws::laws::RoughPlane;
 use billiards::collision_laws::{AnyLaw, Contact, Error, Pair, TangentVector, Twist};
 use nalgebra::{SMatrix, SVector};
 use serde_json::{Value, json};
@@ -13,6 +13,7 @@ use super::Failure;
 use crate::contact_file::{BodyEntry, ContactFile, InertiaEntry, LawEntry, Motion};
 use crate::document::{Diagnostic, Problems, Source, Span, spell};
 use crate::scene::LawKind;
+use crate::simulation::any_law;
 
 /// Widest table, in characters; a wider one is printed line by line.
 const WIDEST: usize = 110;
@@ -190,18 +191,20 @@ fn law<const N: usize>(file: &ContactFile, contact: &Contact<N>) -> Result<Named
             });
         }
     };
-    let law = match kind {
-        LawKind::Specular => Ok((AnyLaw::new(Specular), "specular".into(), Some(0))),
-        LawKind::NoSlip => Ok((AnyLaw::new(NoSlip), "no-slip".into(), Some(N - 1))),
-        LawKind::Random { rank, seed } => RandomGrassmannian::new(*rank, *seed)
-            .map(|law| (AnyLaw::new(law), "random rough directions".into(), Some(*rank))),
-        LawKind::Restitution { normal, tangential } => Restitution::new(*normal, *tangential)
-            .map(|law| (AnyLaw::new(law), format!("restitution {} and {}", spell(*normal), spell(*tangential)), None)),
+    let at = |error| (span, error);
+    let (name, rank) = match kind {
+        LawKind::Specular => ("specular".into(), Some(0)),
+        LawKind::NoSlip => ("no-slip".into(), Some(N - 1)),
+        LawKind::Random { rank, .. } => ("random rough directions".into(), Some(*rank)),
+        LawKind::Restitution { normal, tangential } => {
+            (format!("restitution {} and {}", spell(*normal), spell(*tangential)), None)
+        }
         LawKind::Rough(directions) => {
-            rough(contact, &directions.iter().map(|direction| vector(direction)).collect::<Vec<_>>())
+            let vectors: Vec<_> = directions.iter().map(|direction| vector(direction)).collect();
+            return rough(contact, &vectors).map_err(at);
         }
     };
-    law.map_err(|error| (span, error))
+    Ok((any_law(kind).map_err(at)?, name, rank))
 }
 
 fn rough<const N: usize>(contact: &Contact<N>, directions: &[SVector<f64, N>]) -> Result<NamedLaw<N>, Error> {

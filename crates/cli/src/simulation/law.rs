@@ -1,11 +1,12 @@
 //! From the laws that scenes name to those that the engine applies.
 
 use billiards::BallLaw;
-use billiards::collision_laws::laws::{self, NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
+use billiards::collision_laws::laws::{NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
 use billiards::collision_laws::{self, AnyLaw};
 use billiards::geometry::{Figure, Piece, Vector2, Vector3, WallHit};
 use billiards::laws::{Custom, Disk, Mirror, PerPiece, RoughBall, Specular};
 use lanes::Lane;
+use nalgebra::SVector;
 
 use super::scale::to_unity;
 use crate::scene::LawKind;
@@ -100,12 +101,12 @@ impl Simple {
 
     fn disk(&self, gamma: f64) -> Disk {
         match *self {
-            Simple::Specular => Disk::new(&laws::Specular, gamma),
+            Simple::Specular => Disk::new(&Specular, gamma),
             Simple::NoSlip => Disk::new(&NoSlip, gamma),
             Simple::Restitution { normal, tangential } => match Restitution::new(normal, tangential) {
                 Ok(law) => Disk::new(&law, gamma),
                 // the scene has checked both coefficients
-                Err(_) => Disk::new(&laws::Specular, gamma),
+                Err(_) => Disk::new(&Specular, gamma),
             },
         }
     }
@@ -168,7 +169,7 @@ impl SpatialLaw {
                 _ => {}
             }
         }
-        let any = |kind| any(kind).map_err(|error| error.to_string());
+        let any = |kind| any_law(kind).map_err(|error| error.to_string());
         let mut laws = PerSurface::new(any(first)?);
         for (wall, kind) in walls.iter().enumerate() {
             laws = laws.with(wall, any(kind)?);
@@ -178,12 +179,17 @@ impl SpatialLaw {
     }
 }
 
-fn any(kind: &LawKind) -> Result<AnyLaw<3>, collision_laws::Error> {
+/// A law as the theory has it, for any two bodies.
+///
+/// # Errors
+/// A parameter is wrong. Whether rough directions are independent in a contact plane is not asked.
+pub(crate) fn any_law<const N: usize>(kind: &LawKind) -> Result<AnyLaw<N>, collision_laws::Error> {
     Ok(match kind {
-        LawKind::Specular => AnyLaw::new(laws::Specular),
+        LawKind::Specular => AnyLaw::new(Specular),
         LawKind::NoSlip => AnyLaw::new(NoSlip),
         LawKind::Rough(directions) => {
-            AnyLaw::new(RoughPlane::new(&directions.iter().map(|d| space(d)).collect::<Vec<_>>())?)
+            let directions: Vec<_> = directions.iter().map(|d| SVector::from_fn(|i, _| d[i])).collect();
+            AnyLaw::new(RoughPlane::new(&directions)?)
         }
         LawKind::Random { rank, seed } => AnyLaw::new(RandomGrassmannian::new(*rank, *seed)?),
         LawKind::Restitution { normal, tangential } => AnyLaw::new(Restitution::new(*normal, *tangential)?),

@@ -12,11 +12,11 @@ use super::keeper::Keeper;
 use super::law::{PlanarLaw, is_strict};
 use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
-use super::start::{self, Start};
+use super::start::{self, ByNumber, Start, Starts};
 use super::trail::PlanarTrail;
 use super::unrolled::Unrolled;
 use crate::document::{Diagnostic, spell};
-use crate::scene::{self, Ensemble, LawKind, Scene};
+use crate::scene::{self, LawKind, Scene};
 
 /// A planar scene, ready to run.
 #[derive(Clone, Debug)]
@@ -29,13 +29,7 @@ pub(crate) struct Planar {
     pub(crate) pieces: Vec<u64>,
     law: PlanarLaw,
     strict: bool,
-    starts: Starts,
-}
-
-#[derive(Clone, Debug)]
-enum Starts {
-    Given(Vec<Start<2, 1>>),
-    Ensemble(Ensemble),
+    starts: Starts<2, 1>,
 }
 
 impl Planar {
@@ -69,21 +63,14 @@ impl Planar {
 
     /// How many orbits there are.
     pub(crate) fn orbits(&self) -> u64 {
-        match &self.starts {
-            Starts::Given(starts) => starts.len() as u64,
-            Starts::Ensemble(ensemble) => ensemble.count.value,
-        }
+        self.starts.count()
     }
 
     /// The start of an orbit, by its number.
-    #[allow(clippy::type_complexity, reason = "a function, boxed")]
-    pub(crate) fn starts(&self) -> Result<Box<dyn Fn(u64) -> Start<2, 1> + Sync + '_>, billiards::Error> {
-        let ensemble = match &self.starts {
-            Starts::Given(starts) => {
-                // orbits are numbered below the number of starts
-                return Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()]));
-            }
-            Starts::Ensemble(ensemble) => ensemble,
+    pub(crate) fn starts(&self) -> Result<ByNumber<'_, 2, 1>, billiards::Error> {
+        let ensemble = match self.starts.given() {
+            Ok(starts) => return Ok(starts),
+            Err(ensemble) => ensemble,
         };
         let scale = Scale { length: self.drawn.factor, speed: to_unity([ensemble.speed.value]) };
         let speed = ensemble.speed.value * scale.speed;

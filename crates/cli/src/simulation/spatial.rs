@@ -13,10 +13,10 @@ use super::keeper::Keeper;
 use super::law::{SpatialLaw, is_strict};
 use super::room;
 use super::scale::{Scale, to_unity};
-use super::start::{self, Start};
+use super::start::{self, ByNumber, Start, Starts};
 use super::wires::Wall;
 use crate::document::Diagnostic;
-use crate::scene::{self, Arguments, Ensemble, LawKind, Scene, TableShape};
+use crate::scene::{self, Arguments, LawKind, Scene, TableShape};
 
 /// A scene in space, ready to run.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ pub(crate) struct Spatial {
     pub(crate) laws: Vec<Option<LawKind>>,
     law: SpatialLaw,
     strict: bool,
-    starts: Starts,
+    starts: Starts<3, 3>,
 }
 
 /// A region of space.
@@ -123,12 +123,6 @@ impl Space {
     }
 }
 
-#[derive(Clone, Debug)]
-enum Starts {
-    Given(Vec<Start<3, 3>>),
-    Ensemble(Ensemble),
-}
-
 impl Spatial {
     /// Builds everything and checks every start.
     pub(crate) fn new(scene: &Scene) -> Result<Spatial, Vec<Diagnostic>> {
@@ -190,10 +184,7 @@ impl Spatial {
 
     /// How many orbits there are.
     pub(crate) fn orbits(&self) -> u64 {
-        match &self.starts {
-            Starts::Given(starts) => starts.len() as u64,
-            Starts::Ensemble(ensemble) => ensemble.count.value,
-        }
+        self.starts.count()
     }
 
     /// A box around the walls as drawn, in the scene's unit; infinite where they have no end.
@@ -205,14 +196,10 @@ impl Spatial {
     }
 
     /// The start of an orbit, by its number.
-    #[allow(clippy::type_complexity, reason = "a function, boxed")]
-    pub(crate) fn starts(&self) -> Result<Box<dyn Fn(u64) -> Start<3, 3> + Sync + '_>, billiards::Error> {
-        let ensemble = match &self.starts {
-            Starts::Ensemble(ensemble) => ensemble,
-            // orbits are numbered below the number of starts
-            Starts::Given(starts) => {
-                return Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()]));
-            }
+    pub(crate) fn starts(&self) -> Result<ByNumber<'_, 3, 3>, billiards::Error> {
+        let ensemble = match self.starts.given() {
+            Ok(starts) => return Ok(starts),
+            Err(ensemble) => ensemble,
         };
         let scale = Scale { length: self.factor, speed: to_unity([ensemble.speed.value]) };
         let surface: Box<dyn Surface + '_> = match &self.centres {
@@ -362,9 +349,8 @@ impl Bend<3> for FeltRoom<'_> {
     fn bend(&self, hit: &WallHit<f64, 3>, flight: f64, along: &[f64; 3]) -> [f64; 3] {
         self.felt.bend(hit, flight, along)
     }
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
     fn size(&self, hit: &WallHit<f64, 3>) -> f64 {
-        self.room.solids().get(hit.piece as usize).map_or(0.0, Solid::size)
+        self.room.solids().get(hit.number()).map_or(0.0, Solid::size)
     }
 }
 

@@ -3,7 +3,7 @@
 use billiards::geometry::{Table, Vector2};
 
 use crate::document::{Diagnostic, Span, spell};
-use crate::scene::{Orbit, Scene};
+use crate::scene::{Ensemble, Orbit, Scene};
 
 use super::scale::{Scale, to_unity};
 use super::words::short;
@@ -24,6 +24,37 @@ pub(crate) struct Start<const N: usize, const S: usize> {
     /// How it is scaled.
     pub(crate) scale: Scale,
 }
+
+/// Where orbits start.
+#[derive(Clone, Debug)]
+pub(crate) enum Starts<const N: usize, const S: usize> {
+    /// Each start is given.
+    Given(Vec<Start<N, S>>),
+    /// They are drawn.
+    Ensemble(Ensemble),
+}
+
+impl<const N: usize, const S: usize> Starts<N, S> {
+    /// How many there are.
+    pub(crate) fn count(&self) -> u64 {
+        match self {
+            Starts::Given(starts) => starts.len() as u64,
+            Starts::Ensemble(ensemble) => ensemble.count.value,
+        }
+    }
+
+    /// The start of an orbit, by its number, where starts are given; otherwise the ensemble.
+    pub(crate) fn given(&self) -> Result<ByNumber<'_, N, S>, &Ensemble> {
+        match self {
+            // orbits are numbered below the number of starts
+            Starts::Given(starts) => Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()])),
+            Starts::Ensemble(ensemble) => Err(ensemble),
+        }
+    }
+}
+
+/// The start of an orbit, by its number.
+pub(crate) type ByNumber<'a, const N: usize, const S: usize> = Box<dyn Fn(u64) -> Start<N, S> + Sync + 'a>;
 
 /// Scales a start given by its numbers.
 pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64) -> Start<N, S> {
