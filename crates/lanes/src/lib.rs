@@ -33,6 +33,13 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 /// No kernel has more lanes: two vectors of the widest instruction set.
 pub const MOST_LANES: usize = 16;
 
+/// `3·2⁵¹`, of which the last bit is worth 1: `x + WHOLE − WHOLE` is the whole number nearest to `x`, for `|x| < 2⁵¹`.
+///
+/// ```
+/// assert_eq!([2.5, 3.5, -1.2].map(|x| x + lanes::WHOLE - lanes::WHOLE), [2.0, 4.0, -1.0]);
+/// ```
+pub const WHOLE: f64 = 6_755_399_441_055_744.0;
+
 /// The lanes of several numbers: what is computed one lane after another reads here, and its results are loaded from there.
 #[must_use]
 #[inline(always)]

@@ -1,6 +1,6 @@
 //! Counts of very many points on a grid.
 use crate::merge::Merge;
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, WHOLE};
 
 /// How many of the points fell into each cell of a grid over a window of the plane, in one layer or several.
 ///
@@ -27,9 +27,7 @@ pub struct Density {
     many: Vec<u64>,
 }
 
-/// `x + 3·2⁵¹` is the integer nearest to `x` and `3·2⁵¹`, for `|x| < 2⁵¹`; its last bits are that integer, for `x ≥ 0`.
-const INTEGERS: f64 = 6_755_399_441_055_744.0;
-/// Those bits.
+/// The last bits of `x + WHOLE`: the whole number nearest to `x`, for `0 ≤ x < 2⁵¹`.
 const LAST_BITS: u64 = (1 << 51) - 1;
 /// Cells are counted so many points later: some vectors of any width.
 const MOST_NOTED: usize = 256;
@@ -58,7 +56,7 @@ impl Density {
     pub fn in_layers(self, layers: usize) -> Self {
         let layers = layers.max(1);
         let cells = layers * self.cells_of_layer() + 1;
-        let nobody = INTEGERS + (cells - 1) as f64;
+        let nobody = WHOLE + (cells - 1) as f64;
         Density { layers, nobody, few: vec![0; cells], many: vec![0; cells], ..self }
     }
 
@@ -147,8 +145,8 @@ impl Density {
     /// [`count`](Self::count): of points in the window or [`near`](Self::near) it.
     #[inline(always)]
     pub fn cells<F: Lane>(&self, point: [F; 2], layer: F, here: F::Mask) -> F {
-        let along = |x: F, i: usize| (x - self.first[i]) * self.scale[i] + INTEGERS;
-        let (column, row) = (along(point[0], 0), along(point[1], 1) - INTEGERS);
+        let along = |x: F, i: usize| (x - self.first[i]) * self.scale[i] + WHOLE;
+        let (column, row) = (along(point[0], 0), along(point[1], 1) - WHOLE);
         let cell = column + (row * self.stride + layer);
         here.select(cell, layer.same(self.nobody))
     }

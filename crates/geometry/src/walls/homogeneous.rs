@@ -1,6 +1,6 @@
 //! Walls that look the same from each of their points: circle and strip.
 use super::{WallHit, Walls};
-use lanes::{Double, Lane};
+use lanes::{Double, Lane, WHOLE};
 
 /// A flight from wall to wall.
 #[derive(Clone, Copy, Debug)]
@@ -53,8 +53,6 @@ impl Swing<f64> {
     /// of these pairs nearly fits.
     pub fn recurring(normal: Double, tangential: Double) -> Self {
         const CHOICES: i32 = 16;
-        // 3·2⁵¹: adding and subtracting it rounds to a whole number
-        const WHOLE: f64 = 6_755_399_441_055_744.0;
         let (n, t) = (normal.high, tangential.high);
         // the angle of `(−t, n)` changes by `n dt − t dn` in units of |u|²
         let (step_n, step_t) = (n.abs().next_up() - n.abs(), t.abs().next_up() - t.abs());

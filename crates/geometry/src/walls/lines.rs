@@ -4,7 +4,7 @@ use crate::{
     plane::{cross, dot},
     shapes::curve::Graph,
 };
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, WHOLE};
 
 /// Cells by direction in a quadrant, and by distance.
 const DIRECTIONS: usize = 64;
@@ -94,7 +94,6 @@ fn direction(cell: usize, part: f64) -> [f64; 2] {
 /// The whole number below `a` (or at it, up to rounding), between 0 and the last.
 #[inline(always)]
 fn floor<F: Lane>(a: F, last: usize) -> F {
-    const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5·2⁵²: the last bit is 1
     ((a - 0.5) + WHOLE - WHOLE).max(a.same(0.0)).min(a.same(last as f64))
 }
 
