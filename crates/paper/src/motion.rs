@@ -1,13 +1,14 @@
 //! Orbits of a disk, as the claims see them.
 use crate::random::Stream;
 use billiards::{
-    Angle, Clock, Collision, Collisions, Conserved, Observer, Orbit, Planar, Stop, Timed,
+    Angle, Clock, Collision, Collisions, Conserved, Orbit, Planar, Stop, Timed,
     collision_laws::{
         DiskLaw,
         laws::{NoSlip, Specular},
     },
     geometry::{BoundaryPoint, Perimeter, Table},
     laws::Disk,
+    observe::Watch,
 };
 use core::ops::ControlFlow;
 
@@ -57,6 +58,20 @@ pub(crate) struct Bounce {
 }
 
 impl Bounce {
+    fn of<K>(c: &Collision<'_, 2, 1, K, (Clock, Angle)>) -> Bounce {
+        let o = c.orbit;
+        Bounce {
+            n: usize::try_from(c.n).unwrap_or(usize::MAX),
+            piece: c.piece(),
+            time: o.track.time(),
+            state: State {
+                x: [o.track.1.0.value(), o.position[0], o.position[1]],
+                v: [o.spin[0], o.velocity[0], o.velocity[1]],
+            },
+            normal: c.hit.unit_normal(),
+        }
+    }
+
     /// `v·ν`
     pub(crate) fn normal_velocity(&self) -> f64 {
         self.state.v[1] * self.normal[0] + self.state.v[2] * self.normal[1]
@@ -80,7 +95,8 @@ pub(crate) fn fly(
     let State { x, v } = start;
     let track = (Clock::new(0.0), Angle::new(x[0]));
     let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([x[1], x[2]], [v[1], v[2]], [v[0]], track);
-    billiard.run(&mut orbit, &Collisions(most as u64), &mut Watch(watch)).stop
+    let mut look = Watch::new(|c: &Collision<'_, 2, 1, _, _>| watch(&Bounce::of(c)));
+    billiard.run(&mut orbit, &Collisions(most as u64), &mut look).stop
 }
 
 /// The first `most` collisions of an orbit, or as many as there are.
@@ -91,24 +107,6 @@ pub(crate) fn bounces(billiard: &Billiard, start: State, most: usize) -> Vec<Bou
         ControlFlow::Continue(())
     });
     all
-}
-
-struct Watch<'a>(&'a mut dyn FnMut(&Bounce) -> ControlFlow<()>);
-
-impl<K> Observer<2, 1, K, (Clock, Angle)> for Watch<'_> {
-    fn collision(&mut self, c: &Collision<'_, 2, 1, K, (Clock, Angle)>) -> ControlFlow<()> {
-        let o = c.orbit;
-        (self.0)(&Bounce {
-            n: usize::try_from(c.n).unwrap_or(usize::MAX),
-            piece: c.piece(),
-            time: o.track.time(),
-            state: State {
-                x: [o.track.1.0.value(), o.position[0], o.position[1]],
-                v: [o.spin[0], o.velocity[0], o.velocity[1]],
-            },
-            normal: c.hit.unit_normal(),
-        })
-    }
 }
 
 /// A start drawn by the canonical measure: uniform on the boundary, and `(v₀, vₜ)` uniform in the unit disk. Any table with a finite

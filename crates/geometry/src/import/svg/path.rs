@@ -1,4 +1,6 @@
 //! Path data: the small language of the `d` attribute.
+//!
+//! The reader is our own: `kurbo`'s makes cubic curves of elliptical arcs, which here stay what they are.
 use nalgebra::Vector2;
 
 /// Reads numbers and letters.
