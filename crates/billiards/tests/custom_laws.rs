@@ -6,7 +6,7 @@ use billiards::{
     observe::Watch,
 };
 use collision_laws::{
-    CollisionLaw, Contact, Delassus, Fixed, Pair, Roughness,
+    CollisionLaw, Contact, Delassus, Fixed, Pair, Roughness, TangentVector,
     bodies::Ball,
     check::{
         controls::{Chasing, ReversiblyChasing, slip_angle},

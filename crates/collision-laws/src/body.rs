@@ -25,7 +25,10 @@ pub trait Body<const N: usize> {
     fn inner_product(&self, v: &Self::Velocity, w: &Self::Velocity) -> f64;
 
     /// The velocity `J v` of the material point at `arm`.
-    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Self::Velocity) -> SVector<f64, N>;
+    #[inline]
+    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Self::Velocity) -> SVector<f64, N> {
+        v.at(arm)
+    }
 
     /// The velocity `v + G⁻¹Jᵀ p` after an impulse `p` at `arm`.
     fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Self::Velocity) -> Self::Velocity;
@@ -55,11 +58,6 @@ impl<const N: usize> Body<N> for Fixed {
     #[inline]
     fn inner_product(&self, (): &(), (): &()) -> f64 {
         0.0
-    }
-
-    #[inline]
-    fn contact_velocity(&self, _: &SVector<f64, N>, (): &()) -> SVector<f64, N> {
-        SVector::zeros()
     }
 
     #[inline]

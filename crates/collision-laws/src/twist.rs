@@ -19,6 +19,9 @@ pub trait TangentVector<const N: usize>: Copy + Debug + PartialEq {
 
     /// The velocity of the body in the rigid motion `x ↦ a + Ω (x − Q)` of all space, where `arm = Q − centre`.
     fn of_rigid_motion(arm: &SVector<f64, N>, a: &SVector<f64, N>, spin: &SMatrix<f64, N, N>) -> Self;
+
+    /// The velocity of the body's material point at `arm`, seen from the centre of mass: `v + Ω r` at `r` for a [`Twist`].
+    fn at(&self, arm: &SVector<f64, N>) -> SVector<f64, N>;
 }
 
 /// Nothing moves.
@@ -32,6 +35,11 @@ impl<const N: usize> TangentVector<N> for () {
     fn from_coordinates(_: &[f64]) -> Self {}
 
     fn of_rigid_motion(_: &SVector<f64, N>, _: &SVector<f64, N>, _: &SMatrix<f64, N, N>) -> Self {}
+
+    #[inline]
+    fn at(&self, _: &SVector<f64, N>) -> SVector<f64, N> {
+        SVector::zeros()
+    }
 }
 
 /// The velocity of a point.
@@ -48,6 +56,11 @@ impl<const N: usize> TangentVector<N> for SVector<f64, N> {
 
     fn of_rigid_motion(arm: &SVector<f64, N>, a: &SVector<f64, N>, spin: &SMatrix<f64, N, N>) -> Self {
         a - spin * arm
+    }
+
+    #[inline]
+    fn at(&self, _: &SVector<f64, N>) -> SVector<f64, N> {
+        *self
     }
 }
 
@@ -128,12 +141,6 @@ impl<const N: usize> Twist<N> {
     pub fn kicked(&self, linear: SVector<f64, N>, q: &SVector<f64, N>, r: &SVector<f64, N>) -> Self {
         Self { linear: self.linear + linear, spin: self.spin + (q * r.transpose() - r * q.transpose()) }
     }
-
-    /// The velocity `v + Ω r` of the material point at `arm = r`.
-    #[inline]
-    pub fn at(&self, arm: &SVector<f64, N>) -> SVector<f64, N> {
-        self.linear + self.spin * arm
-    }
 }
 
 impl Twist<2> {
@@ -180,6 +187,11 @@ impl<const N: usize> TangentVector<N> for Twist<N> {
 
     fn of_rigid_motion(arm: &SVector<f64, N>, a: &SVector<f64, N>, spin: &SMatrix<f64, N, N>) -> Self {
         Self::from_skew(a - spin * arm, spin)
+    }
+
+    #[inline]
+    fn at(&self, arm: &SVector<f64, N>) -> SVector<f64, N> {
+        self.linear + self.spin * arm
     }
 }
 

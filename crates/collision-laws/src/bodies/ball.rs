@@ -92,11 +92,6 @@ impl<const N: usize> Body<N> for Ball<N> {
     }
 
     #[inline]
-    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Twist<N>) -> SVector<f64, N> {
-        v.at(arm)
-    }
-
-    #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Twist<N>) -> Twist<N> {
         v.kicked(p / self.mass, &(p / (self.moment / self.unit)), &(arm / self.unit))
     }

@@ -50,11 +50,6 @@ impl Body<2> for Planar {
     }
 
     #[inline]
-    fn contact_velocity(&self, arm: &SVector<f64, 2>, v: &Twist<2>) -> SVector<f64, 2> {
-        v.at(arm)
-    }
-
-    #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, 2>, p: &SVector<f64, 2>, v: &Twist<2>) -> Twist<2> {
         let torque = quarter_turn(arm).dot(p);
         Twist::planar(v.linear + p / self.mass, v.angular_velocity() + torque / self.moment)

@@ -38,11 +38,6 @@ impl<const N: usize> Body<N> for Point {
     }
 
     #[inline]
-    fn contact_velocity(&self, _: &SVector<f64, N>, v: &SVector<f64, N>) -> SVector<f64, N> {
-        *v
-    }
-
-    #[inline]
     fn apply_impulse(&self, _: &SVector<f64, N>, p: &SVector<f64, N>, v: &SVector<f64, N>) -> SVector<f64, N> {
         v + p / self.mass
     }

@@ -135,11 +135,6 @@ impl<const N: usize> Body<N> for RigidBody<N> {
     }
 
     #[inline]
-    fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Twist<N>) -> SVector<f64, N> {
-        v.at(arm)
-    }
-
-    #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Twist<N>) -> Twist<N> {
         let (r, q) = (self.frame.transpose() * arm, self.frame.transpose() * p);
         let mut spin = SMatrix::<f64, N, N>::zeros();

@@ -47,11 +47,6 @@ impl Body<3> for Spatial {
     }
 
     #[inline]
-    fn contact_velocity(&self, arm: &SVector<f64, 3>, v: &Twist<3>) -> SVector<f64, 3> {
-        v.at(arm)
-    }
-
-    #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, 3>, p: &SVector<f64, 3>, v: &Twist<3>) -> Twist<3> {
         Twist::spatial(v.linear + p / self.mass, v.angular_velocity() + self.inverse * arm.cross(p))
     }

@@ -72,13 +72,18 @@ pub struct Report {
     measure_ratio: f64,
 }
 
+/// Whether a defect is larger than another one; NaN is larger than any.
+pub(super) fn worse(defect: f64, than: f64) -> bool {
+    defect > than || defect.is_nan()
+}
+
 impl Report {
     pub(crate) const EMPTY: Self = Self { defects: [None; Axiom::ALL.len()], measure_ratio: 1.0 };
 
-    /// Takes note of a defect, keeping the largest; NaN counts as larger than any.
+    /// Takes note of a defect, keeping the largest.
     pub(crate) fn note(&mut self, axiom: Axiom, defect: f64) {
         let kept = &mut self.defects[axiom as usize];
-        if kept.is_none_or(|old| defect > old || defect.is_nan()) {
+        if kept.is_none_or(|old| worse(defect, old)) {
             *kept = Some(defect);
         }
     }
@@ -86,7 +91,7 @@ impl Report {
     /// Takes note of a measure ratio, keeping that farthest from 1, and of how far from it the ratios at other velocities are.
     pub(crate) fn note_measure_ratio(&mut self, ratio: f64, elsewhere: f64) {
         let defect = ((ratio - 1.0) * (ratio - 1.0) + elsewhere * elsewhere).sqrt();
-        if self.defect(Axiom::Measure).is_none_or(|old| defect > old || defect.is_nan()) {
+        if self.defect(Axiom::Measure).is_none_or(|old| worse(defect, old)) {
             self.measure_ratio = ratio;
         }
         self.note(Axiom::Measure, defect);

@@ -1,6 +1,6 @@
 //! Trying laws, maps and bodies on random velocities.
 
-use super::{Axiom, Report, TOLERANCE, axioms};
+use super::{Axiom, Report, TOLERANCE, axioms, report::worse};
 use crate::{Body, CollisionLaw, Contact, Fixed, Pair, TangentSpace, TangentVector, random::gaussian};
 use nalgebra::{DVector, SMatrix, SVector};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
@@ -105,7 +105,7 @@ impl BodyReport {
     /// The largest of the numbers.
     pub fn worst(&self) -> f64 {
         let all = [self.contact_velocity, self.work, self.symmetry, self.rigid_motion];
-        all.into_iter().fold(0.0, |worst, x| if x > worst || x.is_nan() { x } else { worst })
+        all.into_iter().fold(0.0, |worst, x| if worse(x, worst) { x } else { worst })
     }
 }
 
@@ -130,7 +130,7 @@ pub fn body<B: Body<N>, const N: usize>(
     // a spin that moves the contact about as fast as the translation does
     let spin_scale = if arm.norm() > 0.0 { 1.0 / arm.norm() } else { 1.0 };
     let raise = |worst: &mut f64, x: f64| {
-        if x > *worst || x.is_nan() {
+        if worse(x, *worst) {
             *worst = x;
         }
     };
