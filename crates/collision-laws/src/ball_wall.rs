@@ -6,7 +6,17 @@ use nalgebra::{SVector, Vector3};
 /// The collision map of a disk and a fixed wall, in the velocities `v₀ = γ R θ̇`, `vₜ = v·t`, `vₙ = v·ν` \[L T⁻¹\].
 ///
 /// `t = J ν`, with `J(x, y) = (−y, x)` and `ν` into the table; the kinetic energy is `(m/2)(v₀² + vₜ² + vₙ²)`. For a law that is the
-/// same at every contact this is one constant matrix, blocked into spin and tangent, and the normal.
+/// same at every contact this is one constant matrix, blocked into spin and tangent, and the normal. Maps are compared within rounding by
+/// the traits of [`approx`], coefficient by coefficient:
+///
+/// ```
+/// use approx::assert_abs_diff_eq;
+/// use collision_laws::{DiskLaw, DiskMap, laws::{NoSlip, Specular}};
+///
+/// // with almost all mass in its centre a disk leaves a rough wall as a smooth one, but turns its spin around
+/// let (rough, smooth) = (NoSlip.disk_map(1e-9), Specular.disk_map(1e-9));
+/// assert_abs_diff_eq!(rough, DiskMap { spin_spin: -1.0, ..smooth }, epsilon = 2e-9);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DiskMap {
     /// Coefficient of `v₀` in `v₀⁺`.

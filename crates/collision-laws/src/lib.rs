@@ -51,6 +51,7 @@ mod delassus;
 mod error;
 mod law;
 pub mod laws;
+mod near;
 mod pair;
 mod random;
 mod roughness;

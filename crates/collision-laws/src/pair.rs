@@ -14,6 +14,7 @@ fn size_of<const N: usize>(p: &SVector<f64, N>) -> f64 {
 /// Two bodies at a contact: a point `q` of the boundary of their configuration space.
 ///
 /// ```
+/// use approx::assert_abs_diff_eq;
 /// use collision_laws::{Contact, Fixed, Pair, Twist, bodies::Ball, laws::{NoSlip, Specular}};
 /// use nalgebra::Vector2;
 ///
@@ -28,7 +29,7 @@ fn size_of<const N: usize>(p: &SVector<f64, N>) -> f64 {
 ///
 /// // Without slip the spin reverses in part, and sends the disk sideways.
 /// let (no_slip, ()) = pair.collide(&NoSlip, &falling).velocities;
-/// assert!((no_slip.linear.x + 2.0).abs() < 1e-15 && (no_slip.angular_velocity() + 1.0).abs() < 1e-15);
+/// assert_abs_diff_eq!(no_slip, Twist::planar(Vector2::new(-2.0, 1.0), -1.0), epsilon = 1e-15);
 /// # Ok::<(), collision_laws::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -57,6 +57,7 @@ fn rotate<const N: usize>(a: &mut SMatrix<f64, N, N>, frame: &mut SMatrix<f64, N
 #[cfg(test)]
 mod tests {
     use super::*;
+    use approx::assert_abs_diff_eq;
 
     #[test]
     fn the_frame_diagonalises_and_is_orthogonal() {
@@ -64,7 +65,7 @@ mod tests {
         let a = b * b.transpose();
         let (values, frame) = eigenframe(a);
         // a few roundings per entry and sweep
-        assert!((frame.transpose() * frame - SMatrix::identity()).amax() < 1e-14);
-        assert!((frame * SMatrix::from_diagonal(&values) * frame.transpose() - a).amax() < 1e-14 * a.amax());
+        assert_abs_diff_eq!(frame.transpose() * frame, SMatrix::identity(), epsilon = 1e-14);
+        assert_abs_diff_eq!(frame * SMatrix::from_diagonal(&values) * frame.transpose(), a, epsilon = 1e-14 * a.amax());
     }
 }

@@ -68,6 +68,19 @@ impl<const N: usize> TangentVector<N> for SVector<f64, N> {
 ///
 /// `Ω ∈ so(N)` is the spin as a skew matrix in the space frame \[T⁻¹\]; in the plane it is one number, counter-clockwise
 /// positive, in space an axial vector. Coordinates are those of `v`, then those of [`spin_coordinates`](Self::spin_coordinates).
+///
+/// Within rounding it is compared by the traits of [`approx`], each coordinate with its own:
+///
+/// ```
+/// use approx::{assert_relative_eq, assert_relative_ne};
+/// use collision_laws::Twist;
+/// use nalgebra::Vector2;
+///
+/// let (rolls, sum) = (Twist::planar(Vector2::new(0.3, 0.0), 3.0), Twist::planar(Vector2::new(0.1 + 0.2, 0.0), 3.0));
+/// assert_ne!(rolls, sum);
+/// assert_relative_eq!(rolls, sum, max_relative = 1e-15);
+/// assert_relative_ne!(rolls, Twist::planar(rolls.linear, -3.0));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Twist<const N: usize> {
     /// The velocity `v` of the centre of mass \[L T⁻¹\].

@@ -3,6 +3,7 @@
 //! Defects are compared with `ROUNDING · κ`, κ the condition number of the Delassus operator: solving for the impulse loses that
 //! many digits and no more, whatever the masses, because every defect is relative in the kinetic-energy metric.
 
+use approx::assert_abs_diff_eq;
 use collision_laws::{
     Body, CollisionLaw, Contact, Error, Fixed, Pair, Roughness, StrictLaw, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, Point, RigidBody, Spatial},
@@ -182,7 +183,7 @@ fn restitution_loses_energy<const N: usize>(scene: &Scene<N>, normal: f64, tange
     let squares = [1.0 - normal * normal, 1.0 - tangential * tangential];
     let expected = (squares[0] * squares[0] + (N - 1) as f64 * squares[1] * squares[1]).sqrt();
     let energy = broken.report.defect(Axiom::Energy).expect("energy is never vacuous");
-    assert!((energy - expected).abs() <= bound, "{energy} for {expected}");
+    assert_abs_diff_eq!(energy, expected, epsilon = bound);
     assert_eq!(broken.strict.is_some(), expected <= bound);
 }
 

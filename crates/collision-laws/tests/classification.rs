@@ -1,5 +1,6 @@
 //! Maps that are not strict collisions, and which axiom the classification blames.
 
+use approx::assert_abs_diff_eq;
 use collision_laws::{
     Contact, Error, Fixed, Pair, Roughness,
     bodies::{Inertia, Point, RigidBody},
@@ -67,7 +68,7 @@ fn the_rank_and_the_plane_come_back() {
 fn doing_nothing_leaves_the_bodies_approaching() {
     let found = broken(&pair(), &DMatrix::identity(12, 12));
     assert_eq!(axioms(found.clone()), [Axiom::OutgoingToIngoing]);
-    assert!((found[0].1 - 1.0).abs() < 1e-12);
+    assert_abs_diff_eq!(found[0].1, 1.0, epsilon = 1e-12);
 }
 
 #[test]
@@ -112,10 +113,9 @@ fn a_loss_along_one_direction_breaks_energy_reversibility_and_measure_by_that_mu
     let found = broken(&pair, &lossy);
     let expected = [(Axiom::Energy, 0.75), (Axiom::Involution, 0.75), (Axiom::Measure, 0.5)];
     assert_eq!(axioms(found.clone()), axioms(expected.to_vec()));
-    assert!(
-        found.iter().zip(expected).all(|((_, found), (_, expected))| (found - expected).abs() < 1e-12),
-        "{found:?}"
-    );
+    for ((_, found), (_, expected)) in found.into_iter().zip(expected) {
+        assert_abs_diff_eq!(found, expected, epsilon = 1e-12);
+    }
 }
 
 #[test]
@@ -128,7 +128,7 @@ fn the_measure_is_lost_where_the_normal_velocity_takes_in_a_tangential_one() {
     let map = DMatrix::from_row_slice(2, 2, &[-1.0, 0.3, 0.0, 1.0]);
     let report = classify(&pair.tangent_space(), &map, TOLERANCE).expect("a square matrix").report;
     assert_eq!(report.measure_ratio(), 1.0);
-    assert!((report.defect(Axiom::Measure).expect("a matrix has one") - 0.3).abs() < 1e-15, "{report}");
+    assert_abs_diff_eq!(report.defect(Axiom::Measure).expect("a matrix has one"), 0.3, epsilon = 1e-15);
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn a_reflection_of_non_slipping_velocities_is_an_impulse_elsewhere() {
     let reflect = |x: &DVector<f64>| DMatrix::identity(12, 12) - x * x.transpose() * 2.0;
     let found = broken(&pair, &(strict_map(&pair) * reflect(&internal)));
     assert_eq!(axioms(found.clone()), [Axiom::ContactImpulse]);
-    assert!((found[0].1 - 2.0).abs() < 1e-12);
+    assert_abs_diff_eq!(found[0].1, 2.0, epsilon = 1e-12);
 
     // a rigid motion of the pair is not
     let moved = broken(&pair, &(strict_map(&pair) * reflect(&translations.column(0).into_owned())));

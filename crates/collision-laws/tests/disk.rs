@@ -1,5 +1,6 @@
 //! Balls and disks: the constants of the theory, and the agreement of the fast form with the general one.
 
+use approx::assert_abs_diff_eq;
 use collision_laws::{
     AnyLaw, CollisionLaw, Contact, DiskLaw, Fixed, Pair, Roughness, StrictLaw, Twist,
     bodies::Ball,
@@ -118,23 +119,23 @@ proptest! {
 }
 
 /// `cos β` and `sin β` of a ball without slip.
-fn angle<const N: usize>(ball: &Ball<N>) -> (f64, f64) {
+fn angle<const N: usize>(ball: &Ball<N>) -> [f64; 2] {
     let map = NoSlip.disk_map(ball.gamma());
-    (map.tangent_tangent, map.tangent_spin)
+    [map.tangent_tangent, map.tangent_spin]
 }
 
 #[test]
 fn balls_turn_by_the_angles_of_the_theory() {
-    let near = |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() < ROUNDING && (b - d).abs() < ROUNDING;
-    assert!(near(angle(&Ball::<2>::uniform(1.0, 2.0).unwrap()), (1.0 / 3.0, 8.0_f64.sqrt() / 3.0)));
-    assert!(near(angle(&Ball::<3>::uniform(1.0, 2.0).unwrap()), (3.0 / 7.0, 40.0_f64.sqrt() / 7.0)));
-    assert!(near(angle(&Ball::<3>::shell(1.0, 2.0).unwrap()), (0.2, 0.96_f64.sqrt())));
-    assert!(near(angle(&Ball::<2>::shell(1.0, 2.0).unwrap()), (0.0, 1.0)));
-    assert!(near(angle(&Ball::<4>::uniform(1.0, 2.0).unwrap()), (0.5, 0.75_f64.sqrt())));
+    let near = |found: [f64; 2], expected: [f64; 2]| assert_abs_diff_eq!(found[..], expected[..], epsilon = ROUNDING);
+    near(angle(&Ball::<2>::uniform(1.0, 2.0).unwrap()), [1.0 / 3.0, 8.0_f64.sqrt() / 3.0]);
+    near(angle(&Ball::<3>::uniform(1.0, 2.0).unwrap()), [3.0 / 7.0, 40.0_f64.sqrt() / 7.0]);
+    near(angle(&Ball::<3>::shell(1.0, 2.0).unwrap()), [0.2, 0.96_f64.sqrt()]);
+    near(angle(&Ball::<2>::shell(1.0, 2.0).unwrap()), [0.0, 1.0]);
+    near(angle(&Ball::<4>::uniform(1.0, 2.0).unwrap()), [0.5, 0.75_f64.sqrt()]);
     for (n, cos) in
-        [(2, angle(&Ball::<2>::uniform(1.0, 1.0).unwrap()).0), (5, angle(&Ball::<5>::uniform(1.0, 1.0).unwrap()).0)]
+        [(2, angle(&Ball::<2>::uniform(1.0, 1.0).unwrap())[0]), (5, angle(&Ball::<5>::uniform(1.0, 1.0).unwrap())[0])]
     {
-        assert!((cos - f64::from(n) / f64::from(n + 4)).abs() < ROUNDING);
+        assert_abs_diff_eq!(cos, f64::from(n) / f64::from(n + 4), epsilon = ROUNDING);
     }
 }
 
@@ -144,7 +145,7 @@ fn no_slip_is_the_papers_update() {
     let (third, off) = (1.0 / 3.0, 8.0_f64.sqrt() / 3.0);
     let found = through_the_pair(&NoSlip, 0.5_f64.sqrt(), Vector2::new(0.6, 0.8), [0.25, -0.5, -2.0]);
     let expected = [-0.25 * third - 0.5 * off, 0.25 * off - 0.5 * third, 2.0];
-    assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < ROUNDING), "{found:?}");
+    assert_abs_diff_eq!(found[..], expected[..], epsilon = ROUNDING);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! The map tried is a whole step of a billiard, flight and collision, in coordinates in which the measure is Lebesgue
 //! measure: 3D ball between two planes, ten coordinates; disk in a circle, the three coordinates `(s, v₀, vₜ)`.
 
+use approx::assert_abs_diff_eq;
 use collision_laws::{
     CollisionLaw, Contact, Fixed, Pair, StrictLaw, Twist,
     bodies::Ball,
@@ -75,7 +76,7 @@ fn always<L: CollisionLaw<3> + Clone + 'static>(law: L) -> impl Fn(&UnitQuaterni
 fn keeps_measure(law: LawOfOrientation<'_>, rank: u32) {
     let expected = if rank.is_multiple_of(2) { 1.0 } else { -1.0 };
     let determinant = slab_determinant(law);
-    assert!((determinant - expected).abs() < TOLERANCE, "{determinant} for {expected}");
+    assert_abs_diff_eq!(determinant, expected, epsilon = TOLERANCE);
 }
 
 #[test]
@@ -106,7 +107,7 @@ fn rough_directions_glued_to_the_ball_keep_the_measure() {
 #[test]
 fn a_rough_direction_that_chases_the_velocity_shrinks_the_measure_to_three_tenths() {
     let determinant = slab_determinant(&always(Chasing));
-    assert!((determinant.abs() - 0.3).abs() < TOLERANCE, "{determinant}");
+    assert_abs_diff_eq!(determinant.abs(), 0.3, epsilon = TOLERANCE);
 }
 
 /// A velocity of approach whose slip has the given angle.
@@ -151,7 +152,7 @@ fn the_report_flags_exactly_what_is_wrong_with_the_controls() {
     let report = check::law(&pair, &Chasing, Samples::default());
     // differences with step 1/512 where the slip is at least a tenth of the velocity: (10/512)⁶ times 0.35⁷·6! ≈ 1e-11, and more
     // where it is less
-    assert!((report.measure_ratio() - 0.3).abs() < 1e-5, "{report}");
+    assert_abs_diff_eq!(report.measure_ratio(), 0.3, epsilon = 1e-5);
 }
 
 /// One step in the unit circle, in arc length and velocities at unit 3-speed.
@@ -175,7 +176,7 @@ fn circle_step(law: &dyn CollisionLaw<2>, state: &DVector<f64>) -> DVector<f64> 
 fn the_reduced_map_of_a_circle_keeps_the_measure() {
     for (law, expected) in [(&Specular as &dyn StrictLaw<2>, 1.0), (&NoSlip, -1.0)] {
         let determinant = jacobian_determinant(|x| circle_step(&law, x), &dvector![0.4, 0.3, -0.45], STEP);
-        assert!((determinant - expected).abs() < TOLERANCE, "{determinant} for {expected}");
+        assert_abs_diff_eq!(determinant, expected, epsilon = TOLERANCE);
     }
     let lossy = Restitution::new(1.0, 0.5).expect("coefficients in range");
     let determinant = jacobian_determinant(|x| circle_step(&lossy, x), &dvector![0.4, 0.3, -0.45], STEP);

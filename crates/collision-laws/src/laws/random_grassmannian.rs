@@ -92,7 +92,7 @@ mod tests {
             mean += law.roughness(&contact).projector(&contact.normal) / f64::from(draws);
         }
         let expected = Roughness::Rough.projector(&contact.normal) * (2.0 / 3.0);
-        assert!((mean - expected).amax() < 1.25e-2, "{mean}");
+        approx::assert_abs_diff_eq!(mean, expected, epsilon = 1.25e-2);
     }
 
     #[test]
