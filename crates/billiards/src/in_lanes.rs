@@ -91,3 +91,31 @@ impl<F: Lane, const N: usize, const S: usize, K: InLanes<F>, T: InLanes<F>> InLa
         self.keeper.wait(&one.keeper)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::track::{Angle, Clock};
+    use lanes::Twin;
+
+    type Tracked<F> = Orbit<F, 2, 1, (), (Clock<F>, Angle<F>)>;
+
+    #[test]
+    fn an_orbit_put_into_a_lane_comes_out_of_it_and_the_other_lane_stays() {
+        let digits = |high: f64| Double { high, low: high * 1e-17 };
+        let orbit = |x: f64| Tracked {
+            position: [x, x + 1.0],
+            velocity: [x + 2.0, x + 3.0],
+            spin: [x + 4.0],
+            keeper: (),
+            track: (Clock(digits(x + 5.0)), Angle(digits(x + 6.0))),
+        };
+        let same = |a: &Tracked<f64>, b: &Tracked<f64>| assert_eq!(format!("{a:?}"), format!("{b:?}"));
+        let (first, second) = (orbit(0.1), orbit(0.7));
+        let mut both: Tracked<Twin<f64>> = Orbit::all(&first, Twin::of(0.0));
+        same(&both.one(1), &first);
+        both.put(1, &second);
+        same(&both.one(0), &first);
+        same(&both.one(1), &second);
+    }
+}
