@@ -180,6 +180,17 @@ mod tests {
     }
 
     #[test]
+    fn a_power_of_two_in_the_length_of_a_direction_changes_no_bit() {
+        let normal = Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5));
+        let directions = [Vector3::new(0.1, 0.7, -0.3)];
+        let power = |exponent: i32| 2.0_f64.powi(exponent);
+        for scale in [-1000, -300, 300, 1000].map(power) {
+            let scaled = directions.map(|d| d * scale);
+            assert_eq!(Roughness::of_span(&normal, &scaled), Roughness::of_span(&normal, &directions), "{scale:e}");
+        }
+    }
+
+    #[test]
     fn a_line_in_the_plane_is_all_of_the_contact_plane() {
         let roughness = Roughness::spanned_by(&Vector2::y_axis(), &[Vector2::new(1.0, 5.0)]);
         assert_eq!(roughness, Ok(Roughness::Rough));
