@@ -66,7 +66,7 @@ struct Waist(f64);
 
 impl PolarFormula for Waist {
     fn jet(&self, angle: f64) -> [f64; 3] {
-        let (sin, cos) = (libm::sin(2.0 * angle), libm::cos(2.0 * angle));
+        let (sin, cos) = libm::sincos(2.0 * angle);
         [1.0 + self.0 * cos, -2.0 * self.0 * sin, -4.0 * self.0 * cos]
     }
     fn jet_over(&self, angle: Interval) -> [Interval; 3] {

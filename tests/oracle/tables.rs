@@ -153,7 +153,7 @@ struct Lens(f64);
 
 impl PolarFormula for Lens {
     fn jet(&self, angle: f64) -> [f64; 3] {
-        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let (sin, cos) = libm::sincos(angle);
         let a = self.0.copysign(cos);
         [1.0 + a * cos, -a * sin, -a * cos]
     }
@@ -174,7 +174,7 @@ struct Soft(f64);
 
 impl PolarFormula for Soft {
     fn jet(&self, angle: f64) -> [f64; 3] {
-        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+        let (sin, cos) = libm::sincos(angle);
         let (size, root) = (cos.abs(), libm::sqrt(cos.abs()));
         let second = self.0 * (3.75 * root * sin * sin - 2.5 * size * size * root);
         [1.0 + self.0 * size * size * root, -2.5 * self.0 * cos * root * sin, second]

@@ -14,7 +14,7 @@ pub(crate) fn next_tangential(gamma_squared: f64, v0: f64, tau: f64) -> f64 {
 
 /// The state right after a hit at the polar angle `phi`, on the circle of the given radius about the origin.
 pub(crate) fn state(radius: f64, phi: f64, v0: f64, tau: f64, n: f64) -> State {
-    let (cos, sin) = (libm::cos(phi), libm::sin(phi));
+    let (sin, cos) = libm::sincos(phi);
     // ν = −(cos, sin), t = J ν = (sin, −cos)
     State { x: [0.0, radius * cos, radius * sin], v: [v0, tau * sin - n * cos, -tau * cos - n * sin] }
 }

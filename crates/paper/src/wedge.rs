@@ -39,7 +39,7 @@ pub fn axis(theta: f64, gamma_squared: f64) -> [f64; 3] {
 
 /// The radius ρ of the circle about `b` that touches the velocities of direct escape: `tan ρ = γ cos(θ/2) / (√(1+γ²) sin(θ/2))`.
 pub fn inradius(theta: f64, gamma_squared: f64) -> f64 {
-    let (sin, cos) = (libm::sin(0.5 * theta), libm::cos(0.5 * theta));
+    let (sin, cos) = libm::sincos(0.5 * theta);
     libm::atan2(libm::sqrt(gamma_squared) * cos, libm::sqrt(1.0 + gamma_squared) * sin)
 }
 
@@ -60,7 +60,7 @@ pub fn non_escape_area(theta: f64, gamma_squared: f64, q: Option<u32>) -> f64 {
 
 /// Inward normals of the walls: right, left.
 pub(crate) fn normals(theta: f64) -> [[f64; 2]; 2] {
-    let (sin, cos) = (libm::sin(0.5 * theta), libm::cos(0.5 * theta));
+    let (sin, cos) = libm::sincos(0.5 * theta);
     [[-cos, sin], [cos, sin]]
 }
 

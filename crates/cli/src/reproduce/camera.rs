@@ -14,7 +14,7 @@ impl Camera {
     /// From this azimuth (about the third axis, from the first) and elevation, in degrees.
     pub(super) fn at(azimuth: f64, elevation: f64) -> Self {
         let (a, e) = (azimuth * PI / 180.0, elevation * PI / 180.0);
-        let ([sa, ca], [se, ce]) = ([libm::sin(a), libm::cos(a)], [libm::sin(e), libm::cos(e)]);
+        let ((sa, ca), (se, ce)) = (libm::sincos(a), libm::sincos(e));
         Camera { right: [-sa, ca, 0.0], up: [-se * ca, -se * sa, ce], towards: [ce * ca, ce * sa, se] }
     }
 
@@ -59,7 +59,7 @@ pub(super) fn along(p: [f64; 3], t: f64, d: [f64; 3]) -> [f64; 3] {
 
 /// Turns `v` by an angle about the unit vector `axis`, counter-clockwise seen from its tip.
 pub(super) fn turn(v: [f64; 3], axis: [f64; 3], angle: f64) -> [f64; 3] {
-    let (s, c) = (libm::sin(angle), libm::cos(angle));
+    let (s, c) = libm::sincos(angle);
     let (across, height) = (cross(axis, v), dot(axis, v));
     core::array::from_fn(|i| c * v[i] + s * across[i] + (1.0 - c) * height * axis[i])
 }

@@ -41,7 +41,7 @@ pub(super) fn limit(arc: f64, gamma_squared: f64) -> f64 {
     let sum: f64 = (0..=n)
         .map(|k| {
             let theta = low + (high - low) * f64::from(k) / f64::from(n);
-            let (cos, sin) = (libm::cos(theta), libm::sin(theta));
+            let (sin, cos) = libm::sincos(theta);
             let weight = if k == 0 || k == n {
                 1.0
             } else if k % 2 == 1 {

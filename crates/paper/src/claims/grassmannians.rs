@@ -120,7 +120,7 @@ fn strict_isometries(sample: usize) -> usize {
     let along = [&first, &second].map(|b| normal.dot(b));
     let tangent = &second * along[0] - &first * along[1];
     let isometry = |degrees: i32, flip: f64| {
-        let (sin, cos) = (libm::sin(TAU * f64::from(degrees) / 360.0), libm::cos(TAU * f64::from(degrees) / 360.0));
+        let (sin, cos) = libm::sincos(TAU * f64::from(degrees) / 360.0);
         let images = [normal * cos + &tangent * sin, (&tangent * cos - normal * sin) * flip];
         let size = normal.len();
         DMatrix::identity(size, size)

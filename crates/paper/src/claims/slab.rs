@@ -87,7 +87,7 @@ fn measure(effort: Effort) -> Measurement {
         let along = libm::sqrt((1.0 - rise) * (1.0 + rise));
         let (v1, v2, w) = if agree {
             let turn = stream.between(0.0, core::f64::consts::TAU);
-            let (v, w) = (libm::cos(turn), libm::sin(turn));
+            let (w, v) = libm::sincos(turn);
             let [a, b, _] = stream.on_sphere();
             let size = libm::hypot(a, b);
             (a / size * v, b / size * v, [-b / size * w, a / size * w, 0.0])

@@ -33,7 +33,7 @@ fn measure(effort: Effort) -> Measurement {
         let h = mirror * no_slip(gamma_squared, normals(theta)[1]);
         let d = delta(theta, gamma_squared);
         // Rodrigues: the rotation by −2δ about b; the hit is that of the left wall
-        let (sin, cos) = (libm::sin(-2.0 * d), libm::cos(-2.0 * d));
+        let (sin, cos) = libm::sincos(-2.0 * d);
         let cross = Matrix3::new(0.0, -b.z, b.y, b.z, 0.0, -b.x, -b.y, b.x, 0.0);
         let turn = Matrix3::identity() * cos + cross * sin + b * b.transpose() * (1.0 - cos);
         folded.push((h - turn).amax());

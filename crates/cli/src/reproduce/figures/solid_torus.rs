@@ -23,7 +23,7 @@ pub(super) const FIGURE: Figure = Figure {
 const RADII: [f64; 2] = [1.0, 0.36];
 
 fn place(s: f64, [a, b]: [f64; 2]) -> [f64; 3] {
-    let (sin, cos) = (libm::sin(TAU * s), libm::cos(TAU * s));
+    let (sin, cos) = libm::sincos(TAU * s);
     let r = RADII[0] + RADII[1] * a;
     [r * cos, r * sin, RADII[1] * b]
 }

@@ -44,7 +44,7 @@ fn draw(effort: Effort) -> Drawing {
         let delta = wedge::delta(theta, HALF);
         let tan = libm::tan(0.5 * theta);
         let [brown, blue, pale] = [Colour(0xd9, 0xa0, 0x66), Colour(0x6f, 0x9a, 0xc8), Colour(0xf2, 0xef, 0xea)];
-        let (sin, cos) = (libm::sin(2.0 * delta), libm::cos(2.0 * delta));
+        let (sin, cos) = libm::sincos(2.0 * delta);
         let class = |v: [f64; 3]| {
             if is_free(v, tan) {
                 return brown;
