@@ -91,7 +91,7 @@ pub trait Motion<const N: usize, const S: usize> {
         slow: F,
     ) -> F::Mask;
     /// Why an orbit that hits nothing ends: it escapes, it has stalled, or it runs along a wall.
-    fn without_hit(&self, _position: &[f64; N], velocity: &[f64; N]) -> Stop {
+    fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
         without_hit(velocity)
     }
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
@@ -143,7 +143,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         let flat = !(speed(&orbit.velocity, &orbit.spin) * GRAZING).lt(leaving);
         flat | creeps(hit, normal_speed, leaving, &orbit.velocity) | has_stalled(&orbit.velocity)
     }
-    fn without_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> Stop {
-        if follows(self.walls, position, velocity) { Stop::Grazing } else { without_hit(velocity) }
+    fn without_hit(&self, position: [f64; N], velocity: [f64; N]) -> Stop {
+        if follows(self.walls, &position, &velocity) { Stop::Grazing } else { without_hit(velocity) }
     }
 }

@@ -42,8 +42,8 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
     fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F>) {}
     /// The same as [`leave`](EnergyKeeper::leave) for the components of velocities along the normal, which comes first, and the
-    /// tangents, and for the spin with them. A law that `reverses` the normal component does not round it: the others are corrected.
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F, reverses: bool);
+    /// tangents, and for the spin with them: for the velocity as a whole, of which a strict law leaves the normal component as it is.
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F);
     /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], _spin: &[F; S]) -> F {
@@ -119,7 +119,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F>) {}
     #[inline(always)]
-    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F, _: bool) {}
+    fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F) {}
 }
 
 impl<const N: usize, const S: usize> Keeping<N, S> for Free {
@@ -215,11 +215,11 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F, reverses: bool) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F) {
         if self.is_due() {
             // their share of the energy: as much as they have lost, on average
             let growth = owed * self.share;
-            for i in usize::from(reverses)..N {
+            for i in 0..N {
                 velocity[i] = velocity[i] + velocity[i] * growth;
             }
             for i in 0..S {

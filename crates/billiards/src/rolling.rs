@@ -5,7 +5,7 @@ use crate::{
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
-    stop::{GRAZING, has_stalled},
+    stop::{GRAZING, LEAST},
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};
@@ -249,23 +249,23 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             orbit.keeper.pass();
         } else {
             let mut velocity = [-arrival, chord.tangential];
-            let (mut owed, reverses) = (orbit.keeper.owed(&velocity, &orbit.spin), self.law.is_strict());
-            if !reverses {
+            let mut owed = orbit.keeper.owed(&velocity, &orbit.spin);
+            if !self.law.is_strict() {
                 owed = orbit.keeper.rounded_off(owed);
             }
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
-            if reverses {
+            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, owed);
+            if self.law.is_strict() {
                 // exactly, also where the law has been asked in the coordinates of the plane
                 velocity[0] = arrival;
             }
-            orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, owed, reverses);
             [carried.normal, carried.even.tangential] = velocity;
         }
         if self.law.is_strict() {
             return !slow.lt(arrival.abs());
         }
         let all = carried.normal.abs() + carried.even.tangential.abs() + orbit.spin[0].abs();
-        !(all * GRAZING).lt(carried.normal.abs()) | has_stalled(&[carried.normal, carried.even.tangential])
+        !(all * GRAZING).max(all.same(LEAST)).lt(carried.normal.abs())
     }
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, orbit: &mut Orbit<F, 2, 1, K, T>, carried: &Frame<F>) {

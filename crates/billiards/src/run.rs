@@ -97,7 +97,7 @@ where
             }
             if hit.corner | !moves(hit.time) {
                 if !(hit.time < f64::INFINITY) {
-                    break billiard.without_hit(&orbit.position, &orbit.velocity);
+                    break Stop::Escaped;
                 }
                 if hit.corner {
                     break Stop::Corner;
@@ -117,12 +117,16 @@ where
                 break Stop::Observer;
             }
             if stays {
-                billiard.settle(orbit, &carried);
-                break without_way(&orbit.velocity);
+                break Stop::Grazing;
             }
         };
         billiard.settle(orbit, &carried);
         *at = orbit.clone();
+        let stop = match stop {
+            Stop::Escaped => billiard.without_hit(at.position, at.velocity),
+            Stop::Grazing => without_way(at.velocity),
+            other => other,
+        };
         Outcome { stop, collisions: n }
     }
 }

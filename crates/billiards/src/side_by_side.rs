@@ -210,7 +210,7 @@ where
         self.billiard.settle(&mut group.orbit, &group.carried);
         let velocity = |lane: usize| group.orbit.velocity.map(|x| x.lane(lane));
         let ended =
-            core::array::from_fn(|lane| (lane < F::LANES && slides.at(lane)).then(|| without_way(&velocity(lane))));
+            core::array::from_fn(|lane| (lane < F::LANES && slides.at(lane)).then(|| without_way(velocity(lane))));
         self.change(group, next, step, &ended);
     }
 
@@ -235,7 +235,7 @@ where
             if !(time < f64::INFINITY) {
                 let [position, velocity] =
                     [&group.orbit.position, &group.orbit.velocity].map(|x| x.map(|x| x.lane(lane)));
-                *stop = Some(self.billiard.without_hit(&position, &velocity));
+                *stop = Some(self.billiard.without_hit(position, velocity));
             } else if corner.at(lane) {
                 *stop = Some(Stop::Corner);
             } else if !(time > 0.0) && seat.idle_at != step {

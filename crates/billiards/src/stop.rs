@@ -49,6 +49,9 @@ pub(crate) const MOST_IDLE: u32 = 64;
 /// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
+/// The square of a normal speed of this has lost its digits.
+pub(crate) const LEAST: f64 = 1e-154;
+
 /// Whether the square of the speed has lost its digits.
 #[inline(always)]
 pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask {
@@ -56,11 +59,11 @@ pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask
 }
 
 /// Why an orbit of this velocity hits nothing: no wall is there, or it has stalled.
-pub(crate) fn without_hit<const N: usize>(velocity: &[f64; N]) -> Stop {
-    if has_stalled(velocity) { Stop::Stalled } else { Stop::Escaped }
+pub(crate) fn without_hit<const N: usize>(velocity: [f64; N]) -> Stop {
+    if has_stalled(&velocity) { Stop::Stalled } else { Stop::Escaped }
 }
 
 /// Why an orbit that leaves a wall with this velocity does not go on.
-pub(crate) fn without_way<const N: usize>(velocity: &[f64; N]) -> Stop {
-    if has_stalled(velocity) { Stop::Stalled } else { Stop::Grazing }
+pub(crate) fn without_way<const N: usize>(velocity: [f64; N]) -> Stop {
+    if has_stalled(&velocity) { Stop::Stalled } else { Stop::Grazing }
 }

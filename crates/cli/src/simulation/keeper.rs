@@ -40,9 +40,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         }
     }
     #[inline(always)]
-    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F, reverses: bool) {
+    fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F) {
         if self.strict {
-            self.conserved.leave_in_frame(velocity, spin, owed, reverses);
+            self.conserved.leave_in_frame(velocity, spin, owed);
         }
     }
     #[inline(always)]

@@ -130,7 +130,7 @@ impl Arc {
         let between = !a_left & b_left;
         let around = self.around.meets(v, a_left, b_left);
         let roots = self.circle.roots(x, v);
-        self.circle.outward(&roots, between | (around & self.circle.is_met(&roots)))
+        self.circle.outward(&roots, between, around)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

@@ -79,21 +79,24 @@ impl Circle {
         Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
 
-    /// The crossing outwards among the roots, wherever on the circle it lies, where `allowed`.
+    /// The crossing outwards among the roots, wherever on the circle it lies: for sure on what is asked about where the path passes
+    /// `between` its ends, and where it goes `around` if the path meets the circle at all, in two points, or, from its inside, starts
+    /// along its edge. A path that starts outside a disk leaves it after it has entered it, if ever.
     #[inline(always)]
-    pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, allowed: F::Mask) -> Candidate<F> {
-        let Roots { a, b, c, root, .. } = *roots;
+    pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, between: F::Mask, around: F::Mask) -> Candidate<F> {
+        let Roots { a, b, c, root, meets } = *roots;
         let zero = a.same(0.0);
         let q = b.abs() + root;
         let off = zero.same(self.off);
         if self.inside {
             // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
-            let coming = !zero.lt(b);
-            let really = allowed & (coming | c.lt(off));
+            let (coming, starts) = (!zero.lt(b), c.lt(off));
+            let really = (between | (around & (meets | starts))) & (coming | starts);
             Candidate { really, num: coming.select(q, -c), den: coming.select(a, q) }
         } else {
             // entering the disk: the earlier root
-            Candidate { really: allowed & b.lt(zero) & (-off).lt(c), num: c, den: q }
+            let really = (between | (around & meets)) & b.lt(zero) & (-off).lt(c);
+            Candidate { really, num: c, den: q }
         }
     }
 
@@ -107,14 +110,8 @@ impl Circle {
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
         let roots = self.roots(x, v);
-        self.outward(&roots, self.is_met(&roots))
-    }
-
-    /// Whether a path has any business with the circle: its line meets it in two points, or, of a disk that bounds the table from
-    /// inside, the path starts in it, perhaps along its edge. One that starts outside a disk leaves it after it has entered it, if ever.
-    #[inline(always)]
-    pub(crate) fn is_met<F: Lane>(&self, roots: &Roots<F>) -> F::Mask {
-        if self.inside { roots.meets | roots.c.lt(roots.c.same(self.off)) } else { roots.meets }
+        let never = x[0].never();
+        self.outward(&roots, never, !never)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

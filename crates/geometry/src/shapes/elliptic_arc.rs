@@ -88,8 +88,7 @@ impl EllipticArc {
         let (y, w) = self.ellipse.affine(x, v);
         let around = self.around.meets(w, a_left, b_left);
         let roots = self.ellipse.unit().roots(y, w);
-        let circle = self.ellipse.unit();
-        circle.outward(&roots, between | (around & circle.is_met(&roots)))
+        self.ellipse.unit().outward(&roots, between, around)
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
