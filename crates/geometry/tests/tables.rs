@@ -352,6 +352,51 @@ fn tables_in_space_know_their_size_and_where_they_are() {
 }
 
 #[test]
+fn walls_of_a_table_in_space_are_as_far_as_its_solids() {
+    for table in [tables::slab(1.0), tables::cuboid([1.0, 2.0, 3.0]), tables::ball(2.0)] {
+        let table = table.unwrap();
+        let solids: Vec<_> =
+            table.solids().iter().map(|(spec, center, side)| spec.solid(*center, *side).unwrap()).collect();
+        for at in [[0.25, 0.5, 0.75], [0.5, 1.5, 0.125], [0.5, 1.0, 3.5]] {
+            let point = SVector::from(at);
+            let walls = table.walls_at(&point);
+            assert_eq!(
+                walls.iter().map(|wall| wall.piece).collect::<Vec<_>>(),
+                (0..table.pieces().len()).collect::<Vec<_>>()
+            );
+            let nearest = walls.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap();
+            let solid = solids
+                .iter()
+                .map(|solid| solid.closest(&point))
+                .min_by(|a, b| a.distance.total_cmp(&b.distance))
+                .unwrap();
+            assert_eq!(nearest.distance, table.signed_distance(&point));
+            assert!((nearest.distance - solid.distance).abs() < 1e-15, "{} {at:?}", table.name());
+            assert!((nearest.normal.normalize() - solid.normal).norm() < 1e-15, "{} {at:?}", table.name());
+        }
+    }
+}
+
+#[test]
+fn a_ball_has_room_in_a_table_in_space_up_to_half_its_least_width() {
+    for (table, largest) in [(tables::slab(1.0), 0.5), (tables::cuboid([3.0, 1.0, 2.0]), 0.5), (tables::ball(2.0), 2.0)]
+    {
+        let table = table.unwrap();
+        let (centres, origin) = table.offset(0.25).unwrap();
+        let point = SVector::from([0.5; 3]);
+        assert_eq!(
+            centres.signed_distance(&(point - origin)),
+            table.signed_distance(&point) - 0.25,
+            "{}",
+            table.name()
+        );
+        assert_eq!(table.offset(largest).unwrap_err(), Error::NothingLeft { radius: largest, largest });
+        assert_eq!(table.offset(-1.0).unwrap_err(), Error::Radius { radius: -1.0 });
+        assert_eq!(table.offset(0.0).unwrap().0.extent(), table.extent());
+    }
+}
+
+#[test]
 fn on_a_lattice_the_arc_length_is_that_on_the_translate_that_is_there() {
     let v = |x: f64, y: f64| Vector2::new(x, y);
     let lattice = Lattice::new(&[v(1.0, 0.0), v(0.0, 1.0)]).unwrap();

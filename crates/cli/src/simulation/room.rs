@@ -26,9 +26,7 @@ pub(crate) fn between(scene: &Scene, entries: &[Entry], walls: &[Wall], factor: 
     let radius = scene.particle.radius.value;
     let (mut solids, mut wrong) = (vec![], vec![]);
     for (wall, entry) in walls.iter().zip(entries) {
-        let moved = Wall { spec: wall.spec.scaled(factor), center: wall.center.map(|x| x * factor), side: wall.side }
-            .of_centres(radius * factor);
-        match moved.and_then(|wall| wall.spec.solid(wall.center, wall.side)) {
+        match wall.scaled(factor).of_centres(radius * factor).and_then(|wall| wall.spec.solid(wall.center, wall.side)) {
             Ok(solid) => solids.push(solid),
             Err(Error::NothingLeft { largest, .. }) => wrong.push(too_large(scene, largest / factor)),
             Err(error) => wrong.push(scene.source.diagnostic(entry.span, error.to_string())),

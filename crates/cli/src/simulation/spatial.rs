@@ -1,7 +1,7 @@
 //! A ball on a table in space.
 
-use billiards::geometry::parry::{Room, Side, Solid, SolidSpec};
-use billiards::geometry::tables::{self, SpatialTable};
+use billiards::geometry::parry::{Closest, Room, Solid};
+use billiards::geometry::tables::{self, SpatialTable, WallAt};
 use billiards::geometry::walls::ByLane;
 use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
@@ -61,37 +61,24 @@ pub(crate) struct Touched {
 impl Space {
     /// Where a point lies. A point given on a wall is on it within the rounding of coordinates.
     pub(crate) fn touched(&self, point: &Vector3<f64>) -> Touched {
-        let slack = |size: f64| 16.0 * f64::EPSILON * size.max(point.amax());
+        let walls = match self {
+            Space::Named(table) => table.walls_at(point),
+            Space::Room(room) => {
+                let seen = |(piece, solid): (usize, &Solid)| {
+                    let Closest { distance, normal, .. } = solid.closest(point);
+                    WallAt { piece, distance, normal, slack: solid.slack(point) }
+                };
+                room.solids().iter().enumerate().map(seen).collect()
+            }
+        };
         let mut touched = Touched::default();
-        let mut wall = |piece: usize, distance: f64, normal: Vector3<f64>, slack: f64| {
+        for WallAt { piece, distance, normal, slack } in walls {
             if distance < -slack {
                 if touched.outside.is_none_or(|(most, _)| most < -distance) {
                     touched.outside = Some((-distance, piece));
                 }
             } else if distance <= slack {
                 touched.normals.push(normal);
-            }
-        };
-        match self {
-            Space::Room(room) => {
-                for (piece, solid) in room.solids().iter().enumerate() {
-                    let closest = solid.closest(point);
-                    wall(piece, closest.distance, closest.normal, solid.slack(point));
-                }
-            }
-            Space::Named(table) if table.name() == "ball" => {
-                let [_, high] = table.extent();
-                wall(0, table.signed_distance(point), -point, slack(high.x));
-            }
-            Space::Named(table) => {
-                let [low, high] = table.extent();
-                let bounded = (0..3).filter(|axis| high[*axis].is_finite());
-                for (pair, axis) in bounded.enumerate() {
-                    let mut normal = Vector3::zeros();
-                    normal[axis] = 1.0;
-                    wall(2 * pair, point[axis] - low[axis], normal, slack(high[axis]));
-                    wall(2 * pair + 1, high[axis] - point[axis], -normal, slack(high[axis]));
-                }
             }
         }
         touched
@@ -129,12 +116,18 @@ impl Spatial {
         let factor = to_unity(boundary::lengths(scene));
         let (centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
-                let (table, shift) = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
+                let table = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
                 let pieces: Vec<String> = table.pieces().iter().map(|name| (*name).into()).collect();
                 let laws = vec![None; pieces.len()];
-                let extent = of_named(&table, &shift, scene.particle.radius.value, factor);
-                let walls = walls_of_named(table.name(), extent);
-                (Space::Named(table), shift, walls, pieces, laws)
+                let wall = |(spec, center, side)| Wall { spec, center, side }.scaled(1.0 / factor);
+                let walls = table.solids().into_iter().map(wall).collect();
+                let (centres, shift) = table.offset(scene.particle.radius.value * factor).map_err(|error| {
+                    vec![match error {
+                        Error::NothingLeft { largest, .. } => room::too_large(scene, largest / factor),
+                        error => *boundary::wrong_argument(scene, arguments, &error, factor),
+                    }]
+                })?;
+                (Space::Named(centres), shift, walls, pieces, laws)
             }
             TableShape::Boundary(entries) => {
                 let (walls, pieces) = room::walls(scene, entries)?;
@@ -189,10 +182,7 @@ impl Spatial {
 
     /// A box around the walls as drawn, in the scene's unit; infinite where they have no end.
     pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
-        match &self.centres {
-            Space::Named(table) => of_named(table, &self.shift, self.radius, self.factor),
-            Space::Room(_) => drawn(&self.walls).extent(),
-        }
+        drawn(&self.walls).extent()
     }
 
     /// The start of an orbit, by its number.
@@ -254,62 +244,17 @@ impl Spatial {
     }
 }
 
-/// A built-in table of centres, and where its origin lies.
-fn named(
-    scene: &Scene,
-    name: &str,
-    arguments: &Arguments,
-    factor: f64,
-) -> Result<(SpatialTable, Vector3<f64>), Box<Diagnostic>> {
+/// A built-in table as drawn, all lengths multiplied by a factor.
+fn named(scene: &Scene, name: &str, arguments: &Arguments, factor: f64) -> Result<SpatialTable, Box<Diagnostic>> {
     let wrong = |error: &Error| boundary::wrong_argument(scene, arguments, error, factor);
     let entry = tables::find(name).ok_or_else(|| wrong(&Error::Empty))?;
     let values = entry.scaled(&boundary::values(entry, arguments), factor);
-    let table = entry.spatial(&values).map_err(|error| wrong(&error))?;
-    let radius = scene.particle.radius.value * factor;
-    if radius == 0.0 {
-        return Ok((table, Vector3::zeros()));
-    }
-    // the same table, smaller by the radius on all sides
-    let [low, high] = table.extent();
-    let half = (high - low) * 0.5;
-    if half.iter().any(|half| *half <= radius) {
-        return Err(Box::new(room::too_large(scene, half.min() / factor)));
-    }
-    let size = (high - low).map(|size| size - 2.0 * radius);
-    let (smaller, shift) = match name {
-        "slab" => (tables::slab(size.z), Vector3::new(0.0, 0.0, radius)),
-        "box" => (tables::cuboid(size.into()), Vector3::repeat(radius)),
-        _ => (tables::ball(high.x - radius), Vector3::zeros()),
-    };
-    Ok((smaller.map_err(|error| wrong(&error))?, shift))
+    entry.spatial(&values).map_err(|error| wrong(&error))
 }
 
 /// The room between walls as drawn, in the scene's unit.
 fn drawn(walls: &[Wall]) -> Room {
     Room::new(walls.iter().filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok()).collect())
-}
-
-/// A box around the walls of a built-in table, of which this is the region of centres of a ball.
-fn of_named(centres: &SpatialTable, shift: &Vector3<f64>, radius: f64, factor: f64) -> [Vector3<f64>; 2] {
-    let [low, high] = centres.extent().map(|corner| (corner + shift) / factor);
-    [low.add_scalar(-radius), high.add_scalar(radius)]
-}
-
-/// The walls of a built-in table in that box.
-fn walls_of_named(name: &str, [low, high]: [Vector3<f64>; 2]) -> Vec<Wall> {
-    let wall = |spec, center: Vector3<f64>, side| Wall { spec, center: center.into(), side };
-    match name {
-        "ball" => vec![wall(SolidSpec::Ball { radius: high.x }, Vector3::zeros(), Side::Inside)],
-        "box" => {
-            let spec = SolidSpec::Cuboid { size: (high - low).into(), rounding: 0.0 };
-            vec![wall(spec, (low + high) * 0.5, Side::Inside)]
-        }
-        _ => [(1.0, low.z), (-1.0, high.z)]
-            .map(|(up, z)| {
-                wall(SolidSpec::HalfSpace { normal: [0.0, 0.0, up] }, Vector3::new(0.0, 0.0, z), Side::Outside)
-            })
-            .into(),
-    }
 }
 
 /// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.

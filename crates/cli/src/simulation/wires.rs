@@ -21,6 +21,11 @@ pub(crate) struct Wall {
 }
 
 impl Wall {
+    /// The same wall, all lengths multiplied by a power of two.
+    pub(crate) fn scaled(&self, factor: f64) -> Wall {
+        Wall { spec: self.spec.scaled(factor), center: self.center.map(|x| x * factor), side: self.side }
+    }
+
     /// The wall of the centre of a ball that moves on the table's side of this one.
     pub(crate) fn of_centres(&self, radius: f64) -> Result<Wall, Error> {
         let (spec, shift) = self.spec.parallel(self.side, radius)?;

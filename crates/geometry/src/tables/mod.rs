@@ -50,7 +50,7 @@ pub use registry::{Build, Entry, Kind, Parameter, Value, Values};
 pub use sinai::sinai;
 pub use sinai_torus::sinai_torus;
 pub use slab::slab;
-pub use spatial::SpatialTable;
+pub use spatial::{SpatialTable, WallAt};
 pub use square::square;
 pub use stadium::stadium;
 pub use strip::strip;

@@ -1,5 +1,9 @@
 //! Tables in space whose walls answer in closed form.
+use super::{ball, cuboid, slab};
 use crate::{
+    Error,
+    parry::{Side, SolidSpec},
+    plane::slack,
     surface::{Surface, direction},
     walls::{Cuboid, Slab, Sphere, WithWalls},
 };
@@ -17,6 +21,19 @@ enum Figure {
     Slab { height: f64, walls: Slab<3, 2> },
     Cuboid { size: [f64; 3], walls: Cuboid<3> },
     Ball { radius: f64, walls: Sphere<3> },
+}
+
+/// A wall of a table in space as seen from a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallAt {
+    /// Its number.
+    pub piece: usize,
+    /// Distance from it \[L\], negative beyond it.
+    pub distance: f64,
+    /// Its normal there, into the table, of any length.
+    pub normal: Vector3<f64>,
+    /// How far off it \[L\] the point may lie and still count as on it: the rounding of its coordinates and of the wall's.
+    pub slack: f64,
 }
 
 impl SpatialTable {
@@ -102,6 +119,77 @@ impl SpatialTable {
     /// Whether a point lies in the table, off the boundary.
     pub fn contains(&self, point: &Vector3<f64>) -> bool {
         self.signed_distance(point) > 0.0
+    }
+
+    /// Its walls as seen from a point \[L\].
+    pub fn walls_at(&self, point: &Vector3<f64>) -> Vec<WallAt> {
+        let slack = |size: f64| slack([size, point.amax()]);
+        if let Figure::Ball { radius, .. } = self.figure {
+            return vec![WallAt {
+                piece: 0,
+                distance: self.signed_distance(point),
+                normal: -point,
+                slack: slack(radius),
+            }];
+        }
+        let [low, high] = self.extent();
+        let bounded = (0..3).filter(|axis| high[*axis].is_finite());
+        let pairs = bounded.enumerate().map(|(pair, axis)| {
+            let mut normal = Vector3::zeros();
+            normal[axis] = 1.0;
+            let slack = slack(high[axis]);
+            [
+                WallAt { piece: 2 * pair, distance: point[axis] - low[axis], normal, slack },
+                WallAt { piece: 2 * pair + 1, distance: high[axis] - point[axis], normal: -normal, slack },
+            ]
+        });
+        pairs.flatten().collect()
+    }
+
+    /// Its walls as solids, each with its centre \[L\] and the side of it on which the table lies. A box is a single one.
+    pub fn solids(&self) -> Vec<(SolidSpec, [f64; 3], Side)> {
+        let half_space =
+            |up: f64, z: f64| (SolidSpec::HalfSpace { normal: [0.0, 0.0, up] }, [0.0, 0.0, z], Side::Outside);
+        match self.figure {
+            Figure::Slab { height, .. } => vec![half_space(1.0, 0.0), half_space(-1.0, height)],
+            Figure::Cuboid { size, .. } => {
+                vec![(SolidSpec::Cuboid { size, rounding: 0.0 }, size.map(|length| 0.5 * length), Side::Inside)]
+            }
+            Figure::Ball { radius, .. } => vec![(SolidSpec::Ball { radius }, [0.0; 3], Side::Inside)],
+        }
+    }
+
+    /// Where the centre of a ball can be that moves in the table: the table of the same kind all of whose walls lie farther in by the
+    /// radius \[L\], and where its origin lies in this one.
+    ///
+    /// ```
+    /// use geometry::{Vector3, tables};
+    /// let (centres, origin) = tables::cuboid([1.0, 2.0, 3.0])?.offset(0.25)?;
+    /// assert_eq!(centres.extent()[1], Vector3::new(0.5, 1.5, 2.5));
+    /// assert_eq!(origin, Vector3::repeat(0.25));
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Radius`] for a radius that is negative or not finite, [`Error::NothingLeft`] where no such ball fits.
+    pub fn offset(&self, radius: f64) -> Result<(SpatialTable, Vector3<f64>), Error> {
+        if radius == 0.0 {
+            return Ok((self.clone(), Vector3::zeros()));
+        }
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Error::Radius { radius });
+        }
+        let [low, high] = self.extent();
+        let largest = 0.5 * (high - low).min();
+        if radius >= largest {
+            return Err(Error::NothingLeft { radius, largest });
+        }
+        let less = |size: f64| size - 2.0 * radius;
+        Ok(match self.figure {
+            Figure::Slab { height, .. } => (slab(less(height))?, Vector3::new(0.0, 0.0, radius)),
+            Figure::Cuboid { size, .. } => (cuboid(size.map(less))?, Vector3::repeat(radius)),
+            Figure::Ball { radius: whole, .. } => (ball(whole - radius)?, Vector3::zeros()),
+        })
     }
 
     /// Runs a computation with the walls.
