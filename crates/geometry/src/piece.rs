@@ -130,14 +130,16 @@ pub trait Piece: Debug + Send + Sync {
         None
     }
 
-    /// The exact figure, where it is one of the common ones.
-    fn figure(&self) -> Figure {
-        Figure::Other
-    }
-
     /// The two tips of a straight wall without thickness, whose boundary runs from one to the other and back.
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         None
+    }
+}
+
+impl dyn Piece + '_ {
+    /// The exact figure: that of its shape, where it has one.
+    pub fn figure(&self) -> Figure {
+        self.shape().map_or(Figure::Other, |shape| shape.figure())
     }
 }
 

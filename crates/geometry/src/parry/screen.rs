@@ -1,6 +1,6 @@
 //! A wall without thickness.
 use crate::{
-    Crossing, Error, Extent, Figure, Landing, Line, Piece,
+    Crossing, Error, Extent, Landing, Line, Piece,
     plane::{cross, dot, slack},
     shapes::Segment,
 };
@@ -82,9 +82,6 @@ impl Piece for Screen {
     }
     fn area(&self) -> f64 {
         0.0
-    }
-    fn figure(&self) -> Figure {
-        Figure::Other
     }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         Some([self.a, self.b])

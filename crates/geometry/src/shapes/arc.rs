@@ -3,7 +3,7 @@ use crate::{
     Error,
     crossing::{Candidate, Crossing},
     path::Line,
-    piece::{Extent, Figure, Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{cross, direction, dot, from, moved, slack},
     shapes::{Circle, Shape},
 };
@@ -210,14 +210,6 @@ impl Piece for Arc {
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Arc(*self))
-    }
-    fn figure(&self) -> Figure {
-        Figure::Arc {
-            center: self.circle.center.into(),
-            radius: self.circle.radius,
-            ends: [self.a.into(), self.b.into()],
-            inside: self.circle.inside,
-        }
     }
 }
 

@@ -3,7 +3,7 @@ use crate::{
     Error,
     crossing::{Candidate, Crossing},
     path::Line,
-    piece::{Extent, Figure, Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{along, cross, dot, from, moved, slack},
     shapes::{Ground, Shape},
 };
@@ -206,9 +206,6 @@ impl Piece for Circle {
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Circle(*self))
-    }
-    fn figure(&self) -> Figure {
-        Figure::Circle { center: self.center.into(), radius: self.radius, inside: self.inside }
     }
 }
 

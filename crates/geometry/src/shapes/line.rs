@@ -3,7 +3,7 @@ use crate::{
     Error,
     crossing::{Candidate, Crossing},
     path::Line,
-    piece::{Extent, Figure, Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{self, Behind, along, dot, from, moved, slack},
     shapes::Shape,
 };
@@ -75,7 +75,8 @@ impl FullLine {
         self.behind.is_two_sided()
     }
 
-    fn direction(&self) -> Vector2<f64> {
+    /// Unit vector in the sense of traversal.
+    pub(crate) fn direction(&self) -> Vector2<f64> {
         Vector2::new(self.normal[1], -self.normal[0])
     }
 }
@@ -117,9 +118,6 @@ impl Piece for FullLine {
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Line(*self))
-    }
-    fn figure(&self) -> Figure {
-        Figure::Line { through: self.through.into(), direction: self.direction() }
     }
 }
 

@@ -3,7 +3,7 @@ use crate::{
     Error,
     crossing::{Candidate, Crossing},
     path::Line,
-    piece::{Extent, Figure, Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{self, Behind, along, cross, dot, from, moved, slack},
     shapes::Shape,
 };
@@ -38,6 +38,14 @@ impl Ray {
     /// Its end.
     pub(crate) fn start(&self) -> [f64; 2] {
         self.from
+    }
+    /// Unit vector away from its end.
+    pub(crate) fn direction(&self) -> [f64; 2] {
+        self.direction
+    }
+    /// Whether the table lies on the left of that.
+    pub(crate) fn is_left(&self) -> bool {
+        self.side > 0.0
     }
     pub(crate) fn translated(self, by: [f64; 2]) -> Ray {
         let from = moved(self.from, by);
@@ -127,8 +135,5 @@ impl Piece for Ray {
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Ray(*self))
-    }
-    fn figure(&self) -> Figure {
-        Figure::Ray { from: self.from.into(), direction: self.direction.into(), left: self.side > 0.0 }
     }
 }

@@ -3,7 +3,7 @@ use crate::{
     Error,
     crossing::{Candidate, Crossing},
     path::Line,
-    piece::{Extent, Figure, Landing, Piece},
+    piece::{Extent, Landing, Piece},
     plane::{along, cross, direction, dot, from, moved, slack},
     shapes::Shape,
 };
@@ -166,9 +166,6 @@ impl Piece for Segment {
     }
     fn shape(&self) -> Option<Shape> {
         Some(Shape::Segment(*self))
-    }
-    fn figure(&self) -> Figure {
-        Figure::Segment { ends: [self.a.into(), self.b.into()] }
     }
 }
 

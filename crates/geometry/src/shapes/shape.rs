@@ -1,6 +1,6 @@
 //! The shapes that answer in lanes.
 use super::{Arc, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment};
-use crate::Piece;
+use crate::{Figure, Piece};
 use nalgebra::Vector2;
 use std::sync::Arc as Shared;
 
@@ -24,6 +24,21 @@ pub enum Shape {
     Ellipse(Ellipse),
 }
 
+/// The same for every kind of shape: `$s` is what a variant holds, `$shape` makes a shape of that again.
+macro_rules! each {
+    ($self:expr, $shape:pat, $s:ident => $then:expr) => {
+        each!($self, $shape, $s => $then; Segment Ray Line Arc Circle EllipticArc Ellipse)
+    };
+    ($self:expr, $shape:pat, $s:ident => $then:expr; $($kind:ident)*) => {
+        match $self {
+            $(Shape::$kind($s) => {
+                let $shape = Shape::$kind;
+                $then
+            })*
+        }
+    };
+}
+
 /// How a path lands on a shape.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Ground {
@@ -40,29 +55,13 @@ impl Shape {
     #[must_use]
     pub fn translated(self, by: Vector2<f64>) -> Shape {
         let by = by.into();
-        match self {
-            Shape::Segment(s) => Shape::Segment(s.translated(by)),
-            Shape::Ray(s) => Shape::Ray(s.translated(by)),
-            Shape::Line(s) => Shape::Line(s.translated(by)),
-            Shape::Arc(s) => Shape::Arc(s.translated(by)),
-            Shape::Circle(s) => Shape::Circle(s.translated(by)),
-            Shape::EllipticArc(s) => Shape::EllipticArc(s.translated(by)),
-            Shape::Ellipse(s) => Shape::Ellipse(s.translated(by)),
-        }
+        each!(self, shape, s => shape(s.translated(by)))
     }
 
     /// The same as one side of a wall on which the table lies behind, too: what starts on the wall, within rounding, may be on either
     /// side and does not cross it.
     pub(crate) fn two_sided(self) -> Shape {
-        match self {
-            Shape::Segment(s) => Shape::Segment(s.two_sided()),
-            Shape::Ray(s) => Shape::Ray(s.two_sided()),
-            Shape::Line(s) => Shape::Line(s.two_sided()),
-            Shape::Arc(s) => Shape::Arc(s.two_sided()),
-            Shape::Circle(s) => Shape::Circle(s.two_sided()),
-            Shape::EllipticArc(s) => Shape::EllipticArc(s.two_sided()),
-            Shape::Ellipse(s) => Shape::Ellipse(s.two_sided()),
-        }
+        each!(self, shape, s => shape(s.two_sided()))
     }
     pub(crate) fn is_two_sided(&self) -> bool {
         match self {
@@ -77,26 +76,28 @@ impl Shape {
     }
 
     pub(crate) fn into_piece(self) -> Shared<dyn Piece> {
-        match self {
-            Shape::Segment(s) => Shared::new(s),
-            Shape::Ray(s) => Shared::new(s),
-            Shape::Line(s) => Shared::new(s),
-            Shape::Arc(s) => Shared::new(s),
-            Shape::Circle(s) => Shared::new(s),
-            Shape::EllipticArc(s) => Shared::new(s),
-            Shape::Ellipse(s) => Shared::new(s),
-        }
+        each!(self, _, s => Shared::new(s))
     }
 
     pub(crate) fn as_piece(&self) -> &dyn Piece {
+        each!(self, _, s => s)
+    }
+
+    /// The exact figure.
+    pub fn figure(&self) -> Figure {
         match self {
-            Shape::Segment(s) => s,
-            Shape::Ray(s) => s,
-            Shape::Line(s) => s,
-            Shape::Arc(s) => s,
-            Shape::Circle(s) => s,
-            Shape::EllipticArc(s) => s,
-            Shape::Ellipse(s) => s,
+            Shape::Segment(s) => Figure::Segment { ends: s.vertices().map(|p| Vector2::from(*p)) },
+            Shape::Ray(s) => Figure::Ray { from: s.start().into(), direction: s.direction().into(), left: s.is_left() },
+            Shape::Line(s) => Figure::Line { through: s.through().into(), direction: s.direction() },
+            Shape::Arc(s) => {
+                let Circle { center, radius, inside, .. } = *s.circle();
+                let ends = s.vertices().map(|p| Vector2::from(*p));
+                Figure::Arc { center: center.into(), radius, ends, inside }
+            }
+            Shape::Circle(Circle { center, radius, inside, .. }) => {
+                Figure::Circle { center: (*center).into(), radius: *radius, inside: *inside }
+            }
+            Shape::EllipticArc(_) | Shape::Ellipse(_) => Figure::Other,
         }
     }
 

@@ -1,6 +1,6 @@
 //! A piece moved by a vector: the translates of a lattice.
 use crate::{
-    Crossing, Extent, Figure, Landing, Line, Piece,
+    Crossing, Extent, Landing, Line, Piece,
     shapes::{Shape, curve::Graph},
 };
 use nalgebra::Vector2;
@@ -79,18 +79,5 @@ impl Piece for Translated {
     fn graphs(&self) -> Option<Vec<Graph>> {
         let moved = |graph: Graph| graph.translated(self.by.into());
         Some(self.piece.graphs()?.into_iter().map(moved).collect())
-    }
-    fn figure(&self) -> Figure {
-        let by = self.by;
-        match self.piece.figure() {
-            Figure::Segment { ends } => Figure::Segment { ends: ends.map(|p| p + by) },
-            Figure::Ray { from, direction, left } => Figure::Ray { from: from + by, direction, left },
-            Figure::Line { through, direction } => Figure::Line { through: through + by, direction },
-            Figure::Arc { center, radius, ends, inside } => {
-                Figure::Arc { center: center + by, radius, ends: ends.map(|p| p + by), inside }
-            }
-            Figure::Circle { center, radius, inside } => Figure::Circle { center: center + by, radius, inside },
-            Figure::Other => Figure::Other,
-        }
     }
 }
