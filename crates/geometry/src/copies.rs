@@ -1,23 +1,41 @@
 //! Pieces with all translates that matter, and a tree to find them by place.
-use crate::{BoxTree, Extent, Lattice, Piece, shapes::Translated};
+use crate::{BoxTree, Extent, Lattice, Piece, lattice::multiples, shapes::Translated};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
 /// A piece, or a translate of one by a lattice vector.
 #[derive(Clone, Debug)]
-pub(crate) struct Copy {
+pub(crate) struct Translate {
     /// The number of the piece.
     pub(crate) number: usize,
     /// By how many of each lattice vector it is moved.
     pub(crate) cell: [f64; 2],
+    /// By what it is moved.
+    pub(crate) by: Vector2<f64>,
     /// The piece, moved.
     pub(crate) piece: Arc<dyn Piece>,
+}
+
+impl Translate {
+    /// The piece itself.
+    pub(crate) fn home(number: usize, piece: &Arc<dyn Piece>) -> Translate {
+        Translate { number, cell: [0.0; 2], by: Vector2::zeros(), piece: piece.clone() }
+    }
+
+    /// The piece moved by so many of each lattice vector.
+    pub(crate) fn new(number: usize, piece: &Arc<dyn Piece>, lattice: &Lattice, cell: [f64; 2]) -> Translate {
+        let by = lattice.translation(cell);
+        if by == Vector2::zeros() {
+            return Translate::home(number, piece);
+        }
+        Translate { number, cell, by, piece: Arc::new(Translated::new(piece.clone(), by)) }
+    }
 }
 
 /// Pieces and their translates.
 #[derive(Clone, Debug)]
 pub(crate) struct Copies {
-    all: Vec<Copy>,
+    all: Vec<Translate>,
     /// For each piece, where it is among them, unmoved.
     home: Vec<usize>,
     boxes: Vec<Extent>,
@@ -32,14 +50,14 @@ impl Copies {
         for (number, piece) in pieces.iter().enumerate() {
             let extent = piece.extent();
             home.push(all.len());
-            all.push(Copy { number, cell: [0.0; 2], piece: piece.clone() });
+            all.push(Translate::home(number, piece));
             boxes.push(extent);
             let Some(lattice) = lattice.filter(|_| extent.is_finite() && around.is_finite()) else { continue };
             for cell in cells(lattice, &extent, around, reach) {
                 let by = lattice.translation(cell);
                 let moved = Extent { min: extent.min + by, max: extent.max + by };
                 if cell != [0.0; 2] && moved.meets(around, reach) {
-                    all.push(Copy { number, cell, piece: Arc::new(Translated::new(piece.clone(), by)) });
+                    all.push(Translate::new(number, piece, lattice, cell));
                     boxes.push(moved);
                 }
             }
@@ -48,7 +66,7 @@ impl Copies {
         Copies { all, home, boxes, tree }
     }
 
-    pub(crate) fn get(&self, index: usize) -> (&Copy, &Extent) {
+    pub(crate) fn get(&self, index: usize) -> (&Translate, &Extent) {
         (&self.all[index], &self.boxes[index])
     }
 
@@ -101,17 +119,7 @@ fn cells(lattice: &Lattice, moving: &Extent, around: &Extent, reach: f64) -> Vec
             [low.max(middle - side), high.min(middle + side)]
         });
     }
-    let mut found = vec![];
-    let mut first = range[0][0];
-    while first <= range[0][1] {
-        let mut second = range[1][0];
-        while second <= range[1][1] {
-            found.push([0, 1].map(|i| first * of_old[0][i] + second * of_old[1][i]));
-            second += 1.0;
-        }
-        first += 1.0;
-    }
-    found
+    multiples(range).map(|[first, second]| [0, 1].map(|i| first * of_old[0][i] + second * of_old[1][i])).collect()
 }
 
 /// The box around all finite pieces.

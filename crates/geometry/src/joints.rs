@@ -1,5 +1,5 @@
 //! How the pieces of a boundary follow each other, corner by corner.
-use crate::{Piece, Table, intersect::direction_at, plane::slack};
+use crate::{Piece, Table, intersect::direction_at, plane::is_finite};
 use core::f64::consts::{PI, TAU};
 use nalgebra::Vector2;
 
@@ -74,18 +74,17 @@ pub(crate) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>)
 /// The joints of a table, on a lattice also those across cells.
 pub(crate) fn joints(table: &Table) -> Vec<Joint> {
     let pieces = table.pieces();
-    let finite = |p: &Vector2<f64>| p.iter().all(|x| x.is_finite());
     let mut starts: Vec<(Vector2<f64>, usize)> = pieces
         .iter()
         .enumerate()
         .filter_map(|(j, p)| p.ends().map(|[a, _]| (a, j)))
-        .filter(|(a, _)| finite(a))
+        .filter(|(a, _)| is_finite(a))
         .collect();
     let order = |a: &Vector2<f64>, b: &Vector2<f64>| (a.x, a.y).partial_cmp(&(b.x, b.y));
     starts.sort_by(|(a, i), (b, j)| order(a, b).unwrap_or(core::cmp::Ordering::Equal).then(i.cmp(j)));
     let mut found = vec![];
     for (before, piece) in pieces.iter().enumerate() {
-        let Some([_, vertex]) = piece.ends().filter(|[_, b]| finite(b)) else { continue };
+        let Some([_, vertex]) = piece.ends().filter(|[_, b]| is_finite(b)) else { continue };
         let first = starts.partition_point(|(a, _)| order(a, &vertex).is_some_and(core::cmp::Ordering::is_lt));
         let mut candidates: Vec<(usize, [f64; 2])> =
             starts[first..].iter().take_while(|(a, _)| *a == vertex).map(|&(_, j)| (j, [0.0; 2])).collect();
@@ -93,11 +92,7 @@ pub(crate) fn joints(table: &Table) -> Vec<Joint> {
             && let Some(lattice) = table.lattice()
         {
             for (a, j) in &starts {
-                let cell = lattice.rounded(&(vertex - a));
-                let off = vertex - a - lattice.translation(cell);
-                if off.amax() <= slack(a.iter().chain(vertex.iter()).copied()) {
-                    candidates.push((*j, cell));
-                }
+                candidates.extend(lattice.between(a, &vertex).map(|cell| (*j, cell)));
             }
         }
         // where several tables touch, each keeps to itself

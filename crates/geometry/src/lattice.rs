@@ -1,5 +1,9 @@
 //! Translations that identify points of the plane: channels and flat tori.
-use crate::Error;
+use crate::{
+    Error,
+    plane::{is_finite, slack},
+};
+use core::iter::successors;
 use nalgebra::{Matrix2, Vector2};
 
 /// One or two independent translations. The unit cell is `{a ℓ₁ + b ℓ₂ : 0 ≤ a < 1, 0 ≤ b < 1}`, or the band
@@ -101,18 +105,26 @@ impl Lattice {
     /// It is the nearest one to displacements up to half as far from it as two neighbouring rows of the lattice are apart. Farther
     /// away, or where a short vector is a sum of long ones, another may be nearer.
     pub fn rounded(&self, displacement: &Vector2<f64>) -> [f64; 2] {
-        let mut cell = [0.0; 2];
-        for (i, c) in cell.iter_mut().enumerate().take(self.vectors.len()) {
-            let [f, g] = self.functional(i);
-            *c = libm::round(f * displacement.x + g * displacement.y);
-        }
-        cell
+        self.coordinates(displacement).map(libm::round)
+    }
+
+    /// By how many of each vector `b` is farther than `a`, where within rounding they differ by a lattice vector.
+    pub(crate) fn between(&self, a: &Vector2<f64>, b: &Vector2<f64>) -> Option<[f64; 2]> {
+        let cell = self.rounded(&(b - a));
+        let off = b - a - self.translation(cell);
+        (is_finite(a) && is_finite(b) && off.amax() <= slack(a.iter().chain(b.iter()).copied())).then_some(cell)
     }
 
     /// The translation that is `cell` multiples of the vectors.
     pub fn translation(&self, cell: [f64; 2]) -> Vector2<f64> {
         self.vectors.iter().zip(cell).map(|(v, c)| v * c).sum()
     }
+}
+
+/// All multiples of two vectors from the least to the largest of each.
+pub(crate) fn multiples([first, second]: [[f64; 2]; 2]) -> impl Iterator<Item = [f64; 2]> {
+    let up = |[least, largest]: [f64; 2]| successors(Some(least), |k| Some(k + 1.0)).take_while(move |k| *k <= largest);
+    up(first).flat_map(move |i| up(second).map(move |j| [i, j]))
 }
 
 #[cfg(test)]
@@ -140,6 +152,24 @@ mod tests {
             assert!(close(0) && close(1), "{vectors:?} {found:?}");
             assert_eq!((of_old[0][0] * of_old[1][1] - of_old[0][1] * of_old[1][0]).abs(), 1.0, "{of_old:?}");
         }
+    }
+
+    #[test]
+    fn points_that_differ_by_a_lattice_vector_but_for_rounding_are_told() {
+        let lattice = of([[1.0, 0.0], [0.1, 0.7]]);
+        let a = Vector2::new(0.3, 1e3);
+        let b = a + lattice.translation([-2.0, 5.0]);
+        assert_eq!(lattice.between(&a, &b), Some([-2.0, 5.0]));
+        assert_eq!(lattice.between(&a, &(b + Vector2::new(0.0, 1e-11))), None); // slack: 4·10⁻¹² at 10³
+        assert_eq!(lattice.between(&a, &Vector2::new(f64::INFINITY, 0.0)), None);
+    }
+
+    #[test]
+    fn multiples_are_gone_through_row_by_row() {
+        let all = |range| multiples(range).collect::<Vec<_>>();
+        assert_eq!(all([[-1.0, 0.0], [2.0, 3.0]]), [[-1.0, 2.0], [-1.0, 3.0], [0.0, 2.0], [0.0, 3.0]]);
+        assert_eq!(all([[0.0, 0.0]; 2]), [[0.0; 2]]);
+        assert!(all([[0.0, 5.0], [1.0, 0.0]]).is_empty());
     }
 
     #[test]

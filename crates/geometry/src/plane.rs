@@ -1,5 +1,6 @@
 //! Products in the plane, in lanes.
 use lanes::{Double, Lane, two_sum};
+use nalgebra::SVector;
 
 /// `a · b`
 #[inline(always)]
@@ -28,6 +29,11 @@ pub(crate) fn along<F: Lane>(x: [F; 2], v: [F; 2], t: F) -> [F; 2] {
 /// `p + b`
 pub(crate) fn moved(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
     [p[0] + by[0], p[1] + by[1]]
+}
+
+/// Whether all coordinates are numbers.
+pub(crate) fn is_finite<const N: usize>(point: &SVector<f64, N>) -> bool {
+    point.iter().all(|x| x.is_finite())
 }
 
 /// The unit vector from `a` to `b`, each component right to its last digit, and the distance; `None` where there is no direction.

@@ -4,10 +4,12 @@ mod fastest;
 mod two_sided;
 
 use crate::{
-    Error, Extent, Figure, Landing, Lattice, Piece, enclosed_area,
+    Error, Extent, Figure, Landing, Lattice, Piece,
+    copies::Translate,
+    enclosed_area,
+    lattice::multiples,
     nearest::nearest_of,
     plane::slack,
-    shapes,
     walls::{Pieces, Polygon},
 };
 use container::Enclosed;
@@ -39,17 +41,6 @@ pub struct Table {
     polygon: OnceLock<Option<Arc<Polygon>>>,
     /// Those pieces that no composite wall covers, on a lattice with all translates.
     parts: OnceLock<Arc<Pieces>>,
-}
-
-/// A piece, or a translate of one.
-#[derive(Clone, Debug)]
-struct Translate {
-    /// The number of the piece.
-    number: usize,
-    /// By what it is moved.
-    by: Vector2<f64>,
-    /// The piece, moved.
-    piece: Arc<dyn Piece>,
 }
 
 /// Most translates of pieces on a lattice. Tables that are meant need some tens; in a cell that is tiny beside a piece, or all but
@@ -108,7 +99,7 @@ impl Table {
             })
         };
         let starting_at_translate =
-            |b: &Vector2<f64>, lattice: &Lattice| starts().find(|(a, _)| same_on(lattice, a, b));
+            |b: &Vector2<f64>, lattice: &Lattice| starts().find(|(a, _)| lattice.between(a, b).is_some());
         // whether the direction of the boundary jumps from the end of one piece to the start of another
         let kink = |(i, b): (usize, Vector2<f64>), (j, a): (usize, Vector2<f64>)| {
             (pieces[i].closest(&b).normal - pieces[j].closest(&a).normal).norm() > SMOOTH
@@ -354,7 +345,7 @@ fn every_start_is_an_end(
     let all_ends = || ends.iter().flatten().map(|[_, b]| b);
     let known = LazyCell::new(|| all_ends().map(key).collect::<HashSet<_>>());
     for (piece, a) in unknown {
-        let is_translate = |b: &Vector2<f64>| lattice.is_some_and(|lattice| same_on(lattice, &a, b));
+        let is_translate = |b: &Vector2<f64>| lattice.is_some_and(|lattice| lattice.between(&a, b).is_some());
         if !known.contains(&key(&a)) && !all_ends().any(is_translate) {
             let gap = all_ends().map(|b| (a - b).norm()).filter(|gap| !gap.is_nan()).fold(f64::INFINITY, f64::min);
             return Err(Error::Open { piece, starts: true, gap });
@@ -363,20 +354,12 @@ fn every_start_is_an_end(
     Ok(())
 }
 
-/// Whether two points differ by a lattice vector, within rounding.
-fn same_on(lattice: &Lattice, a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
-    let off = b - a - lattice.translation(lattice.rounded(&(b - a)));
-    let finite = [a, b].iter().all(|v| v.iter().all(|x| x.is_finite()));
-    finite && off.amax() <= slack(a.iter().chain(b.iter()).copied())
-}
-
 /// All pieces with their numbers; on a lattice, all translates that reach within a cell of the unit cell.
 fn all_nearby(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>) -> Vec<Translate> {
     if let Some(lattice) = lattice {
         return translates(pieces, lattice, 1.0);
     }
-    let alone = |(number, piece)| Translate { number, by: Vector2::zeros(), piece };
-    pieces.iter().cloned().enumerate().map(alone).collect()
+    pieces.iter().enumerate().map(|(number, piece)| Translate::home(number, piece)).collect()
 }
 
 /// Fails where the pieces reach over so many cells that their translates would fill the memory, or lie too far away to count them.
@@ -422,19 +405,8 @@ fn reach(&Extent { min, max }: &Extent, lattice: &Lattice, margin: f64) -> [[f64
 fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<Translate> {
     let mut found = vec![];
     for (number, piece) in pieces.iter().enumerate() {
-        let range = reach(&piece.extent(), lattice, margin);
-        let mut first = range[0][0];
-        while first <= range[0][1] {
-            let mut second = range[1][0];
-            while second <= range[1][1] {
-                let by = lattice.translation([first, second]);
-                let at_home = by == Vector2::zeros();
-                let moved = || -> Arc<dyn Piece> { Arc::new(shapes::Translated::new(piece.clone(), by)) };
-                found.push(Translate { number, by, piece: if at_home { piece.clone() } else { moved() } });
-                second += 1.0;
-            }
-            first += 1.0;
-        }
+        let cells = multiples(reach(&piece.extent(), lattice, margin));
+        found.extend(cells.map(|cell| Translate::new(number, piece, lattice, cell)));
     }
     found
 }

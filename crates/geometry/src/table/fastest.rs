@@ -159,7 +159,7 @@ impl Table {
         self.parts.get_or_init(|| {
             let mut corners = vec![];
             let mut pieces = vec![];
-            for Translate { number, by, piece } in translates(&self.pieces, lattice, 0.0) {
+            for Translate { number, by, piece, .. } in translates(&self.pieces, lattice, 0.0) {
                 let ends = self.pieces[number].ends().map_or(vec![], Vec::from);
                 corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
                 pieces.push((number, piece));
