@@ -8,6 +8,7 @@ use crate::{
     planar::Planar,
     reverse::reverse,
     run::Collisions,
+    start::Start,
     track::Track,
 };
 use geometry::{Landing, Piece, Table, Vector2, WallHit};
@@ -73,23 +74,30 @@ impl ReducedState {
     /// # Errors
     /// [`Error::ArcLength`] before the start or beyond the end of the boundary.
     pub fn from_coordinates(table: &Table, [s, v0, vt]: [f64; 3], speed: f64) -> Result<ReducedState, Error> {
-        let starts = table.arc_length_offsets();
-        let piece = starts.partition_point(|start| *start <= s).saturating_sub(1);
-        let state = ReducedState { piece, s: s - starts.get(piece).unwrap_or(&0.0), v0, vt, speed };
-        state.arc_length_along(&**table.pieces().get(piece).ok_or(Error::Piece { piece, pieces: 0 })?)?;
+        let (piece, s) = table.piece_at(s);
+        let state = ReducedState { piece, s, v0, vt, speed };
+        state.arc_length_along(&*table.pieces()[piece])?;
         Ok(state)
     }
 
     /// The orbit that starts in this state.
     ///
     /// # Errors
-    /// [`Error::Piece`] if the table has no such piece, [`Error::ArcLength`] if `s` is beyond its ends, [`Error::Tangential`] unless
-    /// `v₀² + vₜ² < speed²`.
+    /// Those of [`ReducedState::start`].
     pub fn orbit<K, T>(&self, table: &Table, track: T) -> Result<Orbit<f64, 2, 1, K, T>, Error>
     where
         K: EnergyKeeper<f64, 2, 1>,
         T: Track<f64, 2, 1>,
     {
+        Ok(self.start(table)?.orbit(track))
+    }
+
+    /// The state as a start, for an ensemble.
+    ///
+    /// # Errors
+    /// [`Error::Piece`] if the table has no such piece, [`Error::ArcLength`] if `s` is beyond its ends, [`Error::Tangential`] unless
+    /// `v₀² + vₜ² < speed²`.
+    pub fn start(&self, table: &Table) -> Result<Start<2, 1>, Error> {
         let Landing { point, normal } = self.landing(table)?;
         let &ReducedState { v0, vt, speed, .. } = self;
         let tangential = libm::hypot(v0, vt);
@@ -98,16 +106,14 @@ impl ReducedState {
         }
         let vn = ((speed - tangential) * (speed + tangential)).sqrt();
         let velocity = normal * vn + Vector2::new(-normal.y, normal.x) * vt;
-        Ok(Orbit::new(point.into(), velocity.into(), [v0], track))
+        Ok(Start { position: point.into(), velocity: velocity.into(), spin: [v0] })
     }
 
     /// The point of the boundary and the normal there; on a lattice in the unit cell.
     fn landing(&self, table: &Table) -> Result<Landing, Error> {
         let pieces = table.pieces();
         let piece = pieces.get(self.piece).ok_or(Error::Piece { piece: self.piece, pieces: pieces.len() })?;
-        let landing = piece.closest(&piece.point_at(self.arc_length_on(&**piece)?));
-        let point = table.lattice().map_or(landing.point, |lattice| lattice.reduce(&landing.point).0);
-        Ok(Landing { point, ..landing })
+        Ok(table.landing_on(&**piece, self.arc_length_on(&**piece)?))
     }
 
     /// `s`, if the piece has such an arc length; that of a closed curve is reduced to its length.
@@ -167,7 +173,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Ended`] where there is no next collision, and those of [`ReducedState::orbit`].
+    /// [`Error::Ended`] where there is no next collision, and those of [`ReducedState::start`].
     pub fn map(&self, state: &ReducedState) -> Result<ReducedState, Error> {
         let mut orbit = state.orbit::<(), ()>(&self.table, ())?;
         let mut portrait = ReducedPortrait::new(&self.table, vec![]);
@@ -186,7 +192,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// The time reversal `R(x, v⁺) = (x, −C v⁺)`.
     ///
     /// # Errors
-    /// Those of [`ReducedState::orbit`], and [`Error::Irreversible`] unless `R R` leads back to this state within 10⁻⁶ of the speed.
+    /// Those of [`ReducedState::start`], and [`Error::Irreversible`] unless `R R` leads back to this state within 10⁻⁶ of the speed.
     pub fn reverse(&self, state: &ReducedState) -> Result<ReducedState, Error> {
         let hit = state.hit(&self.table)?;
         let mut orbit = state.orbit::<(), ()>(&self.table, ())?;

@@ -1,5 +1,5 @@
 //! Where the orbits of an ensemble start: each by its number alone.
-use crate::{EnergyKeeper, Error, Orbit, ReducedState, Track};
+use crate::{EnergyKeeper, Error, Orbit, Track};
 use geometry::{Perimeter, Surface, Table, Vector2, Vector3};
 use rand_chacha::{
     ChaCha8Rng,
@@ -209,15 +209,4 @@ fn tangents(n: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let t = n.cross(&across);
     let t = t / t.norm();
     [t, n.cross(&t)]
-}
-
-impl ReducedState {
-    /// The state as a start, for an ensemble.
-    ///
-    /// # Errors
-    /// Those of [`ReducedState::orbit`].
-    pub fn start(&self, table: &Table) -> Result<Start<2, 1>, Error> {
-        let orbit = self.orbit::<(), ()>(table, ())?;
-        Ok(Start { position: orbit.position, velocity: orbit.velocity, spin: orbit.spin })
-    }
 }

@@ -1,7 +1,7 @@
 //! Random points of a table and of its boundary: where ensembles start.
 //!
 //! Random numbers come from the caller, uniform in [0, 1).
-use crate::{Error, Table};
+use crate::{Error, Landing, Table, table::piece_at};
 use nalgebra::Vector2;
 
 /// The uniform distribution on a bounded table, or on a unit cell of one on a lattice.
@@ -103,13 +103,11 @@ impl<'a> Perimeter<'a> {
     /// The point at the fraction `u` of the boundary, 0 ≤ u < 1, all pieces laid end to end in the order of their
     /// numbers. Uniform for uniform `u`.
     pub fn point(&self, u: f64) -> BoundaryPoint {
-        let s = u * self.length;
-        let piece = self.offsets.partition_point(|&start| start <= s).max(1) - 1;
-        let on = &self.table.pieces()[piece];
-        let arc_length = (s - self.offsets[piece]).clamp(0.0, on.length());
-        let landing = on.closest(&on.point_at(arc_length));
-        let point = self.table.lattice().map_or(landing.point, |lattice| lattice.reduce(&landing.point).0);
-        BoundaryPoint { piece, arc_length, point, normal: landing.normal }
+        let (piece, s) = piece_at(&self.offsets, u * self.length);
+        let on = &*self.table.pieces()[piece];
+        let arc_length = s.clamp(0.0, on.length());
+        let Landing { point, normal } = self.table.landing_on(on, arc_length);
+        BoundaryPoint { piece, arc_length, point, normal }
     }
 }
 

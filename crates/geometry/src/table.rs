@@ -327,6 +327,30 @@ impl Table {
         };
         self.pieces.iter().map(before).collect()
     }
+
+    /// The piece at an arc length \[L\] of the whole boundary, all pieces laid end to end in the order of their numbers, and the arc
+    /// length along that piece. What comes before the start belongs to the first piece, what comes after the end to the last.
+    ///
+    /// ```
+    /// let square = geometry::tables::square(1.0)?;
+    /// assert_eq!([2.25, -0.5, 4.5].map(|s| square.piece_at(s)), [(2, 0.25), (0, -0.5), (3, 1.5)]);
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn piece_at(&self, s: f64) -> (usize, f64) {
+        piece_at(&self.arc_length_offsets(), s)
+    }
+
+    /// The point at an arc length \[L\] of a piece of the table, on a lattice in the unit cell, and the inward normal there.
+    pub fn landing_on(&self, piece: &dyn Piece, s: f64) -> Landing {
+        let Landing { point, normal } = piece.closest(&piece.point_at(s));
+        Landing { point: self.lattice().map_or(point, |lattice| lattice.reduce(&point).0), normal }
+    }
+}
+
+/// The last of the pieces with these starts that starts before an arc length or there, and how far from its start that is.
+pub(crate) fn piece_at(starts: &[f64], s: f64) -> (usize, f64) {
+    let piece = starts.partition_point(|&start| start <= s).max(1) - 1;
+    (piece, s - starts[piece])
 }
 
 /// Fails where a piece starts and none ends: `next` tells of ends only, and where tables touch it may name one piece twice.
