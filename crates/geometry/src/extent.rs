@@ -1,4 +1,5 @@
 //! Boxes with sides parallel to the axes.
+use crate::plane::is_finite;
 use nalgebra::{ArrayStorage, SVector};
 
 /// A box with sides parallel to the axes; sides may lie at infinity.
@@ -30,7 +31,7 @@ impl<const N: usize> Extent<N> {
 
     /// Whether no side lies at infinity and the box is not empty.
     pub fn is_finite(&self) -> bool {
-        self.min.iter().chain(self.max.iter()).all(|x| x.is_finite())
+        is_finite(&self.min) && is_finite(&self.max)
     }
 
     /// Distance of a point from the box, 0 inside.

@@ -31,7 +31,12 @@ pub(crate) fn moved(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
     [p[0] + by[0], p[1] + by[1]]
 }
 
-/// Whether all coordinates are numbers.
+/// What tells points apart that differ in any bit; −0 is 0.
+pub(crate) fn key<const N: usize>(point: impl Into<[f64; N]>) -> [u64; N] {
+    point.into().map(|x| (x + 0.0).to_bits())
+}
+
+/// Whether all coordinates are finite.
 pub(crate) fn is_finite<const N: usize>(point: &SVector<f64, N>) -> bool {
     point.iter().all(|x| x.is_finite())
 }
@@ -102,6 +107,12 @@ mod tests {
         // the difference of the first coordinates, 1 − 2⁻⁶⁰, is no f64
         let (unit, _) = direction([2.0_f64.powi(-60), 0.0], [1.0, 2.0_f64.powi(-30)]).unwrap();
         assert_eq!(unit, [1.0, 2.0_f64.powi(-30)]);
+    }
+
+    #[test]
+    fn zeros_of_either_sign_have_one_key() {
+        assert_eq!(key([-0.0, 1.0]), key([0.0, 1.0]));
+        assert_ne!(key([5e-324, 1.0]), key([0.0, 1.0]));
     }
 
     #[test]

@@ -3,7 +3,7 @@ use crate::{
     Extent, Figure, MeetingKind, Table,
     copies::{Copies, finite_extent},
     meetings,
-    plane::slack,
+    plane::{is_finite, slack},
     shapes::Ray,
 };
 use nalgebra::Vector2;
@@ -220,7 +220,7 @@ impl<'a> Sight<'a> {
         let piece = &self.table.pieces()[i];
         let part = part + 0.236_067_977_499_79 * (k as f64 / TRIES as f64);
         let length = piece.length();
-        let from_end = piece.ends().is_some_and(|[a, _]| a.iter().all(|x| x.is_finite()));
+        let from_end = piece.ends().is_some_and(|[a, _]| is_finite(&a));
         let s = match (length.is_finite(), from_end) {
             (true, _) => length * part,
             (false, true) => self.size * part,

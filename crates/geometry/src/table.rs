@@ -9,7 +9,7 @@ use crate::{
     enclosed_area,
     lattice::multiples,
     nearest::nearest_of,
-    plane::slack,
+    plane::{is_finite, key, slack},
     walls::{Pieces, Polygon},
 };
 use container::Enclosed;
@@ -76,7 +76,6 @@ impl Table {
         }
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(|p| p.ends()).collect();
-        let finite = |v: &Vector2<f64>| v.iter().all(|x| x.is_finite());
         let starts = || ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i)));
         let order = |a: &Vector2<f64>, b: &Vector2<f64>| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
         let positive = |v: &Vector2<f64>| v.map(|x| x + 0.0); // −0 is 0
@@ -111,7 +110,7 @@ impl Table {
                 next[i] = Some(i);
                 continue;
             };
-            if !finite(b) {
+            if !is_finite(b) {
                 continue;
             }
             next[i] = starting_at(b, i);
@@ -364,13 +363,12 @@ fn every_start_is_an_end(
         has_previous[i] = true;
     }
     let starts = ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (i, a)));
-    let unknown = starts.filter(|(i, a)| !has_previous[*i] && a.iter().all(|x| x.is_finite()));
-    let key = |v: &Vector2<f64>| [v.x + 0.0, v.y + 0.0].map(f64::to_bits); // −0 is 0
+    let unknown = starts.filter(|(i, a)| !has_previous[*i] && is_finite(a));
     let all_ends = || ends.iter().flatten().map(|[_, b]| b);
-    let known = LazyCell::new(|| all_ends().map(key).collect::<HashSet<_>>());
+    let known = LazyCell::new(|| all_ends().map(|b| key(*b)).collect::<HashSet<_>>());
     for (piece, a) in unknown {
         let is_translate = |b: &Vector2<f64>| lattice.is_some_and(|lattice| lattice.between(&a, b).is_some());
-        if !known.contains(&key(&a)) && !all_ends().any(is_translate) {
+        if !known.contains(&key(a)) && !all_ends().any(is_translate) {
             let gap = all_ends().map(|b| (a - b).norm()).filter(|gap| !gap.is_nan()).fold(f64::INFINITY, f64::min);
             return Err(Error::Open { piece, starts: true, gap });
         }

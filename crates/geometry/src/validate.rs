@@ -6,7 +6,7 @@ use crate::{
     intersect::{direction_at, self_crossing},
     meetings,
     nearest::ALIKE,
-    plane::slack,
+    plane::{key, slack},
     sight::{Aim, SAME_DIRECTION, Sight, Wall},
 };
 use nalgebra::Vector2;
@@ -126,7 +126,7 @@ impl Table {
             }
         }
         let mut seen = HashSet::new();
-        junctions.retain(|p| seen.insert([p.x.to_bits(), p.y.to_bits()]));
+        junctions.retain(|p| seen.insert(key(*p)));
         Ok(junctions)
     }
 

@@ -1,7 +1,7 @@
 //! Surfaces from STL.
 //!
 //! The reader is our own: `stl_io` takes the first solid of a text for all, and a binary file for as long as it says it is.
-use crate::{Error, parry::SolidSpec};
+use crate::{Error, parry::SolidSpec, plane::key};
 use std::collections::HashMap;
 
 /// The triangles of an STL file, binary or text: a [`SolidSpec::TriMesh`].
@@ -39,8 +39,7 @@ pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
     }
     let (mut vertices, mut numbers) = (vec![], HashMap::new());
     let mut number = |corner: [f64; 3]| {
-        // zeros of either sign are one number
-        *numbers.entry(corner.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
+        *numbers.entry(key(corner)).or_insert_with(|| {
             vertices.push(corner);
             vertices.len() - 1
         })

@@ -4,7 +4,10 @@
 //! two arcs whose ellipses are apart do not meet. Arcs that turn less than their chords differ in direction meet at
 //! most once, and Newton's method decides.
 use super::{Meeting, MeetingKind, along};
-use crate::{Piece, plane::slack};
+use crate::{
+    Piece,
+    plane::{is_finite, slack},
+};
 use nalgebra::Vector2;
 
 /// Pairs of arcs looked at before the pieces are taken to run along each other.
@@ -121,7 +124,7 @@ fn range(piece: &dyn Piece, other: &dyn Piece) -> Option<[f64; 2]> {
         return None;
     }
     // where the piece has an end its parameter is 0 there
-    let ends = piece.ends().map_or([false; 2], |e| e.map(|p| p.iter().all(|x| x.is_finite())));
+    let ends = piece.ends().map_or([false; 2], |e| e.map(|p| is_finite(&p)));
     let low = if ends[0] { (s - reach).max(0.0) } else { s - reach };
     let high = if ends[1] { (s + reach).min(0.0) } else { s + reach };
     (low < high).then_some([low, high])
@@ -173,9 +176,9 @@ fn ends_on(
     found: &mut Vec<Meeting>,
 ) {
     let Some([start, end]) = a.ends() else { return };
-    let last = if start.iter().all(|x| x.is_finite()) { a.length() } else { 0.0 };
+    let last = if is_finite(&start) { a.length() } else { 0.0 };
     for (point, s) in [(start, 0.0), (end, last)] {
-        if !point.iter().all(|x| x.is_finite()) {
+        if !is_finite(&point) {
             continue;
         }
         let foot = b.closest(&point).point;
@@ -258,7 +261,7 @@ fn touching_at(pieces: [&dyn Piece; 2], crossing: &Meeting, tolerance: f64) -> O
 /// The arc lengths at which a piece has points; beyond them `point_at` may stay at the end.
 fn domain(piece: &dyn Piece) -> [f64; 2] {
     let Some([start, end]) = piece.ends() else { return [f64::NEG_INFINITY, f64::INFINITY] };
-    match [start, end].map(|p| p.iter().all(|x| x.is_finite())) {
+    match [start, end].map(|p| is_finite(&p)) {
         [true, true] => [0.0, piece.length()],
         [true, false] => [0.0, f64::INFINITY],
         [false, true] => [f64::NEG_INFINITY, 0.0],

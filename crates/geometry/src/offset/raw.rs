@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Error, Figure, Piece, Table,
     joints::{Joint, joints},
-    plane::slack,
+    plane::{is_finite, slack},
     shapes::{self, Parallel, curve::rising_root},
 };
 use nalgebra::Vector2;
@@ -78,7 +78,7 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
         }
         // an end without a neighbour to share it, or at a convex corner
         for (k, end) in piece.ends().into_iter().flatten().enumerate() {
-            if ends[i][k].is_none() && end.iter().all(|x| x.is_finite()) {
+            if ends[i][k].is_none() && is_finite(&end) {
                 let moved = end + piece.closest(&end).normal * radius;
                 ends[i][k] = Some((moved, vertices.add(moved)));
             }

@@ -64,8 +64,7 @@ impl Tips {
         vertices: &mut Vertices,
     ) -> (Vector2<f64>, Site) {
         let all = &mut self.all;
-        // −0 is 0
-        let at = *self.at.entry([tip.x + 0.0, tip.y + 0.0].map(f64::to_bits)).or_insert_with(|| {
+        let at = *self.at.entry(plane::key(tip)).or_insert_with(|| {
             all.push(Tip { point: tip, piece, ends: vec![] });
             all.len() - 1
         });

@@ -2,7 +2,7 @@
 use super::convert::{Frame, from_glam2};
 use crate::{
     Error, Extent, Figure, Piece,
-    plane::{cross, slack},
+    plane::{cross, key, slack},
     shapes::{Arc, Circle, FullLine, Ray, Segment},
 };
 use nalgebra::Vector2;
@@ -182,8 +182,7 @@ fn rounded(points: &[Vector2<f64>], radius: f64, frame: &Frame<2>) -> Vec<Figure
 /// Numbers points so that equal ones (bit for bit, with −0 = 0) have equal numbers.
 fn merged(points: &[Vector2<f64>]) -> Vec<usize> {
     let mut known = HashMap::new();
-    let key = |p: &Vector2<f64>| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
-    points.iter().enumerate().map(|(i, p)| *known.entry(key(p)).or_insert(i)).collect()
+    points.iter().enumerate().map(|(i, p)| *known.entry(key(*p)).or_insert(i)).collect()
 }
 
 /// Directed edges in the order of traversal, loop after loop.

@@ -1,6 +1,10 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
 use super::distance::to_unit;
-use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
+use crate::{
+    BoxTree, Crossing, Error, Extent, Line,
+    plane::{is_finite, key, slack},
+    walls::CORNER,
+};
 use nalgebra::Vector3;
 use std::collections::{HashMap, HashSet};
 
@@ -51,8 +55,7 @@ impl Shear {
 /// Numbers points so that equal ones have equal numbers.
 pub(crate) fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
     let mut known = HashMap::new();
-    let key = |p: &Vector3<f64>| p.map(|x| (x + 0.0).to_bits());
-    points.iter().enumerate().map(|(i, p)| *known.entry(key(p)).or_insert(i)).collect()
+    points.iter().enumerate().map(|(i, p)| *known.entry(key(*p)).or_insert(i)).collect()
 }
 
 /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed. One without area counts, since it may
@@ -86,7 +89,7 @@ impl Mesh {
         loose: bool,
     ) -> Result<Mesh, Error> {
         let error = |why| Err(Error::Shape { shape: "triangle mesh", why });
-        if vertices.iter().any(|v| v.iter().any(|x| !x.is_finite())) {
+        if vertices.iter().any(|v| !is_finite(v)) {
             return error("a vertex is not finite");
         }
         let id = merged(&vertices);

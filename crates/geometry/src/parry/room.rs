@@ -5,7 +5,12 @@ use super::{
     first::first_of,
     solid::{area::Trials, bound::Bound},
 };
-use crate::{Boundary, Error, Hit, Line, plane::slack, random, surface::Surface};
+use crate::{
+    Boundary, Error, Hit, Line,
+    plane::{is_finite, slack},
+    random,
+    surface::Surface,
+};
 use nalgebra::{Matrix3, Vector3};
 
 /// The points on the table's side of all of some solids: inside a container and around obstacles, between planes, ...
@@ -47,7 +52,7 @@ impl Room {
     /// where that has none.
     pub fn extent(&self) -> [Vector3<f64>; 2] {
         let room = self.container();
-        if room.iter().flatten().all(|x| x.is_finite()) {
+        if room.iter().all(is_finite) {
             return room;
         }
         let none = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
@@ -88,7 +93,7 @@ impl Room {
         let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
         let inner = self.solids.iter().filter(|solid| solid.side() == Side::Inside);
         let [low, high] = inner.map(Solid::extent).fold(all, |[low, high], [a, b]| [low.sup(&a), high.inf(&b)]);
-        if low.iter().chain(&high).all(|x| x.is_finite()) { [low, high] } else { between(&self.planes()) }
+        if is_finite(&low) && is_finite(&high) { [low, high] } else { between(&self.planes()) }
     }
 
     /// The sides of its planes.

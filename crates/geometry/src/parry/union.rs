@@ -4,7 +4,10 @@
 //! Parts that lie on one another survive once if their interiors are on the same side, and not at all if the shapes
 //! touch back to back.
 use super::contour::{Contour, piece_of};
-use crate::{Error, Extent, Figure, Piece, plane::cross};
+use crate::{
+    Error, Extent, Figure, Piece,
+    plane::{cross, is_finite},
+};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
@@ -23,7 +26,7 @@ struct Part {
 
 impl Part {
     fn finite_ends(&self) -> impl Iterator<Item = Vector2<f64>> {
-        self.piece.ends().into_iter().flatten().filter(|p| p.iter().all(|x| x.is_finite()))
+        self.piece.ends().into_iter().flatten().filter(is_finite)
     }
 }
 
@@ -55,8 +58,7 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
             parts.push(Part { figure, piece, extent, member, solid });
         }
     }
-    let coordinates = parts.iter().flat_map(|p| [p.extent.min, p.extent.max]);
-    let size = coordinates.flat_map(|v| [v.x, v.y]).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
+    let size = parts.iter().map(|p| p.extent.size()).fold(0.0, f64::max);
     let same = SAME * size;
     let mut vertices = Vertices { points: vec![], same };
     // the ends are exact: a crossing computed near one gives way to it
@@ -64,7 +66,7 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
     let (mut figures, mut screens) = (vec![], vec![]);
     for part in &parts {
         let mut cuts = vec![];
-        for other in parts.iter().filter(|o| o.member != part.member && near(&part.extent, &o.extent, same)) {
+        for other in parts.iter().filter(|o| o.member != part.member && part.extent.meets(&o.extent, same)) {
             cuts.extend(meetings(part, other, same));
         }
         for figure in split(part, &cuts, &mut vertices, size)? {
@@ -79,10 +81,6 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
         }
     }
     Ok(Contour { name: "compound", figures, screens })
-}
-
-fn near(a: &Extent, b: &Extent, same: f64) -> bool {
-    (0..2).all(|i| a.min[i] <= b.max[i] + same && b.min[i] <= a.max[i] + same)
 }
 
 /// The straight line or the circle that carries a figure.
@@ -188,7 +186,7 @@ fn split(part: &Part, cuts: &[Vector2<f64>], vertices: &mut Vertices, size: f64)
     let closed = matches!(part.figure, Figure::Circle { .. });
     let mut ends = vec![];
     for end in part.piece.ends().into_iter().flatten() {
-        ends.push(if end.iter().all(|x| x.is_finite()) { vertices.snap(end) } else { end });
+        ends.push(if is_finite(&end) { vertices.snap(end) } else { end });
     }
     along.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut stops: Vec<Vector2<f64>> = vec![];
@@ -219,17 +217,12 @@ fn split(part: &Part, cuts: &[Vector2<f64>], vertices: &mut Vertices, size: f64)
                 Figure::Arc { center, radius, ends: [a, b], inside }
             }
             Figure::Segment { .. } => Figure::Segment { ends: [a, b] },
-            Figure::Ray { direction, .. } | Figure::Line { direction, .. } => {
-                let finite = |p: &Vector2<f64>| p.iter().all(|x| x.is_finite());
-                match (finite(&a), finite(&b)) {
-                    (true, true) => Figure::Segment { ends: [a, b] },
-                    (true, false) => Figure::Ray { from: a, direction: outgoing(&part.figure, direction), left: true },
-                    (false, true) => {
-                        Figure::Ray { from: b, direction: -outgoing(&part.figure, direction), left: false }
-                    }
-                    (false, false) => part.figure,
-                }
-            }
+            Figure::Ray { direction, .. } | Figure::Line { direction, .. } => match (is_finite(&a), is_finite(&b)) {
+                (true, true) => Figure::Segment { ends: [a, b] },
+                (true, false) => Figure::Ray { from: a, direction: outgoing(&part.figure, direction), left: true },
+                (false, true) => Figure::Ray { from: b, direction: -outgoing(&part.figure, direction), left: false },
+                (false, false) => part.figure,
+            },
             Figure::Other => return Err(Error::Empty),
         });
     }

@@ -1,6 +1,7 @@
 //! Chains of pieces that one composite wall can answer for.
 use crate::{
     Figure,
+    plane::slack,
     shapes::Segment,
     walls::{Capsule, ConvexPolygon, Cuboid, Rotated, Slab, Sphere, Wedge, Zonogon},
 };
@@ -106,12 +107,12 @@ impl Container {
         else {
             return None;
         };
-        let size = [a, b, c, d].iter().flat_map(|p| p.iter()).fold(0.0, |m: f64, x| m.max(x.abs()));
-        let near = |p: Vector2<f64>, q: Vector2<f64>| (p - q).amax() <= 16.0 * f64::EPSILON * size;
+        let slack = slack([a, b, c, d].iter().flatten().copied());
+        let near = |p: Vector2<f64>, q: Vector2<f64>| (p - q).amax() <= slack;
         let axis = head - tail;
         let length = libm::hypot(axis.x, axis.y);
         let across = Vector2::new(axis.y, -axis.x) * (radius / length);
-        let fits = (radius - r2).abs() <= 16.0 * f64::EPSILON * size
+        let fits = (radius - r2).abs() <= slack
             && near(a, tail + across)
             && near(b, head + across)
             && near(c, head - across)

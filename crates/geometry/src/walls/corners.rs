@@ -1,4 +1,5 @@
 //! Which vertices are corners.
+use crate::plane::key;
 use nalgebra::Vector2;
 
 /// The corners of a boundary, to be asked for by place.
@@ -10,22 +11,17 @@ pub(super) struct Corners {
 
 impl Corners {
     pub(super) fn new(corners: &[Vector2<f64>]) -> Corners {
-        let mut places: Vec<[u64; 2]> = corners.iter().map(bits).collect();
+        let mut places: Vec<[u64; 2]> = corners.iter().map(|p| key(*p)).collect();
         places.sort_unstable();
         Corners { places, size: corners.iter().map(Vector2::amax).fold(0.0, f64::max) }
     }
 
     pub(super) fn contains(&self, vertex: &Vector2<f64>) -> bool {
-        self.places.binary_search(&bits(vertex)).is_ok()
+        self.places.binary_search(&key(*vertex)).is_ok()
     }
 
     /// Size of their coordinates, of which rounding is a fraction.
     pub(super) fn size(&self) -> f64 {
         self.size
     }
-}
-
-fn bits(p: &Vector2<f64>) -> [u64; 2] {
-    // −0 is 0
-    [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()]
 }

@@ -1,6 +1,6 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
 use super::{CORNER, WallHit, Walls, normal::most_unit, sooner};
-use crate::{Error, shapes::Segment};
+use crate::{Error, plane::slack, shapes::Segment};
 use lanes::{Lane, Mask, dot};
 
 /// A pair of opposite sides.
@@ -47,7 +47,8 @@ impl<const K: usize> Zonogon<K> {
         }
         center = center.map(|c| c / (2 * K) as f64);
         let size = (0..2 * K).flat_map(vertex).fold(0.0, |m: f64, c| m.max(c.abs()));
-        let near = |a: f64, b: f64| (a - b).abs() <= 16.0 * f64::EPSILON * size;
+        let slack = slack([size]);
+        let near = |a: f64, b: f64| (a - b).abs() <= slack;
         for i in 0..K {
             let (p, q) = (vertex(i), vertex(i + K));
             if !(near(p[0] - center[0], center[0] - q[0]) && near(p[1] - center[1], center[1] - q[1])) {

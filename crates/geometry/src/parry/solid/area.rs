@@ -3,7 +3,7 @@ use super::{super::Side, Body, Closest, Solid, bound::Bound, parallel::Parallel,
 use crate::{
     Error, Line,
     parry::{distance::to_unit, mesh::Mesh},
-    plane::slack,
+    plane::{is_finite, slack},
     surface::in_disk,
 };
 use core::f64::consts::PI;
@@ -39,7 +39,7 @@ impl Solid {
         let trials = self.members.iter().enumerate().map(|(member, body)| {
             let kind = match body {
                 Body::Convex(..) | Body::Rounded(_) => match (body.extent(), bound) {
-                    (extent, _) if extent.iter().flatten().all(|x| x.is_finite()) => Kind::Lines { body, extent },
+                    (extent, _) if extent.iter().all(is_finite) => Kind::Lines { body, extent },
                     (_, Some(bound)) => {
                         let about = self.closest(&bound.center);
                         Kind::Disk { about, radius: bound.radius }
