@@ -16,6 +16,9 @@ pub struct Lattice {
 }
 
 impl Lattice {
+    /// Farther away than so many cells, coordinates are rounded to an eighth of a cell and more, and soon cells can no longer be counted.
+    pub const FARTHEST_CELL: f64 = 1_125_899_906_842_624.0; // 2⁵⁰
+
     /// The lattice spanned by one or two vectors \[L\].
     ///
     /// # Errors

@@ -2,6 +2,13 @@
 use lanes::{Double, Lane, two_sum};
 use nalgebra::SVector;
 
+/// Directions that differ by less than this (radians) are one: rounding of vertices turns short pieces by more than an ulp, and no
+/// angle that anybody means is this small.
+pub(crate) const SAME_DIRECTION: f64 = 1e-9;
+
+/// The smaller part of 1 in the golden section.
+pub(crate) const GOLDEN: f64 = 0.381_966_011_250_105;
+
 /// `a · b`
 #[inline(always)]
 pub(crate) fn dot<F: Lane>(a: [F; 2], b: [F; 2]) -> F {

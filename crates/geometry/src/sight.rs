@@ -3,7 +3,7 @@ use crate::{
     Extent, Figure, MeetingKind, Table,
     copies::{Copies, finite_extent},
     meetings,
-    plane::{is_finite, slack},
+    plane::{GOLDEN, SAME_DIRECTION, is_finite, slack},
     shapes::Ray,
 };
 use nalgebra::Vector2;
@@ -11,10 +11,6 @@ use nalgebra::Vector2;
 /// Lines that meet a wall at less than this angle (radians) may be on either side of it: a touch is known to the root of
 /// rounding, 10⁻⁸, only.
 const GRAZING: f64 = 1e-6;
-
-/// Directions that differ by less than this (radians) are one: rounding of vertices turns short pieces by more than an ulp, and no
-/// angle that anybody means is this small.
-pub(crate) const SAME_DIRECTION: f64 = 1e-9;
 
 /// Tries to find a line of sight that grazes nothing and meets no vertex.
 const TRIES: usize = 16;
@@ -111,7 +107,7 @@ impl<'a> Sight<'a> {
     /// whether the line escapes beyond the last of them. `None` where no line is clear.
     pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
         'tries: for k in 0..TRIES {
-            let (index, from) = self.place(chain, k, 0.381_966_011_250_105);
+            let (index, from) = self.place(chain, k, GOLDEN);
             let (copy, _) = self.copies.get(index);
             let normal = copy.piece.closest(&from).normal;
             // the normals of a circle all meet in one point, where walls may touch

@@ -47,14 +47,11 @@ pub struct Table {
 /// flat, there would be any number of them.
 const MOST_TRANSLATES: f64 = 1e6;
 
-/// Farther away than this, coordinates are rounded to an eighth of a cell and more.
-const FARTHEST_CELL: f64 = 1_125_899_906_842_624.0; // 2⁵⁰
-
-/// Two normals that differ by less than this belong to a smooth joint.
+/// Two normals that differ by less than this (radians) belong to a smooth joint.
 ///
 /// Rounding of the vertices of a joint meant to be smooth turns the normals by a few ulp of size over length of the
 /// shorter piece; no corner that anybody means is this flat.
-const SMOOTH: f64 = 1e-9;
+pub(crate) const SMOOTH: f64 = 1e-9;
 
 impl Table {
     /// The table bounded by the given pieces.
@@ -391,7 +388,7 @@ fn few_cells(pieces: &[Arc<dyn Piece>], lattice: &Lattice) -> Result<(), Error> 
         let reach = reach(&p.extent(), lattice, 1.0);
         let away = reach.as_flattened().iter().fold(0.0, |m: f64, cell| m.max(cell.abs()));
         let cells: f64 = reach.iter().map(|[first, last]| last - first + 1.0).product();
-        if away > FARTHEST_CELL && cells <= MOST_TRANSLATES {
+        if away > Lattice::FARTHEST_CELL && cells <= MOST_TRANSLATES {
             return Err(Error::FarFromCell { piece, cells: away });
         }
         sum += cells;

@@ -6,8 +6,8 @@ use crate::{
     intersect::{direction_at, self_crossing},
     meetings,
     nearest::ALIKE,
-    plane::{key, slack},
-    sight::{Aim, SAME_DIRECTION, Sight, Wall},
+    plane::{SAME_DIRECTION, key, slack},
+    sight::{Aim, Sight, Wall},
 };
 use nalgebra::Vector2;
 use std::collections::HashSet;

@@ -1,6 +1,6 @@
 //! Starts of orbits, checked against the table.
 
-use billiards::geometry::{Table, Vector2};
+use billiards::geometry::{Lattice, Table, Vector2};
 
 use crate::document::{Diagnostic, Span, spell};
 use crate::scene::{Ensemble, Orbit, Scene};
@@ -78,9 +78,6 @@ pub(crate) fn folded(table: &Table, point: &[f64; 2]) -> ([f64; 2], [f64; 2]) {
     })
 }
 
-/// Farther away than this, coordinates are rounded to an eighth of a cell and more, and soon cells can no longer be counted.
-const FARTHEST_CELL: f64 = 1_125_899_906_842_624.0; // 2⁵⁰
-
 /// All starts, or all that is wrong with them.
 pub(crate) fn all<T>(
     orbits: &[Orbit],
@@ -100,7 +97,7 @@ pub(crate) fn all<T>(
 pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -> Result<Start<2, 1>, Box<Diagnostic>> {
     let mut start: Start<2, 1> = scaled(orbit, length);
     (start.position, start.cell) = folded(table, &start.position);
-    if let Some(away) = start.cell.into_iter().find(|cell| cell.abs() > FARTHEST_CELL) {
+    if let Some(away) = start.cell.into_iter().find(|cell| cell.abs() > Lattice::FARTHEST_CELL) {
         let what = format!(
             "the start lies {:.0e} cells of the lattice away, where cells can no longer be counted",
             away.abs()

@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Error, Figure, Piece, Table,
     joints::{Joint, joints},
-    plane::{is_finite, slack},
+    plane::{GOLDEN, is_finite, slack},
     shapes::{self, Parallel, curve::rising_root},
 };
 use nalgebra::Vector2;
@@ -198,7 +198,6 @@ fn places(length: f64, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
 
 /// Where a function that falls and rises again is not positive, if it is so anywhere: by golden sections towards its minimum.
 fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
-    const GOLDEN: f64 = 0.381_966_011_250_105;
     let [mut a, mut b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
     let [mut at_a, mut at_b] = [function(a), function(b)];
     // to the root of rounding: nearer, a minimum cannot be known

@@ -33,6 +33,7 @@ pub(crate) fn turns_left(sides: &[Segment]) -> bool {
         (a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1])
     };
     let total: f64 = (0..normals.len()).map(turns).map(|(sin, cos)| libm::atan2(sin, cos)).sum();
+    // once round is 2π = 6.3, twice 4π
     (0..normals.len()).map(turns).all(|(sin, _)| sin > 0.0) && total < 7.0
 }
 

@@ -1,11 +1,8 @@
 //! Straight walls that coincide.
 use super::stretch::{Stretch, doubles as doubles_of};
-use crate::plane::{cross, direction, dot, from, slack};
+use crate::plane::{SAME_DIRECTION, cross, direction, dot, from, slack};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
-
-/// Directions that differ by less than this (radians) are compared: rounding of vertices turns short pieces by more than an ulp.
-const SAME_DIRECTION: f64 = 1e-9;
 
 /// A straight piece among others of its direction.
 #[derive(Clone, Copy, Debug)]
