@@ -6,6 +6,7 @@
 //! there, and only those parts kept that are as far from the boundary as they should be; they bound the region of
 //! centres.
 mod arrangement;
+mod moved;
 mod raw;
 mod tips;
 mod vertices;

@@ -1,7 +1,8 @@
 //! The moved pieces, cut where they meet, and what of them bounds the region of centres.
 use super::{
     Origin,
-    raw::{Raw, RawBoundary},
+    moved::Moved,
+    raw::RawBoundary,
     vertices::{Site, Vertices, minus},
 };
 use crate::{
@@ -56,7 +57,7 @@ struct Section {
 pub(super) struct Arrangement<'a> {
     table: &'a Table,
     radius: f64,
-    raw: Vec<Raw>,
+    raw: Vec<Moved>,
     vertices: Vertices,
     cuts: Vec<Vec<Cut>>,
     tolerance: f64,
@@ -240,7 +241,7 @@ impl<'a> Arrangement<'a> {
 
     /// Whether a section is at its distance from the boundary, with room beside it: its middle, and further points where that may
     /// happen to lie in line with a place where walls touch, as in the middle of the arc around a tip.
-    fn is_clear(&self, drawn: &Copies, raw: &Raw, [low, high]: [f64; 2]) -> bool {
+    fn is_clear(&self, drawn: &Copies, raw: &Moved, [low, high]: [f64; 2]) -> bool {
         let step = self.radius.max(self.tolerance / f64::EPSILON);
         let room_at = |share: f64| {
             let at = match (low.is_finite(), high.is_finite()) {

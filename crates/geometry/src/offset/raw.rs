@@ -1,6 +1,7 @@
 //! All pieces moved inwards, whatever becomes of them.
 use super::{
     Origin,
+    moved::{Moved, Part},
     tips::Tips,
     vertices::{Site, Vertices, minus},
 };
@@ -21,40 +22,10 @@ const SMOOTH: f64 = 2e-7;
 /// coordinates, for they are parallel then as far as anybody can tell.
 const SHALLOW: f64 = 4.0;
 
-/// A moved piece.
-#[derive(Clone, Debug)]
-pub(super) struct Raw {
-    pub(super) piece: Arc<dyn Piece>,
-    pub(super) origin: Origin,
-    /// Its finite ends.
-    pub(super) ends: [Option<Site>; 2],
-    /// For a curve without a figure, what it is part of.
-    pub(super) part: Option<Part>,
-}
-
-/// Part of a regular parallel curve.
-#[derive(Clone, Debug)]
-pub(super) struct Part {
-    pub(super) parallel: Parallel,
-    /// Parts of one curve have the same mark.
-    pub(super) curve: usize,
-}
-
-impl Part {
-    /// Whether `next` goes on along the curve where this part ends, by their numbers among the moved pieces.
-    pub(super) fn leads_to(&self, next: &Part, [number, next_number]: [usize; 2]) -> bool {
-        let base = self.parallel.base();
-        let around = base.ends().is_none()
-            && self.parallel.base_range()[1] == base.length()
-            && next.parallel.base_range()[0] == 0.0;
-        self.curve == next.curve && (next_number == number + 1 || around)
-    }
-}
-
 /// The moved pieces, and their ends as vertices.
 #[derive(Debug)]
 pub(super) struct RawBoundary {
-    pub(super) pieces: Vec<Raw>,
+    pub(super) pieces: Vec<Moved>,
     pub(super) vertices: Vertices,
 }
 
@@ -63,7 +34,7 @@ type Ends = [Option<(Vector2<f64>, Site)>; 2];
 
 pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
     let mut vertices = Vertices::new(table.lattice());
-    let mut pieces: Vec<Raw> = vec![];
+    let mut pieces: Vec<Moved> = vec![];
     let mut ends: Vec<Ends> = vec![[None; 2]; table.pieces().len()];
     for joint in joints(table) {
         if let Some(arc) = turn(table, radius, &joint, &mut vertices, &mut ends)? {
@@ -86,7 +57,7 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
         if piece.figure() == Figure::Other {
             parallels(piece, i, radius, ends[i], &mut vertices, &mut pieces)?;
         } else if let Some(moved) = shifted(&piece.figure(), radius, ends[i].map(|e| e.map(|(p, _)| p)))? {
-            pieces.push(Raw {
+            pieces.push(Moved {
                 piece: moved,
                 origin: Origin::Piece(i),
                 ends: ends[i].map(|e| e.map(|(_, site)| site)),
@@ -105,7 +76,7 @@ fn turn(
     joint: &Joint,
     vertices: &mut Vertices,
     ends: &mut [Ends],
-) -> Result<Option<Raw>, Error> {
+) -> Result<Option<Moved>, Error> {
     let &Joint { before, after, cell, vertex } = joint;
     let [p, q] = [before, after].map(|i| &table.pieces()[i]);
     let there = vertex - vertices.translation(cell);
@@ -130,7 +101,7 @@ fn turn(
     if a == b {
         return Ok(None); // the disk is smaller than rounding
     }
-    Ok(Some(Raw {
+    Ok(Some(Moved {
         piece: Arc::new(shapes::Arc::with_radius(vertex, radius, a, b, false)?),
         origin: Origin::Corner { before, after },
         ends: [Some(from), Some(to)],
@@ -228,7 +199,7 @@ fn parallels(
     radius: f64,
     ends: Ends,
     vertices: &mut Vertices,
-    pieces: &mut Vec<Raw>,
+    pieces: &mut Vec<Moved>,
 ) -> Result<(), Error> {
     let length = base.length();
     if !length.is_finite() {
@@ -274,7 +245,7 @@ fn parallels(
         for s in cuts.chain([high]) {
             let end = (s, vertex(s, if s == length { seam.or(ends[1]) } else { None }));
             let parallel = Parallel::new(base.clone(), radius, [start.0, s], Some([start.1.0, end.1.0]))?;
-            pieces.push(Raw {
+            pieces.push(Moved {
                 piece: Arc::new(parallel.clone()),
                 origin: Origin::Piece(number),
                 ends: [Some(start.1.1), Some(end.1.1)],

@@ -1,7 +1,7 @@
 //! Walls without thickness, moved to both sides, and what the disk does around their tips.
 use super::{
     Origin,
-    raw::Raw,
+    moved::Moved,
     vertices::{Site, Vertices},
 };
 use crate::{Error, plane, shapes};
@@ -36,7 +36,7 @@ impl Tips {
         piece: usize,
         radius: f64,
         vertices: &mut Vertices,
-        pieces: &mut Vec<Raw>,
+        pieces: &mut Vec<Moved>,
     ) -> Result<(), Error> {
         let [a, b] = tips;
         let ([x, y], _) = plane::direction(a.into(), b.into()).ok_or(Error::ZeroLength)?;
@@ -44,7 +44,7 @@ impl Tips {
         for ([from, to], off) in [([a, b], left), ([b, a], -left)] {
             let mut end = |tip: Vector2<f64>| self.end(tip, tip + off, piece, radius, vertices);
             let [(p, start), (q, stop)] = [end(from), end(to)];
-            pieces.push(Raw {
+            pieces.push(Moved {
                 piece: Arc::new(shapes::Segment::new(p, q)?),
                 origin: Origin::Piece(piece),
                 ends: [Some(start), Some(stop)],
@@ -78,14 +78,14 @@ impl Tips {
     }
 
     /// The circles around the tips, in arcs from end to end.
-    pub(super) fn arcs(self, radius: f64, pieces: &mut Vec<Raw>) -> Result<(), Error> {
+    pub(super) fn arcs(self, radius: f64, pieces: &mut Vec<Moved>) -> Result<(), Error> {
         for Tip { point: tip, piece, mut ends } in self.all {
             // clockwise, with the table outside
             let angle = |(end, _): &(Vector2<f64>, Site)| libm::atan2(end.y - tip.y, end.x - tip.x);
             ends.sort_by(|a, b| angle(b).total_cmp(&angle(a)));
             for (k, &(from, start)) in ends.iter().enumerate() {
                 let (to, stop) = ends[(k + 1) % ends.len()];
-                pieces.push(Raw {
+                pieces.push(Moved {
                     piece: Arc::new(shapes::Arc::with_radius(tip, radius, from, to, false)?),
                     origin: Origin::Corner { before: piece, after: piece },
                     ends: [Some(start), Some(stop)],
