@@ -14,7 +14,8 @@ pub struct Description {
     pub pieces: usize,
     /// Length of the boundary \[L\], per unit cell on a lattice.
     pub perimeter: f64,
-    /// Points at which the direction of the boundary jumps.
+    /// Joints of two pieces at which the boundary turns, once each. ([`Table::corners`] are vertices at which the normal jumps, two for a
+    /// joint across cells of a lattice.)
     pub corners: usize,
     /// Those of them where the table's angle is greater than π.
     pub re_entrant_corners: usize,

@@ -161,7 +161,9 @@ impl Table {
         &self.pieces
     }
 
-    /// The vertices at which the direction of the boundary jumps.
+    /// The vertices at which the normal jumps, so that orbits end there: one for each piece that ends in such a vertex, and two where a
+    /// lattice leads from there to the start of the next piece, the end and that start.
+    /// ([`Description::corners`](crate::Description::corners) counts by the angle of turning, and each joint once.)
     pub fn corners(&self) -> &[Vector2<f64>] {
         &self.corners
     }

@@ -90,7 +90,7 @@ enum Carrier {
 }
 
 /// How two carriers meet.
-enum Meeting {
+enum Contact {
     /// At these points, if at all; nowhere if they coincide.
     Crossing(Vec<Vector2<f64>>),
     /// Tangentially. The two crossings found there by rounding would lie √ε off, not ε.
@@ -112,12 +112,12 @@ impl Carrier {
     }
 
     /// Where two carriers meet, which touch if their distance there is at most `same`.
-    fn meet(&self, other: &Carrier, same: f64) -> Meeting {
+    fn meet(&self, other: &Carrier, same: f64) -> Contact {
         match (self, other) {
             (Carrier::Line { through: p, direction: d }, Carrier::Line { through: q, direction: e }) => {
                 let sine = cross((*d).into(), (*e).into());
                 let meets = sine.abs() > SAME;
-                Meeting::Crossing(
+                Contact::Crossing(
                     meets.then(|| p + d * (cross((q - p).into(), (*e).into()) / sine)).into_iter().collect(),
                 )
             }
@@ -127,34 +127,34 @@ impl Carrier {
                 let foot = through + direction * to_center.dot(direction);
                 let away = cross((*direction).into(), to_center.into()).abs();
                 if (away - radius).abs() <= same {
-                    return Meeting::Touching(foot);
+                    return Contact::Touching(foot);
                 }
                 if away > *radius {
-                    return Meeting::Crossing(vec![]);
+                    return Contact::Crossing(vec![]);
                 }
                 let half = libm::sqrt((radius - away) * (radius + away));
-                Meeting::Crossing(vec![foot - direction * half, foot + direction * half])
+                Contact::Crossing(vec![foot - direction * half, foot + direction * half])
             }
             (Carrier::Circle { center: c, radius: r }, Carrier::Circle { center: k, radius: q }) => {
                 let between = k - c;
                 let distance = libm::hypot(between.x, between.y);
                 if distance <= same {
-                    return Meeting::Crossing(vec![]);
+                    return Contact::Crossing(vec![]);
                 }
                 let along = between / distance;
                 // from outside, from inside, from around
                 let tangent = [(r + q, *r), (q - r, -r), (r - q, *r)];
                 if let Some((_, r)) = tangent.into_iter().find(|(at, _)| (distance - at).abs() <= same) {
-                    return Meeting::Touching(c + along * r);
+                    return Contact::Touching(c + along * r);
                 }
                 if distance > r + q || distance < (r - q).abs() {
-                    return Meeting::Crossing(vec![]);
+                    return Contact::Crossing(vec![]);
                 }
                 // from c towards k to the common chord
                 let to_chord = 0.5 * (distance + (r - q) * (r + q) / distance);
                 let half = libm::sqrt(((r - to_chord) * (r + to_chord)).max(0.0));
                 let (foot, across) = (c + along * to_chord, Vector2::new(-along.y, along.x) * half);
-                Meeting::Crossing(vec![foot - across, foot + across])
+                Contact::Crossing(vec![foot - across, foot + across])
             }
         }
     }
@@ -168,9 +168,9 @@ fn meetings(part: &Part, other: &Part, same: f64) -> Vec<Vector2<f64>> {
     let mut points: Vec<_> = other.finite_ends().filter(|p| on(p, part)).collect();
     // in the same order for both, so that both are cut at the same bits
     match if part.member < other.member { own.meet(&its, same) } else { its.meet(&own, same) } {
-        Meeting::Crossing(at) => points.extend(at.into_iter().filter(on_both)),
+        Contact::Crossing(at) => points.extend(at.into_iter().filter(on_both)),
         // where one ends on the other they touch there
-        Meeting::Touching(at) => {
+        Contact::Touching(at) => {
             if points.is_empty() && !part.finite_ends().any(|p| on(&p, other)) && on_both(&at) {
                 points.push(at);
             }

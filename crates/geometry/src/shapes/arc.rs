@@ -20,7 +20,7 @@ pub struct Arc {
     /// Polar angle of `a`, and the positive angle from there to `b` in the sense of traversal.
     start: f64,
     sweep: f64,
-    around: Around,
+    bulge: Bulge,
 }
 
 /// Tells on which side of a path an arc passes whose ends are both on the other one.
@@ -29,19 +29,19 @@ pub struct Arc {
 /// does the point farthest right, `c + r n`. It is on the arc from `a` to `b`, which lies on the right of that chord,
 /// if `r v·(b−a) > |v| (b−a)×(c−a)`: a statement about directions only, so rounding cannot open a gap at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Around {
+pub(crate) struct Bulge {
     /// From `a` to `b`, times the sense of traversal.
     chord: [f64; 2],
     /// The square of `(b−a)×(c−a) / r`, with its sign, times the sense of traversal.
     square: f64,
 }
 
-impl Around {
+impl Bulge {
     /// Of the arc from `a` to `b` on a circle; `turn` is the sense of traversal, +1 for counter-clockwise.
-    pub(crate) fn new(center: [f64; 2], radius: f64, a: [f64; 2], b: [f64; 2], turn: f64) -> Around {
+    pub(crate) fn new(center: [f64; 2], radius: f64, a: [f64; 2], b: [f64; 2], turn: f64) -> Bulge {
         let chord = [0, 1].map(|i| turn * (b[i] - a[i]));
         let height = cross(chord, [center[0] - a[0], center[1] - a[1]]) / radius;
-        Around { chord, square: height * height.abs() }
+        Bulge { chord, square: height * height.abs() }
     }
 
     /// Whether the arc meets a path along `v` that meets the circle with both ends on its left, or both on its right.
@@ -108,8 +108,8 @@ impl Arc {
         let (start, end) = (circle.angle(&a), circle.angle(&b));
         let sweep = circle.turn() * (end - start);
         let sweep = if sweep <= 0.0 { sweep + 2.0 * PI } else { sweep };
-        let around = Around::new(center.into(), radius, a.into(), b.into(), circle.turn());
-        Ok(Arc { circle, a: a.into(), b: b.into(), start, sweep, around })
+        let bulge = Bulge::new(center.into(), radius, a.into(), b.into(), circle.turn());
+        Ok(Arc { circle, a: a.into(), b: b.into(), start, sweep, bulge })
     }
 
     /// When the path from `x` with velocity `v` crosses outwards; see [`Piece::crossing`].
@@ -128,7 +128,7 @@ impl Arc {
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], [a_left, b_left]: [F::Mask; 2]) -> Candidate<F> {
         let between = !a_left & b_left;
-        let around = self.around.meets(v, a_left, b_left);
+        let around = self.bulge.meets(v, a_left, b_left);
         let roots = self.circle.roots(x, v);
         self.circle.outward(&roots, between, around)
     }

@@ -7,7 +7,7 @@ use crate::{
     plane::{cross, from, moved},
     shapes::{
         Ellipse, Shape,
-        arc::Around,
+        arc::Bulge,
         curve::{Blocks, Parametric},
     },
 };
@@ -22,7 +22,7 @@ pub struct EllipticArc {
     a: [f64; 2],
     b: [f64; 2],
     /// In the picture where the ellipse is the unit circle.
-    around: Around,
+    bulge: Bulge,
     /// Arc length of `a` from the end of the first semi-axis, and from `a` to `b`, in the sense of traversal.
     start: f64,
     length: f64,
@@ -61,7 +61,7 @@ impl EllipticArc {
             ellipse,
             a: a.into(),
             b: b.into(),
-            around: Around::new([0.0; 2], 1.0, ends[0], ends[1], turn),
+            bulge: Bulge::new([0.0; 2], 1.0, ends[0], ends[1], turn),
             start,
             length: along(end - start, ellipse.length()),
             angle,
@@ -86,7 +86,7 @@ impl EllipticArc {
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], [a_left, b_left]: [F::Mask; 2]) -> Candidate<F> {
         let between = !a_left & b_left;
         let (y, w) = self.ellipse.affine(x, v);
-        let around = self.around.meets(w, a_left, b_left);
+        let around = self.bulge.meets(w, a_left, b_left);
         let roots = self.ellipse.unit().roots(y, w);
         self.ellipse.unit().outward(&roots, between, around)
     }
