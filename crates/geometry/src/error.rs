@@ -146,6 +146,14 @@ pub enum Error {
         /// A piece of the loop at fault.
         piece: usize,
     },
+    /// A wall around a flat torus without another one that leads back.
+    #[error(
+        "the wall that begins with piece {piece} leads around the torus with the table on its left, which the other way around lies on its right"
+    )]
+    OneSided {
+        /// The piece.
+        piece: usize,
+    },
     /// A stretch there and back with the table on neither side.
     #[error("piece {piece} runs there and back near ({}, {}), where the table lies on neither side of it", at[0], at[1])]
     Spike {

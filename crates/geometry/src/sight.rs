@@ -1,6 +1,6 @@
 //! What can be seen from a boundary along straight lines: enough to tell its sides apart and its parts.
 use crate::{
-    Extent, Figure, MeetingKind, Table,
+    Extent, Figure, Lattice, MeetingKind, Piece, Table,
     copies::{Copies, finite_extent},
     meetings,
     plane::{GOLDEN, SAME_DIRECTION, is_finite, slack},
@@ -26,6 +26,10 @@ const BESIDE: f64 = 1e-5;
 pub(crate) struct Sight<'a> {
     table: &'a Table,
     copies: Copies,
+    /// The middle of all pieces of finite length.
+    middle: Vector2<f64>,
+    /// On a lattice, the box outside of which not all translates are known: lines of sight end where they leave it.
+    known: Option<Extent>,
     /// Greatest finite coordinate; 1 where there is none (lines through the origin).
     pub(crate) size: f64,
     pub(crate) chains: Vec<Vec<usize>>,
@@ -71,7 +75,8 @@ struct Prospect {
 }
 
 impl<'a> Sight<'a> {
-    /// `cells`: how many more translates to take into account on each side, on a lattice.
+    /// `cells`: how many more translates to take into account on each side, on a lattice. Those around all places from which and at
+    /// which lines go are always known.
     pub(crate) fn new(table: &'a Table, cells: f64) -> Sight<'a> {
         let pieces = table.pieces();
         let coordinates = pieces.iter().map(|p| match p.figure() {
@@ -81,7 +86,20 @@ impl<'a> Sight<'a> {
         let size = coordinates.fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
         let reach = table.lattice().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum::<f64>() * cells);
-        let copies = Copies::new(pieces, table.lattice(), &finite_extent(pieces), slack([size]) + reach);
+        let reach = slack([size]) + reach;
+        let finite = finite_extent(pieces);
+        let middle = if finite.is_finite() { 0.5 * finite.min + 0.5 * finite.max } else { Vector2::zeros() };
+        let lines = pieces.iter().filter(|p| !p.length().is_finite());
+        let around = match table.lattice() {
+            Some(lattice) => {
+                Extent::of(lines.flat_map(|p| [0.0, 1.0].map(|part| in_cell(&**p, lattice, middle, part))))
+            }
+            None => Extent::EMPTY,
+        };
+        let around = finite.union(around);
+        let copies = Copies::new(pieces, table.lattice(), &around, reach);
+        let known =
+            table.lattice().map(|_| Extent { min: around.min.add_scalar(-reach), max: around.max.add_scalar(reach) });
         let chains = table.chains();
         let mut chain_of = vec![0; pieces.len()];
         for (k, chain) in chains.iter().enumerate() {
@@ -91,7 +109,7 @@ impl<'a> Sight<'a> {
         }
         let around = |chain: &Vec<usize>| chain.iter().map(|&i| pieces[i].extent()).fold(Extent::EMPTY, Extent::union);
         let extents = chains.iter().map(around).collect();
-        Sight { table, copies, size, chains, chain_of, extents }
+        Sight { table, copies, middle, known, size, chains, chain_of, extents }
     }
 
     pub(crate) fn copies(&self) -> &Copies {
@@ -104,7 +122,7 @@ impl<'a> Sight<'a> {
     }
 
     /// The walls on a line of sight from a chain, from that chain itself on to the first that satisfies `until`; with
-    /// whether the line escapes beyond the last of them. `None` where no line is clear.
+    /// whether the line escapes beyond the last of them, or from where all translates are known. `None` where no line is clear.
     pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
         'tries: for k in 0..TRIES {
             let (index, from) = self.place(chain, k, GOLDEN);
@@ -188,6 +206,10 @@ impl<'a> Sight<'a> {
             |index| {
                 let (copy, _) = self.copies.get(index);
                 for m in meetings(&ray, &*copy.piece) {
+                    let here = Extent { min: m.point, max: m.point };
+                    if self.known.is_some_and(|known| !known.meets(&here, 0.0)) {
+                        continue;
+                    }
                     let far = m.at[0];
                     if far <= 4.0 * rounding && index == own {
                         continue;
@@ -216,6 +238,9 @@ impl<'a> Sight<'a> {
         let piece = &self.table.pieces()[i];
         let part = part + 0.236_067_977_499_79 * (k as f64 / TRIES as f64);
         let length = piece.length();
+        if let Some(lattice) = self.table.lattice().filter(|_| !length.is_finite()) {
+            return (self.copies.home(i), in_cell(&**piece, lattice, self.middle, part));
+        }
         let from_end = piece.ends().is_some_and(|[a, _]| is_finite(&a));
         let s = match (length.is_finite(), from_end) {
             (true, _) => length * part,
@@ -224,6 +249,11 @@ impl<'a> Sight<'a> {
         };
         (self.copies.home(i), piece.point_at(s))
     }
+}
+
+/// A point of a line along a lattice, which may be anywhere on it: in the cell that begins near a given point.
+fn in_cell(line: &dyn Piece, lattice: &Lattice, near: Vector2<f64>, part: f64) -> Vector2<f64> {
+    line.closest(&(near + lattice.vectors()[0] * part)).point
 }
 
 /// Whether a line meets a box, or comes within `reach` of it.

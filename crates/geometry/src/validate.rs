@@ -26,7 +26,7 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
-    /// [`Error::Spike`], [`Error::Collapsed`] or [`Error::Orientation`], with the numbers of the pieces and about where.
+    /// [`Error::Spike`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the numbers of the pieces and about where.
     pub fn validate(&self) -> Result<(), Error> {
         let vertices = self.pieces().iter().filter_map(|p| p.ends()).flatten();
         let size = vertices.map(|v| v.amax()).filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -54,7 +54,8 @@ impl Table {
         for point in self.crossings(&sight)? {
             alternates(sight.copies(), &point)?;
         }
-        self.orientation(&sight)
+        self.orientation(&sight)?;
+        self.sides_of_a_torus()
     }
 
     /// Whether an infinite piece may stand on the lattice: a line along the only lattice vector.
@@ -157,9 +158,13 @@ impl Table {
             }
         }
         let infinite = sight.infinite();
-        // of two loops that disagree, the inner one is named
+        // of two loops that disagree, the inner one is named; on a lattice, where the table is mostly all around, one with the table inside
         let disagree = |a: &Wall, b: &Wall| {
-            let [first, second] = [a, b].map(|wall| width(sight.chain_of[wall.number]));
+            let [first, second] = [a, b].map(|wall| {
+                let k = sight.chain_of[wall.number];
+                let room = self.lattice().is_some() && self.is_closed(&chains[k]) && area(k) > 0.0;
+                (!room, width(k))
+            });
             Error::Orientation { piece: if second < first { b.number } else { a.number } }
         };
         // what lies behind a wall: the table, if it is a wall on both sides
@@ -171,9 +176,11 @@ impl Table {
             let others = [(k + 1) % chains.len()].into_iter().chain(infinite.iter().copied());
             let aims = [Aim::Inward, Aim::Outward].into_iter().chain(others.filter(|&other| other != k).map(Aim::At));
             for aim in aims {
-                // to the end, as far as all translates are known
-                let to_the_end = if self.lattice().is_none() { sight.look(k, aim, |_| false) } else { None };
-                let Some((walls, escapes)) = to_the_end.or_else(|| sight.look(k, aim, |_| true)) else { continue };
+                // where no line is clear to its end, as far as it must be
+                let enough =
+                    |wall: &Wall| if let Aim::At(other) = aim { sight.chain_of[wall.number] == other } else { true };
+                let clear = sight.look(k, aim, |_| false).or_else(|| sight.look(k, aim, enough));
+                let Some((walls, escapes)) = clear else { continue };
                 // a wall seen from the table must not lead into it
                 let mut pairs = walls.iter().zip(&walls[1..]);
                 if let Some((from, hit)) = pairs.find(|(from, hit)| behind(from) == hit.into_table) {
@@ -188,6 +195,18 @@ impl Table {
             }
         }
         Ok(())
+    }
+
+    /// Fails where walls around a flat torus have the table on their left and, the other way round the torus, on their right: those that
+    /// bound a region lead back as far as there.
+    fn sides_of_a_torus(&self) -> Result<(), Error> {
+        let Some(lattice) = self.lattice().filter(|lattice| lattice.vectors().len() == 2) else { return Ok(()) };
+        let steps = self.pieces().iter().filter_map(|p| p.ends()).map(|[a, b]| b - a);
+        if lattice.rounded(&steps.sum()) == [0.0; 2] {
+            return Ok(());
+        }
+        let around = self.chains().into_iter().rfind(|chain| !self.is_closed(chain));
+        around.map_or(Ok(()), |chain| Err(Error::OneSided { piece: chain[0] }))
     }
 }
 

@@ -309,6 +309,104 @@ fn the_cells_of_a_lattice_are_seen() {
 }
 
 #[test]
+fn of_any_disks_on_a_torus_those_that_alternate_are_a_table() {
+    let mut random = Random(7);
+    let [mut good, mut bad] = [0, 0];
+    for _ in 0..600 {
+        let vectors = match random.below(3) {
+            0 => vec![v(3.0, 0.0)],
+            1 => vec![v(3.0, 0.0), v(0.0, 3.0)],
+            _ => vec![v(3.0, random.between(-1.0, 1.0)), v(random.between(-4.0, 4.0), 3.0)],
+        };
+        let lattice = Lattice::new(&vectors).unwrap();
+        let away = |x: f64, y: f64, from: [f64; 2]| {
+            let translations = (-9..=9).flat_map(|i| (-9..=9).map(move |j| [i, j].map(f64::from)));
+            translations.map(|c| (v(x, y) - v(from[0], from[1]) - lattice.translation(c)).norm()).fold(9.0, f64::min)
+        };
+        let mut disks: Vec<[f64; 3]> = vec![];
+        for _ in 0..2 + random.below(6) {
+            let [x, y] = [0; 2].map(|_| random.between(-4.0, 4.0));
+            let r = random.between(0.05, 1.2);
+            let clear = |&[u, s, q]: &[f64; 3]| {
+                let d = away(x, y, [u, s]);
+                d > r + q + 0.01 || d < (r - q).abs() - 0.01
+            };
+            if disks.iter().all(clear) {
+                disks.push([x, y, r]);
+            }
+        }
+        let depth = |k: usize| {
+            let [x, y, r] = disks[k];
+            disks.iter().filter(|&&[u, s, q]| q > r && away(x, y, [u, s]) < q - r).count()
+        };
+        let around = random.below(2) == 1;
+        let wrong = (random.below(2) == 1).then(|| random.below(disks.len()));
+        let inside = |k: usize| ((depth(k) % 2 == 0) != around) != (wrong == Some(k));
+        let pieces: Vec<_> = (0..disks.len()).map(|k| disk(disks[k][0], disks[k][1], disks[k][2], inside(k))).collect();
+        let found = Table::periodic(pieces, Some(lattice.clone())).unwrap().validate();
+        if matches!(found, Err(Error::Crossing { .. })) {
+            continue; // of two that are one in another, the outer one may cross its translates
+        }
+        if wrong.is_some() && disks.len() > 1 {
+            bad += 1;
+            assert!(matches!(found, Err(Error::Orientation { .. })), "{found:?}: {disks:?} {wrong:?} {around} {lattice:?}");
+        } else {
+            good += 1;
+            assert_eq!(found, Ok(()), "{disks:?} {around} {lattice:?}");
+        }
+    }
+    assert!(good > 200 && bad > 150, "{good} {bad}");
+}
+
+#[test]
+fn on_a_lattice_the_loop_with_the_table_inside_is_named() {
+    let lattice = || Some(Lattice::new(&[v(4.0, 0.0), v(0.0, 4.0)]).unwrap());
+    let disks = |inside: [bool; 2]| {
+        Table::periodic(vec![disk(0.0, 0.0, 0.5, inside[0]), disk(2.0, 2.0, 0.5, inside[1])], lattice())
+            .unwrap()
+            .validate()
+    };
+    assert_eq!(disks([false, true]), Err(Error::Orientation { piece: 1 }));
+    assert_eq!(disks([true, false]), Err(Error::Orientation { piece: 0 }));
+    assert_eq!([disks([false; 2]), disks([true; 2])], [Ok(()), Ok(())]);
+}
+
+#[test]
+fn lines_of_sight_along_a_lattice_end_where_translates_are_unknown() {
+    // a wall with a finely drawn underside, above an infinite floor and below half a plane
+    let n = 8;
+    let corner = |i: i32| v(4.0 * (1.0 - f64::from(i) / f64::from(n)), 1.0 + 0.1 * f64::from(i % 2));
+    let side = |a, b| Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>;
+    for x in [0.0, 1.0, -1e3] {
+        let floor = Box::new(FullLine::new(v(x, 0.0), v(1.0, 0.0)).unwrap()) as Box<dyn Piece>;
+        let top = side(v(0.0, 2.0), v(4.0, 2.0));
+        let pieces = [floor].into_iter().chain((0..n).map(|i| side(corner(i), corner(i + 1)))).chain([top]).collect();
+        let channel = Table::periodic(pieces, Some(Lattice::new(&[v(4.0, 0.0)]).unwrap())).unwrap();
+        assert_eq!(channel.validate(), Ok(()));
+    }
+}
+
+#[test]
+fn a_wall_around_a_torus_needs_one_that_leads_back() {
+    let level = |y: f64, x: [f64; 2]| {
+        let [a, b, c] = [x[0], 0.5 * (x[0] + x[1]), x[1]].map(|x| v(x, y));
+        [[a, b], [b, c]].map(|[a, b]| Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>)
+    };
+    let check = |walls: &[(f64, bool)], vectors: &[Vector2<f64>]| {
+        let pieces =
+            walls.iter().flat_map(|&(y, right)| level(y, if right { [0.0, 4.0] } else { [4.0, 0.0] })).collect();
+        Table::periodic(pieces, Some(Lattice::new(vectors).unwrap())).unwrap().validate()
+    };
+    let torus = [v(4.0, 0.0), v(1.0, 4.0)];
+    assert_eq!(check(&[(0.0, true)], &torus), Err(Error::OneSided { piece: 0 }));
+    assert_eq!(check(&[(0.0, true), (1.0, false), (2.0, true)], &torus), Err(Error::OneSided { piece: 4 }));
+    assert!(matches!(check(&[(0.0, true), (1.0, true)], &torus), Err(Error::Orientation { .. })));
+    assert_eq!(check(&[(0.0, true), (1.0, false)], &torus), Ok(()));
+    assert_eq!(check(&[(0.0, true), (0.0, false)], &torus), Ok(()));
+    assert_eq!(check(&[(0.0, true)], &torus[..1]), Ok(()));
+}
+
+#[test]
 fn checks_do_not_depend_on_scale_or_place() {
     for k in [-300, -40, 0, 40, 300] {
         let scale = 2.0_f64.powi(k);

@@ -68,6 +68,7 @@ fn piece_of(error: &Error) -> Option<usize> {
     match error {
         Error::Open { piece, .. }
         | Error::Orientation { piece }
+        | Error::OneSided { piece }
         | Error::Spike { piece, .. }
         | Error::Collapsed { piece, .. }
         | Error::TooShort { piece, .. }
@@ -115,6 +116,9 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => {
             "close the loop, or continue it to infinity with a ray; a straight wall that ends nowhere is a line"
+        }
+        Error::OneSided { .. } => {
+            "give the wall its other side, a chain that leads back; with one vector of the lattice only, the table has no end there"
         }
         Error::Spike { .. } => {
             "leave the stretch out, or let it lead into the table, where it is a wall without thickness"
