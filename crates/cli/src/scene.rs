@@ -103,8 +103,8 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
     let title = root.optional("title").and_then(|item| text(item, problems)).map(|title| title.value);
     let table_item = root.required("table", "[table] with name = \"stadium\"");
     let dimension = table_item.map_or(Some(2), |item| table::dimension(item, problems));
-    // Vectors of an unknown dimension cannot be checked; 2 is the best guess for the rest.
-    let n = dimension.unwrap_or(2);
+    // Of a scene of unknown dimension hardly anything can be checked.
+    let n = dimension?;
     let table = table_item.and_then(|item| table::read(item, n, problems));
     let law = match &request.law {
         Some(kind) => {
@@ -123,7 +123,7 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
     Some(Scene {
         source: problems.source().clone(),
         title,
-        dimension: dimension?,
+        dimension: n,
         law: law?,
         table: table?,
         particle: particle?,

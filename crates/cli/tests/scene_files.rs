@@ -306,6 +306,9 @@ fn one_slip_gives_one_error() {
         (BOUNDARY, "loop =", "lop ="),
         (BOUNDARY, "[[table.boundary]]", "[[table.boundry]]"),
         (BOUNDARY, "{ line_to = [1, -1] },", "{ line_to = [1, -1] "),
+        (SPATIAL, "dimension = 3", "dimensions = 3"),
+        (SPATIAL, "dimension = 3", "dimension = true"),
+        (SPATIAL, "dimension = 3", "dimension = 4"),
     ] {
         let errors = errors_of(valid, old, new);
         assert_eq!(errors.len(), 1, "{new}: {errors:?}");
@@ -365,6 +368,17 @@ fn laws_with_parameters_work_where_they_are_told_to_go() {
     assert_eq!(rough.table.laws[0].law, LawKind::Rough(vec![vec![1.0, 0.0, 0.0]]));
     let all = parse(&NAMED.replacen("\"no-slip\"", "{ rough = [[1, 0]] }", 1)).unwrap();
     assert_eq!(all.law.kind, LawKind::Rough(vec![vec![1.0, 0.0]]));
+}
+
+#[test]
+fn the_law_rough_is_told_for_the_plane_and_for_space() {
+    let help = "rough".parse::<LawKind>().unwrap_err();
+    for (valid, old, law) in
+        [(NAMED, "law   = \"no-slip\"", "rough = [[1, 0]]"), (SPATIAL, "rough = [[1, 2, -3]]", "rough = [[1, 2, -3]]")]
+    {
+        assert!(help.contains(law), "{help}");
+        parse(&valid.replacen(old, law, 1)).unwrap();
+    }
 }
 
 #[test]

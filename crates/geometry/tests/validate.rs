@@ -349,7 +349,10 @@ fn of_any_disks_on_a_torus_those_that_alternate_are_a_table() {
         }
         if wrong.is_some() && disks.len() > 1 {
             bad += 1;
-            assert!(matches!(found, Err(Error::Orientation { .. })), "{found:?}: {disks:?} {wrong:?} {around} {lattice:?}");
+            assert!(
+                matches!(found, Err(Error::Orientation { .. })),
+                "{found:?}: {disks:?} {wrong:?} {around} {lattice:?}"
+            );
         } else {
             good += 1;
             assert_eq!(found, Ok(()), "{disks:?} {around} {lattice:?}");

@@ -59,10 +59,16 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     let plane = scene.dimension == 2;
     writeln!(out, "  table       {}", scene.table)?;
     writeln!(out, "  law         {}, gamma^2 = {}", scene.law, spell(scene.gamma_squared))?;
-    let (area, perimeter) = if plane { ("area", "perimeter") } else { ("volume", "surface") };
-    if !scene.walls.parts.is_empty() {
-        writeln!(out, "  {area:<12}{}", measure(scene.walls.area))?;
-        writeln!(out, "  {perimeter:<12}{}", measure(scene.walls.perimeter))?;
+    let walls = &scene.walls;
+    let measures = if plane {
+        [("area", walls.area), ("perimeter", walls.perimeter)]
+    } else {
+        [("volume", walls.volume), ("surface", walls.surface)]
+    };
+    if !walls.parts.is_empty() {
+        for (name, x) in measures {
+            writeln!(out, "  {name:<12}{}", measure(x))?;
+        }
     }
     if let Some([corners, inwards]) = scene.walls.corners {
         let inwards = if inwards == 0 { String::new() } else { format!(", {inwards} of them re-entrant") };

@@ -105,10 +105,13 @@ impl std::str::FromStr for LawKind {
             "specular" => Ok(Self::Specular),
             "no-slip" => Ok(Self::NoSlip),
             _ => match LAWS.iter().find(|law| law.name == name) {
-                Some(law) => Err(format!(
-                    "this law has parameters: write {} in place of the scene's law; `billiards guide` tells more",
-                    law.example
-                )),
+                Some(law) => {
+                    let in_the_plane = if name == "rough" { " (in the plane rough = [[1, 0]])" } else { "" };
+                    Err(format!(
+                        "this law has parameters: write {}{in_the_plane} in place of the scene's law; `billiards guide` tells more",
+                        law.example
+                    ))
+                }
                 None => Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
                     Some(near) => format!("unknown law; did you mean \"{near}\"?"),
                     None => "unknown law; `billiards laws` lists them".into(),

@@ -63,10 +63,17 @@ pub enum TableShape {
     Boundary(Vec<Entry>),
 }
 
-/// The dimension a table declares: 2 unless it says otherwise.
+/// The dimension a table declares: 2 unless it says otherwise. Of a misspelt key this tells at once, before vectors of another
+/// dimension are taken for mistakes.
 pub(super) fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
     let Value::Table(entries) = &item.value else { return Some(2) };
-    let Some((_, item)) = entries.iter().find(|(key, _)| key.value == "dimension") else { return Some(2) };
+    let Some((_, item)) = entries.iter().find(|(key, _)| key.value == "dimension") else {
+        let misspelt = |key: &str| crate::spelling::closest(key, ["dimension"]).is_some();
+        let Some((key, _)) = entries.iter().find(|(key, _)| misspelt(&key.value)) else { return Some(2) };
+        let what = format!("unknown key \"{}\" in [table]", key.value);
+        problems.add_with_help(key.span, what, "did you mean \"dimension\"?");
+        return None;
+    };
     let dimension = count(item, 0, problems)?.value;
     match dimension {
         2 => Some(2),

@@ -79,20 +79,26 @@ pub struct PieceOf {
 }
 
 /// A region and its measures.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Region {
     /// Number of pieces.
     pub pieces: usize,
-    /// Area, in space volume; of a unit cell on a lattice.
+    /// Area, in the plane; of a unit cell on a lattice.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub area: Option<f64>,
-    /// Perimeter, in space surface; of a unit cell on a lattice.
+    /// Perimeter, in the plane; of a unit cell on a lattice.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub perimeter: Option<f64>,
+    /// Volume, in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume: Option<f64>,
+    /// Area of the walls, in space.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface: Option<f64>,
     /// Points where the direction of the boundary jumps, and how many of them point into the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corners: Option<[usize; 2]>,
-    /// Areas of its connected parts; of an explicit boundary in space nothing is measured, and there are none here.
+    /// Areas, in space volumes, of its connected parts; of an explicit boundary in space nothing is measured, and there are none here.
     pub parts: Vec<Option<f64>>,
 }
 
@@ -150,7 +156,7 @@ impl Simulation {
             gamma_squared: scene.particle.gamma_squared.value,
             radius: scene.particle.radius.value,
             pieces: vec![],
-            walls: Region { pieces: 0, area: None, perimeter: None, corners: None, parts: vec![] },
+            walls: Region::default(),
             centres: None,
             largest_disk: None,
             mean_free_time: None,
@@ -232,9 +238,9 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
         Space::Named(table) => {
             let (volume, surface) = (table.volume(), table.surface_area());
             // volume and area in two and three steps: their factors alone might overflow
-            description.walls.area = finite(out(out(out(volume))));
-            description.walls.perimeter = finite(out(out(surface)));
-            description.walls.parts = vec![description.walls.area];
+            description.walls.volume = finite(out(out(out(volume))));
+            description.walls.surface = finite(out(out(surface)));
+            description.walls.parts = vec![description.walls.volume];
             let ratio = out(volume / surface);
             let kinds = spatial.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
             // |S⁵|/|B⁵| and |S²|/|B²|
@@ -311,6 +317,8 @@ fn region(of: &geometry::Description, factor: f64) -> Region {
         pieces: of.pieces,
         area: area(of.area()),
         perimeter: finite(of.perimeter / factor),
+        volume: None,
+        surface: None,
         corners: Some([of.corners, of.re_entrant_corners]),
         parts: of.components.iter().map(|part| area(part.area)).collect(),
     }
