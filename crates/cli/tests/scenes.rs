@@ -86,6 +86,10 @@ fn every_scene_is_described_by_check() {
         let output = billiards().arg("check").arg(&scene).arg("--json").output().unwrap();
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert!(!json["pieces"].as_array().unwrap().is_empty(), "{}", scene.display());
+        let space = json["dimension"] == 3;
+        for (name, of_space) in [("area", false), ("perimeter", false), ("volume", true), ("surface", true)] {
+            assert!(json["walls"][name].is_null() || space == of_space, "{}: {name}", scene.display());
+        }
     }
 }
 
