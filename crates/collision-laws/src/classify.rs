@@ -19,7 +19,8 @@ pub struct Classification<const N: usize> {
 /// Whether a linear map of `T_qM` is a strict collision map, and which one.
 ///
 /// `map` is a square matrix in the coordinates of [`Pair::coordinates`](crate::Pair::coordinates); it is strict if no axiom's
-/// defect exceeds `tolerance` ([`check::TOLERANCE`](crate::check::TOLERANCE) suits bodies of comparable size).
+/// defect exceeds `tolerance` ([`check::TOLERANCE`](crate::check::TOLERANCE) suits bodies of comparable size,
+/// [`check::tolerance`](crate::check::tolerance) any).
 ///
 /// A strict map is `C = 1 − 2P`, `P` the projector, orthogonal for the kinetic-energy metric, onto `W = G⁻¹Jᵀ span(ν, R)`; here `W` is
 /// read off `C` on the impulse space and `R` off `W`. Source: Cox, Feres and Ward, arXiv:1501.06536; in Cox and Feres, *No-slip

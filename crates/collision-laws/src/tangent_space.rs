@@ -1,6 +1,6 @@
 //! The tangent space `T_qM` in coordinates: where the axioms of a collision map are statements about matrices.
 
-use crate::{Body, Contact, Pair, TangentVector};
+use crate::{Body, Contact, Pair, TangentVector, Velocities};
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 /// The tangent space `T_qM` of two bodies at a contact.
@@ -37,8 +37,12 @@ impl<const N: usize> TangentSpace<N> {
                 pair.velocities(&x)
             })
             .collect();
-        let metric = DMatrix::from_fn(size, size, |i, j| pair.inner_product(&basis[i], &basis[j]));
-        let (to_unit, from_unit) = unit_coordinates(&metric);
+        let metric = gram(pair, &basis);
+        let (rough_to, rough_from) = unit_coordinates(&metric);
+        // once more: products of space axes have lost what is small beside the largest moment of a slender body
+        let nearly: Vec<_> = rough_from.column_iter().map(|x| pair.velocities(x.clone_owned().as_slice())).collect();
+        let (to_last, from_last) = unit_coordinates(&gram(pair, &nearly));
+        let (to_unit, from_unit) = (to_last * rough_to, rough_from * from_last);
 
         let mut contact_map = DMatrix::zeros(N, size);
         for (j, v) in basis.iter().enumerate() {
@@ -130,6 +134,13 @@ impl<const N: usize> TangentSpace<N> {
         &self.normal
     }
 
+    /// How many times as large the rounding of single coordinates may be in the length of the metric: `‖ |Lᵀ| |L⁻ᵀ| ‖∞`, 1 for balls and
+    /// bodies in the plane, for a needle askew about the root of the ratio of its principal moments. It depends on no unit.
+    pub(crate) fn rounding(&self) -> f64 {
+        let rows = self.to_unit.abs() * self.from_unit.abs();
+        rows.row_iter().map(|row| row.sum()).fold(0.0, f64::max)
+    }
+
     /// An orthonormal basis of the impulse space `C_q`, as columns in unit coordinates.
     pub fn impulse_space(&self) -> &DMatrix<f64> {
         &self.impulses
@@ -151,6 +162,11 @@ impl<const N: usize> TangentSpace<N> {
     pub fn rotations(&self) -> Option<&DMatrix<f64>> {
         (self.rotations.ncols() > 0).then_some(&self.rotations)
     }
+}
+
+/// The inner products of the given velocities.
+fn gram<A: Body<N>, B: Body<N>, const N: usize>(pair: &Pair<A, B, N>, of: &[Velocities<A, B, N>]) -> DMatrix<f64> {
+    DMatrix::from_fn(of.len(), of.len(), |i, j| pair.inner_product(&of[i], &of[j]))
 }
 
 /// `Lᵀ` and its inverse, with `G = L Lᵀ`.

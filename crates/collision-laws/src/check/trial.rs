@@ -20,14 +20,16 @@ impl Default for Samples {
     }
 }
 
-/// The defect that rounding may leave at a contact: [`TOLERANCE`], or where that is more the root of the
-/// [condition number](crate::Delassus::condition_number) of `K` times 1e-12.
+/// The defect that rounding may leave at a contact: [`TOLERANCE`], or where that is more 1e-12 times the larger of two roots, that of the
+/// [condition number](crate::Delassus::condition_number) of `K` and that of the ratio of the principal moments of a slender body askew.
 ///
-/// A velocity of unit length in the metric turns a body with little inertia so fast that the contact velocity is that root times as
-/// large, and rounded accordingly; the derivatives of the measure check multiply the rounding by 10³. Beyond a condition number of 1/ε
-/// there is no tolerance that would tell anything, and it grows no further.
+/// A velocity of unit length in the metric turns a body with little inertia so fast that the contact velocity is the first root times as
+/// large, and rounded accordingly. Where such a body lies along no axis of space, each coordinate of its spin is the second root times as
+/// large as the spin that another body of that energy has, and rounded accordingly. The derivatives of the measure check multiply the
+/// rounding by 10³. Beyond 1/ε there is no tolerance that would tell anything, and it grows no further.
 pub fn tolerance<A: Body<N>, B: Body<N>, const N: usize>(pair: &Pair<A, B, N>) -> f64 {
-    TOLERANCE.max(1e-12 * pair.delassus().condition_number().min(1.0 / f64::EPSILON).sqrt())
+    let roots = pair.delassus().condition_number().sqrt().max(pair.tangent_space().rounding());
+    TOLERANCE.max(1e-12 * roots.min(1.0 / f64::EPSILON.sqrt()))
 }
 
 /// A velocity of unit length in the metric, uniformly distributed in direction, in unit coordinates.
