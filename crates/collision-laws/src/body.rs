@@ -46,6 +46,12 @@ pub trait Body<const N: usize> {
     fn degrees_of_freedom(&self) -> usize {
         Self::Velocity::DIMENSION
     }
+
+    /// Whether the rigid motions of all space move the body, as they do any that is not held. What holds a hinged or fixed body takes up
+    /// momentum, so the pair conserves none; a hinged one answers `false` here.
+    fn is_free(&self) -> bool {
+        self.degrees_of_freedom() > 0
+    }
 }
 
 /// The wall: a body that nothing moves.
@@ -98,6 +104,10 @@ impl<const N: usize, B: Body<N>> Body<N> for Option<B> {
     fn degrees_of_freedom(&self) -> usize {
         self.as_ref().map_or(0, Body::degrees_of_freedom)
     }
+
+    fn is_free(&self) -> bool {
+        self.as_ref().is_some_and(Body::is_free)
+    }
 }
 
 impl<const N: usize, B: Body<N> + ?Sized> Body<N> for &B {
@@ -125,5 +135,9 @@ impl<const N: usize, B: Body<N> + ?Sized> Body<N> for &B {
 
     fn degrees_of_freedom(&self) -> usize {
         (**self).degrees_of_freedom()
+    }
+
+    fn is_free(&self) -> bool {
+        (**self).is_free()
     }
 }

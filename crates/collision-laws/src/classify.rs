@@ -94,16 +94,20 @@ fn defects<const N: usize>(space: &TangentSpace<N>, c: &DMatrix<f64>) -> Report 
 /// The rough directions of a strict map in unit coordinates.
 fn rough_directions<const N: usize>(space: &TangentSpace<N>, c: &DMatrix<f64>) -> Roughness<N> {
     let basis = space.impulse_space();
+    let size = basis.ncols(); // fewer than N if the bodies have fewer degrees of freedom
     // on C_q, and without the normal: an orthogonal projector of rank k
     let on_impulses = basis.tr_mul(&(c * basis));
     let normal = basis.tr_mul(space.normal());
     let projector = SMatrix::<f64, N, N>::from_fn(|i, j| {
+        if i.max(j) >= size {
+            return 0.0;
+        }
         let identity = if i == j { 1.0 } else { 0.0 };
         0.5 * identity - 0.25 * (on_impulses[(i, j)] + on_impulses[(j, i)]) - normal[i] * normal[j]
     });
     let (values, frame) = eigenframe(projector);
     let reversed: Vec<usize> = (0..N).filter(|i| values[*i] > 0.5).collect();
-    let changes = DMatrix::from_fn(N, reversed.len(), |i, j| frame[(i, reversed[j])]);
+    let changes = DMatrix::from_fn(size, reversed.len(), |i, j| frame[(i, reversed[j])]);
     let directions: Vec<SVector<f64, N>> = space.impulses_of(&changes).map_or_else(Vec::new, |impulses| {
         impulses.column_iter().map(|p| SVector::from_iterator(p.iter().copied())).collect()
     });

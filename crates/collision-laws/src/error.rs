@@ -115,7 +115,10 @@ pub enum Error {
         normal_velocity: f64,
     },
     /// A Delassus operator that rounding has made singular, on the directions in which the law pushes.
-    #[error("the inverse contact mass is singular to working precision: body {body} turns too easily for its arm")]
+    #[error(
+        "the inverse contact mass is singular to working precision: body {body} turns too easily for its arm, or cannot move in \
+         a direction in which the law pushes"
+    )]
     SingularDelassus {
         /// Whose inverse contact mass is the larger: 1 or 2.
         body: usize,

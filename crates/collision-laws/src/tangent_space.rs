@@ -17,11 +17,11 @@ pub struct TangentSpace<const N: usize> {
     from_unit: DMatrix<f64>,
     /// Orthonormal columns that span `C_q`, in unit coordinates.
     impulses: DMatrix<f64>,
-    /// The upper triangle `R` with `J̃ᵀ = impulses · R`.
+    /// The upper triangle or trapezium `R` with `J̃ᵀ = impulses · R`.
     triangle: DMatrix<f64>,
     /// The unit normal `N̂ = G⁻¹Jᵀν / |·|` of the boundary of configuration space, in unit coordinates.
     normal: DVector<f64>,
-    /// Orthonormal columns that span the translations of the whole pair; none if a body is fixed.
+    /// Orthonormal columns that span the translations of the whole pair; none if a body is not free.
     translations: DMatrix<f64>,
     /// Orthonormal columns that span the rotations of the whole pair about the contact, off the translations.
     rotations: DMatrix<f64>,
@@ -64,7 +64,7 @@ impl<const N: usize> TangentSpace<N> {
             translations: DMatrix::zeros(size, 0),
             rotations: DMatrix::zeros(size, 0),
         };
-        if pair.first.degrees_of_freedom() > 0 && pair.second.degrees_of_freedom() > 0 {
+        if pair.first.is_free() && pair.second.is_free() {
             space.add_rigid_motions(pair);
         }
         space
@@ -146,14 +146,15 @@ impl<const N: usize> TangentSpace<N> {
         &self.impulses
     }
 
-    /// The impulses `p ∈ ℝᴺ` at the contact that make the given changes of velocity, columns in the basis
-    /// [`impulse_space`](Self::impulse_space).
+    /// The least impulses `p ∈ ℝᴺ` at the contact that make the given changes of velocity, columns in the basis
+    /// [`impulse_space`](Self::impulse_space). Others do too if the bodies have fewer than N degrees of freedom.
     pub(crate) fn impulses_of(&self, changes: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-        self.triangle.solve_upper_triangular(changes)
+        let across = self.triangle.transpose().qr();
+        Some(across.q() * across.r().tr_solve_upper_triangular(changes)?)
     }
 
     /// Orthonormal columns spanning the translations of the pair: the change of velocity has no part along them exactly if
-    /// linear momentum is conserved (Noether). `None` if a body is fixed and the axiom is vacuous.
+    /// linear momentum is conserved (Noether). `None` if a body is not [free](Body::is_free) and the axiom is vacuous.
     pub fn translations(&self) -> Option<&DMatrix<f64>> {
         (self.translations.ncols() > 0).then_some(&self.translations)
     }

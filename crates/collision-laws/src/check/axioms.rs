@@ -25,7 +25,7 @@ pub fn energy<const N: usize>(space: &TangentSpace<N>, before: &DVector<f64>, af
     (after.norm_squared() - 1.0).abs()
 }
 
-/// Linear momentum: its change in the length of the kinetic-energy metric, over `|v|`; `None` if a body is fixed.
+/// Linear momentum: its change in the length of the kinetic-energy metric, over `|v|`; `None` if a body is not free.
 pub fn linear_momentum<const N: usize>(
     space: &TangentSpace<N>,
     before: &DVector<f64>,
@@ -34,7 +34,7 @@ pub fn linear_momentum<const N: usize>(
     space.translations().map(|motions| along(motions, space, before, after))
 }
 
-/// Angular momentum: its change in the length of the kinetic-energy metric, over `|v|`; `None` if a body is fixed.
+/// Angular momentum: its change in the length of the kinetic-energy metric, over `|v|`; `None` if a body is not free.
 pub fn angular_momentum<const N: usize>(
     space: &TangentSpace<N>,
     before: &DVector<f64>,

@@ -16,9 +16,9 @@ pub const TOLERANCE: f64 = 1e-9;
 pub enum Axiom {
     /// Energy is conserved: `| |v⁺|² − |v|² | / |v|²`; of a matrix `‖CᵀC − 1‖`.
     Energy,
-    /// Linear momentum is conserved: the part of `v⁺ − v` along the translations of the pair. Vacuous if a body is fixed.
+    /// Linear momentum is conserved: the part of `v⁺ − v` along the translations of the pair. Vacuous if a body is not [free](crate::Body::is_free).
     LinearMomentum,
-    /// Angular momentum is conserved: the part of `v⁺ − v` along the rotations of the pair. Vacuous if a body is fixed.
+    /// Angular momentum is conserved: the part of `v⁺ − v` along the rotations of the pair. Vacuous if a body is not [free](crate::Body::is_free).
     AngularMomentum,
     /// Reversibility: `|C C v − v| / |v|`; of a matrix `‖C² − 1‖`.
     Involution,

@@ -99,7 +99,8 @@ pub struct BodyReport {
     pub work: f64,
     /// The largest `|Kᵢⱼ − Kⱼᵢ|`, relative to the largest entry.
     pub symmetry: f64,
-    /// How far the contact point of the body strays from the point of space it touches, in rigid motions of all space.
+    /// How far the contact point of the body strays from the point of space it touches, in rigid motions of all space; 0 for a body that
+    /// is not [free](Body::is_free) and has no part in them.
     pub rigid_motion: f64,
 }
 
@@ -150,6 +151,9 @@ pub fn body<B: Body<N>, const N: usize>(
         let work = p.dot(&(u + u_after)) * 0.5;
         raise(&mut report.work, (gained - before - work).abs() / (gained + before));
 
+        if !body.is_free() {
+            continue;
+        }
         let a = SVector::<f64, N>::from_fn(|_, _| gaussian(&mut stream));
         let turn = SMatrix::<f64, N, N>::from_fn(|_, _| gaussian(&mut stream)) * spin_scale;
         let moving = B::Velocity::of_rigid_motion(arm, &a, &(turn - turn.transpose()));
