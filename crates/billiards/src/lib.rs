@@ -16,6 +16,9 @@
 //! What laws, walls, tracks and observers of your own take from other crates comes with this one, in the versions that it uses:
 //! [`collision_laws`], [`geometry`], [`lanes`] and [`nalgebra`].
 //!
+//! Each combination of law, keeper, track and observer is compiled for every kind of walls: in a crate with many of them,
+//! `opt-level = 0` under `[profile.dev]`, and 2 under `[profile.dev.package."*"]`, makes seconds of minutes.
+//!
 //! The scaled spin is `v₀ = γ R θ̇`, so that the energy is `(m/2)(|v|² + v₀²)`; normals point into the table.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 

@@ -11,6 +11,9 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 
 /// Any [`CollisionLaw`] for a ball: linear or not, the same everywhere or a field over the boundary, per piece, random.
 ///
+/// Billiards of any law are those of a disk in the plane and of a ball in space, with their spin; [`Specular`](super::Specular) runs in
+/// any dimension, of points too.
+///
 /// The law sees the contact as [`collision_laws`] describes it: the point where the ball touches the wall (its centre is at
 /// the hit, so this is `centre − R ν`), the unit normal ν, and the number of the piece as surface label. It runs one lane
 /// after the other, those in which no orbit is too: its impulse must be a [pure function](CollisionLaw) of its arguments, or results

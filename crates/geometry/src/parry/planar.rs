@@ -17,7 +17,8 @@ use parry2d_f64::shape::{Shape, TypedShape};
 /// polygon and their rounded forms, half-space, triangle mesh (its outline only), height field, voxels, and compounds
 /// of these (the outline of the union). A segment or an open polyline is a wall on both sides. Loops of a polyline
 /// bound its interior, whichever way they turn; nested loops alternate. The inside of a height field is what lies
-/// below it. Any other shape, such as one of your own, becomes a [`DistancePiece`].
+/// below it; it is an open chain: close it with segments from the last end to the first start, or put it on a lattice whose vector is its
+/// width, with equal heights at both ends. Any other shape, such as one of your own, becomes a [`DistancePiece`].
 ///
 /// Rotations enter through the pose's sine and cosine: for results with the same bits on every machine make them with
 /// `libm`, not with the constructors of nalgebra.

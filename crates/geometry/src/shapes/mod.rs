@@ -13,6 +13,7 @@ mod parallel;
 mod ray;
 pub(crate) mod segment;
 mod shape;
+mod shared;
 mod translated;
 
 pub use arc::Arc;

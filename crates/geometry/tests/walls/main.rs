@@ -6,6 +6,7 @@ mod few;
 mod formulas;
 mod leaks;
 mod periodic;
+mod reused;
 mod side_by_side;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};
