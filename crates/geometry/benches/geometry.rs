@@ -74,7 +74,7 @@ fn outlines(criterion: &mut Criterion) {
     group.sample_size(10);
     for sides in [1000, 100_000, 1_000_000] {
         let table = flower(sides);
-        let extents: Vec<Extent> = table.pieces().iter().map(|piece| piece.extent()).collect();
+        let extents: Vec<Extent> = table.pieces().iter().map(Piece::extent).collect();
         group.bench_with_input(BenchmarkId::new("table", sides), &sides, |b, &sides| b.iter(|| flower(sides)));
         if sides <= 100_000 {
             group.bench_function(BenchmarkId::new("validate", sides), |b| b.iter(|| table.validate()));
@@ -111,7 +111,7 @@ fn each_or_tree(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("any pieces, each", sides), |b| {
             b.iter(|| paths.iter().map(|path| each(black_box(path))).sum::<f64>());
         });
-        let tree = BoxTree::new(pieces.iter().map(|piece| piece.extent()));
+        let tree = BoxTree::new(pieces.iter().map(Piece::extent));
         let first = |path: &Line<2>| tree.first(path, |i| pieces[i].crossing(path)).map_or(0.0, |(_, time)| time);
         group.bench_function(BenchmarkId::new("any pieces, tree", sides), |b| {
             b.iter(|| paths.iter().map(|path| first(black_box(path))).sum::<f64>());

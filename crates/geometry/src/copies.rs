@@ -124,5 +124,5 @@ fn cells(lattice: &Lattice, moving: &Extent, around: &Extent, reach: f64) -> Vec
 
 /// The box around all finite pieces.
 pub(crate) fn finite_extent(pieces: &[Arc<dyn Piece>]) -> Extent {
-    pieces.iter().map(|p| p.extent()).filter(Extent::is_finite).fold(Extent::EMPTY, Extent::union)
+    pieces.iter().map(Piece::extent).filter(Extent::is_finite).fold(Extent::EMPTY, Extent::union)
 }

@@ -72,7 +72,7 @@ impl Table {
             return Err(Error::Empty);
         }
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
-        let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(|p| p.ends()).collect();
+        let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(Piece::ends).collect();
         let starts = || ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i)));
         let order = |a: &Vector2<f64>, b: &Vector2<f64>| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
         let positive = |v: &Vector2<f64>| v.map(|x| x + 0.0); // −0 is 0
@@ -231,12 +231,12 @@ impl Table {
 
     /// Length of the boundary \[L\], per unit cell on a lattice.
     pub fn perimeter(&self) -> f64 {
-        self.pieces.iter().map(|p| p.length()).sum()
+        self.pieces.iter().map(Piece::length).sum()
     }
 
     /// A box around all pieces; infinite where they are.
     pub fn extent(&self) -> Extent {
-        self.pieces.iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union)
+        self.pieces.iter().map(Piece::extent).fold(Extent::EMPTY, Extent::union)
     }
 
     /// The piece closest to a point, the point of it that is closest, and its inward normal.

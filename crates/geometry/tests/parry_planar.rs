@@ -183,7 +183,7 @@ fn paths_aimed_at_vertices_do_not_leak() {
     for (name, shape, ..) in shapes() {
         let pieces = pieces(&*shape, &here(), Side::Inside).unwrap();
         let table = Table::new(pieces_again(&*shape)).unwrap();
-        let vertices: Vec<_> = table.pieces().iter().filter_map(|p| p.ends()).map(|e| e[0]).collect();
+        let vertices: Vec<_> = table.pieces().iter().filter_map(Piece::ends).map(|e| e[0]).collect();
         let mut random = Random(2);
         let (mut lost, mut asked) = (0, 0);
         while asked < 20_000 && !vertices.is_empty() {

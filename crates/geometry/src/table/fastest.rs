@@ -16,7 +16,7 @@ impl Table {
     /// Runs a computation with the best walls for this table.
     pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
         if let Some(lattice) = &self.lattice {
-            let boxes = || self.pieces.iter().map(|piece| piece.extent());
+            let boxes = || self.pieces.iter().map(Piece::extent);
             return match self.figures().as_slice() {
                 [Figure::Circle { center, radius, inside: false }] if inside_cell(*center, *radius, lattice) => {
                     match Scatterer::new(*center, *radius, 0) {

@@ -174,7 +174,7 @@ impl WithWalls<2> for Compare<'_> {
     type Output = ();
     fn run<W: Walls<2>>(self, walls: &W) {
         let list = self.table.list(0..self.table.pieces().len());
-        let vertices: Vec<Vector2<f64>> = self.table.pieces().iter().filter_map(|p| p.ends()).flatten().collect();
+        let vertices: Vec<Vector2<f64>> = self.table.pieces().iter().filter_map(Piece::ends).flatten().collect();
         for path in self.paths {
             let context = || format!("{}: {path:?}", self.name);
             let (Some(a), Some(b)) = (list.hit(path), walls.hit(path)) else {
@@ -406,7 +406,7 @@ fn spatial_paths(entry: &Entry, count: usize, random: &mut Random) -> Vec<Line<3
 
 /// Paths aimed at vertices, and one ulp beside them.
 fn aimed(table: &Table, random: &mut Random) -> Vec<Line<2>> {
-    let vertices: Vec<Vector2<f64>> = table.pieces().iter().filter_map(|p| p.ends()).map(|[a, _]| a).collect();
+    let vertices: Vec<Vector2<f64>> = table.pieces().iter().filter_map(Piece::ends).map(|[a, _]| a).collect();
     let Ok(interior) = Interior::of(table) else { return vec![] };
     let mut paths = vec![];
     for vertex in vertices {

@@ -78,7 +78,7 @@ fn flights_that_leave_a_grating_sideways_end_at_once_and_no_hit_is_lost() {
         (-40..=30).map(move |k| (i, std::sync::Arc::new(moved(k)) as std::sync::Arc<dyn Piece>))
     });
     let (lifted, asked) = (List::new(translates.collect(), &[]), AtomicU64::new(0));
-    let boxes = table.pieces().iter().map(|piece| piece.extent());
+    let boxes = table.pieces().iter().map(Piece::extent);
     let walls = Periodic::new(Counting(&lifted, &asked), &lattice).within(&lattice, boxes);
     let across = v(-0.6, 0.8);
     let mut random = Random(9);
