@@ -55,7 +55,7 @@ impl ReducedState {
 
     /// Arc length along the whole boundary, from the start of piece 0, all pieces laid end to end; then `v₀` and `vₜ`.
     pub fn coordinates(&self, table: &Table) -> [f64; 3] {
-        let before: f64 = table.pieces().iter().take(self.piece).map(|piece| piece.length()).sum();
+        let before: f64 = table.pieces().iter().take(self.piece).map(geometry::Piece::length).sum();
         [before + self.s, self.v0, self.vt]
     }
 
