@@ -1,4 +1,5 @@
 //! Motion along a wall, as far as rounding tells.
+use crate::energy::sum;
 use geometry::{WallHit, Walls};
 use lanes::{Lane, dot};
 
@@ -8,16 +9,6 @@ const FLAT: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 
 /// A particle no farther than this part of its coordinates from a wall may stand on it.
 const NEAR: f64 = 4.0 * f64::EPSILON;
-
-/// The sum of the absolute values of components.
-#[inline(always)]
-fn sum<F: Lane, const N: usize>(of: &[F; N]) -> F {
-    let mut sum = of[0].abs();
-    for x in &of[1..] {
-        sum = sum + x.abs();
-    }
-    sum
-}
 
 /// Whether a particle that a law has slowed down creeps along a focusing wall: it came from there on a flight that rose above it by no
 /// more than rounding, and leaves it as flat. From then on chords are as long as rounding makes them.

@@ -96,12 +96,19 @@ pub(crate) fn square_speed<F: Lane, const N: usize, const S: usize>(velocity: &[
 /// without squares, which may be too large or too small for numbers.
 #[inline(always)]
 pub(crate) fn speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
-    let mut sum = velocity[0].abs();
-    for v in &velocity[1..] {
-        sum = sum + v.abs();
-    }
+    let mut all = sum(velocity);
     for w in spin {
-        sum = sum + w.abs();
+        all = all + w.abs();
+    }
+    all
+}
+
+/// The sum of components without their signs.
+#[inline(always)]
+pub(crate) fn sum<F: Lane, const N: usize>(of: &[F; N]) -> F {
+    let mut sum = of[0].abs();
+    for x in &of[1..] {
+        sum = sum + x.abs();
     }
     sum
 }
