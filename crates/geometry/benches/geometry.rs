@@ -64,8 +64,9 @@ fn flower(sides: u32) -> Table {
 }
 
 fn polygon(table: &Table) -> Polygon {
-    let sides: Vec<_> = table.pieces().iter().map(|piece| piece.ends().expect("a side")).enumerate().collect();
-    Polygon::new(&sides, table.corners()).expect("sides")
+    let side = |[a, b]: [Vector2<f64>; 2]| Segment::new(a, b).expect("a side");
+    let sides: Vec<_> = table.pieces().iter().map(|piece| side(piece.ends().expect("a side"))).enumerate().collect();
+    Polygon::new(&sides, table.corners())
 }
 
 fn outlines(criterion: &mut Criterion) {

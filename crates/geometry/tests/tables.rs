@@ -3,7 +3,7 @@
 
 use core::f64::consts::PI;
 use geometry::{
-    Error, Figure, Lattice, SVector, Table, Vector2,
+    Error, Figure, Lattice, Line, Piece, SVector, Table, Vector2, Walls, WithWalls,
     shapes::Circle,
     tables::{self, Build, Kind, Value, Values},
 };
@@ -411,4 +411,29 @@ fn on_a_lattice_the_arc_length_is_that_on_the_translate_that_is_there() {
     assert_eq!(table.arc_length(7, &v(0.0, 0.0)), 0.0);
     let home = table.translations(0).find(|by| (v(2.5, -3.5) + by - v(0.5, 0.5)).amax() < 1e-15);
     assert!(home.is_some());
+}
+
+/// The normal at the hit of a path.
+struct NormalOf(Line<2>);
+impl WithWalls<2> for NormalOf {
+    type Output = Vector2<f64>;
+    fn run<W: Walls<2>>(self, walls: &W) -> Vector2<f64> {
+        walls.hit(&self.0).unwrap().normal
+    }
+}
+
+#[test]
+fn the_sides_of_regular_polygons_have_the_directions_of_the_figure_however_short() {
+    for (n, side) in [(3, 1.0), (5, 1.0), (6, 0.7), (7, 1.0), (16, 0.1), (17, 0.1), (1000, 0.01), (3000, 0.002)] {
+        let table = tables::polygon(n, side).unwrap();
+        for (k, piece) in table.pieces().iter().enumerate() {
+            let (sin, cos) = libm::sincos((2 * k + 1) as f64 * PI / n as f64);
+            let outward = Vector2::new(cos, sin);
+            // the angle of the comparison carries two roundings
+            let near = 8.0 * f64::EPSILON;
+            assert!((piece.closest(&outward).normal + outward).amax() <= near, "{n} {k}");
+            let hit = table.with_walls(NormalOf(Line { point: Vector2::zeros(), velocity: outward }));
+            assert!((hit + outward).amax() <= near, "{n} {k}: {hit:?}");
+        }
+    }
 }

@@ -444,7 +444,7 @@ impl<'a> Arrangement<'a> {
         let undecided = Error::Undecided { radius: self.radius, at: (somewhere + shift).into() };
         Ok(match (raw.piece.figure(), ends) {
             (Figure::Segment { .. } | Figure::Ray { .. } | Figure::Line { .. }, [Some(a), Some(b)]) => {
-                Box::new(shapes::Segment::new(a, b)?)
+                Box::new(shapes::Segment::of_line(a, b, raw.piece.closest(&(a - shift)).normal.into())?)
             }
             (Figure::Ray { direction, left, .. }, [Some(a), None] | [None, Some(a)]) => {
                 Box::new(shapes::Ray::new(a, direction, left)?)

@@ -56,7 +56,7 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
         }
         if piece.figure() == Figure::Other {
             parallels(piece, i, radius, ends[i], &mut vertices, &mut pieces)?;
-        } else if let Some(moved) = shifted(&piece.figure(), radius, ends[i].map(|e| e.map(|(p, _)| p)))? {
+        } else if let Some(moved) = shifted(&**piece, radius, ends[i].map(|e| e.map(|(p, _)| p)))? {
             pieces.push(Moved {
                 piece: moved,
                 origin: Origin::Piece(i),
@@ -110,15 +110,17 @@ fn turn(
 }
 
 /// A piece of known figure, moved; `None` where it shrinks to nothing.
-fn shifted(figure: &Figure, radius: f64, ends: [Option<Vector2<f64>>; 2]) -> Result<Option<Arc<dyn Piece>>, Error> {
+fn shifted(piece: &dyn Piece, radius: f64, ends: [Option<Vector2<f64>>; 2]) -> Result<Option<Arc<dyn Piece>>, Error> {
     let left = |d: Vector2<f64>| Vector2::new(-d.y, d.x);
     // a focusing arc of the radius of the disk, but for rounding, becomes a point
     let reduced = |r: f64, inside: bool, center: Vector2<f64>| {
         let moved = if inside { r - radius } else { r + radius };
         (moved > slack([center.x, center.y, r])).then_some(moved)
     };
-    Ok(match (*figure, ends) {
-        (Figure::Segment { .. }, [Some(a), Some(b)]) if a != b => Some(Arc::new(shapes::Segment::new(a, b)?)),
+    Ok(match (piece.figure(), ends) {
+        (Figure::Segment { ends: [start, _] }, [Some(a), Some(b)]) if a != b => {
+            Some(Arc::new(shapes::Segment::of_line(a, b, piece.closest(&start).normal.into())?))
+        }
         (Figure::Ray { from, direction, left: is_left }, _) => {
             let n = if is_left { left(direction) } else { -left(direction) };
             Some(Arc::new(shapes::Ray::new(from + n * radius, direction, is_left)?))

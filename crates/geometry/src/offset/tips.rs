@@ -40,12 +40,13 @@ impl Tips {
     ) -> Result<(), Error> {
         let [a, b] = tips;
         let ([x, y], _) = plane::direction(a.into(), b.into()).ok_or(Error::ZeroLength)?;
-        let left = Vector2::new(-y, x) * radius;
+        let normal = Vector2::new(-y, x);
+        let left = normal * radius;
         for ([from, to], off) in [([a, b], left), ([b, a], -left)] {
             let mut end = |tip: Vector2<f64>| self.end(tip, tip + off, piece, radius, vertices);
             let [(p, start), (q, stop)] = [end(from), end(to)];
             pieces.push(Moved {
-                piece: Arc::new(shapes::Segment::new(p, q)?),
+                piece: Arc::new(shapes::Segment::of_line(p, q, normal.into())?),
                 origin: Origin::Piece(piece),
                 ends: [Some(start), Some(stop)],
                 part: None,

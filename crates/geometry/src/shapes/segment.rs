@@ -66,6 +66,17 @@ impl Segment {
         Ok(Segment { a: a.into(), b: b.into(), normal, length, behind })
     }
 
+    /// The segment from `a` to `b` \[L\] of a line whose unit normal, or its opposite, is known.
+    ///
+    /// Ends that were computed are off by rounding, and the shorter the segment, the farther is the direction from one to the other from
+    /// that of the line.
+    pub(crate) fn of_line(a: Vector2<f64>, b: Vector2<f64>, normal: [f64; 2]) -> Result<Segment, Error> {
+        let segment = Segment::new(a, b)?;
+        let same = dot(segment.normal, normal);
+        let sign = 1.0_f64.copysign(same);
+        Ok(if same == 0.0 { segment } else { Segment { normal: normal.map(|n| n * sign), ..segment } })
+    }
+
     /// The same as one side of a wall on which the table lies behind, too: what starts on the wall, within rounding, may be on either
     /// side and does not cross it.
     pub(crate) fn two_sided(self) -> Segment {

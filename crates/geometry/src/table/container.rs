@@ -33,8 +33,8 @@ pub(super) enum Container {
 pub(super) const MOST_SIDES: usize = 16;
 
 impl Container {
-    /// The wall that answers for a chain of pieces, if there is one.
-    pub(super) fn of(chain: &[usize], figures: &[Figure]) -> Option<Container> {
+    /// The wall that answers for a chain of pieces, if there is one; with their sides, if all are straight.
+    pub(super) fn of(chain: &[usize], figures: &[Figure], sides: Option<&[Segment]>) -> Option<Container> {
         if let [Figure::Circle { center, radius, inside: true }] = figures {
             return Sphere::new(*center, *radius, chain[0]).ok().map(Container::Disk);
         }
@@ -46,21 +46,19 @@ impl Container {
         if chain.windows(2).any(|w| w[1] != w[0] + 1) {
             return None; // composite walls number their pieces consecutively
         }
-        Container::polygon(chain[0], figures).or_else(|| Container::capsule(chain, figures))
+        match sides {
+            Some(sides) => Container::polygon(chain[0], sides),
+            None => Container::capsule(chain, figures),
+        }
     }
 
-    fn polygon(first: usize, figures: &[Figure]) -> Option<Container> {
-        if figures.len() > MOST_SIDES {
+    fn polygon(first: usize, sides: &[Segment]) -> Option<Container> {
+        if sides.len() > MOST_SIDES {
             return None;
         }
-        let side = |f: &Figure| match f {
-            Figure::Segment { ends: [a, b] } => Segment::new(*a, *b).ok(),
-            _ => None,
-        };
-        let sides: Vec<Segment> = figures.iter().map(side).collect::<Option<_>>()?;
-        Container::rectangle(first, &sides)
-            .or_else(|| Zonogon::new(&sides, first).ok().map(Container::Hexagon))
-            .or_else(|| ConvexPolygon::new(&sides, first).ok().map(Container::Convex))
+        Container::rectangle(first, sides)
+            .or_else(|| Zonogon::new(sides, first).ok().map(Container::Hexagon))
+            .or_else(|| ConvexPolygon::new(sides, first).ok().map(Container::Convex))
     }
 
     fn rectangle(first: usize, sides: &[Segment]) -> Option<Container> {

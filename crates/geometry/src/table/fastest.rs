@@ -7,6 +7,7 @@ use super::{
 use crate::{
     Figure, Lattice, Piece,
     nearest::nearest_of,
+    shapes::{Segment, Shape},
     walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
 };
 use nalgebra::Vector2;
@@ -70,18 +71,15 @@ impl Table {
 
     /// Whether all pieces are segments.
     fn is_straight(&self) -> bool {
-        self.pieces.iter().all(|piece| matches!(piece.figure(), Figure::Segment { .. }))
+        self.pieces.iter().all(|piece| straight(&**piece).is_some())
     }
 
     /// All pieces as the sides of a polygon, if they are straight and none is one side of a wall with two.
     fn polygon(&self) -> Option<Polygon> {
-        let side = |(i, piece): (usize, &Arc<dyn Piece>)| match (piece.figure(), piece.shape()) {
-            (_, Some(shape)) if shape.is_two_sided() => None,
-            (Figure::Segment { ends }, _) => Some((i, ends)),
-            _ => None,
-        };
-        let sides: Option<Vec<_>> = self.pieces.iter().enumerate().map(side).collect();
-        Polygon::new(&sides?, &self.corners).ok()
+        let number = |(i, side): (usize, Option<Segment>)| Some((i, side.filter(|side| !side.is_two_sided())?));
+        let sides: Option<Vec<_>> =
+            self.pieces.iter().map(|piece| straight(&**piece)).enumerate().map(number).collect();
+        Some(Polygon::new(&sides?, &self.corners))
     }
 
     /// A piece as a scatterer, if it is one.
@@ -122,7 +120,8 @@ impl Table {
             if chain.iter().any(|&i| self.pieces[i].shape().is_some_and(|shape| shape.is_two_sided())) {
                 continue; // what starts on it may be on either side
             }
-            if let Some(container) = Container::of(&chain, &of_chain) {
+            let sides: Option<Vec<Segment>> = chain.iter().map(|&i| straight(&*self.pieces[i])).collect();
+            if let Some(container) = Container::of(&chain, &of_chain, sides.as_deref()) {
                 let rest: Vec<usize> = rest(&chain);
                 // what else there is must lie inside: a table may have several rooms
                 let fits = !self.has_flat_vertex(&of_chain) && rest.iter().all(|&i| self.inside(&chain, i));
@@ -166,6 +165,14 @@ impl Table {
             }
             Arc::new(Pieces::new(pieces, &corners))
         })
+    }
+}
+
+/// A piece as a segment, if it is one.
+fn straight(piece: &dyn Piece) -> Option<Segment> {
+    match piece.shape() {
+        Some(Shape::Segment(side)) => Some(side),
+        _ => None,
     }
 }
 

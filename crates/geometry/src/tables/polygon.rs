@@ -1,6 +1,6 @@
 //! Regular polygons.
 use super::registry::{Build, Entry, Parameter};
-use super::vertices::{number_of, on_circumcircle, positive, sides};
+use super::vertices::{number_of, positive, regular};
 use crate::{Error, Table};
 
 /// The regular polygon with `n` sides of length `a` \[L\] about the origin, vertex 0 on the +x₁ axis; piece i starts at
@@ -11,8 +11,7 @@ use crate::{Error, Table};
 pub fn polygon(n: usize, side: f64) -> Result<Table, Error> {
     number_of("sides", n, 3, "between 3 and 1000000")?;
     positive("side", side)?;
-    let vertices: Vec<_> = (0..n).map(|k| on_circumcircle(2 * k, n, side)).collect();
-    Table::new(sides(&vertices)?)
+    Table::new(regular(n, side)?)
 }
 
 pub(super) const ENTRY: Entry = Entry {

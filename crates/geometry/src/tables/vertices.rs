@@ -21,6 +21,15 @@ pub(super) fn sides(vertices: &[Vector2<f64>]) -> Result<Vec<Box<dyn Piece>>, Er
     (0..vertices.len()).map(side).collect()
 }
 
+/// The sides of the regular `n`-gon of the given side about the origin, counter-clockwise, vertex 0 on the positive x₁ axis.
+pub(super) fn regular(n: usize, side: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
+    let vertex = |k: usize| on_circumcircle(2 * k, n, side);
+    let piece = |k: usize| -> Result<Box<dyn Piece>, Error> {
+        Ok(Box::new(Segment::of_line(vertex(k), vertex(k + 1), root_of_unity(2 * k + 1, 2 * n))?))
+    };
+    (0..n).map(piece).collect()
+}
+
 /// Most sides of a regular figure.
 const MOST: usize = 1_000_000;
 

@@ -1,7 +1,7 @@
 //! Straight sides and nothing else, however many.
 use super::{ByLane, CORNER, Few, WallHit, Walls, corners::Corners};
 use crate::{
-    Boundary, BoxTree, Error, Extent, Hit, Line,
+    Boundary, BoxTree, Extent, Hit, Line,
     boxes::{First, Inside, WIDTH, order},
     plane::slack,
     shapes::{Segment, Shape, segment},
@@ -52,11 +52,9 @@ struct Sides {
 
 impl Polygon {
     /// Sides with the numbers of their pieces, and the corners of the boundary.
-    ///
-    /// # Errors
-    /// [`Error::ZeroLength`] where the ends of a side coincide.
-    pub fn new(sides: &[(usize, [Vector2<f64>; 2])], corners: &[Vector2<f64>]) -> Result<Polygon, Error> {
-        let extents: Vec<Extent> = sides.iter().map(|(_, ends)| Extent::of(*ends)).collect();
+    pub fn new(sides: &[(usize, Segment)], corners: &[Vector2<f64>]) -> Polygon {
+        let ends = |side: &Segment| side.vertices().map(|p| Vector2::from(*p));
+        let extents: Vec<Extent> = sides.iter().map(|(_, side)| Extent::of(ends(side))).collect();
         let order = order(&extents);
         let place = |k: usize| order.as_ref().map_or(k, |order| order[k] as usize);
         let known = Corners::new(corners);
@@ -76,7 +74,8 @@ impl Polygon {
             size: known.size(),
         };
         for k in 0..sides.len() {
-            let (number, [a, b]) = sides[place(k)];
+            let (number, side) = sides[place(k)];
+            let [a, b] = ends(&side);
             if k % WIDTH == 0 {
                 let none = [[f64::NAN; WIDTH]; 2];
                 all.blocks.push(Eight { a: none, b: none });
@@ -85,7 +84,7 @@ impl Polygon {
             for i in 0..2 {
                 (block.a[i][k % WIDTH], block.b[i][k % WIDTH]) = (a[i], b[i]);
             }
-            all.normals.push(Segment::new(a, b)?.inward_normal());
+            all.normals.push(side.inward_normal());
             #[allow(clippy::cast_possible_truncation, reason = "pieces are numbered by 32 bits in all trees")]
             all.numbers.push(number as u32);
             all.corners.push(are_corners([a, b]));
@@ -99,11 +98,10 @@ impl Polygon {
             all.tree = Some(BoxTree::in_order(&(0..all.blocks.len()).map(around).collect::<Vec<_>>()));
         }
         let few = (sides.len() < PER_LANE * MOST_LANES).then(|| {
-            let shapes: Result<Vec<_>, Error> =
-                sides.iter().map(|(number, [a, b])| Ok((*number, Shape::Segment(Segment::new(*a, *b)?)))).collect();
-            shapes.map(|shapes| Few::new(&shapes, corners))
+            let shapes: Vec<_> = sides.iter().map(|(number, side)| (*number, Shape::Segment(*side))).collect();
+            Few::new(&shapes, corners)
         });
-        Ok(Polygon { sides: ByLane(all), few: few.transpose()? })
+        Polygon { sides: ByLane(all), few }
     }
 
     /// The same sides, each of them asked: the reference for the tree, and a measure of where it pays.

@@ -1,5 +1,6 @@
 //! Where the centre of a disk can be.
 mod lattices;
+mod normals;
 mod thin_walls;
 
 use core::f64::consts::PI;
