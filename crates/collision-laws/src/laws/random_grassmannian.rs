@@ -33,7 +33,7 @@ impl<const N: usize> RandomGrassmannian<N> {
     /// # Errors
     /// [`Error::TooManyRoughDirections`] if k > N−1.
     pub fn new(rank: usize, seed: u64) -> Result<Self, Error> {
-        if rank + 1 > N {
+        if rank >= N {
             return Err(Error::TooManyRoughDirections { given: rank, most: N - 1 });
         }
         Ok(Self { rank, seed })
@@ -104,6 +104,14 @@ mod tests {
         let base = draw(1, 0.5, 0);
         assert!(base != draw(2, 0.5, 0) && base != draw(1, 0.75, 0) && base != draw(1, 0.5, 1));
         assert_eq!(draw(1, 0.0, 0), draw(1, -0.0, 0));
-        assert!(RandomGrassmannian::<4>::new(4, 0).is_err());
+    }
+
+    #[test]
+    fn no_more_directions_than_the_contact_plane_has_dimensions() {
+        assert!(RandomGrassmannian::<4>::new(3, 0).is_ok());
+        for rank in [4, usize::MAX] {
+            let refused = RandomGrassmannian::<4>::new(rank, 0).unwrap_err();
+            assert_eq!(refused, Error::TooManyRoughDirections { given: rank, most: 3 });
+        }
     }
 }
