@@ -90,7 +90,7 @@ pub fn map<const N: usize>(
     report
 }
 
-/// How well the maps of a [`Body`] fit together; all numbers are zero up to rounding.
+/// How well the maps of a [`Body`] fit together; all numbers are zero up to rounding, and exactly so of a body that nothing moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodyReport {
     /// `|J(v + G⁻¹Jᵀp) − u − K p|`, relative to the terms.
@@ -112,6 +112,11 @@ impl BodyReport {
     }
 }
 
+/// `defect / size`; nothing is no part of nothing.
+fn relative(defect: f64, size: f64) -> f64 {
+    if defect == 0.0 && size == 0.0 { 0.0 } else { defect / size }
+}
+
 /// Whether the four maps of a body belong together, at one contact with the given arm, for random velocities and impulses.
 pub fn body<B: Body<N>, const N: usize>(
     body: &B,
@@ -124,10 +129,11 @@ pub fn body<B: Body<N>, const N: usize>(
     let space = pair.tangent_space();
     let delassus = pair.delassus();
     let k = delassus.to_matrix(&contact.normal);
+    let moves = k != SMatrix::<f64, N, N>::zeros();
     let mut report = BodyReport {
         contact_velocity: 0.0,
         work: 0.0,
-        symmetry: (k - k.transpose()).amax() / k.amax(),
+        symmetry: if moves { (k - k.transpose()).amax() / k.amax() } else { 0.0 },
         rigid_motion: 0.0,
     };
     // a spin that moves the contact about as fast as the translation does
@@ -140,16 +146,17 @@ pub fn body<B: Body<N>, const N: usize>(
     for _ in 0..samples.count {
         let v = pair.velocities(approach(&space, &mut stream).as_slice());
         let p = SVector::<f64, N>::from_fn(|_, _| gaussian(&mut stream));
-        let p = p / p.dot(&(k * p)).sqrt(); // an impulse worth about as much energy as the velocity
+        // an impulse worth about as much energy as the velocity; any is worth nothing to what nothing moves
+        let p = if moves { p / p.dot(&(k * p)).sqrt() } else { p };
         let after = pair.apply_impulse(&p, &v);
         let (u, u_after, change) =
             (pair.contact_velocity(&v), pair.contact_velocity(&after), delassus.apply(&contact.normal, &p));
         let gap = (u_after - u - change).norm();
-        raise(&mut report.contact_velocity, gap / (u.norm() + u_after.norm() + change.norm()));
+        raise(&mut report.contact_velocity, relative(gap, u.norm() + u_after.norm() + change.norm()));
 
         let (before, gained) = (pair.kinetic_energy(&v), pair.kinetic_energy(&after));
         let work = p.dot(&(u + u_after)) * 0.5;
-        raise(&mut report.work, (gained - before - work).abs() / (gained + before));
+        raise(&mut report.work, relative((gained - before - work).abs(), gained + before));
 
         if !body.is_free() {
             continue;
@@ -160,4 +167,40 @@ pub fn body<B: Body<N>, const N: usize>(
         raise(&mut report.rigid_motion, (body.contact_velocity(arm, &moving) - a).norm() / a.norm());
     }
     report
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Delassus, bodies::Point};
+    use nalgebra::{Unit, Vector3};
+
+    fn tried<B: Body<3>>(body: &B) -> BodyReport {
+        let contact = Contact::new(Vector3::zeros(), Vector3::z(), 0).unwrap();
+        super::body(body, &contact, &Vector3::zeros(), Samples::default())
+    }
+
+    #[test]
+    fn the_maps_of_a_body_that_nothing_moves_fit_together() {
+        let nothing = BodyReport { contact_velocity: 0.0, work: 0.0, symmetry: 0.0, rigid_motion: 0.0 };
+        assert_eq!([tried(&Fixed), tried(&None::<Point>)], [nothing; 2]);
+    }
+
+    #[test]
+    fn a_body_that_moves_though_its_operator_says_that_nothing_does_is_found_out() {
+        struct Ghost;
+        impl Body<3> for Ghost {
+            type Velocity = Vector3<f64>;
+            fn inner_product(&self, v: &Vector3<f64>, w: &Vector3<f64>) -> f64 {
+                v.dot(w)
+            }
+            fn apply_impulse(&self, _: &Vector3<f64>, p: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
+                v + p
+            }
+            fn delassus(&self, _: &Vector3<f64>, _: &Unit<Vector3<f64>>) -> Delassus<3> {
+                Delassus::ZERO
+            }
+        }
+        assert!(tried(&Ghost).contact_velocity > 0.1);
+    }
 }
