@@ -68,35 +68,36 @@ impl<const N: usize> Delassus<N> {
     ///
     /// Where it is large, most ways to move the contact are ways to turn the body.
     pub fn condition_number(&self) -> f64 {
-        let (least, largest) = match self {
-            Self::Isotropic { normal, tangent } => (normal.min(*tangent), normal.max(*tangent)),
-            Self::Dense(k) => {
-                let eigenvalues = eigenframe(*k).0;
-                if eigenvalues.iter().any(|x| x.is_nan()) {
-                    return f64::NAN;
-                }
-                (eigenvalues.min(), eigenvalues.max())
-            }
+        let eigenvalues = match self {
+            Self::Isotropic { normal, tangent } => SVector::from_fn(|i, _| if i == 0 { *normal } else { *tangent }),
+            Self::Dense(k) => eigenframe(*k).0,
         };
-        if least > 0.0 || least.is_nan() { largest / least } else { f64::INFINITY }
+        if eigenvalues.iter().any(|x| x.is_nan()) {
+            return f64::NAN;
+        }
+        let (least, largest) = (eigenvalues.min(), eigenvalues.max());
+        if least > 0.0 { largest / least } else { f64::INFINITY }
     }
 
-    /// Whether the smallest eigenvalue is lost in the rounding of the largest.
+    /// Whether `K p = u` has no solution `p` worth the name.
+    ///
+    /// In the frame of the normal that is two quotients, and one eigenvalue takes no digit from the other, however small it is beside it: each
+    /// must be positive and a [normal](f64::is_normal) number. Elsewhere the smallest eigenvalue must not be lost in the rounding of the largest.
     pub fn is_singular(&self) -> bool {
         match self {
-            Self::Isotropic { normal, tangent } => !(normal.is_normal() && tangent.is_normal()),
+            Self::Isotropic { normal, tangent } => !(divides(*normal) && divides(*tangent)),
             Self::Dense(_) => !(self.condition_number() < 1.0 / Self::ROUNDING),
         }
     }
 
-    /// Whether that is so of `Q K Q`, the part of `K` on the normal and the given rough directions: all that a law needs which
+    /// Whether [that](Self::is_singular) is so of `Q K Q`, the part of `K` on the normal and the given rough directions: all that a law needs which
     /// pushes in no others.
     ///
     /// Its entries are sums of products, and rounded like the sums of their absolute values.
     pub fn is_singular_on(&self, roughness: &Roughness<N>, normal: &Unit<SVector<f64, N>>) -> bool {
         let nu = normal.as_ref();
         match (self, roughness) {
-            (Self::Isotropic { normal, .. }, Roughness::Smooth) => !normal.is_normal(),
+            (Self::Isotropic { normal, .. }, Roughness::Smooth) => !divides(*normal),
             (Self::Isotropic { .. }, _) | (_, Roughness::Rough) => self.is_singular(),
             (Self::Dense(k), Roughness::Smooth) => {
                 !(nu.dot(&(k * nu)) > Self::ROUNDING * nu.abs().dot(&(k.abs() * nu.abs())))
@@ -123,6 +124,11 @@ impl<const N: usize> Delassus<N> {
     }
 }
 
+/// Whether a quotient by this eigenvalue is right to all its digits.
+fn divides(eigenvalue: f64) -> bool {
+    eigenvalue > 0.0 && eigenvalue.is_normal()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,6 +140,23 @@ mod tests {
         assert!(!k(1e12).is_singular());
         assert!(k(1e17).is_singular());
         assert!(Delassus::<2>::ZERO.is_singular());
+    }
+
+    #[test]
+    fn in_the_frame_of_the_normal_eigenvalues_are_quotients_of_their_own() {
+        let singular = |normal, tangent| Delassus::<3>::Isotropic { normal, tangent }.is_singular();
+        assert!(!singular(1.0, 1e17) && !singular(1e-300, 1e300));
+        for wrong in [0.0, 1e-310, -1.0, f64::INFINITY, f64::NAN] {
+            assert!(singular(wrong, 1.0) && singular(1.0, wrong), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn the_condition_number_knows_what_is_no_number() {
+        let of = |normal, tangent| Delassus::<3>::Isotropic { normal, tangent }.condition_number();
+        assert_eq!([of(2.0, 8.0), of(8.0, 2.0), of(0.0, 1.0), of(-1.0, 1.0)], [4.0, 4.0, f64::INFINITY, f64::INFINITY]);
+        let dense = Delassus::Dense(Matrix2::repeat(f64::NAN)).condition_number();
+        assert!([of(f64::NAN, 1.0), of(1.0, f64::NAN), dense].iter().all(|x| x.is_nan()));
     }
 
     #[test]
