@@ -18,3 +18,11 @@ use crate::Error;
 fn positive(quantity: &'static str, value: f64) -> Result<f64, Error> {
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err(Error::NotPositive { quantity, value }) }
 }
+
+/// `value`, a product of positive numbers, if it is where numbers have all their digits.
+fn in_range(quantity: &'static str, value: f64) -> Result<f64, Error> {
+    if value.is_normal() {
+        return Ok(value);
+    }
+    Err(if value.is_finite() { Error::TooSmall { quantity, value } } else { Error::TooLarge { quantity } })
+}

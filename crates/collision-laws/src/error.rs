@@ -20,6 +20,12 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
+    /// A quantity beyond 1.8e308, where no numbers are.
+    #[error("{quantity} is beyond the range of numbers: other units of mass or length make it smaller")]
+    TooLarge {
+        /// Which quantity, in words.
+        quantity: &'static str,
+    },
     /// A vector or matrix with an infinite or NaN entry.
     #[error("{quantity} has an entry that is not a finite number")]
     NotFinite {
@@ -40,6 +46,17 @@ pub enum Error {
     InertiaNotPositive {
         /// The smallest principal moment of inertia about a 2-plane.
         smallest: f64,
+    },
+    /// An inertia that lets the body spin all but for free in some plane: to working precision its moment there is zero.
+    #[error(
+        "the principal moments of inertia go from {smallest:?} to {largest:?}: the smallest is lost in rounding unless it is more than \
+         2.2e-16 of the largest; a thicker body has more"
+    )]
+    InertiaLost {
+        /// The smallest principal moment of inertia about a 2-plane.
+        smallest: f64,
+        /// The largest.
+        largest: f64,
     },
     /// Second moments that no mass has.
     #[error(
@@ -116,8 +133,8 @@ pub enum Error {
     },
     /// A Delassus operator that rounding has made singular, on the directions in which the law pushes.
     #[error(
-        "the inverse contact mass is singular to working precision: body {body} turns too easily for its arm, or cannot move in \
-         a direction in which the law pushes"
+        "the inverse contact mass is singular to working precision: body {body} turns too easily for its arm, or is too heavy \
+         to move or cannot move in a direction in which the law pushes"
     )]
     SingularDelassus {
         /// Whose inverse contact mass is the larger: 1 or 2.

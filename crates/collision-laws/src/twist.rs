@@ -108,7 +108,7 @@ impl<const N: usize> Twist<N> {
     /// The velocity with the skew part `(A − Aᵀ)/2` of `spin`, exactly skew whatever the rounding.
     #[inline]
     pub fn from_skew(linear: SVector<f64, N>, spin: &SMatrix<f64, N, N>) -> Self {
-        Self { linear, spin: (spin - spin.transpose()) * 0.5 }
+        Self { linear, spin: spin * 0.5 - spin.transpose() * 0.5 } // halved first: the difference may overflow
     }
 
     /// The velocity of a body that does not spin.
@@ -258,6 +258,12 @@ mod tests {
         assert_eq!(at_right, Vector2::new(0.0, 2.0));
         let axial = Twist::spatial(Vector3::zeros(), Vector3::z()).at(&Vector3::x());
         assert_eq!(axial, Vector3::y());
+    }
+
+    #[test]
+    fn a_spin_near_the_end_of_the_range_of_numbers_comes_back() {
+        let spin = SMatrix::<f64, 2, 2>::new(0.0, -1.2e308, 1.2e308, 0.0);
+        assert_eq!(Twist::new(Vector2::zeros(), spin), Ok(Twist::planar(Vector2::zeros(), 1.2e308)));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A ball: a rotationally symmetric body with a spherical surface.
 
-use super::positive;
+use super::{in_range, positive};
 use crate::{Body, Delassus, Error, Twist};
 use nalgebra::{SVector, Unit};
 
@@ -27,16 +27,15 @@ impl<const N: usize> Ball<N> {
     /// A ball with any mass distribution that depends on the distance from the centre alone, given by `γ²`.
     ///
     /// # Errors
-    /// [`Error::NotPositive`] if the mass, the radius, `γ²` or the moment of inertia `m γ² R²` is not positive and finite,
-    /// [`Error::TooSmall`] if that moment is so small that it loses digits.
+    /// [`Error::NotPositive`] if the mass, the radius or `γ²` is not positive and finite, [`Error::TooSmall`] if `m γ²` or the moment of
+    /// inertia `m γ² R²` is so small that it loses digits, [`Error::TooLarge`] if one of them is more than 1.8e308.
     pub fn with_gamma_squared(mass: f64, radius: f64, gamma_squared: f64) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let radius = positive("the radius", radius)?;
         let gamma_squared = positive("gamma squared", gamma_squared)?;
-        let moment = positive("the moment of inertia", mass * gamma_squared * radius * radius)?;
-        if !moment.is_normal() {
-            return Err(Error::TooSmall { quantity: "the moment of inertia", value: moment });
-        }
+        // twice the energy of a scaled spin over the square of the speed of the rim; with both of them m γ² R, in between, is in range too
+        let share = in_range("the mass times gamma squared", mass * gamma_squared)?;
+        let moment = in_range("the moment of inertia", share * radius * radius)?;
         let unit = libm::ldexp(1.0, libm::frexp(radius).1);
         Ok(Self { mass, radius, gamma: gamma_squared.sqrt(), moment, unit })
     }
@@ -141,6 +140,15 @@ mod tests {
         let refused = Ball::<2>::uniform(1.0, 1e-160).unwrap_err();
         assert!(matches!(refused, Error::TooSmall { value, .. } if value > 0.0), "{refused}");
         assert!(Ball::<2>::uniform(1.0, 1e-150).is_ok());
+        // a product whose own value is ordinary, by way of one that is not
+        for (mass, radius, gamma_squared) in [(1e-150, 1e150, 1e-172), (1e-150, 1e150, 1e-180)] {
+            let refused = Ball::<2>::with_gamma_squared(mass, radius, gamma_squared).unwrap_err();
+            assert!(matches!(refused, Error::TooSmall { quantity: "the mass times gamma squared", .. }), "{refused}");
+        }
+        let refused = Ball::<2>::with_gamma_squared(1e150, 1e-100, 1e165).unwrap_err();
+        assert_eq!(refused, Error::TooLarge { quantity: "the mass times gamma squared" });
+        let refused = Ball::<2>::uniform(1.0, 1e160).unwrap_err();
+        assert_eq!(refused, Error::TooLarge { quantity: "the moment of inertia" });
     }
 
     #[test]

@@ -49,8 +49,9 @@ impl<const N: usize> RigidBody<N> {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`] if the body
-    /// spins for free in some plane (a rod in space), [`Error::SecondMomentsNotPositive`] if one of them is negative beyond rounding,
-    /// [`Error::InertiaForm`] for a form of another dimension.
+    /// spins for free in some plane (a rod in space), [`Error::InertiaLost`] if its moment there is at most ε = 2.2e-16 of the largest,
+    /// [`Error::TooLarge`] if a moment is more than 1.8e308, [`Error::SecondMomentsNotPositive`] if one of them is negative beyond
+    /// rounding, [`Error::InertiaForm`] for a form of another dimension.
     pub fn new(mass: f64, inertia: Inertia<N>) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let form = |form, expected| Error::InertiaForm { form, expected, dimension: N };
@@ -75,25 +76,25 @@ impl<const N: usize> RigidBody<N> {
                 (frame, SMatrix::from_fn(|i, j| mass * (axes[i] + axes[j])))
             }
         };
-        let body = Self { mass, frame, moments };
-        for (i, j) in planes::<N>() {
-            let smallest = moments[(i, j)];
-            // below the rounding of the eigenvalues, a moment is zero
-            if smallest.is_nan() || smallest <= f64::EPSILON * moments.amax() || smallest.is_infinite() {
-                return Err(Error::InertiaNotPositive { smallest: body.smallest_moment() });
-            }
+        if planes::<N>().any(|ij| !moments[ij].is_finite()) {
+            return Err(Error::TooLarge { quantity: "a principal moment of inertia" });
         }
-        Ok(body)
+        let all = || planes::<N>().map(|ij| moments[ij]);
+        let (smallest, largest) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
+        if smallest <= 0.0 {
+            return Err(Error::InertiaNotPositive { smallest });
+        }
+        // below the rounding of the eigenvalues, a moment is zero
+        if smallest <= f64::EPSILON * largest {
+            return Err(Error::InertiaLost { smallest, largest });
+        }
+        Ok(Self { mass, frame, moments })
     }
 
     /// The mass `m`.
     #[inline]
     pub fn mass(&self) -> f64 {
         self.mass
-    }
-
-    fn smallest_moment(&self) -> f64 {
-        planes::<N>().map(|ij| self.moments[ij]).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -112,7 +113,7 @@ fn planes<const N: usize>() -> impl Iterator<Item = (usize, usize)> {
 }
 
 /// `a`, if it is finite and symmetric up to rounding.
-fn symmetric<const N: usize>(a: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>, Error> {
+pub(super) fn symmetric<const N: usize>(a: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>, Error> {
     if a.iter().any(|x| !x.is_finite()) {
         return Err(Error::NotFinite { quantity: "the inertia" });
     }
@@ -120,7 +121,7 @@ fn symmetric<const N: usize>(a: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N
     if defect > 4.0 * f64::EPSILON * a.amax() {
         return Err(Error::InertiaNotSymmetric { defect });
     }
-    Ok((a + a.transpose()) * 0.5)
+    Ok(a * 0.5 + a.transpose() * 0.5) // halved first: the sum may overflow
 }
 
 impl<const N: usize> Body<N> for RigidBody<N> {
@@ -190,6 +191,25 @@ mod tests {
         assert!(matches!(RigidBody::<4>::new(1.0, tensor), Err(Error::InertiaForm { .. })));
         let nan = Inertia::SecondMoments(Matrix2::repeat(f64::NAN));
         assert!(matches!(RigidBody::<2>::new(1.0, nan), Err(Error::NotFinite { .. })));
+    }
+
+    #[test]
+    fn a_moment_lost_in_the_rounding_of_another_and_one_out_of_range_are_told_as_such() {
+        let of = |x, y, z| RigidBody::<3>::new(1.0, Inertia::Tensor(Matrix3::from_diagonal(&[x, y, z].into())));
+        let slender = of(1.0, 2.0, 1e-17).unwrap_err();
+        assert_eq!(slender, Error::InertiaLost { smallest: 1e-17, largest: 2.0 });
+        assert!(slender.to_string().contains("lost in rounding"), "{slender}");
+        assert!(of(1.0, 2.0, 1e-15).is_ok());
+        assert_eq!(of(1.0, 0.0, 1.0).unwrap_err(), Error::InertiaNotPositive { smallest: 0.0 });
+        // m(λ₁ + λ₂) overflows, of the second body in two planes of three
+        let out = Error::TooLarge { quantity: "a principal moment of inertia" };
+        let disk = RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::identity() * 1e308));
+        assert_eq!(disk.unwrap_err(), out);
+        let rod = Matrix3::from_diagonal(&[1e299, 1e285, 1e285].into());
+        assert_eq!(RigidBody::<3>::new(1e10, Inertia::SecondMoments(rod)).unwrap_err(), out);
+        // on the way to a moment nothing overflows that is not in the range of numbers itself
+        assert!(of(1.2e308, 1.2e308, 1.2e308).is_ok());
+        assert!(RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::new(1.2e308, 0.0, 0.0, 0.0))).is_ok());
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! A rigid body in space.
 
-use super::{RigidBody, positive, rigid::Inertia};
+use super::{
+    RigidBody, positive,
+    rigid::{Inertia, symmetric},
+};
 use crate::{Body, Delassus, Error, Twist};
 use nalgebra::{Matrix3, SVector, Unit};
 
@@ -18,11 +21,11 @@ impl Spatial {
     /// A body of the given mass \[M\] and inertia tensor about its centre of mass, in the space frame \[M L²\].
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`].
+    /// Those of [`RigidBody::new`].
     pub fn new(mass: f64, tensor: Matrix3<f64>) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let principal = RigidBody::<3>::new(mass, Inertia::Tensor(tensor))?;
-        Ok(Self { mass, tensor: (tensor + tensor.transpose()) * 0.5, inverse: principal.inverse_tensor() })
+        Ok(Self { mass, tensor: symmetric(&tensor)?, inverse: principal.inverse_tensor() })
     }
 
     /// The mass `m`.
