@@ -179,7 +179,24 @@ fn impossible_balls_are_refused() {
     }
     let disk = Custom::disk(NoSlip, 0.5).unwrap();
     assert!(matches!(disk.with_mass(0.0), Err(Error::Ball { quantity: "mass", .. })));
+    for mass in [-1.0, 5e-324, 1e-308, 1e308, f64::INFINITY, f64::NAN] {
+        assert!(matches!(disk.with_mass(mass), Err(Error::Ball { quantity: "mass", .. })), "{mass:e}");
+    }
     assert!(matches!(disk.with_radius(-1.0), Err(Error::Ball { quantity: "radius", .. })));
+}
+
+/// No-slip depends on γ alone: every mass that is not refused leads to the same velocities.
+#[test]
+fn the_mass_of_a_ball_does_not_matter_to_a_strict_law() {
+    let normal = [0.6, 0.8];
+    let (v, w) = ([0.3, -0.9], [0.4]);
+    let of = |mass| collide(&Custom::disk(NoSlip, 0.7).unwrap().with_mass(mass).unwrap(), normal, v, w);
+    let (expected, spin) = of(1.0);
+    for mass in [1e-300, 1e-150, 3.0, 1e150, 1e300] {
+        let (velocity, turned) = of(mass);
+        let error = (0..2).map(|i| (velocity[i] - expected[i]).abs()).fold((turned[0] - spin[0]).abs(), f64::max);
+        assert!(error < 4.0 * f64::EPSILON, "{mass:e}: {error:e}");
+    }
 }
 
 /// A contact that turns half of the slip around, `e = ½`, and hands the energy lost to the normal velocity.

@@ -86,12 +86,15 @@ impl<L, const N: usize> Custom<L, N> {
     /// The same for a ball of mass `mass` \[M\]: impulses are that much larger.
     ///
     /// # Errors
-    /// [`Error::Ball`] unless it is positive and finite.
+    /// [`Error::Ball`] unless it is positive, and the inverse contact mass `1/m` and `(1 + 1/γ²)/m` in the range of numbers.
     pub fn with_mass(self, mass: f64) -> Result<Self, Error> {
-        if mass.is_finite() && mass > 0.0 {
-            return Ok(Custom { mass, ..self });
+        let ball = Custom { mass, ..self };
+        if ball.delassus().is_singular() {
+            let must =
+                "positive, and neither so small nor so large that 1/m or (1 + 1/γ²)/m leaves the range of numbers";
+            return Err(Error::Ball { quantity: "mass", must, value: mass });
         }
-        Err(Error::Ball { quantity: "mass", must: "positive and finite", value: mass })
+        Ok(ball)
     }
 
     /// The same for a ball of radius `radius` \[L\], which touches the wall that far from its centre.
@@ -103,6 +106,13 @@ impl<L, const N: usize> Custom<L, N> {
             return Ok(Custom { radius, ..self });
         }
         Err(Error::Ball { quantity: "radius", must: "finite and not negative", value: radius })
+    }
+
+    /// The Delassus operator, of the slip along the wall.
+    #[inline(always)]
+    fn delassus(&self) -> Delassus<N> {
+        let slip = (self.centre * self.centre + self.rim * self.rim) / self.mass;
+        Delassus::Isotropic { normal: 1.0 / self.mass, tangent: slip }
     }
 
     /// The changes of velocity and of slip by a collision in one lane, `p/m` split along the normal and the wall, at a
@@ -125,9 +135,7 @@ impl<L, const N: usize> Custom<L, N> {
 
         let along = normal * normal.dot(v);
         let u = along + (v - along) * self.centre + rim(&normal) * self.rim;
-        let slip = (self.centre * self.centre + self.rim * self.rim) / self.mass;
-        let delassus = Delassus::Isotropic { normal: 1.0 / self.mass, tangent: slip };
-        let p = self.law.impulse(&contact, &delassus, &u) / self.mass;
+        let p = self.law.impulse(&contact, &self.delassus(), &u) / self.mass;
         let push = normal * normal.dot(&p);
         let grip = p - push;
         Kick { normal, velocity: push + grip * self.centre, rim: grip * self.rim }
