@@ -104,7 +104,10 @@ impl ReducedState {
         if !(tangential < speed && speed.is_finite()) {
             return Err(Error::Tangential { v0, vt, speed });
         }
-        let vn = ((speed - tangential) * (speed + tangential)).sqrt();
+        // in a power of two next to the speed, so that the product stays in the range of numbers
+        let (_, exponent) = libm::frexp(speed);
+        let [all, along] = [speed, tangential].map(|x| libm::ldexp(x, -exponent));
+        let vn = libm::ldexp(((all - along) * (all + along)).sqrt(), exponent);
         let velocity = normal * vn + Vector2::new(-normal.y, normal.x) * vt;
         Ok(Start { position: point.into(), velocity: velocity.into(), spin: [v0] })
     }

@@ -217,6 +217,21 @@ fn a_reversed_orbit_retraces_its_path() {
 }
 
 #[test]
+fn a_state_of_any_speed_is_a_start() {
+    let table = tables::square(1.0).unwrap();
+    let at = |power: i32| {
+        let [v0, vt, speed] = [0.6, 0.3, 1.0].map(|x| libm::ldexp(x, power));
+        let start = ReducedState { piece: 0, s: 0.5, v0, vt, speed }.start(&table).unwrap();
+        start.velocity.map(|v| libm::ldexp(v, -power))
+    };
+    let expected = at(0);
+    assert!(expected[1] > 0.7, "{expected:?}");
+    for power in [-1000, -540, -500, 500, 515, 670, 1023] {
+        assert_eq!(at(power), expected, "{power}");
+    }
+}
+
+#[test]
 fn impossible_states_are_refused() {
     let billiard = Planar { table: tables::square(1.0).unwrap(), law: Specular };
     let state = ReducedState { piece: 0, s: 0.5, v0: 0.8, vt: 0.6, speed: 1.0 };
