@@ -155,6 +155,18 @@ fn a_dropped_spinning_disk_is_sent_sideways() {
 }
 
 #[test]
+fn nothing_is_printed_as_minus_zero() {
+    // the impulse on the wall is the opposite of (0, −2)
+    let bodies = "[{ mass = \"inf\" }, { mass = 1, position = [0, -1], inertia = \"1/2\" }]";
+    let text = format!(
+        "dim = 2\nlaw = \"no-slip\"\ncontact_point = [0, 0]\nnormal = [0, 1]\nbodies = {bodies}\n\
+         pre = [{{ v = [0, 0], w = 0 }}, {{ v = [0, 1], w = 0 }}]\n"
+    );
+    let (status, out, _) = collide_text("zero", &text, &[]);
+    assert!(status == 0 && out.contains("(0, 2)") && !out.contains("-0"), "{out}");
+}
+
+#[test]
 fn a_law_that_loses_energy_is_not_strict() {
     let text = TOML.replace("\"no-slip\"", "{ name = \"restitution\", normal = 0.5, tangential = 0 }");
     let (status, out, _) = collide_text("restitution", &text, &[]);
@@ -238,6 +250,13 @@ fn each_mistake_has_status_2_and_its_own_message() {
             "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
             "[[1, 0, 0], [0, -1, 0], [0, 0, 1]]\n[[bodies",
             "the inertia is not positive",
+        ),
+        (
+            "slender",
+            SPATIAL,
+            "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "[[1, 0, 0], [0, 1, 0], [0, 0, 1e-17]]\n[[bodies",
+            "9:11: error: the principal moments of inertia go from 1e-17 to 1.0: the smallest is lost in rounding",
         ),
         ("many", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [0, 1, 0], [1, 1, 0]]", "3 rough directions are too many"),
         ("dependent", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "3:21: error: rough direction 1 depends"),

@@ -352,7 +352,8 @@ impl Outcome {
 
 /// Numbers to twelve digits, in parentheses unless there is one.
 fn shown(numbers: &[f64]) -> String {
-    let short = |x: &f64| format!("{x:.11e}").parse().map_or_else(|_| x.to_string(), spell);
+    // −0 is 0
+    let short = |x: &f64| format!("{:.11e}", x + 0.0).parse().map_or_else(|_| x.to_string(), spell);
     match numbers {
         [x] => short(x),
         _ => format!("({})", numbers.iter().map(short).collect::<Vec<_>>().join(", ")),
