@@ -37,10 +37,10 @@ impl ReducedState {
     /// The state of an orbit right after the collision at `hit`.
     pub fn after<K, T>(table: &Table, hit: &WallHit<f64, 2>, orbit: &Orbit<f64, 2, 1, K, T>) -> ReducedState {
         let piece = hit.number();
-        let ([n1, n2], [v1, v2]) = (hit.unit_normal(), orbit.velocity);
+        let (normal @ [n1, n2], [v1, v2]) = (hit.unit_normal(), orbit.velocity);
         ReducedState {
             piece,
-            s: table.arc_length(piece, &hit.point.into()),
+            s: table.arc_length(piece, &Landing { point: hit.point.into(), normal: normal.into() }),
             v0: orbit.spin[0],
             vt: v2 * n1 - v1 * n2,
             speed: square_speed(&orbit.velocity, &orbit.spin).sqrt(),

@@ -28,9 +28,9 @@ pub struct PieceReport {
     /// A path that starts on the piece and returns to it, run backwards: the distance at which it misses its start,
     /// times the sine of the angle there.
     pub reversal: f64,
-    /// `arc_length_at(point_at(s)) − s`, and the distance between `point_at(arc_length_at(p))` and `p`.
+    /// `arc_length_of(landing_at(s)) − s`, and the distance between `point_at(arc_length_of(p))` and the point of the landing `p`.
     pub arc_length: f64,
-    /// The normal against the difference quotient of `point_at`.
+    /// The normal, of `landing_at` and of `closest` from beside the piece, against the difference quotient of `point_at`.
     pub normal_direction: f64,
     /// The curvature against the difference quotient of the normal, times the size of the region.
     pub curvature: f64,
@@ -166,19 +166,24 @@ fn parametrisation(piece: &dyn Piece, size: f64, points: u32, report: &mut Piece
     let closed = piece.ends().is_none() && piece.length().is_finite();
     for k in 0..points {
         let s = length * ((f64::from(k) + 0.5) / f64::from(points));
-        let p = piece.point_at(s);
-        let off = (piece.arc_length_at(&p) - s).abs();
+        let at = piece.landing_at(s);
+        let found = piece.arc_length_of(&at);
+        let off = (found - s).abs();
         let off = if closed { off.min((length - off).abs()) } else { off };
-        let again = (piece.point_at(piece.arc_length_at(&p)) - p).norm();
+        let again = (piece.point_at(found) - at.point).norm();
         PieceReport::note(&mut report.arc_length, off.max(again) / size);
         // the cube root of rounding balances the two errors of a difference quotient
         let step = (1e-5 * size).min(0.25 * length / f64::from(points));
-        let [before, after] = [s - step, s + step].map(|s| piece.point_at(s));
-        let tangent = (after - before) / (2.0 * step);
+        let [before, after] = [s - step, s + step].map(|s| piece.landing_at(s));
+        let tangent = (after.point - before.point) / (2.0 * step);
         let normal = Vector2::new(-tangent.y, tangent.x);
-        PieceReport::note(&mut report.normal_direction, (normal - piece.closest(&p).normal).norm());
-        let turn = (piece.closest(&after).normal - piece.closest(&before).normal) / (2.0 * step);
-        PieceReport::note(&mut report.curvature, size * (turn.dot(&tangent) + piece.curvature(&p)).abs());
+        // a point beside a wall, on the table's side, tells the face as well as the arc length does
+        let foot = piece.closest(&(at.point + at.normal * step));
+        for told in [at, foot] {
+            PieceReport::note(&mut report.normal_direction, (normal - told.normal).norm());
+        }
+        let turn = (after.normal - before.normal) / (2.0 * step);
+        PieceReport::note(&mut report.curvature, size * (turn.dot(&tangent) + piece.curvature(&at.point)).abs());
     }
 }
 

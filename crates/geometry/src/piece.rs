@@ -102,6 +102,13 @@ pub trait Piece: Debug + Send + Sync {
     /// The arc length of the point of the piece closest to `point`.
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64;
 
+    /// The arc length of a landing: the inverse of [`Piece::landing_at`].
+    ///
+    /// A piece that lies on itself, as a wall without thickness does, tells by the normal on which of its faces that is.
+    fn arc_length_of(&self, landing: &Landing) -> f64 {
+        self.arc_length_at(&landing.point)
+    }
+
     /// The point of the piece closest to `point`, and the inward normal there.
     fn closest(&self, point: &Vector2<f64>) -> Landing;
 

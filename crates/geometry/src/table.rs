@@ -268,10 +268,10 @@ impl Table {
         })
     }
 
-    /// The arc length \[L\] from the start of a piece to a point of it, or on a lattice of a translate of it; 0 for a number beyond
-    /// the last.
-    pub fn arc_length(&self, piece: usize, point: &Vector2<f64>) -> f64 {
-        self.copy_at(piece, point).map_or(0.0, |piece| piece.arc_length_at(point))
+    /// The arc length \[L\] from the start of a piece to a landing on it, or on a lattice on a translate of it; 0 for a number
+    /// beyond the last.
+    pub fn arc_length(&self, piece: usize, landing: &Landing) -> f64 {
+        self.copy_at(piece, &landing.point).map_or(0.0, |piece| piece.arc_length_of(landing))
     }
 
     /// By what a piece is moved in its translates that reach within a cell of the unit cell; without a lattice by nothing.
@@ -340,7 +340,7 @@ impl Table {
 
     /// The point at an arc length \[L\] of a piece of the table, on a lattice in the unit cell, and the inward normal there.
     pub fn landing_on(&self, piece: &dyn Piece, s: f64) -> Landing {
-        let Landing { point, normal } = piece.closest(&piece.point_at(s));
+        let Landing { point, normal } = piece.landing_at(s);
         Landing { point: self.lattice().map_or(point, |lattice| lattice.reduce(&point).0), normal }
     }
 }

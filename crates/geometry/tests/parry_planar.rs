@@ -4,7 +4,7 @@ mod random;
 
 use core::f64::consts::PI;
 use geometry::{
-    Crossing, Error, Line, Piece, Table, Vector2, Walls, WithWalls,
+    Crossing, Error, Landing, Lattice, Line, Perimeter, Piece, Table, Vector2, Walls, WithWalls,
     parry::{
         Placed, Screen, ShapeSpec, Side,
         parry2d_f64::{
@@ -274,6 +274,56 @@ fn open_polylines_and_segments_are_walls_on_both_sides() {
     assert_eq!(valid(&[[-1.0, 0.0], [0.0, 0.25], [1.0, 0.0]]), Ok(()));
     assert_eq!(valid(&[[-1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.0]]), Ok(()));
     assert!(valid(&[[-1.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, -1.0]]).is_err());
+}
+
+/// The normal of the left face of a wall without thickness.
+fn left(wall: &dyn Piece) -> Vector2<f64> {
+    let [a, b] = wall.tips().unwrap();
+    Vector2::new(a.y - b.y, b.x - a.x).normalize()
+}
+
+#[test]
+fn an_arc_length_tells_the_face_of_a_thin_wall_and_a_normal_tells_the_arc_length() {
+    for [a, b] in [[[-0.5, 0.0], [0.5, 0.0]], [[0.02, 0.9], [-0.1, 0.16]], [[-0.3, 0.1], [0.7, -0.4]]] {
+        let screen = Screen::new(a.into(), b.into()).unwrap();
+        let length = screen.length();
+        for k in 0..2000 {
+            let s = length * (f64::from(k) + 0.5) / 2000.0;
+            let at = screen.landing_at(s);
+            assert_eq!(at.point, screen.point_at(s));
+            let along_left = at.normal.dot(&left(&screen));
+            // a unit vector, and a length, after a few operations
+            assert!((along_left - if k < 1000 { 1.0 } else { -1.0 }).abs() < 4.0 * f64::EPSILON);
+            assert!((screen.arc_length_of(&at) - s).abs() < 4.0 * f64::EPSILON, "{a:?} {b:?} {s}");
+        }
+    }
+}
+
+#[test]
+fn points_of_a_boundary_are_spread_over_both_faces_of_thin_walls() {
+    let zigzag = Polyline::new(glam(&[[0.05, 0.3], [0.75, 0.45], [1.25, 0.1]]), None);
+    let mut walls = pieces(&Ball::new(2.0), &here(), Side::Inside).unwrap();
+    let thin = || pieces(&zigzag, &here(), Side::Outside).unwrap();
+    walls.extend(thin());
+    let torus = Lattice::new(&[Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0)]).unwrap();
+    for table in [Table::new(walls).unwrap(), Table::periodic(thin(), Some(torus)).unwrap()] {
+        let perimeter = Perimeter::of(&table).unwrap();
+        let n = 10_000;
+        let mut counts = vec![[0.0; 2]; table.pieces().len()];
+        for k in 0..n {
+            let at = perimeter.point((f64::from(k) + 0.5) / f64::from(n));
+            let piece = &table.pieces()[at.piece];
+            let s = table.arc_length(at.piece, &Landing { point: at.point, normal: at.normal });
+            assert!((s - at.arc_length).abs() < 64.0 * f64::EPSILON, "{at:?}: {s}"); // lengths of up to 4π
+            if piece.tips().is_some() {
+                counts[at.piece][usize::from(at.normal.dot(&left(&**piece)) < 0.0)] += 1.0;
+            }
+        }
+        for (piece, counts) in table.pieces().iter().zip(counts).filter(|(piece, _)| piece.tips().is_some()) {
+            let each = f64::from(n) * 0.5 * piece.length() / table.perimeter();
+            assert!(counts.iter().all(|count: &f64| (count - each).abs() <= 1.0), "{counts:?}, {each} each");
+        }
+    }
 }
 
 #[test]

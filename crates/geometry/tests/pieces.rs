@@ -6,6 +6,7 @@ mod formulas;
 use formulas::{Clover, Conic, Quartic};
 use geometry::{
     Error, Extent, Line, MeetingKind, Piece, Table, Vector2, check, enclosed_area, meetings,
+    parry::Screen,
     shapes::{
         Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment,
         curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
@@ -45,6 +46,7 @@ fn pieces(scale: f64) -> Vec<(&'static str, Box<dyn Piece>)> {
     let (c, a, b) = (v(0.3, -0.2), v(-0.5, -0.2), v(0.7, 0.1));
     let mut all: Vec<(&'static str, Box<dyn Piece>)> = vec![
         ("segment", Box::new(Segment::new(a, b).unwrap())),
+        ("screen", Box::new(Screen::new(a, b).unwrap())),
         ("line", Box::new(FullLine::new(v(0.1, 0.2), v(1.0, 0.5)).unwrap())),
         ("ray", Box::new(Ray::new(v(0.1, 0.2), v(1.0, 0.5), true).unwrap())),
         ("bump out", Box::new(Bump::new(a, b, 0.2 * scale).unwrap())),

@@ -353,7 +353,7 @@ fn piece_of(piece: &dyn Piece, factor: f64, law: String) -> PieceOf {
     };
     let length = piece.length();
     let middle = if length.is_finite() { 0.5 * length } else { 0.0 };
-    let normal = piece.closest(&piece.point_at(middle)).normal;
+    let normal = piece.landing_at(middle).normal;
     PieceOf { kind: kind.into(), length: finite(length / factor), place, normal: Some(normal.into()), law }
 }
 

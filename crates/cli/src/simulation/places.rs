@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use billiards::geometry::WallHit;
 use lanes::{Kernel, Lane, Mask};
 
 use super::counter::Counter;
@@ -26,6 +27,8 @@ pub(super) struct Places {
 #[repr(align(64))]
 struct Collisions {
     point: [[f64; MOST]; 2],
+    /// Unit normals, where these tell more than points do.
+    normal: [[f64; MOST]; 2],
     piece: [f64; MOST],
     tangential: [f64; MOST],
     /// [`NOBODY`] where there is none.
@@ -39,21 +42,27 @@ impl Places {
     /// Counted so, on a boundary.
     pub(super) fn new(counter: Counter, unrolled: Arc<Unrolled>) -> Self {
         let none = [0.0; MOST];
-        let noted = Collisions { point: [none; 2], piece: none, tangential: none, layer: none };
+        let noted = Collisions { point: [none; 2], normal: [none; 2], piece: none, tangential: none, layer: none };
         Places { counter, unrolled, noted: Box::new(noted), count: 0 }
     }
 
     /// Notes collisions in their layers, where `here`.
     #[inline(always)]
-    pub(super) fn note<F: Lane>(&mut self, [x, y]: [F; 2], piece: F, tangential: F, layer: F, here: F::Mask) {
+    pub(super) fn note<F: Lane>(&mut self, hit: &WallHit<F, 2>, tangential: F, layer: F, here: F::Mask) {
         if self.count + F::LANES > MOST {
             self.find();
         }
         let these = self.count..self.count + F::LANES;
-        let Collisions { point: [xs, ys], piece: pieces, tangential: tangentials, layer: layers } = &mut *self.noted;
-        x.store(&mut xs[these.clone()]);
-        y.store(&mut ys[these.clone()]);
-        piece.store(&mut pieces[these.clone()]);
+        let Collisions { point, normal, piece: pieces, tangential: tangentials, layer: layers } = &mut *self.noted;
+        for (x, xs) in hit.point.iter().zip(point) {
+            x.store(&mut xs[these.clone()]);
+        }
+        if self.unrolled.is_thin() {
+            for (n, ns) in hit.unit_normal().iter().zip(normal) {
+                n.store(&mut ns[these.clone()]);
+            }
+        }
+        hit.piece.store(&mut pieces[these.clone()]);
         tangential.store(&mut tangentials[these.clone()]);
         here.select(layer, layer.same(NOBODY)).store(&mut layers[these]);
         self.count += F::LANES;
@@ -85,7 +94,11 @@ impl Kernel for Find<'_> {
         let Places { counter, unrolled, noted, .. } = self.0;
         for first in (0..MOST).step_by(F::LANES) {
             let of = |numbers: &[f64; MOST]| zero.load(&numbers[first..first + F::LANES]);
-            let place = unrolled.arc_length(noted.point.each_ref().map(of), of(&noted.piece));
+            let place = unrolled.arc_length(
+                noted.point.each_ref().map(of),
+                || noted.normal.each_ref().map(of),
+                of(&noted.piece),
+            );
             let layer = of(&noted.layer);
             let point = counter.near([place, of(&noted.tangential)]);
             counter.note(point, layer, zero.lt(layer));

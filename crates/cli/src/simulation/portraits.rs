@@ -151,7 +151,7 @@ impl Portraits<2, 1> for PlanarPortraits {
     #[inline(always)]
     fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, 2>, velocity: &[f64; 2], spin: &[f64; 1]) -> Point {
         let velocity = self.velocity(unit, &Seen::of(hit, velocity, spin));
-        let place = |places: &Places| places.unrolled.arc_length(hit.point, hit.piece);
+        let place = |places: &Places| places.unrolled.arc_length(hit.point, || hit.unit_normal(), hit.piece);
         Point { orbit, velocity, reduced: [self.reduced.as_ref().map_or(0.0, place), velocity[1]] }
     }
     #[inline(always)]
@@ -205,7 +205,7 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
             counter.note(velocity, view.layers[0], view.here);
         }
         if let Some(places) = &mut self.reduced {
-            places.note(hit.point, hit.piece, velocity[1], view.layers[1], view.here);
+            places.note(hit, velocity[1], view.layers[1], view.here);
         }
     }
 }

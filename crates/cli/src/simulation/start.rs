@@ -156,7 +156,9 @@ fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, s
     for (_, piece) in table.nearby() {
         let landing = piece.closest(point);
         if near(&landing.point, point) {
-            normals.push(landing.normal);
+            // a wall without thickness is left on the side to which the path moves
+            let behind = piece.tips().is_some() && velocity.dot(&landing.normal) < 0.0;
+            normals.push(if behind { -landing.normal } else { landing.normal });
             match piece.ends() {
                 Some([_, b]) if near(&b, point) => ending = Some(landing.normal),
                 Some([a, _]) if near(&a, point) => starting = Some(landing.normal),

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
-use billiards::geometry::{Figure, Piece, Table, Vector2, walls};
+use billiards::geometry::{Figure, Landing, Piece, Table, Vector2, walls};
 use lanes::{Lane, Mask};
 
 use super::bearings::Bearings;
@@ -24,6 +24,8 @@ pub(crate) struct Unrolled {
     bearings: Vec<Option<Bearings>>,
     /// And by what it is moved in its translates on a lattice.
     shifts: Vec<Vec<Vector2<f64>>>,
+    /// Whether there are walls without thickness.
+    thin: bool,
 }
 
 /// From so many points on it is worth while to look them up.
@@ -160,14 +162,24 @@ impl Unrolled {
         let bearings = pieces.iter().map(|piece| Some(piece).filter(searches).and_then(|piece| Bearings::of(&**piece)));
         let bearings: Vec<_> = bearings.collect();
         let shifts = (0..bearings.len()).map(|piece| table.translations(piece).collect()).collect();
-        Unrolled { unit, offsets, table: table.clone(), stretches, arcs, bearings, shifts }
+        let thin = table.pieces().iter().any(|piece| piece.tips().is_some());
+        Unrolled { unit, offsets, table: table.clone(), stretches, arcs, bearings, shifts, thin }
+    }
+
+    /// Whether the point of a hit does not tell where it is, since a wall has two faces there: unit normals are asked for.
+    #[inline(always)]
+    pub(super) fn is_thin(&self) -> bool {
+        self.thin
     }
 
     /// Where hits are, between 0 and the width of the picture.
     #[inline(always)]
-    pub(crate) fn arc_length<F: Lane>(&self, [x, y]: [F; 2], piece: F) -> F {
+    pub(crate) fn arc_length<F: Lane>(&self, [x, y]: [F; 2], normal: impl FnOnce() -> [F; 2], piece: F) -> F {
         let Some((first, others)) = self.stretches.split_first() else {
-            return x.each(|k| self.of_one(piece.lane(k), Vector2::new(x.lane(k), y.lane(k))));
+            let [n1, n2] = normal();
+            let landing =
+                |k| Landing { point: Vector2::new(x.lane(k), y.lane(k)), normal: Vector2::new(n1.lane(k), n2.lane(k)) };
+            return x.each(|k| self.of_one(piece.lane(k), &landing(k)));
         };
         let mut stretch = first.all(x);
         let mut before = 0.5;
@@ -180,19 +192,19 @@ impl Unrolled {
 
     /// The same for a piece of any kind.
     #[inline(never)]
-    fn of_one(&self, piece: f64, at: Vector2<f64>) -> f64 {
+    fn of_one(&self, piece: f64, at: &Landing) -> f64 {
         let number = walls::number(piece).min(self.offsets.len() - 1);
         if let Some(Some(bearings)) = self.bearings.get(number) {
-            return (self.offsets[number] + bearings.arc_length(at, &self.shifts[number])) * self.unit;
+            return (self.offsets[number] + bearings.arc_length(at.point, &self.shifts[number])) * self.unit;
         }
-        (self.offsets[number] + self.table.arc_length(number, &at)) * self.unit
+        (self.offsets[number] + self.table.arc_length(number, at)) * self.unit
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use billiards::geometry::tables;
+    use billiards::geometry::{parry::Screen, shapes::Circle, tables};
 
     #[test]
     fn angles_are_right_to_a_hundred_thousandth_of_a_pixel() {
@@ -202,6 +214,21 @@ mod tests {
             for size in [1e-3, 1.0, 1e5] {
                 assert!((angle(size * cos, size * sin) - turn).abs() < 2e-8, "{turn}");
             }
+        }
+    }
+
+    #[test]
+    fn the_faces_of_a_thin_wall_lie_beside_each_other() {
+        let circle = Circle::new(Vector2::zeros(), 2.0, true).unwrap();
+        let screen = Screen::new(Vector2::new(0.02, 0.9), Vector2::new(-0.1, 0.16)).unwrap();
+        let table = Table::new(vec![Box::new(circle) as Box<dyn Piece>, Box::new(screen)]).unwrap();
+        let unrolled = Unrolled::of(&table, 1e9);
+        assert!(unrolled.is_thin());
+        for k in 0..100 {
+            let s = screen.length() * (f64::from(k) + 0.5) * 0.01;
+            let at = screen.landing_at(s);
+            let place = unrolled.arc_length(at.point.into(), || at.normal.into(), 1.0);
+            assert!((place - (4.0 * PI + s) * unrolled.unit).abs() < 1e-12 * REDUCED_WIDTH, "{k}");
         }
     }
 
@@ -220,9 +247,9 @@ mod tests {
             assert_eq!(unrolled.stretches.len(), table.pieces().len());
             for (number, piece) in table.pieces().iter().enumerate() {
                 for k in 0..=100 {
-                    let point = piece.point_at(piece.length() * f64::from(k) * 0.01);
-                    let fast = unrolled.arc_length([point.x, point.y], number as f64);
-                    let exact = unrolled.of_one(number as f64, point);
+                    let landing = piece.landing_at(piece.length() * f64::from(k) * 0.01);
+                    let fast = unrolled.arc_length(landing.point.into(), || landing.normal.into(), number as f64);
+                    let exact = unrolled.of_one(number as f64, &landing);
                     // a closed curve ends where it begins
                     let off = (fast - exact).abs();
                     let round = piece.ends().is_none() && (off - piece.length() * unrolled.unit).abs() < 1e-7;

@@ -72,13 +72,20 @@ output = { collisions = "csv" }
 #[test]
 fn portraits_do_not_depend_on_who_counts_the_points() {
     let folder = Folder::new("portraits");
-    // enough points that they are counted, and as few that they are dots; laws that keep the speed and one that does not
-    for (law, collisions) in
-        [("no-slip", 250), ("no-slip", 30), ("{ name = \"restitution\", normal = 0.99, tangential = 0 }", 250)]
-    {
+    let stadium = "[table]\nname = \"stadium\"";
+    let thin = "[[table.boundary]]\ncircle = { center = [0, 0], radius = 2 }\n[[table.boundary]]\n\
+                shape = { name = \"segment\", from = [-0.5, 0.1], to = [0.5, 0] }";
+    // enough points that they are counted, and as few that they are dots; laws that keep the speed and one that does not; walls of which
+    // points do not tell the face
+    for (table, law, collisions) in [
+        (stadium, "no-slip", 250),
+        (stadium, "no-slip", 30),
+        (stadium, "{ name = \"restitution\", normal = 0.99, tangential = 0 }", 250),
+        (thin, "no-slip", 250),
+    ] {
         let pictures = "pictures = [\"velocity-portrait\", \"phase-portrait\"]";
         let scene = format!(
-            "law = {}\n[table]\nname = \"stadium\"\n[ensemble]\ncount = 301\nseed = 5\n[run]\n\
+            "law = {}\n{table}\n[ensemble]\ncount = 301\nseed = 5\n[run]\n\
              collisions = {collisions}\n[output]\n{pictures}\n",
             if law.starts_with('{') { law.into() } else { format!("\"{law}\"") }
         );

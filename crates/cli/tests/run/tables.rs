@@ -121,6 +121,57 @@ fn a_start_on_a_wall_is_accepted_if_it_moves_inwards() {
 }
 
 #[test]
+fn a_start_on_a_wall_without_thickness_moves_to_either_side_of_it() {
+    let folder = Folder::new("either-side");
+    let scene = "law = \"specular\"\n[[table.boundary]]\ncircle = { center = [0, 0], radius = 2 }\n[[table.boundary]]\n\
+                 shape = { name = \"polyline\", points = [[-0.5, 0], [0, 0], [0.5, 0.25]] }\n[[orbit]]\nposition = POSITION\n\
+                 velocity = VELOCITY\n[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n";
+    for position in ["[-0.25, 0]", "[0, 0]"] {
+        for (velocity, side) in [("[0.25, 1]", 1.0), ("[0.25, -1]", -1.0)] {
+            folder.done(&scene.replace("POSITION", position).replace("VELOCITY", velocity), &[]);
+            let row = folder.rows().swap_remove(0);
+            assert!(row[3] == 0.0 && row[6] * side > 1.0, "{position} {velocity}: {row:?}");
+        }
+        let along = folder.run(&scene.replace("POSITION", "[-0.25, 0]").replace("VELOCITY", "[1, 0]"), &[]);
+        assert_eq!(along.status.code(), Some(2));
+    }
+}
+
+#[test]
+fn ensembles_start_on_both_faces_of_a_wall_without_thickness() {
+    let folder = Folder::new("faces");
+    for (shape, ends) in [
+        ("name = \"segment\", from = [-0.5, 0], to = [0.5, 0]", [[-0.5, 0.0], [0.5, 0.0]]),
+        ("name = \"polyline\", points = [[0.02, 0.9], [-0.1, 0.16]]", [[0.02, 0.9], [-0.1, 0.16]]),
+    ] {
+        let scene = format!(
+            "law = \"specular\"\n[[table.boundary]]\ncircle = {{ center = [0, 0], radius = 2 }}\n[[table.boundary]]\n\
+             shape = {{ {shape} }}\n[ensemble]\ncount = 10000\nseed = 9\n[run]\ncollisions = 1\n\
+             [output]\ncollisions = \"csv\"\n"
+        );
+        folder.done(&scene, &[]);
+        let [a, b] = ends;
+        let along = [b[0] - a[0], b[1] - a[1]];
+        let mut faces = [0.0; 2];
+        // what starts on the wall comes to the circle next, and from there one goes back
+        for row in folder.rows().iter().filter(|row| row[3] == 0.0) {
+            let ([t, x, y], [v, w]) = ([row[2], row[5], row[6]], [row[8], row[9]]);
+            let off = 2.0 * (v * x + w * y) / (x * x + y * y);
+            let [v, w] = [v - off * x, w - off * y];
+            let from = [x - t * v - a[0], y - t * w - a[1]];
+            let beside = along[0] * from[1] - along[1] * from[0];
+            let on = along[0] * from[0] + along[1] * from[1];
+            if beside.abs() < 1e-12 && on > 0.0 && on < along[0] * along[0] + along[1] * along[1] {
+                faces[usize::from(along[0] * w - along[1] * v < 0.0)] += 1.0;
+            }
+        }
+        let length = along[0].hypot(along[1]);
+        let each = 10_000.0 * length / (2.0 * length + 4.0 * std::f64::consts::PI);
+        assert!(faces.iter().all(|face: &f64| (face - each).abs() < 4.0 * each.sqrt()), "{faces:?}, {each} each");
+    }
+}
+
+#[test]
 fn every_shape_bounds_a_table_from_outside() {
     let folder = Folder::new("shapes");
     let planar = [

@@ -34,6 +34,23 @@ impl Screen {
         let leftwards = cross((self.b - self.a).into(), (*velocity).into()) > 0.0;
         &self.faces[usize::from(leftwards)]
     }
+
+    /// The number of the face on whose side a point lies; of points on the screen itself the left one.
+    fn side_of(&self, point: &Vector2<f64>) -> usize {
+        usize::from(cross((self.b - self.a).into(), (point - self.a).into()) < 0.0)
+    }
+
+    /// The face at an arc length, and the arc length along it.
+    fn face_at(&self, s: f64) -> (&Segment, f64) {
+        let length = self.faces[0].length();
+        if s <= length { (&self.faces[0], s) } else { (&self.faces[1], s - length) }
+    }
+
+    /// The arc length of the point of a face closest to `point`.
+    fn arc_length_along(&self, face: usize, point: &Vector2<f64>) -> f64 {
+        let along = self.faces[face].arc_length_at(point);
+        if face == 0 { along } else { self.faces[0].length() + along }
+    }
 }
 
 impl Piece for Screen {
@@ -58,20 +75,25 @@ impl Piece for Screen {
         2.0 * self.faces[0].length()
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
-        let length = self.faces[0].length();
-        if s <= length { self.faces[0].point_at(s) } else { self.faces[1].point_at(s - length) }
+        let (face, s) = self.face_at(s);
+        face.point_at(s)
+    }
+    /// On the face that `s` runs along, which the point does not tell.
+    fn landing_at(&self, s: f64) -> Landing {
+        let (face, s) = self.face_at(s);
+        face.landing_at(s)
     }
     /// On the left face for points on the screen itself.
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
-        if cross((self.b - self.a).into(), (point - self.a).into()) >= 0.0 {
-            self.faces[0].arc_length_at(point)
-        } else {
-            self.faces[0].length() + self.faces[1].arc_length_at(point)
-        }
+        self.arc_length_along(self.side_of(point), point)
+    }
+    /// On the face with that normal.
+    fn arc_length_of(&self, landing: &Landing) -> f64 {
+        let right = dot(self.faces[0].inward_normal(), landing.normal.into()) < 0.0;
+        self.arc_length_along(usize::from(right), &landing.point)
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        let right = cross((self.b - self.a).into(), (point - self.a).into()) < 0.0;
-        self.faces[usize::from(right)].closest(point)
+        self.faces[self.side_of(point)].closest(point)
     }
     /// None: the boundary closes around both faces.
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {

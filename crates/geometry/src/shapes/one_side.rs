@@ -53,6 +53,9 @@ impl Piece for OneSide {
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         self.piece.arc_length_at(point)
     }
+    fn arc_length_of(&self, landing: &Landing) -> f64 {
+        self.piece.arc_length_of(landing)
+    }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
         self.piece.closest(point)
     }

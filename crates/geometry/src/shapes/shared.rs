@@ -46,6 +46,10 @@ impl<P: Piece + ?Sized> Piece for Arc<P> {
         (**self).arc_length_at(point)
     }
     #[inline]
+    fn arc_length_of(&self, landing: &Landing) -> f64 {
+        (**self).arc_length_of(landing)
+    }
+    #[inline]
     fn closest(&self, point: &Vector2<f64>) -> Landing {
         (**self).closest(point)
     }

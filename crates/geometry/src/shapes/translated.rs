@@ -57,6 +57,9 @@ impl Piece for Translated {
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         self.piece.arc_length_at(&(point - self.by))
     }
+    fn arc_length_of(&self, landing: &Landing) -> f64 {
+        self.piece.arc_length_of(&Landing { point: landing.point - self.by, ..*landing })
+    }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
         self.forth(self.piece.closest(&(point - self.by)))
     }
