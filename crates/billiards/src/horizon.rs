@@ -146,6 +146,9 @@ impl Horizon {
     /// next, which is the width of a strip however it lies.
     /// Any law will do, also one that is another at each place: it is differentiated by velocity, spin, normal and place. Where nothing
     /// is known of the walls' curvature, `walls` is [`Felt`].
+    ///
+    /// An orbit that [`run`](crate::run) ends sooner, as [grazing](crate::Stop::Grazing) or [stalled](crate::Stop::Stalled), is followed
+    /// beyond its end: where that may be, give as the limit the number of collisions that it makes.
     pub fn of<const N: usize, const S: usize>(
         billiard: &dyn Bounce<N, S>,
         walls: &dyn Bend<N>,

@@ -109,6 +109,49 @@ fn the_mean_free_time_is_that_of_the_law() {
 }
 
 #[test]
+fn the_mean_free_time_is_that_without_spin_where_nothing_turns_velocity_into_it() {
+    let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-keeps-spin", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let plane = "name = \"square\"\n[[orbit]]\nposition = [0.3, 0.4]\nvelocity = [0.6, 0.8]\n";
+    let space = "dimension = 3\nname = \"box\"\nsize = [1, 2, 3]\n[[orbit]]\nposition = [0.3, 0.4, 0.2]\nvelocity = [0.6, 0.8, 0.1]\n";
+    let random = |rank| format!("{{ name = \"random\", rank = {rank} }}");
+    let point = "[particle]\ninertia = \"point\"\n";
+    let tiny = "[particle]\ngamma_squared = 1e-12\n";
+    for (table, law, particle, keeps) in [
+        (plane, "\"specular\"".into(), "", true),
+        (plane, "\"no-slip\"".into(), "", false),
+        (plane, "\"no-slip\"".into(), point, true),
+        (plane, "\"no-slip\"".into(), tiny, false),
+        (plane, "{ rough = [] }".into(), "", true),
+        (plane, "{ rough = [[1, 0]] }".into(), "", false),
+        (plane, random(0), "", true),
+        (plane, random(1), "", false),
+        (space, "\"no-slip\"".into(), "", false),
+        (space, "\"no-slip\"".into(), point, true),
+        (space, "{ rough = [] }".into(), "", true),
+        (space, "{ rough = [[1, 0, 0]] }".into(), "", false),
+        (space, "{ rough = [[1, 0, 0]] }".into(), point, true),
+        (space, random(0), "", true),
+        (space, random(1), "", false),
+        (space, random(1), point, true),
+        (space, random(1), tiny, false),
+    ] {
+        let scene = folder.join("scene.toml");
+        fs::write(&scene, format!("law = {law}\n[table]\n{table}{particle}")).unwrap();
+        let output = billiards().arg("check").arg(&scene).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        let (with, without) = (text.contains("spin included"), text.contains("at unit speed of the centre"));
+        assert_eq!((with, without), (!keeps, keeps), "{law} {particle}: {text}");
+    }
+    // of one side alone, the others are rough
+    let scene = folder.join("scene.toml");
+    fs::write(&scene, format!("law = \"no-slip\"\n[table]\nlaws = {{ 1 = \"specular\" }}\n{plane}")).unwrap();
+    let output = billiards().arg("check").arg(&scene).output().unwrap();
+    assert!(String::from_utf8(output.stdout).unwrap().contains("spin included"));
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn there_is_no_mean_free_time_where_no_measure_is_invariant() {
     let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-free-time", std::process::id()));
     fs::create_dir_all(&folder).unwrap();

@@ -7,7 +7,6 @@ use billiards::geometry::{self, Figure, Piece, Vector2, Walls, WithWalls};
 use serde::Serialize;
 
 use super::engine::{Engine, Until, Watch};
-use super::law::is_strict;
 use super::planar::Planar;
 use super::spatial::{Space, Spatial};
 use super::trail::Trail;
@@ -15,7 +14,7 @@ use super::words::{point, short};
 use super::work::Launch;
 use super::{Body, Simulation};
 
-use crate::scene::{LawKind, Scene, Starts, TableShape};
+use crate::scene::{Scene, Starts, TableShape};
 
 /// Most starts that are described.
 const MOST_STARTS: u64 = 10;
@@ -194,9 +193,10 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
         walls
     };
     let ratio = centres.area() / centres.perimeter / factor;
-    let kinds = planar.drawn.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
-    // |S²|/|B²| and |S¹|/|B¹|
-    mean_free_times(scene, kinds, [4.0 * ratio, core::f64::consts::PI * ratio], description);
+    if planar.strict {
+        // |S²|/|B²| and |S¹|/|B¹|
+        mean_free_times(scene, planar.keeps_spin(), [4.0 * ratio, core::f64::consts::PI * ratio], description);
+    }
     description.engine = planar.centres.with_walls(NameOfWalls);
     let Ok(starts) = planar.starts() else { return };
     description.starts = planar.with_engine(|engine| {
@@ -242,9 +242,11 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
             description.walls.surface = finite(out(out(surface)));
             description.walls.parts = vec![description.walls.volume];
             let ratio = out(volume / surface);
-            let kinds = spatial.laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind));
-            // |S⁵|/|B⁵| and |S²|/|B²|
-            mean_free_times(scene, kinds, [1.875 * core::f64::consts::PI * ratio, 4.0 * ratio], description);
+            if spatial.strict {
+                // |S⁵|/|B⁵| and |S²|/|B²|
+                let times = [1.875 * core::f64::consts::PI * ratio, 4.0 * ratio];
+                mean_free_times(scene, spatial.keeps_spin(), times, description);
+            }
             table.with_walls(NameOfWalls)
         }
         Space::Room(_) => "solids, one by one".into(),
@@ -263,27 +265,12 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
     });
 }
 
-/// Notes the mean times between collisions, with and without spin, that say something of the orbits of a scene.
-fn mean_free_times<'a>(
-    scene: &Scene,
-    laws: impl Iterator<Item = &'a LawKind>,
-    [with, without]: [f64; 2],
-    description: &mut Description,
-) {
-    let laws: Vec<_> = laws.collect();
-    // other laws leave no measure invariant of which these are means
-    if !laws.iter().all(|law| is_strict(law)) {
-        return;
-    }
-    // then the centre keeps its speed
-    let keeps_spin = |law: &LawKind| match law {
-        LawKind::Restitution { tangential, .. } => *tangential == -1.0,
-        law => *law == LawKind::Specular,
-    };
-    let parts = laws.into_iter().all(keeps_spin);
+/// Notes the mean times between collisions, with and without spin, that say something of the orbits of a scene under strict laws. Other
+/// laws leave no measure invariant of which these are means. Where laws keep the spin, the centre keeps its speed.
+fn mean_free_times(scene: &Scene, keep_spin: bool, [with, without]: [f64; 2], description: &mut Description) {
     let is_ensemble = matches!(scene.starts, Starts::Ensemble(_));
-    description.mean_free_time = finite(with).filter(|_| !parts || is_ensemble);
-    description.mean_free_time_without_spin = finite(without).filter(|_| parts);
+    description.mean_free_time = finite(with).filter(|_| !keep_spin || is_ensemble);
+    description.mean_free_time_without_spin = finite(without).filter(|_| keep_spin);
 }
 
 /// The first collision of an orbit.

@@ -1,11 +1,15 @@
 //! Up to where the digits of the orbits last.
 
 use billiards::geometry::{Lattice, Vector2};
-use billiards::{Bend, Bounce, Horizon};
+use billiards::{Bend, Bounce, Horizon, Stop};
 use serde::Serialize;
 
+use super::engine::{Bare, Engine, Until, Watched};
+use super::job::bare;
 use super::start::Start;
+use super::trail::Trail;
 use super::words::{plural, short};
+use super::work::BLOCK;
 
 /// Orbits that are looked at: the first so many.
 const MOST_ORBITS: u64 = 16;
@@ -47,20 +51,33 @@ pub struct OfOrbit {
 
 impl Horizons {
     /// Looks at the first orbits, on a table of some size, up to a number of collisions and a time of the user.
-    pub(crate) fn of<const N: usize, const S: usize>(
-        billiard: &dyn Bounce<N, S>,
+    pub(crate) fn of<const N: usize, const S: usize, T: Trail<N, S>>(
+        engine: &dyn Engine<N, S, T>,
         walls: &dyn Bend<N>,
         size: f64,
         orbits: u64,
         start: &dyn Fn(u64) -> Start<N, S>,
+        launch: &dyn Fn(&Start<N, S>) -> Watched<N, S, T>,
         [collisions, time]: [f64; 2],
     ) -> Horizons {
+        let billiard: &dyn Bounce<N, S> = engine;
         let looked_at = orbits.min(MOST_ORBITS);
         let each = collisions.min((MOST_COLLISIONS / looked_at.max(1)) as f64);
         let horizon = |orbit| {
-            let Start { position, velocity, spin, scale, .. } = start(orbit);
-            let limit = [each, scale.time_in(time)];
-            let found = Horizon::of(billiard, walls, billiards::Start { position, velocity, spin }, size, limit);
+            let start = start(orbit);
+            let Start { position, velocity, spin, scale, .. } = start;
+            let end = scale.time_in(time);
+            let up_to = |collisions| {
+                let from = billiards::Start { position, velocity, spin };
+                Horizon::of(billiard, walls, from, size, [collisions, end])
+            };
+            let mut found = up_to(each);
+            // what is known of an orbit ends where the orbit does; whether there is a collision after the last known one, the engine says
+            let next = Until { collisions: found.collisions + u64::from(found.lost), time: end };
+            let made = collisions_of(engine, &mut bare(&launch(&start)), next);
+            if made < next.collisions {
+                found = up_to(made as f64);
+            }
             let Horizon { collisions, time, error, lost } = found;
             OfOrbit { orbit, collisions, time: scale.time_out(time), error, lost }
         };
@@ -105,6 +122,25 @@ impl Horizons {
         let error = if *error == 0.0 { "0".into() } else { format!("{error:.0e}") };
         format!("right to {error} of {} {after}{of}", self.unit)
     }
+}
+
+/// How many collisions an orbit makes until then, run in blocks as it always is: where a particle that a law has slowed down creeps along
+/// a wall, only the engine's own bits tell which collision is the last one.
+fn collisions_of<const N: usize, const S: usize, T: Trail<N, S>>(
+    engine: &dyn Engine<N, S, T>,
+    orbit: &mut Bare<N, S>,
+    until: Until,
+) -> u64 {
+    let mut made = 0;
+    while made < until.collisions {
+        let block = Until { collisions: BLOCK.min(until.collisions - made), ..until };
+        let outcome = engine.bare(orbit, block);
+        made += outcome.collisions;
+        if outcome.stop != Stop::Finished || outcome.collisions < block.collisions {
+            break;
+        }
+    }
+    made
 }
 
 /// An error of more than this part leaves less than a digit.

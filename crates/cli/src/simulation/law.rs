@@ -202,6 +202,20 @@ fn space(direction: &[f64]) -> Vector3<f64> {
     Vector3::from_fn(|i, _| direction[i] * factor)
 }
 
+/// Whether a strict law turns no velocity into spin on any of so many walls: a ball that hits them spinning, straight on, leaves straight on.
+/// What goes from spin to velocity goes back too, for the law keeps the energy.
+pub(crate) fn keeps_spin<const N: usize, const S: usize>(law: &impl BallLaw<N, S>, walls: usize) -> bool {
+    let unit = |i: usize| move |k: usize| if i == k { 1.0 } else { 0.0 };
+    let stays_straight = |wall: usize, axis: usize, about: usize| {
+        let normal: [f64; N] = core::array::from_fn(unit(axis));
+        let (mut velocity, mut spin) = (normal.map(|n| -n), core::array::from_fn(unit(about)));
+        let hit = WallHit { normal, piece: wall as f64, ..WallHit::never([0.0; N]) };
+        law.collide(&hit, &mut velocity, &mut spin);
+        (0..N).all(|i| i == axis || velocity[i] == 0.0)
+    };
+    (0..walls).all(|wall| (0..N).all(|axis| (0..S).all(|about| stays_straight(wall, axis, about))))
+}
+
 /// Whether a law conserves energy.
 pub(crate) fn is_strict(kind: &LawKind) -> bool {
     match kind {

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Bounce, Canonical, Cell, Clock, Grid, Orbit, Rolling};
+use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Watched};
 use super::horizon::{self, Horizons};
 use super::keeper::Keeper;
-use super::law::{PlanarLaw, is_strict};
+use super::law::{PlanarLaw, is_strict, keeps_spin};
 use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
@@ -28,7 +28,8 @@ pub(crate) struct Planar {
     /// The drawn piece that each piece of `centres` stands for.
     pub(crate) pieces: Vec<u64>,
     law: PlanarLaw,
-    strict: bool,
+    /// Whether every collision keeps the energy.
+    pub(crate) strict: bool,
     starts: Starts<2, 1>,
 }
 
@@ -127,9 +128,13 @@ impl Planar {
             .lattice()
             .map_or_else(|| horizon::size(extent.min.as_slice(), extent.max.as_slice()), horizon::cell_size);
         Ok(self.with_engine(|engine| {
-            let billiard: &dyn Bounce<2, 1> = engine;
-            Horizons::of(billiard, &self.centres, size, self.orbits(), &*starts, limit)
+            Horizons::of(engine, &self.centres, size, self.orbits(), &*starts, &|start| self.launch(start), limit)
         }))
+    }
+
+    /// Whether no collision under a strict law turns velocity into spin.
+    pub(crate) fn keeps_spin(&self) -> bool {
+        keeps_spin(&self.law, self.pieces.len())
     }
 
     /// Runs something with the engine for this table and law.

@@ -10,7 +10,7 @@ use super::boundary;
 use super::engine::{Engine, Watched};
 use super::horizon::{self, Horizons};
 use super::keeper::Keeper;
-use super::law::{SpatialLaw, is_strict};
+use super::law::{SpatialLaw, is_strict, keeps_spin};
 use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
@@ -36,7 +36,8 @@ pub(crate) struct Spatial {
     /// The laws that pieces have of their own.
     pub(crate) laws: Vec<Option<LawKind>>,
     law: SpatialLaw,
-    strict: bool,
+    /// Whether every collision keeps the energy.
+    pub(crate) strict: bool,
     starts: Starts<3, 3>,
 }
 
@@ -230,8 +231,13 @@ impl Spatial {
                     &of_room
                 }
             };
-            Horizons::of(billiard, walls, size, self.orbits(), &*starts, limit)
+            Horizons::of(engine, walls, size, self.orbits(), &*starts, &|start| self.launch(start), limit)
         }))
+    }
+
+    /// Whether no collision under a strict law turns velocity into spin.
+    pub(crate) fn keeps_spin(&self) -> bool {
+        keeps_spin(&self.law, self.laws.len())
     }
 
     /// Runs something with the engine for this table and law.
