@@ -72,7 +72,8 @@ pub enum Command {
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 Writes DIR/summary.json and whatever the scene's [output] asks for. Ctrl-C ends a run cleanly: what is done
-is kept, the summary counts the other orbits as \"interrupted\", and the exit status is 0.
+is kept, the summary counts the other orbits as \"interrupted\", and the exit status is 0. Another one, half a second
+later or more, ends it at once with status 130, and nothing is kept.
 
 Examples:
   billiards run scenes/hexagon.toml

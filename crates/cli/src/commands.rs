@@ -11,8 +11,10 @@ pub mod tables;
 
 use std::fmt;
 use std::io;
+use std::time::{Duration, Instant};
 
 use crate::document::Diagnostic;
+use crate::whole_file;
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -74,12 +76,19 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// The first Ctrl-C calls `interrupt`, which ends the work and tells whether it was called before; the second ends the program.
-fn on_ctrl_c(interrupt: impl Fn() -> bool + Send + 'static) -> Result<(), Failure> {
-    let handler = move || {
-        if interrupt() {
-            std::process::exit(130);
+/// Signals within this time are one request: launchers such as `timeout` send one to the program and another to its group.
+const ONE_REQUEST: Duration = Duration::from_millis(500);
+
+/// The first Ctrl-C calls `interrupt`, which ends the work; another one that is not the same request ends the program at once.
+fn on_ctrl_c(interrupt: impl Fn() + Send + 'static) -> Result<(), Failure> {
+    let mut first: Option<Instant> = None;
+    let handler = move || match first {
+        None => {
+            first = Some(Instant::now());
+            interrupt();
         }
+        Some(first) if first.elapsed() < ONE_REQUEST => {}
+        Some(_) => whole_file::exit(130),
     };
     ctrlc::set_handler(handler).map_err(|error| Failure::Work(format!("cannot listen to Ctrl-C: {error}")))
 }

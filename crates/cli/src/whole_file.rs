@@ -5,11 +5,30 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 
 /// A long file is brought to disk in portions of so many bytes, each while the next one is written. Otherwise the disk idles
 /// until the system has as much in memory as it likes, or the file is finished.
 const PORTION: usize = 1 << 24;
+
+/// The temporary files that there are.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+fn temporary_files() -> MutexGuard<'static, Vec<PathBuf>> {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ends the program at once, whatever its threads do; of files that are not finished nothing is left.
+pub fn exit(status: i32) -> ! {
+    // held to the end: no file is begun any more
+    let files = temporary_files();
+    for file in &*files {
+        // one that has its own name by now is not there
+        let _ = fs::remove_file(file);
+    }
+    std::process::exit(status)
+}
 
 /// A file written under a temporary name in the same folder; [`finish`](Self::finish) gives it its own.
 ///
@@ -100,9 +119,19 @@ impl WholeFile {
                 // The write's own error says more than that of cleaning up after it.
                 let _ = fs::remove_file(&self.temporary);
             }
+            self.forget();
             done?;
         }
         Ok(())
+    }
+
+    /// Takes the temporary file off the list: it is gone.
+    fn forget(&self) {
+        let mut files = temporary_files();
+        // only one: where it has its own name by now, another file may already be begun under this one
+        if let Some(at) = files.iter().position(|file| *file == self.temporary) {
+            files.swap_remove(at);
+        }
     }
 
     fn inner(&mut self) -> io::Result<&mut BufWriter<File>> {
@@ -115,6 +144,7 @@ impl WholeFile {
 fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
     let process = std::process::id();
     let mut number = 0_u64;
+    let mut files = temporary_files();
     loop {
         let mut hidden = OsString::from(".");
         hidden.push(name);
@@ -122,7 +152,11 @@ fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
         let path = folder.join(hidden);
         match File::create_new(&path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
-            made => return made.map(|file| (path, file)),
+            made => {
+                let file = made?;
+                files.push(path.clone());
+                return Ok((path, file));
+            }
         }
     }
 }
@@ -162,6 +196,7 @@ impl Drop for WholeFile {
             let _ = file.into_parts();
             let _ = self.carrier.take().map(Carrier::finish);
             let _ = fs::remove_file(&self.temporary);
+            self.forget();
         }
     }
 }

@@ -99,7 +99,7 @@ fn under_stress(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fai
 fn interruption() -> Result<Arc<AtomicBool>, Failure> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
-    super::on_ctrl_c(move || flag.swap(true, Ordering::Relaxed))?;
+    super::on_ctrl_c(move || flag.store(true, Ordering::Relaxed))?;
     Ok(interrupted)
 }
 

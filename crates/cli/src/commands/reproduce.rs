@@ -15,6 +15,7 @@ use crate::args;
 use crate::document::Diagnostic;
 use crate::reproduce::page::{self, Drawn, Measured};
 use crate::reproduce::{Effort, Figure, figures};
+use crate::simulation::plural;
 use crate::spelling;
 use crate::whole_file::WholeFile;
 
@@ -67,7 +68,7 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
     let effort = if arguments.quick { Effort::Quick } else { Effort::Full };
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
-    super::on_ctrl_c(move || flag.swap(true, Ordering::Relaxed))?;
+    super::on_ctrl_c(move || flag.store(true, Ordering::Relaxed))?;
     let results = in_parallel(&jobs, effort, &interrupted);
     let Results { drawn, measured, failed } = &results;
     let files = match &arguments.only {
@@ -83,7 +84,9 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
         let rest = jobs.len() - drawn.len() - measured.len() - failed.len();
         let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
         let page = arguments.out.join(files.page);
-        told = writeln!(out, "{}: {} figures, {} claims{missing}", page.display(), drawn.len(), measured.len());
+        let figures = plural(drawn.len() as u64, "figure");
+        let claims = plural(measured.len() as u64, "claim");
+        told = writeln!(out, "{}: {figures}, {claims}{missing}", page.display());
     }
     let wrong: Vec<String> = failed.iter().cloned().chain(measured.iter().filter_map(disagreement)).collect();
     if wrong.is_empty() { Ok(told?) } else { Err(Failure::Work(wrong.join("\nerror: "))) }

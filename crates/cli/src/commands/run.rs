@@ -31,7 +31,7 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let control = Arc::new(Control::new(arguments.threads.map_or(cores, usize::from)));
     let flag = Arc::clone(&control);
-    super::on_ctrl_c(move || flag.interrupted.swap(true, Ordering::Relaxed))?;
+    super::on_ctrl_c(move || flag.interrupted.store(true, Ordering::Relaxed))?;
     let folder = arguments.folder();
     let done = with_progress(&simulation, &control, || simulation.run(&folder, &control))
         .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;

@@ -134,12 +134,103 @@ fn an_interrupted_run_keeps_what_is_done() {
         .unwrap();
     // only after the handler is in place: a file of another run tells nothing, so wait for the first second to pass
     std::thread::sleep(std::time::Duration::from_millis(1500));
-    let sent = std::process::Command::new("kill").args(["-INT", &run.id().to_string()]).status().unwrap();
-    assert!(sent.success());
+    signal(&run, "INT");
     assert_eq!(run.wait().unwrap().code(), Some(0));
     let summary = folder.summary("out/scene");
     assert_eq!(summary["stops"]["interrupted"], 2);
     assert!(summary["collisions"].as_u64().unwrap() > 1000);
+}
+
+/// Sends a signal to a run.
+#[cfg(unix)]
+fn signal(run: &std::process::Child, name: &str) {
+    let sent = std::process::Command::new("kill").args(["-s", name, &run.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+}
+
+/// What `timeout` and shells do that tell a program and its group.
+#[cfg(unix)]
+#[test]
+fn two_signals_at_once_are_one_request() {
+    let folder = Folder::new("twice");
+    let scene = format!("{CHAOS}\n[output]\ncollisions = \"csv\"\n");
+    fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    for kind in ["INT", "TERM"] {
+        let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("billiards"))
+            .current_dir(&folder.0)
+            .args(["run", "scene.toml", "-n", "1e12", "--threads", "1", "--out", kind])
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_secs(1));
+        signal(&run, kind);
+        signal(&run, kind);
+        assert_eq!(run.wait().unwrap().code(), Some(0), "{kind}");
+        assert_eq!(folder.summary(kind)["stops"]["interrupted"], 2);
+        assert_eq!(fs::read_dir(folder.0.join(kind)).unwrap().count(), 2);
+    }
+}
+
+/// In a flat torus the path along a corridor is given up after half a second, and a thousand of them are one piece of work.
+#[cfg(unix)]
+#[test]
+fn a_second_request_ends_a_run_at_once_and_leaves_no_part_of_a_file() {
+    let folder = Folder::new("at-once");
+    // the digits of the first sixteen are looked at before
+    let near = "[[orbit]]\nposition = [0, 0.5]\nvelocity = [1, 0]\n".repeat(16);
+    let far = "[[orbit]]\nposition = [0, 0]\nvelocity = [1, 1e-9]\n".repeat(1000);
+    let table = "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 0.1\n";
+    let scene = format!("{table}{near}{far}[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n");
+    fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    let mut run = std::process::Command::new(assert_cmd::cargo::cargo_bin("billiards"))
+        .current_dir(&folder.0)
+        .args(["run", "scene.toml", "--out", "out"])
+        .spawn()
+        .unwrap();
+    let files = || fs::read_dir(folder.0.join("out")).map_or(0, Iterator::count);
+    let begun = std::time::Instant::now();
+    while files() == 0 && begun.elapsed().as_secs() < 60 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    assert_eq!(files(), 1, "the record has not been begun");
+    signal(&run, "INT");
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    assert!(run.try_wait().unwrap().is_none(), "the run has ended already");
+    signal(&run, "INT");
+    assert_eq!(run.wait().unwrap().code(), Some(130));
+    assert_eq!(files(), 0);
+}
+
+/// Under a law that takes energy an orbit ends creeping along the wall, and there by its own bits only.
+#[test]
+fn no_digits_are_told_of_collisions_that_an_orbit_does_not_make() {
+    let folder = Folder::new("creeping");
+    let law = "law = { name = \"restitution\", normal = 0.9, tangential = 0.2 }\n";
+    let output = "[ensemble]\ncount = 16\nseed = 7\n[run]\ncollisions = 400\n[output]\ncollisions = \"csv\"\npictures = [\"orbit\"]\n";
+    for table in [
+        "[table]\ndimension = 3\n[[table.boundary]]\nsphere = { center = [0, 0, 0], radius = 3 }\n",
+        "[[table.boundary]]\ncurve = { polar = \"1 + 0.1*abs(cos(t))\" }\n",
+        "[table]\nname = \"circle\"\n",
+        "[table]\nname = \"ellipse\"\n",
+    ] {
+        let summary = folder.done(&format!("{law}{table}{output}"), &[]);
+        let mut made = [0; 16];
+        for row in folder.rows() {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the number of an orbit")]
+            let orbit = row[0] as usize;
+            made[orbit] += 1;
+        }
+        let mut lost = 0;
+        for (known, made) in summary["horizon"]["orbits"].as_array().unwrap().iter().zip(made) {
+            let collisions = known["collisions"].as_u64().unwrap();
+            let is_lost = known["lost"] == true;
+            assert!(collisions + u64::from(is_lost) <= made, "{table}: {known} of {made}");
+            assert!(is_lost || collisions == made, "{table}: {known} of {made}");
+            lost += usize::from(is_lost);
+        }
+        assert!(summary["stops"]["grazing"].as_u64().unwrap() > 0, "{table}");
+        assert_eq!(folder.read("out/orbit.svg").matches("r=\"1.5\" fill=\"#ffffff\"").count(), lost, "{table}");
+    }
 }
 
 #[test]
