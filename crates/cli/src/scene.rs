@@ -14,7 +14,7 @@ mod start;
 mod table;
 mod tables;
 
-use crate::document::{self, Diagnostic, Problems, Section, Source, Span, Spanned, Value};
+use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value};
 
 pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
 pub(crate) use law::named as read_law;
@@ -131,6 +131,11 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
         limit,
         output: output?,
     })
+}
+
+/// A section that is not there, read as one without keys: so it is known which keys go there.
+fn absent() -> Item {
+    Item::new(Value::Table(vec![]), Span::default())
 }
 
 /// A string.

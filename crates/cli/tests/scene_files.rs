@@ -37,6 +37,14 @@ collisions = "csv"
 pictures   = ["orbit", "velocity-portrait"]
 "#;
 
+/// A scene with no more sections than it needs.
+const SQUARE: &str = r#"
+law = "specular"
+table = { name = "square" }
+orbit = [{ position = [0.25, 0.5], velocity = [1, 0.5] }]
+run = { collisions = 1 }
+"#;
+
 const BOUNDARY: &str = r#"
 law = "no-slip"
 [table]
@@ -461,11 +469,55 @@ fn a_key_in_the_wrong_place_is_sent_to_its_own() {
         (NAMED.replace("[particle]", "spin = 1\n[particle]"), "spin", "\"spin\" goes under [[orbit]]"),
         (NAMED.replace("title =", "pictures = []\ntitle ="), "pictures", "\"pictures\" goes under [output]"),
         (NAMED.replace("[output]", "purpose = 1\n[output]"), "purpose", "known keys: collisions, time"),
+        // parameters of tables may have the names of other keys, and sections need not be there
+        (NAMED.replace("title =", "radius = 0.1\ntitle ="), "radius", "\"radius\" goes under [table] or [particle]"),
+        (format!("radius = 0.1\n{SQUARE}"), "radius", "\"radius\" goes under [particle]"),
+        (format!("pictures = []\n{SQUARE}"), "pictures", "\"pictures\" goes under [output]"),
+        (
+            format!("radius = 0.1\n{}", SQUARE.replace("square", "stadium")),
+            "radius",
+            "\"radius\" goes under [table] or [particle]",
+        ),
     ] {
         let errors = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap_err();
         assert!(errors.len() == 1 && errors[0].what.contains(key), "{errors:?}");
         assert_eq!(errors[0].help.as_deref(), Some(help));
     }
+}
+
+#[test]
+fn columns_begin_after_a_byte_order_mark() {
+    let text = format!("\u{feff}xaw = 1{SQUARE}");
+    let errors = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap_err();
+    let shown = errors[0].to_string();
+    assert!(shown.starts_with("x.toml:1:1: error: unknown key \"xaw\""), "{shown}");
+    assert!(shown.contains("\n    1 | xaw = 1\n      | ^^^\n"), "{shown}");
+}
+
+#[test]
+fn what_nobody_can_read_is_refused_before_it_is_read() {
+    for table in [
+        "[[table.boundary]]\noutline = \"none.dxf\"\n",
+        "[table]\ndimension = 3\n[[table.boundary]]\nmesh = { file = \"none\" }\n",
+    ] {
+        let start = if table.contains('3') { "[0, 0, 0]\nvelocity = [1, 0, 0]" } else { "[0, 0]\nvelocity = [1, 0]" };
+        let text = format!("law = \"specular\"\n{table}[[orbit]]\nposition = {start}\n[run]\ncollisions = 1\n");
+        let scene = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap();
+        let errors = Simulation::new(scene).unwrap_err();
+        assert!(errors[0].what.contains(" is read from a file ."), "{errors:?}");
+    }
+}
+
+#[test]
+fn a_section_without_keys_is_as_good_as_none() {
+    let scene = format!("{}[run]\n[output]\n", SQUARE.replace("run = { collisions = 1 }\n", ""));
+    let parse = |needs_limit, collisions| {
+        Scene::parse(&Source::new("x.toml", &scene), &Request { needs_limit, collisions, ..Request::default() })
+    };
+    assert_eq!(parse(false, None).unwrap().limit, None);
+    assert!(parse(true, Some(5)).unwrap().limit.is_some());
+    let errors = parse(true, None).unwrap_err();
+    assert_eq!(errors[0].what, "[run] needs \"collisions\" or \"time\"");
 }
 
 #[test]

@@ -25,7 +25,10 @@ pub fn run(json: bool, out: &mut impl Write) -> io::Result<()> {
         }
         list(TABLES.iter().filter(|model| model.dimension == dimension), out)?;
     }
-    writeln!(out, "\nShapes, in a [[table.boundary]] entry as shape = {{ name = \"...\", ... }}:\n")?;
+    writeln!(
+        out,
+        "\nShapes, in a [[table.boundary]] entry as shape = {{ name = \"...\", ... }} (rounding adds to their size):\n"
+    )?;
     for dimension in [2, 3] {
         if dimension == 3 {
             writeln!(out, "\nIn space:\n")?;

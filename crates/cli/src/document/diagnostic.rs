@@ -63,9 +63,11 @@ impl Diagnostic {
 
 impl Place {
     fn new(text: &str, span: Span) -> Self {
-        let start = floor_char_boundary(text, span.start);
+        // a byte order mark is no character of the first line
+        let text_start = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
+        let start = floor_char_boundary(text, span.start).max(text_start);
         let end = floor_char_boundary(text, span.end).max(start);
-        let line_start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_start = text[..start].rfind('\n').map_or(text_start, |i| i + 1);
         let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
         let before = text[line_start..start].chars().count();
         let marked = text[start..end.min(line_end)].chars().count();
@@ -161,9 +163,15 @@ impl Problems {
     pub fn into_diagnostics(mut self) -> Vec<Diagnostic> {
         for (index, key) in &self.strays {
             // only what has a header of its own: a curve or an edge is no place to send a key to
-            let mut headed = self.homes.iter().filter(|(table, _)| table.starts_with('['));
-            if let Some((table, _)) = headed.find(|(_, keys)| keys.contains(key)) {
-                self.found[*index].1.help = Some(format!("\"{key}\" goes under {table}"));
+            let headed = self.homes.iter().filter(|(table, keys)| table.starts_with('[') && keys.contains(key));
+            let mut tables: Vec<&str> = vec![];
+            for (table, _) in headed {
+                if !tables.contains(&table.as_str()) {
+                    tables.push(table);
+                }
+            }
+            if !tables.is_empty() {
+                self.found[*index].1.help = Some(format!("\"{key}\" goes under {}", tables.join(" or ")));
             }
         }
         self.found.sort_by_key(|(span, _)| span.start);

@@ -1,8 +1,8 @@
 //! The phase portrait of the billiard map: where the wall is hit, and how fast the particle then moves along it.
 //!
 //! The horizontal axis is arc length, all pieces laid end to end in the order of their numbers; the vertical one is the
-//! tangential part of a velocity of length one, spin included. For a specular point particle these are the usual
-//! coordinates (s, sin of the angle with the normal), in which the map preserves area.
+//! tangential part of a velocity of length one, spin included, along t = J ν, against which s grows. For a specular point particle these
+//! are the usual coordinates (s, sin of the angle with the normal) but for the sign of the second: the map preserves area in them.
 
 use super::axes::{self, Axis, Label};
 use super::cloud::Cloud;

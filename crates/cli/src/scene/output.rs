@@ -1,6 +1,6 @@
 //! `[output]`: what is kept of a run.
 
-use super::{choice, list, text, unknown};
+use super::{absent, choice, list, text, unknown};
 use crate::document::{Item, Problems, Section, Span};
 use crate::picture;
 
@@ -25,8 +25,8 @@ pub struct Output {
 }
 
 pub(super) fn read(item: Option<&Item>, problems: &mut Problems) -> Option<Output> {
-    let Some(item) = item else { return Some(Output::default()) };
-    let mut section = Section::new(item, "[output]", problems)?;
+    let absent = absent();
+    let mut section = Section::new(item.unwrap_or(&absent), "[output]", problems)?;
     let formats = [("csv", RecordFormat::Csv), ("jsonl", RecordFormat::JsonLines), ("npy", RecordFormat::Npy)];
     let collisions = match section.optional("collisions") {
         Some(item) => choice(item, "format", &formats, problems).map(Some),

@@ -1,7 +1,7 @@
 //! `[particle]`: the disk or ball that moves.
 
-use super::choice;
-use crate::document::{Item, Problems, Section, Span, Spanned, nonnegative};
+use super::{absent, choice};
+use crate::document::{Item, Problems, Section, Spanned, nonnegative};
 
 /// The disk or ball that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,10 +38,8 @@ pub(super) fn read(item: Option<&Item>, dimension: usize, spins: bool, problems:
     let known: Vec<_> =
         INERTIAS.iter().filter(|i| i.dimension == dimension).map(|i| (i.name, i.gamma_squared)).collect();
     let default = known.first().map_or(0.0, |k| k.1);
-    let Some(item) = item else {
-        let nowhere = Span::default();
-        return Some(Particle { radius: Spanned::new(0.0, nowhere), gamma_squared: Spanned::new(default, nowhere) });
-    };
+    let (spins, absent) = (spins && item.is_some(), absent());
+    let item = item.unwrap_or(&absent);
     let mut section = Section::new(item, "[particle]", problems)?;
     let radius =
         section.optional("radius").map_or(Some(Spanned::new(0.0, item.span)), |item| nonnegative(item, problems));

@@ -1,6 +1,6 @@
 //! `[run]`: when an orbit ends.
 
-use super::Request;
+use super::{Request, absent};
 use crate::document::{Item, Problems, Section, Spanned, count, positive};
 
 /// When an orbit ends, if nothing else ends it.
@@ -15,12 +15,13 @@ pub enum Limit {
 /// The limit of the scene or the command line; nothing, too, if it is wrong, which is then recorded.
 pub(super) fn read(root: &mut Section<'_>, request: &Request, problems: &mut Problems) -> Option<Limit> {
     let given = request.collisions.map(|n| Limit::Collisions(Spanned { value: n, ..Spanned::default() }));
-    let item = if request.needs_limit && given.is_none() {
+    let needed = request.needs_limit && given.is_none();
+    let item = if needed {
         root.required("run", "[run] with collisions = 1000, or give -n 1000")
     } else {
         root.optional("run")
     };
-    let written = item.and_then(|item| written(item, given.is_none(), problems));
+    let written = written(item.unwrap_or(&absent()), needed && item.is_some(), problems);
     given.or(written)
 }
 

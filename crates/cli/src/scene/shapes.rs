@@ -28,7 +28,7 @@ const fn shape(name: &'static str, dimension: usize, summary: &'static str, para
 }
 
 /// Every shape a boundary entry can name. Planar shapes are turned by `angle` and then moved by `center`; `rounding` is
-/// the radius of a disk or ball that rolls around the shape.
+/// the radius of a disk or ball that is added around the shape.
 pub const SHAPES: &[Model] = &[
     shape("ball", 2, "a disk", &[CENTER2, ANGLE, RADIUS]),
     shape("cuboid", 2, "a rectangle", &[CENTER2, ANGLE, Parameter::required("size", Kind::Lengths(2)), ROUNDING]),

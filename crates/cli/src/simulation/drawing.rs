@@ -5,19 +5,21 @@ use billiards::geometry::Error;
 use crate::document::{Diagnostic, Spanned};
 use crate::scene::Scene;
 
+/// What reads the bytes of a file.
+pub(super) type Reader<T> = fn(&[u8]) -> Result<T, Error>;
+
 /// What a file holds, by the reader for the ending of its name in small letters; `kinds` says which files there are readers for.
 pub(super) fn read<T>(
     scene: &Scene,
     file: &Spanned<String>,
     kinds: &str,
-    reader: impl FnOnce(&str, &[u8]) -> Option<Result<T, Error>>,
+    readers: &[(&str, Reader<T>)],
 ) -> Result<T, Box<Diagnostic>> {
     let complain = |what: String| Box::new(scene.source.diagnostic(file.span, what));
     let path = scene.source.beside(&file.value);
-    let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    match reader(&ending, &bytes) {
-        Some(held) => held.map_err(|error| complain(format!("{}: {error}", path.display()))),
-        None => Err(complain(kinds.into())),
-    }
+    // first: what nobody can read need not be a file, and may have no end
+    let reader = readers.iter().find(|(of, _)| *of == ending).ok_or_else(|| complain(kinds.into()))?.1;
+    let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
+    reader(&bytes).map_err(|error| complain(format!("{}: {error}", path.display())))
 }

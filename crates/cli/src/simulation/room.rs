@@ -6,7 +6,7 @@ use billiards::geometry::{Error, import};
 use crate::document::{Diagnostic, LARGEST, SMALLEST, Spanned, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
-use super::drawing;
+use super::drawing::{self, Reader};
 use super::wires::Wall;
 use super::words::short;
 
@@ -78,12 +78,9 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diag
 
 /// Triangles from a file whose unit is so long.
 fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<SolidSpec, Box<Diagnostic>> {
-    let mesh: SolidSpec =
-        drawing::read(scene, file, "a mesh is read from a file .stl or .obj", |ending, bytes| match ending {
-            "stl" => Some(import::stl(bytes)),
-            "obj" => Some(import::obj(&String::from_utf8_lossy(bytes))),
-            _ => None,
-        })?;
+    let readers: [(&str, Reader<SolidSpec>); 2] =
+        [("stl", import::stl), ("obj", |bytes| import::obj(&String::from_utf8_lossy(bytes)))];
+    let mesh = drawing::read(scene, file, "a mesh is read from a file .stl or .obj", &readers)?;
     let mesh = mesh.scaled(unit);
     let largest = match &mesh {
         SolidSpec::TriMesh { vertices, .. } => vertices.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())),

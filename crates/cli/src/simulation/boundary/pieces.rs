@@ -10,8 +10,9 @@ use super::scaled::Scaled;
 use crate::document::{Diagnostic, Span, Spanned};
 use crate::expression::{ImplicitCurve, PolarCurve};
 use crate::scene::{self, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, Turn};
+use crate::simulation::drawing::{self, Reader};
+use crate::simulation::scale;
 use crate::simulation::words::short;
-use crate::simulation::{drawing, scale};
 
 /// Pieces of an explicit boundary, as they come.
 struct Collected<'a> {
@@ -200,14 +201,9 @@ impl Collected<'_> {
     /// Loops from a drawing or a map.
     fn outline(&self, file: &Spanned<String>) -> Result<Vec<Box<dyn Piece>>, Box<Diagnostic>> {
         let kinds = "an outline is read from a file .svg, .json or .geojson";
-        drawing::read(self.scene, file, kinds, |ending, bytes| {
-            let text = String::from_utf8_lossy(bytes);
-            match ending {
-                "svg" => Some(import::svg(&text, import::TOLERANCE)),
-                "json" | "geojson" => Some(import::geojson(&text)),
-                _ => None,
-            }
-        })
+        let svg: Reader<Vec<Box<dyn Piece>>> = |bytes| import::svg(&String::from_utf8_lossy(bytes), import::TOLERANCE);
+        let geojson: Reader<Vec<Box<dyn Piece>>> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
+        drawing::read(self.scene, file, kinds, &[("svg", svg), ("json", geojson), ("geojson", geojson)])
     }
 }
 
