@@ -8,7 +8,7 @@ use formulas::Clover;
 use geometry::{
     Hit, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
     shapes::{
-        Circle,
+        Circle, Segment,
         curve::{Interval, Polar, PolarFormula},
     },
     walls::Graphs,
@@ -163,6 +163,42 @@ fn every_kink_is_a_corner_wherever_the_turn_ends() {
 
 fn clover() -> Clover {
     Clover { radius: 1.0, amount: 0.2, leaves: 5 }
+}
+
+/// From 20 pieces on, curves had been asked themselves: formulas ten times as slow, and their offsets a hundred times.
+#[test]
+fn a_smooth_curve_is_graphs_beside_any_number_of_other_pieces() {
+    let mut random = Random(7);
+    for sides in [4, 18, 19, 20, 200] {
+        let vertex = |k: usize| {
+            let (sin, cos) = libm::sincos(2.0 * PI * (k % sides) as f64 / sides as f64);
+            Vector2::new(2.0 * cos, 2.0 * sin)
+        };
+        let curve = Polar::new(Vector2::zeros(), Clover { radius: 0.5, amount: 0.1, leaves: 3 }, false).unwrap();
+        for distance in [0.0, 0.0625] {
+            let mut pieces: Vec<Box<dyn Piece>> = vec![Box::new(curve.clone())];
+            pieces.extend(
+                (0..sides).map(|k| Box::new(Segment::new(vertex(k), vertex(k + 1)).unwrap()) as Box<dyn Piece>),
+            );
+            let mut table = Table::new(pieces).unwrap();
+            if distance > 0.0 {
+                table = table.offset(distance).unwrap().table;
+            }
+            let numbered = table.pieces().iter().enumerate().filter(|(_, piece)| piece.shape().is_none());
+            let cut: Vec<_> =
+                numbered.flat_map(|(k, p)| p.graphs().unwrap().into_iter().map(move |graph| (k, graph))).collect();
+            let walls = Graphs::new(&cut, table.corners());
+            for _ in 0..2000 {
+                let (sin, cos) = libm::sincos(random.between(-PI, PI));
+                let aim = Vector2::new(random.between(-0.28, 0.28), random.between(-0.28, 0.28));
+                let point = Vector2::new(1.2 * cos, 1.2 * sin);
+                let path = Line { point, velocity: aim - point };
+                let hit = table.with_walls(First(path)).unwrap();
+                // to the last bit
+                assert_eq!(Some(hit), walls.hit(&path), "{sides} {distance} {path:?}");
+            }
+        }
+    }
 }
 
 fn graphs(formula: impl PolarFormula + 'static, inside: bool) -> Option<usize> {

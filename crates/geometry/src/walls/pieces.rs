@@ -15,35 +15,32 @@ pub struct Pieces {
     few: Few,
     /// Smooth curves, if any.
     graphs: Option<Graphs>,
-    /// The others, if any; or all, where they are many.
+    /// The others, if any; or all but the smooth curves, where they are many.
     list: Option<List>,
-    /// Whether the list is of all.
+    /// Whether the list holds those known in lanes, too.
     all: bool,
 }
 
 impl Pieces {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
-        let all = pieces.len() >= List::MANY;
-        let in_lanes = pieces.len() < Few::PER_LANE * MOST_LANES;
-        let known = pieces.iter().filter_map(|(number, piece)| Some((*number, piece.shape()?)));
-        let mut shapes: Vec<(usize, Shape)> = if in_lanes { known.collect() } else { vec![] };
-        if all && shapes.len() < pieces.len() {
-            shapes.clear();
-        }
         let mut graphs: Vec<(usize, Graph)> = vec![];
         let others = pieces.into_iter().filter(|(number, piece)| {
-            if all {
-                return true;
-            }
-            if piece.shape().is_some() {
-                return false;
-            }
-            let cut = piece.graphs();
+            let cut = if piece.shape().is_some() { None } else { piece.graphs() };
             graphs.extend(cut.iter().flatten().map(|graph| (*number, *graph)));
             cut.is_none()
         });
-        let others: Vec<_> = others.collect();
+        let mut others: Vec<_> = others.collect();
+        let all = others.len() >= List::MANY;
+        let in_lanes = others.len() < Few::PER_LANE * MOST_LANES;
+        let known = others.iter().filter_map(|(number, piece)| Some((*number, piece.shape()?)));
+        let mut shapes: Vec<(usize, Shape)> = if in_lanes { known.collect() } else { vec![] };
+        if all && shapes.len() < others.len() {
+            shapes.clear();
+        }
+        if !all {
+            others.retain(|(_, piece)| piece.shape().is_none());
+        }
         Pieces {
             few: Few::new(&shapes, corners),
             graphs: (!graphs.is_empty()).then(|| Graphs::new(&graphs, corners)),
