@@ -8,9 +8,9 @@ use crate::{
     path::Line,
     piece::{Extent, Landing, Piece},
     plane::{dot, from, moved, slack},
-    shapes::{Circle, Shape, curve::rising_root, elliptic_integral::second_kind},
+    shapes::{Circle, Shape, curve::rising_root_near, elliptic_integral::second_kind},
 };
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use lanes::Lane;
 use nalgebra::Vector2;
 
@@ -31,6 +31,8 @@ pub struct Ellipse {
     to_normal: [[f64; 2]; 2],
     /// What the ellipse becomes under `A`.
     unit: Circle,
+    /// Length of a quarter.
+    quarter: f64,
 }
 
 /// Where one semi-axis is shorter than this part of the other, formulas for needles are right to rounding: what they leave out is the
@@ -58,7 +60,7 @@ impl Ellipse {
         let (e1, e2) = (axis, [-axis[1], axis[0]]);
         let unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
         let inward = if inside { -1.0 } else { 1.0 };
-        Ok(Ellipse {
+        let mut ellipse = Ellipse {
             center: center.into(),
             semi_axes,
             axis,
@@ -66,7 +68,10 @@ impl Ellipse {
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
             to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
             unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
-        })
+            quarter: 0.0,
+        };
+        ellipse.quarter = ellipse.quarter_to(1.0, 0.0);
+        Ok(ellipse)
     }
 
     /// The semi-axes `[a, b]` \[L\], as given.
@@ -155,33 +160,53 @@ impl Ellipse {
         let in_quarter = self.quarter_to(y[1].abs(), y[0].abs());
         match (y[0] > 0.0, y[1] >= 0.0) {
             (true, true) => in_quarter,
-            (false, true) => 2.0 * self.quarter() - in_quarter,
-            (false, false) => 2.0 * self.quarter() + in_quarter,
-            (true, false) => 4.0 * self.quarter() - in_quarter,
+            (false, true) => 2.0 * self.quarter - in_quarter,
+            (false, false) => 2.0 * self.quarter + in_quarter,
+            (true, false) => 4.0 * self.quarter - in_quarter,
         }
     }
 
     /// The inverse of [`Ellipse::arc_length_of`], for any `s`.
     pub(crate) fn at_arc_length(&self, s: f64) -> [f64; 2] {
-        let quarter = self.quarter();
+        let quarter = self.quarter;
         let count = libm::floor(s / quarter);
         let odd = count - 2.0 * libm::floor(0.5 * count) > 0.0;
         let back = libm::floor(0.5 * count) - 2.0 * libm::floor(0.25 * count) > 0.0;
         let rest = if odd { (count + 1.0) * quarter - s } else { s - count * quarter };
-        let [a, b] = self.semi_axes;
-        let along = |angle: f64| {
-            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            [self.quarter_to(sin, cos) - rest, libm::hypot(b * cos, a * sin)]
-        };
-        let angle = rising_root(along, [0.0, FRAC_PI_2]);
+        let angle = self.quarter_angle(rest);
         let (sin, cos) = (libm::sin(angle), libm::cos(angle));
         let y = if odd { [-cos, sin] } else { [cos, sin] };
         if back { y.map(|y| -y) } else { y }
     }
 
-    /// Length of a quarter of the ellipse.
-    fn quarter(&self) -> f64 {
-        self.quarter_to(1.0, 0.0)
+    /// The eccentric angle in the first quarter at this arc length: Halley's method.
+    fn quarter_angle(&self, s: f64) -> f64 {
+        let [a, b] = self.semi_axes;
+        let along = |angle: f64| {
+            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+            let (off, rate) = (self.quarter_to(sin, cos) - s, libm::hypot(b * cos, a * sin));
+            let bend = (a - b) * sin * ((a + b) * cos / rate);
+            [off, rate - 0.5 * bend * (off / rate)]
+        };
+        // a step leaves its third power times the square of this ratio at most
+        let enough = 4e-6 * (a / b).min(b / a);
+        rising_root_near(self.guess(s), along, [0.0, FRAC_PI_2], enough)
+    }
+
+    /// About the eccentric angle in the first quarter at this arc length, by the first terms of the speed's Fourier series.
+    fn guess(&self, s: f64) -> f64 {
+        let [a, b] = self.semi_axes;
+        let mean = self.quarter / FRAC_PI_2;
+        let (second, fourth) =
+            (0.25 * (b - a) / mean, (0.0625 * (a + b) - 0.125 * FRAC_1_SQRT_2 * libm::hypot(a, b)) / mean);
+        let mut angle = s / mean;
+        for _ in 0..2 {
+            let (sin, cos) = libm::sincos(2.0 * angle);
+            let off = angle + (second + 2.0 * fourth * cos) * sin - s / mean;
+            let rate = 1.0 + 2.0 * second * cos + 4.0 * fourth * (2.0 * cos * cos - 1.0);
+            angle = (angle - off / rate.max(0.25)).clamp(0.0, FRAC_PI_2);
+        }
+        angle
     }
 
     /// Arc length from the end of the first semi-axis to the eccentric angle with this sine and cosine, both ≥ 0.
@@ -298,7 +323,7 @@ impl Piece for Ellipse {
         self.curvature_at(self.eccentric(point))
     }
     fn length(&self) -> f64 {
-        4.0 * self.quarter()
+        4.0 * self.quarter
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
         self.at(self.at_arc_length(self.unit.turn() * s)).point
@@ -362,6 +387,27 @@ mod tests {
                 assert!(point.amax() <= long, "{axes:?} {s:e}: {point:?}");
                 let foot = needle.closest(&point).point;
                 assert!((foot - point).amax() <= 1e-7 * long, "{axes:?} {s:e}: {point:?} {foot:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn points_are_at_their_arc_lengths_to_rounding() {
+        for ratio in [1.0, 1.0 + 1e-9, 0.9, 0.5, 2.0, 0.1, 10.0, 1e3, 1e-3, 1e8, 1e-8] {
+            let e = Ellipse::new(Vector2::zeros(), [1.0, ratio], 0.0, true).unwrap();
+            let size = ratio.max(1.0);
+            for k in 0..=400 {
+                // as near to the ends of the axes as may be, too
+                let part = if k % 2 == 0 { f64::from(k) / 400.0 } else { libm::ldexp(1.0, -k / 8) };
+                for s in [e.quarter * part, e.quarter * (1.0 - part)] {
+                    let angle = e.quarter_angle(s);
+                    let (sin, cos) = libm::sincos(angle);
+                    let off = e.quarter_to(sin, cos) - s;
+                    // that of the angle, and of the integral
+                    let rounding = 2.0 * libm::hypot(cos * ratio, sin) + 4.0 * s;
+                    assert!(off.abs() <= f64::EPSILON * rounding, "{ratio} {s:e}: {off:e} {rounding}");
+                    assert!(angle <= FRAC_PI_2 && s <= 2.0 * size);
+                }
             }
         }
     }

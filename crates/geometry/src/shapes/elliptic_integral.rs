@@ -11,45 +11,34 @@ pub(crate) fn second_kind(sin: f64, cos: f64, q: f64) -> f64 {
     if sin <= 0.0 {
         0.0
     } else if m < 0.0 {
-        sin * (carlson_f(c2, delta2, 1.0) - m / 3.0 * s2 * carlson_d(c2, delta2, 1.0))
+        let [f, d] = carlson(c2, delta2, 1.0);
+        sin * (f - m / 3.0 * s2 * d)
     } else {
         let last = cos / delta2.sqrt();
-        sin * (q * carlson_f(c2, delta2, 1.0) + m * (q / 3.0 * s2 * carlson_d(c2, 1.0, delta2) + last))
+        let [f, d] = carlson(c2, 1.0, delta2);
+        sin * (q * f + m * (q / 3.0 * s2 * d + last))
     }
 }
 
-/// Carlson's `R_F(x, y, z) = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+z))`, by duplication; at most one argument is 0.
-fn carlson_f(mut x: f64, mut y: f64, mut z: f64) -> f64 {
-    loop {
-        let mean = (x + y + z) / 3.0;
-        let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / mean);
-        // the series is cut at the sixth order: 0.002⁶/4 is a tenth of rounding
-        if dx.abs().max(dy.abs()).max(dz.abs()) < 0.002 {
-            let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
-            return (1.0 + (e2 / 24.0 - 0.1 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / mean.sqrt();
-        }
-        let [rx, ry, rz] = [x.sqrt(), y.sqrt(), z.sqrt()];
-        let lambda = rx * ry + rx * rz + ry * rz;
-        [x, y, z] = [x, y, z].map(|a| 0.25 * (a + lambda));
-    }
-}
-
-/// Carlson's `R_D(x, y, z) = (3/2) ∫₀^∞ dt / ((t+z) √((t+x)(t+y)(t+z)))`, by duplication; `z > 0`, at most one of the
-/// others is 0.
-fn carlson_d(mut x: f64, mut y: f64, mut z: f64) -> f64 {
+/// Carlson's `R_F = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+z))` and `R_D = (3/2) ∫₀^∞ dt / ((t+z) √((t+x)(t+y)(t+z)))`, by duplication; `z > 0`,
+/// at most one of the others is 0.
+fn carlson(mut x: f64, mut y: f64, mut z: f64) -> [f64; 2] {
     let (mut sum, mut factor) = (0.0, 1.0);
     loop {
-        let mean = (x + y + 3.0 * z) / 5.0;
-        let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / mean);
-        // again at the sixth order: 3 · 0.0015⁶
-        if dx.abs().max(dy.abs()).max(dz.abs()) < 0.0015 {
+        let [even, weighted] = [(x + y + z) / 3.0, (x + y + 3.0 * z) / 5.0];
+        // the series are cut at the sixth order: 3 · 0.0015⁶ is a tenth of rounding
+        if x.max(y).max(z) - x.min(y).min(z) < 0.0015 * even.min(weighted) {
+            let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / even);
+            let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
+            let f = (1.0 + (e2 / 24.0 - 0.1 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / even.sqrt();
+            let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / weighted);
             let (a, b) = (dx * dy, dz * dz);
             let (c, d) = (a - b, a - 6.0 * b);
             let e = d + 2.0 * c;
             let series = 1.0
                 + d * (-3.0 / 14.0 + 9.0 / 88.0 * d - 9.0 / 52.0 * dz * e)
                 + dz * (e / 6.0 + dz * (-9.0 / 22.0 * c + dz * (3.0 / 26.0 * a)));
-            return 3.0 * sum + factor * series / (mean * mean.sqrt());
+            return [f, 3.0 * sum + factor * series / (weighted * weighted.sqrt())];
         }
         let [rx, ry, rz] = [x.sqrt(), y.sqrt(), z.sqrt()];
         let lambda = rx * ry + rx * rz + ry * rz;

@@ -33,4 +33,4 @@ pub use majorant::{Smooth, first_rise};
 pub(crate) use nearest::Blocks;
 pub use polar::{Polar, PolarFormula};
 pub use polar_arc::PolarArc;
-pub(crate) use root::rising_root;
+pub(crate) use root::{rising_root, rising_root_near};

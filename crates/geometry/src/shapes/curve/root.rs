@@ -4,9 +4,19 @@
 /// estimate of it: only the speed depends on that).
 ///
 /// Newton's method, with bisection wherever it leaves the bracket or does not halve its step.
-pub(crate) fn rising_root(f: impl Fn(f64) -> [f64; 2], [mut low, mut high]: [f64; 2]) -> f64 {
+pub(crate) fn rising_root(f: impl Fn(f64) -> [f64; 2], [low, high]: [f64; 2]) -> f64 {
+    rising_root_near(0.5 * (low + high), f, [low, high], 0.0)
+}
+
+/// The same from a guess in the bracket on; a step by the slope that is no longer than `enough` is the last.
+pub(crate) fn rising_root_near(
+    guess: f64,
+    f: impl Fn(f64) -> [f64; 2],
+    [mut low, mut high]: [f64; 2],
+    enough: f64,
+) -> f64 {
     let tolerance = f64::EPSILON * low.abs().max(high.abs());
-    let mut u = 0.5 * (low + high);
+    let mut u = guess;
     let mut last = high - low;
     // twice the bits of a mantissa: bisection alone would be done, subnormal numbers apart
     for _ in 0..106 {
@@ -24,7 +34,7 @@ pub(crate) fn rising_root(f: impl Fn(f64) -> [f64; 2], [mut low, mut high]: [f64
         let next = if fast { newton } else { 0.5 * (low + high) };
         last = next - u;
         u = next;
-        if last.abs() <= tolerance {
+        if last.abs() <= tolerance || (fast && last.abs() <= enough) {
             break;
         }
     }
