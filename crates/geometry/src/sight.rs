@@ -143,40 +143,61 @@ impl<'a> Sight<'a> {
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
             }
-            let Some(Prospect { other_face, ahead }) = self.ahead(index, from, direction) else { continue };
-            // of two faces of one wall the line starts on the one that it leaves
-            let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
-            let mut walls = vec![Wall { number, into_table: facing > 0.0 || other_face.is_some() }];
             let rounding = 4.0 * slack(from.iter().copied().chain([self.size]));
-            for met in ahead.chunk_by(|a, b| b.far <= a.far + rounding) {
-                let found = match *met {
-                    [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
-                    // two faces of one wall: the line comes to the one and goes on from the other
-                    [Ahead { far, index: i, wall: Some(a) }, Ahead { index: j, wall: Some(b), .. }]
-                        if a.into_table != b.into_table && self.coincide([i, j], from + direction * far, rounding) =>
-                    {
-                        if a.into_table {
-                            [Some(b), Some(a)]
-                        } else {
-                            [Some(a), Some(b)]
+            let everything = 16.0 * (self.size + from.amax());
+            let mut limit = 4.0 * self.width(chain);
+            loop {
+                if !(limit < everything && self.known.is_none()) {
+                    limit = f64::INFINITY;
+                }
+                let Some(Prospect { other_face, ahead }) = self.ahead(index, from, direction, limit) else {
+                    continue 'tries;
+                };
+                // of two faces of one wall the line starts on the one that it leaves
+                let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
+                let mut walls = vec![Wall { number, into_table: facing > 0.0 || other_face.is_some() }];
+                for met in ahead.chunk_by(|a, b| b.far <= a.far + rounding) {
+                    if met.iter().any(|wall| wall.far + rounding > limit) {
+                        break;
+                    }
+                    let found = match *met {
+                        [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
+                        // two faces of one wall: the line comes to the one and goes on from the other
+                        [Ahead { far, index: i, wall: Some(a) }, Ahead { index: j, wall: Some(b), .. }]
+                            if a.into_table != b.into_table
+                                && self.coincide([i, j], from + direction * far, rounding) =>
+                        {
+                            if a.into_table {
+                                [Some(b), Some(a)]
+                            } else {
+                                [Some(a), Some(b)]
+                            }
+                        }
+                        // a corner, or one wall that is seen twice
+                        _ => continue 'tries,
+                    };
+                    if met[0].far <= rounding {
+                        continue 'tries;
+                    }
+                    for wall in found.into_iter().flatten() {
+                        walls.push(wall);
+                        if until(&wall) {
+                            return Some((walls, false));
                         }
                     }
-                    // a corner, or one wall that is seen twice
-                    _ => continue 'tries,
-                };
-                if met[0].far <= rounding {
-                    continue 'tries;
                 }
-                for wall in found.into_iter().flatten() {
-                    walls.push(wall);
-                    if until(&wall) {
-                        return Some((walls, false));
-                    }
+                if limit == f64::INFINITY {
+                    return Some((walls, true));
                 }
+                limit *= 8.0;
             }
-            return Some((walls, true));
         }
         None
+    }
+
+    /// The sum of the sides of the box around a chain.
+    pub(crate) fn width(&self, chain: usize) -> f64 {
+        (self.extents[chain].max - self.extents[chain].min).sum()
     }
 
     /// Whether two copies, with these indices, run along each other at a point of both.
@@ -195,14 +216,14 @@ impl<'a> Sight<'a> {
         8.0 * slack([self.size])
     }
 
-    /// All that is met by the line from a point of the copy with the given index.
-    fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>) -> Option<Prospect> {
+    /// All that is met by the line from a point of the copy with the given index; of what is farther than the limit, some.
+    fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>, limit: f64) -> Option<Prospect> {
         let ray = Ray::new(from, direction, true).ok()?;
         let rounding = slack(from.iter().copied().chain([self.size]));
         let normal = self.copies.get(own).0.piece.closest(&from).normal;
         let (mut other_face, mut ahead) = (None, vec![]);
         self.copies.search(
-            |e| is_hit(e, &from, &direction, rounding),
+            |e| is_hit(e, &from, &direction, rounding, limit),
             |index| {
                 let (copy, _) = self.copies.get(index);
                 for m in meetings(&ray, &*copy.piece) {
@@ -256,9 +277,9 @@ fn in_cell(line: &dyn Piece, lattice: &Lattice, near: Vector2<f64>, part: f64) -
     line.closest(&(near + lattice.vectors()[0] * part)).point
 }
 
-/// Whether a line meets a box, or comes within `reach` of it.
-pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64) -> bool {
-    let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
+/// Whether a line of some length meets a box, or comes within `reach` of it.
+pub(crate) fn is_hit(extent: &Extent, from: &Vector2<f64>, direction: &Vector2<f64>, reach: f64, length: f64) -> bool {
+    let (mut enter, mut leave) = (0.0_f64, length);
     for i in 0..2 {
         let (low, high) = (extent.min[i] - reach - from[i], extent.max[i] + reach - from[i]);
         if direction[i] == 0.0 {

@@ -135,7 +135,7 @@ impl Table {
     fn orientation(&self, sight: &Sight) -> Result<(), Error> {
         let chains = &sight.chains;
         let sides = |k: usize| sight.extents[k].max - sight.extents[k].min;
-        let width = |k: usize| sides(k).sum();
+        let width = |k: usize| sight.width(k);
         // the area on the left of a loop; a wall with two sides has none, but for rounding
         let area = |k: usize| {
             let area = enclosed_area(chains[k].iter().map(|&i| &*self.pieces()[i]));
@@ -176,11 +176,12 @@ impl Table {
             let others = [(k + 1) % chains.len()].into_iter().chain(infinite.iter().copied());
             let aims = [Aim::Inward, Aim::Outward].into_iter().chain(others.filter(|&other| other != k).map(Aim::At));
             for aim in aims {
-                // where no line is clear to its end, as far as it must be
-                let enough =
-                    |wall: &Wall| if let Aim::At(other) = aim { sight.chain_of[wall.number] == other } else { true };
-                let clear = sight.look(k, aim, |_| false).or_else(|| sight.look(k, aim, enough));
-                let Some((walls, escapes)) = clear else { continue };
+                // only as far as to the next chain: of thousands, a line through the table meets dozens
+                let enough = |wall: &Wall| {
+                    let there = sight.chain_of[wall.number];
+                    if let Aim::At(other) = aim { there == other } else { there != k }
+                };
+                let Some((walls, escapes)) = sight.look(k, aim, enough) else { continue };
                 // a wall seen from the table must not lead into it
                 let mut pairs = walls.iter().zip(&walls[1..]);
                 if let Some((from, hit)) = pairs.find(|(from, hit)| behind(from) == hit.into_table) {

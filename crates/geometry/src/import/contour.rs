@@ -236,7 +236,7 @@ fn is_nested_oddly(
         let (mut count, mut clear) = (0_usize, true);
         let reach = slack(from.iter().copied());
         tree.search(
-            |e| is_hit(e, &from, &direction, reach),
+            |e| is_hit(e, &from, &direction, reach, f64::INFINITY),
             |i| {
                 if owners[i] != own {
                     for m in meetings(&ray, all[i]) {
