@@ -326,7 +326,10 @@ impl Piece for Ellipse {
         4.0 * self.quarter
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
-        self.at(self.at_arc_length(self.unit.turn() * s)).point
+        self.landing_at(s).point
+    }
+    fn landing_at(&self, s: f64) -> Landing {
+        self.at(self.at_arc_length(self.unit.turn() * s))
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         let s = self.arc_length_of(self.closest_eccentric(point));

@@ -180,6 +180,9 @@ impl Piece for EllipticArc {
     fn point_at(&self, s: f64) -> Vector2<f64> {
         self.ellipse.point_at(self.start + s)
     }
+    fn landing_at(&self, s: f64) -> Landing {
+        self.ellipse.landing_at(self.start + s)
+    }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         self.along(self.foot(point))
     }

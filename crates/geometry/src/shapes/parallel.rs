@@ -332,12 +332,18 @@ impl Piece for Parallel {
         self.nodes[self.nodes.len() - 1].along
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
-        match self.ends {
+        self.landing_at(s).point
+    }
+    fn landing_at(&self, s: f64) -> Landing {
+        let length = self.length();
+        let along = if self.ends.is_some() { s } else { s - length * libm::floor(s / length) };
+        let Node { point, normal, .. } = self.node(self.base_parameter(along));
+        let point = match self.ends {
             Some([a, _]) if s <= 0.0 => a,
-            Some([_, b]) if s >= self.length() => b,
-            Some(_) => self.node(self.base_parameter(s)).point,
-            None => self.node(self.base_parameter(s - self.length() * libm::floor(s / self.length()))).point,
-        }
+            Some([_, b]) if s >= length => b,
+            _ => point,
+        };
+        Landing { point, normal }
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         let s = self.closest_parameter(point);
