@@ -4,7 +4,7 @@ use crate::{
     copies::{Copies, finite_extent},
     nearest::nearest_of,
     plane::slack,
-    shapes::curve::rising_root,
+    shapes::curve::rising_root_near,
 };
 use core::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector2, Vector3};
@@ -29,6 +29,9 @@ const MOST_SQUARES: usize = 40_000;
 /// Directions of walls without end that differ by no more than this (radians) are parallel: each is rounded to half an ulp per
 /// component.
 const PARALLEL: f64 = 8.0 * f64::EPSILON;
+
+/// A part of a curve's length of which the square is below rounding.
+const NEARLY: f64 = 1e-9;
 
 /// A square of the search.
 #[derive(Clone, Copy, Debug)]
@@ -96,13 +99,16 @@ impl Field {
                 self.places[i].get_or_init(|| (0..=PLACES).map(at).map(|s| (s, piece.landing_at(s))).collect());
             for w in places.windows(2) {
                 let [(low, before), (high, after)] = [w[0], w[1]];
-                if ahead(&before) < 0.0 && ahead(&after) >= 0.0 {
+                let [behind, beyond] = [ahead(&before), ahead(&after)];
+                if behind < 0.0 && beyond >= 0.0 {
                     let rise = |s: f64| {
                         let here = piece.landing_at(s);
                         let rate = 1.0 + piece.curvature(&here.point) * (here.point - point).dot(&here.normal);
                         [ahead(&here), rate]
                     };
-                    feet.push(piece.landing_at(rising_root(rise, [low, high])));
+                    // a step of Newton's method leaves its square; each asks for an arc length, which may be an integral
+                    let guess = low + (high - low) * (behind / (behind - beyond));
+                    feet.push(piece.landing_at(rising_root_near(guess, rise, [low, high], NEARLY * length)));
                 }
             }
         };

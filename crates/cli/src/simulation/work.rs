@@ -13,8 +13,10 @@ pub(super) const BLOCK: u64 = 4096;
 const MOST_TOGETHER: u64 = 1024;
 /// Side by side, one orbit takes as long as all that the lanes hold: three to four times as long as alone.
 pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
-/// Fewest and most orbits that one thread takes on to run them side by side.
+/// Fewest and most orbits that one thread takes on to run them side by side, where there are as many for each.
 pub(super) const LEAST_SIDE_BY_SIDE: u64 = 64;
+/// Orbits of so many collisions are shared among threads even where that leaves fewer for each.
+const LONG: u64 = 1 << 13;
 const MOST_SIDE_BY_SIDE: u64 = 512;
 /// The same where they are counted for portraits, and their collisions: each layer of a portrait goes through the cache, and
 /// stays there for as long as its orbits run.
@@ -93,6 +95,20 @@ impl Work<'_> {
         self.counted && !self.crowded.load(Ordering::Relaxed)
     }
 
+    /// Fewest orbits that one thread takes on from the given one on.
+    fn least_side_by_side(&self, first: u64) -> u64 {
+        let threads = self.threads.max(1) as u64;
+        if threads == 1 || self.collisions < LONG {
+            LEAST_SIDE_BY_SIDE
+        } else if self.orbits.saturating_sub(first) < FEWEST_SIDE_BY_SIDE {
+            // which run one after another
+            1
+        } else {
+            // the same for all, and both vectors of a twin full: a job of half as many takes as long
+            self.orbits.div_ceil(threads).next_multiple_of(2 * FEWEST_SIDE_BY_SIDE).min(LEAST_SIDE_BY_SIDE)
+        }
+    }
+
     fn watched_orbits(&self) -> u64 {
         if self.watch.collisions > 0 { self.watch.orbits } else { 0 }
     }
@@ -110,7 +126,7 @@ impl Work<'_> {
             } else {
                 MOST_SIDE_BY_SIDE
             };
-            share.clamp(LEAST_SIDE_BY_SIDE, most)
+            share.clamp(self.least_side_by_side(first), most)
         } else {
             // so many orbits make a block
             (BLOCK / self.collisions.max(1)).clamp(1, MOST_TOGETHER)
@@ -122,6 +138,45 @@ impl Work<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_few_long_orbits_are_shared_among_the_threads() {
+        let (crowded, interrupted, progress) = (AtomicBool::new(false), AtomicBool::new(false), AtomicU64::new(0));
+        let jobs = |orbits, collisions, threads| {
+            let work = Work {
+                orbits,
+                collisions,
+                time: f64::INFINITY,
+                watch: Extent { orbits: 0, collisions: 0 },
+                recorder: None,
+                drawn: false,
+                counted: false,
+                crowded: &crowded,
+                pieces: &[],
+                shift: [0.0; 3],
+                threads,
+                interrupted: &interrupted,
+                progress: &progress,
+            };
+            let (mut next, mut sizes) = (0, vec![]);
+            while next < orbits {
+                let job = work.together(next);
+                sizes.push(job.end - job.start);
+                next = job.end;
+            }
+            sizes
+        };
+        let long = 1_000_000;
+        assert_eq!(jobs(2, long, 2), [1, 1]);
+        assert_eq!(jobs(12, long, 2), [12]);
+        assert_eq!(jobs(20, long, 2), [16, 1, 1, 1, 1]);
+        assert_eq!(jobs(64, long, 2), [32; 2]);
+        assert_eq!(jobs(64, long, 8), [16; 4]);
+        assert_eq!(jobs(128, long, 2), [64; 2]);
+        // where nothing is gained
+        assert_eq!(jobs(64, long, 1), [64]);
+        assert_eq!(jobs(64, 100, 2), [64]);
+    }
 
     #[test]
     fn every_orbit_is_in_one_job() {
