@@ -2,7 +2,6 @@
 
 use billiards::geometry::parry::{Closest, Room, Solid};
 use billiards::geometry::tables::{self, SpatialTable, WallAt};
-use billiards::geometry::walls::ByLane;
 use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit, Walls, WithWalls};
 use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
@@ -245,7 +244,7 @@ impl Spatial {
         let on = On { law: &self.law, then };
         match &self.centres {
             Space::Named(table) => table.with_walls(on),
-            Space::Room(room) => on.run(&ByLane(room)),
+            Space::Room(room) => room.with_walls(on),
         }
     }
 }

@@ -1,17 +1,42 @@
 //! The first of several walls, and the edges between them.
-use crate::{Hit, Line, walls::CORNER};
+use super::Solid;
+use crate::{Boundary, BoxTree, Crossing, Hit, Line, walls::CORNER};
+use core::cell::Cell;
 
 /// The first of the hits of a path with several walls: a corner where within rounding another one with another normal is hit as well.
 pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Option<Hit<3>> {
+    hits.reduce(|a, b| sooner(path, a, b))
+}
+
+/// The sooner of two hits; of equal times that of the lower number.
+pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
     /// Normals that differ by less belong to walls that continue one another. Next to where one is tangent to another, with a radius of
     /// `r`, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: radii from 10⁻⁵ of the size on.
     const SMOOTH: f64 = 1e-5;
-    hits.reduce(|a, b| {
-        let [first, second] = if b.time < a.time { [b, a] } else { [a, b] };
-        // how far in front of the second wall the path meets the first
-        let apart = (first.time - second.time) * path.velocity.dot(&second.normal);
-        let size = path.point.amax().max(first.point.amax());
-        let edge = apart.abs() <= CORNER * size && (first.normal - second.normal).norm() > SMOOTH;
-        Hit { corner: first.corner || edge, ..first }
-    })
+    let b_is_first = b.time < a.time || (b.time == a.time && b.piece < a.piece);
+    let [first, second] = if b_is_first { [b, a] } else { [a, b] };
+    // how far in front of the second wall the path meets the first
+    let apart = (first.time - second.time) * path.velocity.dot(&second.normal);
+    let size = path.point.amax().max(first.point.amax());
+    let edge = apart.abs() <= CORNER * size && (first.normal - second.normal).norm() > SMOOTH;
+    Hit { corner: first.corner || edge, ..first }
+}
+
+/// The first of the hits of a path with numbered solids, whose boxes are those of the tree.
+///
+/// Walls that meet within rounding of the hit are among those whose boxes the path enters until then.
+pub(super) fn first_in<'a>(
+    tree: &BoxTree<3>,
+    path: &Line<3>,
+    solid: impl Fn(usize) -> (usize, &'a Solid),
+) -> Option<Hit<3>> {
+    let first = Cell::new(None);
+    tree.first(path, |place| {
+        let (piece, solid) = solid(place);
+        let Some(hit) = solid.first_hit(path) else { return Crossing::NEVER };
+        let hit = Hit { piece, ..hit };
+        first.set(Some(first.get().map_or(hit, |so_far| sooner(path, so_far, hit))));
+        Crossing { num: hit.time, den: 1.0 }
+    });
+    first.get()
 }

@@ -1,12 +1,14 @@
 //! A region of space bounded by several solids.
+mod fastest;
+
 use super::{
     Side, Solid,
     distance::to_unit,
-    first::first_of,
+    first::first_in,
     solid::{area::Trials, bound::Bound},
 };
 use crate::{
-    Boundary, Error, Hit, Line,
+    Boundary, BoxTree, Error, Extent, Hit, Line,
     plane::{is_finite, slack},
     random,
     surface::Surface,
@@ -30,12 +32,14 @@ use nalgebra::{Matrix3, Vector3};
 #[derive(Debug)]
 pub struct Room {
     solids: Vec<Solid>,
+    tree: BoxTree<3>,
 }
 
 impl Room {
     /// The room between solids.
     pub fn new(solids: Vec<Solid>) -> Room {
-        Room { solids }
+        let tree = BoxTree::new(solids.iter().map(boxed));
+        Room { solids, tree }
     }
 
     /// Its solids, in the order of their numbers.
@@ -102,6 +106,12 @@ impl Room {
         let foot = planes.map(|solid| solid.closest(&Vector3::zeros()));
         foot.map(|foot| (foot.normal, foot.normal.dot(&foot.point))).collect()
     }
+}
+
+/// The box around the boundary of a solid.
+fn boxed(solid: &Solid) -> Extent<3> {
+    let [min, max] = solid.extent();
+    Extent { min, max }
 }
 
 /// Trials after which nothing is expected to be found.
@@ -196,8 +206,7 @@ fn ends(halves: &[Half], [a, b]: [&Half; 2], little: f64, size: f64) -> Option<[
 
 impl Boundary<3> for Room {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
-        let hits = self.solids.iter().enumerate();
-        first_of(path, hits.filter_map(|(piece, solid)| solid.first_hit(path).map(|hit| Hit { piece, ..hit })))
+        first_in(&self.tree, path, |k| (k, &self.solids[k]))
     }
 }
 

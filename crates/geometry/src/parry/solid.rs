@@ -17,6 +17,7 @@ use super::{
 };
 use crate::{Boundary, Error, Hit, Line, plane::slack};
 use convex::Convex;
+pub(in crate::parry) use convex::Figure;
 use field::Spatial;
 use nalgebra::{Isometry3, Vector3};
 use parallel::Parallel;
@@ -193,6 +194,14 @@ impl Solid {
         })
     }
 
+    /// What it is, if walls in lanes know it.
+    pub(super) fn figure(&self) -> Option<Figure> {
+        match &self.members[..] {
+            [Body::Convex(convex, _)] => convex.figure(),
+            _ => None,
+        }
+    }
+
     /// Out of a union of convex shapes: through each shape entered on the way, until one is left for nothing.
     fn leave(&self, path: &Line<3>) -> Option<Hit<3>> {
         let convex = || {
@@ -210,9 +219,10 @@ impl Solid {
                 .filter_map(|(i, c)| c.exit(path).map(|(t, face)| (i, t, face)))
                 .filter(|(_, t, _)| best.is_none() || *t > reached)
                 .max_by(|a, b| a.1.total_cmp(&b.1));
-            match farther {
-                Some(next) => best = Some(next),
-                None => break,
+            let Some(next) = farther else { break };
+            best = Some(next);
+            if self.members.len() == 1 {
+                break;
             }
         }
         let (member, time, face) = best?;

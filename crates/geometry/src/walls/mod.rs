@@ -2,7 +2,7 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, wedge, capsule, sphere), scatterers, pairs of those, straight sides eight at a time, straight,
+//! zonogon, convex polygon, wedge, capsule, sphere), one scatterer or many, pairs of those, straight sides eight at a time, straight,
 //! circular and elliptic pieces as a list in lanes, smooth curves as graphs of polynomials, or a list of any pieces.
 mod around;
 mod by_lane;
@@ -21,6 +21,7 @@ mod pieces;
 mod polygon;
 mod rotated;
 mod scatterer;
+mod scatterers;
 mod slab;
 mod sphere;
 mod wedge;
@@ -40,6 +41,7 @@ pub use pieces::Pieces;
 pub use polygon::Polygon;
 pub use rotated::Rotated;
 pub use scatterer::Scatterer;
+pub use scatterers::Scatterers;
 pub use slab::Slab;
 pub use sphere::Sphere;
 pub use wedge::Wedge;

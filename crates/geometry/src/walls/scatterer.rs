@@ -6,15 +6,19 @@ use nalgebra::SVector;
 
 /// The complement of the ball of radius `r` about `c` in ℝᴺ.
 #[derive(Clone, Debug)]
-pub struct Scatterer<const N: usize> {
-    center: [f64; N],
-    square: f64,
-    inverse: f64,
+pub struct Scatterer<const N: usize>(Round<f64, N>);
+
+/// What a hit of a ball needs to know of it, another ball in each lane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Round<F, const N: usize> {
+    pub(super) center: [F; N],
+    pub(super) square: F,
+    pub(super) inverse: F,
     /// `1/(2 r²)`
-    half: f64,
+    pub(super) half: F,
     /// By how much `|x − c|² − r²` may be negative through rounding.
-    off: f64,
-    piece: f64,
+    pub(super) off: F,
+    pub(super) piece: F,
 }
 
 impl<const N: usize> Scatterer<N> {
@@ -27,20 +31,58 @@ impl<const N: usize> Scatterer<N> {
             return Err(Error::Radius { radius });
         }
         let square = radius * radius;
-        Ok(Scatterer {
+        Ok(Scatterer(Round {
             center: center.into(),
             square,
             inverse: 1.0 / radius,
             half: 0.5 / square,
             off: 2.0 * radius * slack(center.iter().copied().chain([radius])),
             piece: piece as f64,
-        })
+        }))
+    }
+
+    /// Itself, as a lane sees it.
+    pub(super) fn round(&self) -> &Round<f64, N> {
+        &self.0
+    }
+
+    /// The same ball in as many lanes as `zero` has.
+    #[inline(always)]
+    pub(super) fn in_lanes<F: Lane>(&self, zero: F) -> Round<F, N> {
+        let mut center = [zero; N];
+        for i in 0..N {
+            center[i] = zero.same(self.0.center[i]);
+        }
+        let Round { square, inverse, half, off, piece, .. } = self.0;
+        Round {
+            center,
+            square: zero.same(square),
+            inverse: zero.same(inverse),
+            half: zero.same(half),
+            off: zero.same(off),
+            piece: zero.same(piece),
+        }
     }
 }
 
-impl<const N: usize> Walls<N> for Scatterer<N> {
+impl<F: Lane, const N: usize> Round<F, N> {
+    /// `other` where `second`, and this ball elsewhere.
     #[inline(always)]
-    fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
+    pub(super) fn or(mut self, second: F::Mask, other: &Self) -> Self {
+        for i in 0..N {
+            self.center[i] = second.select(other.center[i], self.center[i]);
+        }
+        self.square = second.select(other.square, self.square);
+        self.inverse = second.select(other.inverse, self.inverse);
+        self.half = second.select(other.half, self.half);
+        self.off = second.select(other.off, self.off);
+        self.piece = second.select(other.piece, self.piece);
+        self
+    }
+
+    /// When the path `x + t v` comes in, infinite where it does not; `None` where it does in no lane.
+    #[inline(always)]
+    pub(super) fn entry(&self, x: &[F; N], v: &[F; N]) -> Option<F> {
         let mut y = *x;
         for i in 0..N {
             y[i] = y[i] - self.center[i];
@@ -58,15 +100,21 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
                 discriminant = discriminant - moment * moment;
             }
         }
-        let meets = zero.lt(discriminant) & approaches & zero.same(-self.off).lt(c);
+        let meets = zero.lt(discriminant) & approaches & (-self.off).lt(c);
         if !meets.any() {
-            return WallHit::never(*x);
+            return None;
         }
         let q = discriminant.sqrt() - b;
-        let time = meets.select(c.max(zero) / q, zero.same(f64::INFINITY));
-        let mut lacks = zero.same(self.square);
+        Some(meets.select(c.max(zero) / q, zero.same(f64::INFINITY)))
+    }
+
+    /// The hit at that time.
+    #[inline(always)]
+    pub(super) fn landing(&self, x: &[F; N], v: &[F; N], time: F) -> WallHit<F, N> {
+        let mut y = *x;
+        let mut lacks = self.square;
         for i in 0..N {
-            y[i] = y[i] + time * v[i];
+            y[i] = (x[i] - self.center[i]) + time * v[i];
             lacks = lacks - y[i] * y[i];
         }
         // |y|² is r² up to rounding: one Newton step each for y on the sphere and 1/|y|
@@ -80,8 +128,19 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
             point,
             normal: y,
             inverse: change * self.inverse + self.inverse,
-            piece: zero.same(self.piece),
-            corner: zero.never(),
+            piece: self.piece,
+            corner: time.never(),
+        }
+    }
+}
+
+impl<const N: usize> Walls<N> for Scatterer<N> {
+    #[inline(always)]
+    fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
+        let ball = self.in_lanes(v[0]);
+        match ball.entry(x, v) {
+            Some(time) => ball.landing(x, v, time),
+            None => WallHit::never(*x),
         }
     }
 }

@@ -7,6 +7,7 @@ mod formulas;
 mod leaks;
 mod periodic;
 mod reused;
+mod rooms;
 mod side_by_side;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};

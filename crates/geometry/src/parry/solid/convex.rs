@@ -59,6 +59,26 @@ enum Face {
     },
 }
 
+/// What walls in lanes know.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::parry) enum Figure {
+    Ball {
+        center: Vector3<f64>,
+        radius: f64,
+    },
+    /// With its sides along the axes, between two corners.
+    Cuboid {
+        low: Vector3<f64>,
+        high: Vector3<f64>,
+    },
+    /// Below a plane across an axis, or above where its outward normal does not point upwards.
+    HalfSpace {
+        axis: usize,
+        upwards: bool,
+        at: f64,
+    },
+}
+
 /// Where two faces meet.
 #[derive(Clone, Copy, Debug)]
 enum Edge {
@@ -246,6 +266,12 @@ fn round(w: &Vector3<f64>, v: &Vector3<f64>, radius: f64, touches: bool) -> Opti
     between(a, b, c, (reach - miss) * (reach + miss), touches)
 }
 
+/// The axis along which a unit vector points, and whether it points towards greater coordinates.
+fn level(normal: &Vector3<f64>) -> Option<(usize, bool)> {
+    let axis = normal.iamax();
+    (normal.abs() == Vector3::ith(axis, 1.0)).then_some((axis, normal[axis] > 0.0))
+}
+
 /// The part of `w` perpendicular to a unit vector.
 fn across(w: &Vector3<f64>, axis: &Vector3<f64>) -> Vector3<f64> {
     w - axis * w.dot(axis)
@@ -283,6 +309,29 @@ impl Convex {
         let normal = frame.direction(&from_glam3(half.normal));
         let face = Face::Plane { through: frame.translation, normal: normal / normal.norm() };
         Convex::of(Kind::Intersection(vec![face]), frame.translation.amax())
+    }
+
+    /// What it is, if that is something simple.
+    pub(super) fn figure(&self) -> Option<Figure> {
+        let Kind::Intersection(faces) = &self.kind else { return None };
+        match faces[..] {
+            [Face::Ball { center, radius }] => Some(Figure::Ball { center, radius }),
+            [Face::Plane { through, normal }] => {
+                let (axis, upwards) = level(&normal)?;
+                Some(Figure::HalfSpace { axis, upwards, at: through[axis] })
+            }
+            [_, _, _, _, _, _] => {
+                let mut ends = [[None; 2]; 3];
+                for face in faces {
+                    let Face::Plane { through, normal } = face else { return None };
+                    let (axis, upwards) = level(normal)?;
+                    ends[axis][usize::from(upwards)] = Some(through[axis]);
+                }
+                let corner = |end: usize| Some(Vector3::new(ends[0][end]?, ends[1][end]?, ends[2][end]?));
+                Some(Figure::Cuboid { low: corner(0)?, high: corner(1)? })
+            }
+            _ => None,
+        }
     }
 
     /// Whether it is one: all others are bounded.
