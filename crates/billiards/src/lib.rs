@@ -64,7 +64,7 @@ pub use reduced::ReducedState;
 pub use reverse::reverse;
 pub use rolling::{Frame, Rolling};
 pub use run::{Collisions, Limit, Time, run};
-pub use side_by_side::{Finished, run_side_by_side};
+pub use side_by_side::{Finished, SEATS, run_side_by_side};
 pub use spatial::Spatial;
 pub use start::{Canonical, CanonicalSpatial, Grid, Start, Starts};
 pub use stop::{Outcome, Stop};

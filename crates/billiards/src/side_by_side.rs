@@ -68,6 +68,9 @@ struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
 /// Twins of vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
 const TWINS: usize = 2;
 
+/// Seats side by side, where vectors are widest: of starts that all run equally long, a multiple of so many leaves none empty.
+pub const SEATS: usize = TWINS * MOST_LANES;
+
 /// A twin of vectors of orbits.
 struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     orbit: Orbit<F, N, S, K, T>,
@@ -77,6 +80,8 @@ struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     /// The normal speed that counts as grazing.
     slow: F,
     lanes: [Seat; MOST_LANES],
+    /// Whether nobody sits here any more, and nobody will.
+    empty: bool,
 }
 
 /// The group of a run of the motion `B` of orbits that keep the energy with `K` and track `T`, seen by `O`.
@@ -163,6 +168,7 @@ where
         if !idle.contains(&true) {
             return;
         }
+        group.empty = group.lanes[..F::LANES].iter().all(|seat| seat.until == u64::MAX);
         self.observer.end(&mut group.view, mask(&idle));
         // an idle lane follows an orbit, which has a future
         let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
@@ -265,6 +271,7 @@ where
             view: self.observer.nobody(zero),
             slow: zero,
             lanes: [seat; MOST_LANES],
+            empty: false,
         });
         for group in &mut groups {
             self.change(group, &mut next, 0, &[Some(Stop::Finished); MOST_LANES]);
@@ -278,7 +285,7 @@ where
             // who comes later in place of an orbit that ends early may end before
             self.changed = false;
             while step < until && !self.changed {
-                for group in &mut groups {
+                for group in groups.iter_mut().filter(|group| !group.empty) {
                     self.step(group, &mut next, step);
                 }
                 step += 1;

@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
+use billiards::SEATS;
+
 use super::engine::Watched;
 use super::recorder::Recorder;
 use super::scale::Scale;
@@ -25,9 +27,10 @@ const COUNTED: u64 = 1 << 28;
 /// Collisions of all orbits together between two looks at the user.
 const GLANCE: u64 = 1 << 18;
 
-/// So many orbits side by side make about as many collisions between two looks at the user, in blocks of this many each.
+/// So many orbits side by side make about as many collisions between two looks at the user, in blocks of this many each: they fill
+/// all seats, again and again.
 pub(super) fn together(block: u64) -> usize {
-    usize::try_from(GLANCE / block.max(1)).unwrap_or(usize::MAX).max(1)
+    usize::try_from(GLANCE / block.max(1)).unwrap_or(usize::MAX - SEATS).max(1).next_multiple_of(SEATS)
 }
 
 /// Steps in which the progress of an orbit is counted.
@@ -121,6 +124,7 @@ impl Work<'_> {
         let together = if bare && !self.shows_points() {
             // enough to fill the lanes again and again, and of what is left something for everybody, less and less
             let share = self.orbits.saturating_sub(first) / (2 * self.threads.max(1) as u64);
+            let share = share - share % SEATS as u64;
             let most = if self.counted {
                 (COUNTED / self.collisions.max(1)).clamp(MOST_SIDE_BY_SIDE, MOST_COUNTED)
             } else {
@@ -176,6 +180,14 @@ mod tests {
         // where nothing is gained
         assert_eq!(jobs(64, long, 1), [64]);
         assert_eq!(jobs(64, 100, 2), [64]);
+    }
+
+    #[test]
+    fn orbits_side_by_side_fill_all_seats() {
+        for block in [0, 1, 100, 1000, 4000, BLOCK, 100_000, u64::MAX] {
+            assert_eq!(together(block) % SEATS, 0, "{block}");
+        }
+        assert_eq!([4000, BLOCK].map(together), [96, 64]);
     }
 
     #[test]
