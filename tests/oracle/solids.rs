@@ -8,9 +8,9 @@ use super::space::{Body, Face, Meeting};
 use super::subjects::Frame;
 use billiards::BallLaw;
 use billiards::geometry::{
-    Boundary, Error, Line, Vector3, WallHit, Walls,
-    parry::Side,
-    walls::{Cuboid, Slab, Sphere},
+    Boundary, Error, Line, Vector3, WallHit, Walls, WithWalls,
+    parry::{self, Side},
+    walls::{Cuboid, Scatterers, Slab, Sphere},
 };
 use billiards::laws::{RoughBall, Specular};
 
@@ -250,8 +250,34 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
             let truth = Body::new(sample.faces.clone(), sample.source.turn(), center, side == Side::Inside);
             let name = format!("{}, {place} (Solid)", sample.name);
             let &Sample { numbered, middle, edge, .. } = sample;
-            show(&Room { name, size, extent, truth: &truth, numbered, middle, edge, hit: &hit });
+            let room = Room { name, size, extent, truth: &truth, numbered, middle, edge, hit: &hit };
+            show(&room);
+            if side == Side::Inside {
+                let name = format!("{}, {place} (walls)", sample.name);
+                let alone = parry::Room::new(vec![sample.source.solid(center, side)?]);
+                alone.with_walls(AsWalls { room: Room { name, numbered: false, ..room }, show: &mut show });
+            }
         }
     }
+    let scatterers = Scatterers::new([(center.into(), by(0.75), 0)])?;
+    let round = Face::Round { core: Core::Point([0.0; 3]), radius: by(0.75) };
+    let truth = Body::new(vec![round], straight, center, false);
+    let name = "ball, outside (Scatterers)".into();
+    show(&Room { name, truth: &truth, middle: [0.0; 3], hit: &ask(&scatterers), ..room });
     Ok(())
+}
+
+/// Shows the walls of a room that consists of one solid, if they are others than that.
+struct AsWalls<'a, S> {
+    room: Room<'a>,
+    show: &'a mut S,
+}
+
+impl<S: FnMut(&Room<'_>)> WithWalls<3> for AsWalls<'_, S> {
+    type Output = ();
+    fn run<W: Walls<3>>(self, walls: &W) {
+        if !core::any::type_name::<W>().contains("ByLane") {
+            (self.show)(&Room { hit: &ask(walls), ..self.room });
+        }
+    }
 }

@@ -2,7 +2,7 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, wedge, capsule, sphere), one scatterer or many, pairs of those, straight sides eight at a time, straight,
+//! zonogon, convex polygon, wedge, capsule, sphere, cylinder), one scatterer or many, pairs of those, straight sides eight at a time, straight,
 //! circular and elliptic pieces as a list in lanes, smooth curves as graphs of polynomials, or a list of any pieces.
 mod around;
 mod by_lane;
@@ -10,6 +10,7 @@ mod capsule;
 mod convex;
 mod corners;
 mod cuboid;
+mod cylinder;
 mod few;
 mod graphs;
 mod homogeneous;
@@ -32,6 +33,7 @@ pub use by_lane::ByLane;
 pub use capsule::Capsule;
 pub use convex::ConvexPolygon;
 pub use cuboid::Cuboid;
+pub use cylinder::Cylinder;
 pub use few::Few;
 pub use graphs::Graphs;
 pub use homogeneous::{Chord, Homogeneous, Swing};

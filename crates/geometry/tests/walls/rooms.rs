@@ -1,8 +1,9 @@
 //! Rooms whose container answers in lanes, against their solids asked one by one.
 
 use super::*;
-use geometry::parry::{Room, Side, SolidSpec};
+use geometry::parry::{Room, Side, Solid, SolidSpec, parry3d_f64::shape::Cylinder};
 use geometry::{Boundary, Vector3};
+use nalgebra::Isometry3;
 use side_by_side::SameBits;
 
 /// A wall: what it is, where, and on which side the table lies.
@@ -41,6 +42,7 @@ fn containers() -> Vec<(&'static str, Vec<Wall>)> {
         (normal[axis], through[axis]) = (2.0, -4.5);
         [plane(normal, through), plane(normal.map(|n| -n), through.map(|x| -x))]
     };
+    let cylinder = SolidSpec::Cylinder { radius: 6.0, height: 9.0, rounding: 0.0 };
     vec![
         ("ball", vec![(SolidSpec::Ball { radius: 7.5 }, [0.125; 3], Side::Inside)]),
         ("cuboid", vec![(SolidSpec::Cuboid { size: [9.0, 10.0, 8.5], rounding: 0.0 }, [0.0; 3], Side::Inside)]),
@@ -48,6 +50,7 @@ fn containers() -> Vec<(&'static str, Vec<Wall>)> {
         ("slab 1", sides(0).into()),
         ("slab 2", sides(1).into()),
         ("slab 3", sides(2).into()),
+        ("cylinder", vec![(cylinder, [0.25, 0.0, 0.125], Side::Inside)]),
     ]
 }
 
@@ -129,6 +132,58 @@ fn walls_of_rooms_answer_as_their_solids_do() {
 }
 
 #[test]
+fn a_cylinder_may_lie_askew() {
+    let mut random = Random(23);
+    for turn in [Vector3::zeros(), Vector3::x(), Vector3::new(0.3, -1.2, 0.7)] {
+        let pose = Isometry3::new(Vector3::new(0.125, -0.25, 0.5), turn);
+        let cylinder = Solid::new(&Cylinder::new(7.5, 7.25), &pose, Side::Inside).unwrap();
+        let balls = balls(3, &mut random);
+        let balls = balls.iter().map(|(spec, center, side)| spec.solid(*center, *side).unwrap());
+        let room = Room::new(balls.chain([cylinder]).collect());
+        let paths = paths_in(&room, 512, &mut random);
+        let name = &format!("turned by {turn:?}");
+        room.with_walls(AsSolids { name, room: &room, paths: &paths });
+        room.with_walls(SameBits { name, paths: &paths });
+        assert!(room.with_walls(Name).starts_with("around::Around<cylinder::Cylinder, "));
+    }
+}
+
+#[test]
+fn paths_along_and_across_a_cylinder_meet_its_ends_its_mantle_and_its_rims() {
+    let room =
+        room(&[(SolidSpec::Cylinder { radius: 1.0, height: 4.0, rounding: 0.0 }, [0.0, 0.0, 2.0], Side::Inside)]);
+    // start, velocity, place, normal unless it is on a rim
+    let cases = [
+        ([0.5, 0.0, 1.0], [0.0, 0.0, 2.0], [0.5, 0.0, 4.0], Some([0.0, 0.0, -1.0])),
+        ([0.5, 0.0, 1.0], [0.0, 0.0, -2.0], [0.5, 0.0, 0.0], Some([0.0, 0.0, 1.0])),
+        ([0.5, 0.0, 1.0], [2.0, 0.0, 0.0], [1.0, 0.0, 1.0], Some([-1.0, 0.0, 0.0])),
+        ([1.0, 0.0, 1.0], [-2.0, 0.0, 0.0], [-1.0, 0.0, 1.0], Some([1.0, 0.0, 0.0])),
+        (
+            [0.5, 0.0, 0.0],
+            [0.0, 1.0, 0.5],
+            [0.5, libm::sqrt(0.75), 0.5 * libm::sqrt(0.75)],
+            Some([-0.5, -libm::sqrt(0.75), 0.0]),
+        ),
+        ([0.0, 0.0, 2.0], [1.0, 0.0, 2.0], [1.0, 0.0, 4.0], None),
+    ];
+    for (point, velocity, place, normal) in cases {
+        struct First(Line<3>);
+        impl WithWalls<3> for First {
+            type Output = geometry::Hit<3>;
+            fn run<W: Walls<3>>(self, walls: &W) -> geometry::Hit<3> {
+                walls.hit(&self.0).unwrap()
+            }
+        }
+        let hit = room.with_walls(First(Line { point: point.into(), velocity: velocity.into() }));
+        assert!((hit.point - Vector3::from(place)).norm() <= 4.0 * f64::EPSILON, "{hit:?}");
+        assert_eq!(hit.corner, normal.is_none(), "{hit:?}");
+        if let Some(normal) = normal {
+            assert!((hit.normal - Vector3::from(normal)).norm() <= 4.0 * f64::EPSILON, "{hit:?}");
+        }
+    }
+}
+
+#[test]
 fn containers_and_balls_that_lie_apart_answer_in_lanes() {
     let mut random = Random(22);
     let forms = [
@@ -138,6 +193,7 @@ fn containers_and_balls_that_lie_apart_answer_in_lanes() {
         "slab::Slab<3, 0>",
         "slab::Slab<3, 1>",
         "slab::Slab<3, 2>",
+        "cylinder::Cylinder",
     ];
     let contents = contents(&mut random);
     for ((around, container), form) in containers().into_iter().zip(forms) {

@@ -4,7 +4,7 @@ use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
     parry::{Side, Solid, first::first_in, solid::Figure},
     plane::slack,
-    walls::{Around, ByLane, Cuboid, Scatterers, Slab, Sphere, Walls, WithWalls},
+    walls::{Around, ByLane, Cuboid, Cylinder, Scatterers, Slab, Sphere, Walls, WithWalls},
 };
 use nalgebra::Vector3;
 
@@ -13,6 +13,8 @@ use nalgebra::Vector3;
 enum Container {
     /// The inside of a ball, with its number.
     Ball { center: Vector3<f64>, radius: f64, piece: usize },
+    /// The inside of a cylinder about a unit vector, with its number.
+    Cylinder { center: Vector3<f64>, axis: Vector3<f64>, radius: f64, half_height: f64, piece: usize },
     /// All between two corners, which may lie at infinity, with the numbers of the lower and the upper wall across each axis.
     Box { low: Vector3<f64>, high: Vector3<f64>, pieces: [[usize; 2]; 3] },
 }
@@ -20,9 +22,9 @@ enum Container {
 impl Room {
     /// Runs a computation with the walls of the room in the fastest form there is.
     ///
-    /// The inside of a ball, that of a cuboid with its sides along the axes (one solid or six planes) and the slab between two planes
-    /// across an axis answer in lanes where all else lies within, and so do balls in there that lie apart. All other solids are asked for
-    /// one path after another.
+    /// The inside of a ball, of a cylinder, of a cuboid with its sides along the axes (one solid or six planes), and the slab between two
+    /// planes across an axis answer in lanes where all else lies within, and so do balls in there that lie apart. All other solids are
+    /// asked for one path after another.
     pub fn with_walls<V: WithWalls<3>>(&self, visit: V) -> V::Output {
         let single = self.solids.iter().enumerate().filter_map(|(number, solid)| Container::single(number, solid));
         let mut containers = self.between_planes().into_iter().chain(single);
@@ -32,6 +34,9 @@ impl Room {
         let rest = Obstacles::beside(&container, self);
         match container {
             Container::Ball { center, radius, piece } => rest.within(Sphere::new(center, radius, piece), visit),
+            Container::Cylinder { center, axis, radius, half_height, piece } => {
+                rest.within(Cylinder::new(center, axis, radius, half_height, piece), visit)
+            }
             Container::Box { low, high, pieces } => match [0, 1, 2].map(|axis| high[axis] < f64::INFINITY) {
                 [true, true, true] => rest.within(Cuboid::new(low.into(), high.into(), pieces), visit),
                 [true, _, _] => rest.within(Slab::<3, 0>::new(low.x, high.x, pieces[0]), visit),
@@ -74,6 +79,9 @@ impl Container {
     fn single(number: usize, solid: &Solid) -> Option<Container> {
         match solid.figure().filter(|_| solid.side() == Side::Inside)? {
             Figure::Ball { center, radius } => Some(Container::Ball { center, radius, piece: number }),
+            Figure::Cylinder { center, axis, radius, half_height } => {
+                Some(Container::Cylinder { center, axis, radius, half_height, piece: number })
+            }
             Figure::Cuboid { low, high } if low < high => Some(Container::Box { low, high, pieces: [[number; 2]; 3] }),
             _ => None,
         }
@@ -82,7 +90,7 @@ impl Container {
     /// Whether a solid is one of its walls.
     fn has(&self, number: usize) -> bool {
         match self {
-            Container::Ball { piece, .. } => number == *piece,
+            Container::Ball { piece, .. } | Container::Cylinder { piece, .. } => number == *piece,
             Container::Box { pieces, .. } => pieces.as_flattened().contains(&number),
         }
     }
@@ -95,6 +103,11 @@ impl Container {
             Container::Ball { center, radius, .. } => {
                 (center - min).abs().sup(&(max - center).abs()).norm() < radius - off
             }
+            Container::Cylinder { center, axis, radius, half_height, .. } => (0..8).all(|corner| {
+                let away = Vector3::from_fn(|i, _| if corner >> i & 1 == 0 { min[i] } else { max[i] }) - center;
+                let height = axis.dot(&away);
+                height.abs() < half_height - off && (away - axis * height).norm() < radius - off
+            }),
             Container::Box { low, high, .. } => low.add_scalar(off) < min && max < high.add_scalar(-off),
         })
     }

@@ -77,6 +77,13 @@ pub(in crate::parry) enum Figure {
         upwards: bool,
         at: f64,
     },
+    /// With flat ends, about a unit vector.
+    Cylinder {
+        center: Vector3<f64>,
+        axis: Vector3<f64>,
+        radius: f64,
+        half_height: f64,
+    },
 }
 
 /// Where two faces meet.
@@ -320,6 +327,11 @@ impl Convex {
                 let (axis, upwards) = level(&normal)?;
                 Some(Figure::HalfSpace { axis, upwards, at: through[axis] })
             }
+            [
+                Face::Tube { through, axis, radius },
+                Face::Plane { through: bottom, .. },
+                Face::Plane { through: top, .. },
+            ] => Some(Figure::Cylinder { center: through, axis, radius, half_height: 0.5 * axis.dot(&(top - bottom)) }),
             [_, _, _, _, _, _] => {
                 let mut ends = [[None; 2]; 3];
                 for face in faces {
