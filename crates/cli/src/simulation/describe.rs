@@ -249,7 +249,7 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
             }
             table.with_walls(NameOfWalls)
         }
-        Space::Room(_) => "solids, one by one".into(),
+        Space::Room(room) => room.with_walls(NameOfWalls),
     };
     let Ok(starts) = spatial.starts() else { return };
     description.starts = spatial.with_engine(|engine| {
@@ -361,7 +361,9 @@ fn plain(name: &str) -> String {
         plain += part.rsplit("::").next().unwrap_or(part);
     }
     // the dimension says nothing new
-    ["<2>", "<3>", "<2, 0>", "<2, 1>", "<3, 2>"].iter().fold(plain, |name, dimension| name.replace(dimension, ""))
+    ["<2>", "<3>", "<2, 0>", "<2, 1>", "<3, 0>", "<3, 1>", "<3, 2>"]
+        .iter()
+        .fold(plain, |name, dimension| name.replace(dimension, ""))
 }
 
 #[cfg(test)]

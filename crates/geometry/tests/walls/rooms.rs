@@ -88,6 +88,15 @@ impl WithWalls<3> for Name {
     }
 }
 
+/// The hit of one path.
+struct First(Line<3>);
+impl WithWalls<3> for First {
+    type Output = geometry::Hit<3>;
+    fn run<W: Walls<3>>(self, walls: &W) -> geometry::Hit<3> {
+        walls.hit(&self.0).unwrap()
+    }
+}
+
 /// Hits of the walls against those of the solids.
 struct AsSolids<'a> {
     name: &'a str,
@@ -167,13 +176,6 @@ fn paths_along_and_across_a_cylinder_meet_its_ends_its_mantle_and_its_rims() {
         ([0.0, 0.0, 2.0], [1.0, 0.0, 2.0], [1.0, 0.0, 4.0], None),
     ];
     for (point, velocity, place, normal) in cases {
-        struct First(Line<3>);
-        impl WithWalls<3> for First {
-            type Output = geometry::Hit<3>;
-            fn run<W: Walls<3>>(self, walls: &W) -> geometry::Hit<3> {
-                walls.hit(&self.0).unwrap()
-            }
-        }
         let hit = room.with_walls(First(Line { point: point.into(), velocity: velocity.into() }));
         assert!((hit.point - Vector3::from(place)).norm() <= 4.0 * f64::EPSILON, "{hit:?}");
         assert_eq!(hit.corner, normal.is_none(), "{hit:?}");
@@ -206,6 +208,19 @@ fn containers_and_balls_that_lie_apart_answer_in_lanes() {
             };
             assert!(found.starts_with(&expected), "{within} in {around}: {found}");
         }
+    }
+}
+
+#[test]
+fn balls_that_are_tiny_beside_the_flights_reflect_as_well_as_others() {
+    // head on, where the place is off by more than the radius
+    for radius in [1e-9, 1e-12, 1e-15] {
+        let cube = (SolidSpec::Cuboid { size: [2.0; 3], rounding: 0.0 }, [0.0; 3], Side::Inside);
+        let room = room(&[cube, ball(radius, [0.1, 0.2, 0.3])]);
+        let path = Line { point: Vector3::new(0.1, 0.2, 0.9), velocity: -Vector3::z() };
+        let hit = room.with_walls(First(path));
+        assert!((hit.normal - Vector3::z()).norm() <= f64::EPSILON, "{radius}: {hit:?}");
+        assert!((hit.time - 0.6).abs() <= radius + 4.0 * f64::EPSILON, "{radius}: {hit:?}");
     }
 }
 
