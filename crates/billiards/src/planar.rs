@@ -23,7 +23,8 @@ pub struct Planar<L> {
 }
 
 impl<L> Planar<L> {
-    /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the unit cell.
+    /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the
+    /// [cell](Table::cell) where paths are followed, which is the unit cell for most.
     ///
     /// ```
     /// use billiards::{Error, Orbit, Planar, geometry::tables, laws::Specular};
@@ -49,8 +50,7 @@ impl<L> Planar<L> {
         K: EnergyKeeper<f64, 2, 1>,
         T: Track<f64, 2, 1>,
     {
-        let at = position.into();
-        let at = self.table.lattice().map_or(at, |lattice| lattice.reduce(&at).0);
+        let at = self.table.home(&position.into());
         if !self.table.contains(&at) {
             return Err(Error::Outside { position: position.to_vec() });
         }
