@@ -229,8 +229,11 @@ impl Simulation {
         let crowded = AtomicBool::new(false);
         let format = self.format(lattice.is_some());
         let mut harvest = self.harvest(kept, format.as_ref(), lattice, &seen, &crowded)?;
-        let work =
-            Work { pieces: &planar.pieces, frame: planar.frame(), ..self.work(&harvest, format.as_ref(), control, &crowded) };
+        let work = Work {
+            pieces: &planar.pieces,
+            frame: planar.frame(),
+            ..self.work(&harvest, format.as_ref(), control, &crowded)
+        };
         let portraits = planar.portraits(&harvest.clouds, work.most_points());
         let launch = |orbit| {
             let start = starts(orbit);

@@ -51,9 +51,7 @@ fn orbits_on_a_lattice_are_the_same_in_every_basis_and_lie_in_its_own_unit_cell(
         );
         folder.rows()
     };
-    let lifted = |row: &[f64], second: [f64; 2]| {
-        [row[5] + row[10] + row[11] * second[0], row[6] + row[11] * second[1]]
-    };
+    let lifted = |row: &[f64], second: [f64; 2]| [row[5] + row[10] + row[11] * second[0], row[6] + row[11] * second[1]];
     for center in ["[0.5, 0.5]", "[0, 0]"] {
         for end in ["collisions = 30", "time = 25"] {
             let start = if center == "[0, 0]" { "[-8.375, 3.75]" } else { "[-7.875, 4.25]" };
@@ -70,7 +68,10 @@ fn orbits_on_a_lattice_are_the_same_in_every_basis_and_lie_in_its_own_unit_cell(
                     let rounding = 4.0 * f64::EPSILON * second[0].abs();
                     assert!((0.0..1.0).contains(&a[6]) && (-rounding..=1.0 + rounding).contains(&along), "{a:?}");
                     let ([x, y], [u, v]) = (lifted(a, second), lifted(b, [0.0, 1.0]));
-                    assert!((x - u).abs() <= rounding * 8.0 && (y - v).abs() <= rounding, "{center} {second:?} {a:?} {b:?}");
+                    assert!(
+                        (x - u).abs() <= rounding * 8.0 && (y - v).abs() <= rounding,
+                        "{center} {second:?} {a:?} {b:?}"
+                    );
                 }
             }
         }

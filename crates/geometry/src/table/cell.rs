@@ -99,6 +99,16 @@ impl FundamentalCell {
         (p, cell)
     }
 
+    /// Whether a point lies in the cell or, but for rounding, on its edge.
+    pub fn holds(&self, point: &Vector2<f64>) -> bool {
+        (0..self.lattice.vectors().len()).all(|k| {
+            let [f, g] = self.lattice.functional(k);
+            let (parts, corner) = ([f * point.x, g * point.y], self.corner[k]);
+            let (at, rounding) = (parts[0] + parts[1] - corner, slack([1.0, corner].into_iter().chain(parts)));
+            -rounding <= at && at <= 1.0 + rounding
+        })
+    }
+
     /// The same in the unit cell of the lattice as it was given. A point of that is where it is, also one that rounding has taken
     /// across its edge if paths are followed in it.
     pub fn in_unit_cell(&self, point: &Vector2<f64>) -> (Vector2<f64>, [f64; 2]) {
@@ -238,7 +248,7 @@ mod tests {
         assert_eq!((cell.lattice().vectors()[1].amax(), cell.corner()), (1.0, [-0.5, -0.5]));
         for point in [v(0.3, 0.4), v(-7.25, 12.5), v(10.0, 0.75)] {
             let (home, by) = cell.home(&point);
-            assert!(home.amax() <= 0.5, "{home}");
+            assert!(home.amax() <= 0.5 && cell.holds(&home) && !cell.holds(&(home * 3.0 + v(1.0, 1.0))), "{home}");
             assert_eq!(home + cell.given().translation(by), point);
             let (unit, by) = cell.in_unit_cell(&home);
             assert_eq!(cell.given().reduce(&unit), (unit, [0.0; 2]));

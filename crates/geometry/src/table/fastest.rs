@@ -17,14 +17,9 @@ impl Table {
     pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
         if let Some(cell) = self.cell() {
             let boxes = || self.pieces.iter().map(Piece::extent);
-            return match self.figures().as_slice() {
-                [Figure::Circle { center, radius, inside: false }] if cell.contains_disk(*center, *radius) => {
-                    match Scatterer::new(*center, *radius, 0) {
-                        Ok(disk) => visit.run(&Periodic::in_cell(disk, cell).within(cell.lattice(), boxes())),
-                        Err(_) => visit.run(&Periodic::in_cell(self.translates(cell), cell)),
-                    }
-                }
-                _ => visit.run(&Periodic::in_cell(self.translates(cell), cell).within(cell.lattice(), boxes())),
+            return match self.lone_disk(cell) {
+                Some(disk) => visit.run(&Periodic::in_cell(disk, cell).within(cell.lattice(), boxes())),
+                None => visit.run(&Periodic::in_cell(self.translates(cell), cell).within(cell.lattice(), boxes())),
             };
         }
         // obstacles of straight sides in a rectangle, too, are asked faster together with it
@@ -85,6 +80,17 @@ impl Table {
     fn scatterer(&self, piece: usize) -> Option<Scatterer<2>> {
         match self.pieces[piece].figure() {
             Figure::Circle { center, radius, inside: false } => Scatterer::new(center, radius, piece).ok(),
+            _ => None,
+        }
+    }
+
+    /// All that there is in a cell, if that is one disk as a whole.
+    fn lone_disk(&self, cell: &FundamentalCell) -> Option<Scatterer<2>> {
+        match self.figures()[..] {
+            [Figure::Circle { center, radius, inside: false }] => {
+                let (home, _) = cell.home(&center);
+                cell.contains_disk(home, radius).then(|| Scatterer::new(home, radius, 0).ok())?
+            }
             _ => None,
         }
     }

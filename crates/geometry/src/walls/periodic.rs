@@ -55,8 +55,7 @@ impl<W> Periodic<W> {
         let mut translations = [nowhere; 2];
         let edges = corner.map(|c| [c, c + 1.0]);
         let farthest = |k: usize| edges[k].iter().fold(0.0, |m: f64, edge| m.max(edge.abs()));
-        let reach =
-            |i: usize| lattice.vectors().iter().enumerate().map(|(k, v)| v[i].abs() * farthest(k)).sum::<f64>();
+        let reach = |i: usize| lattice.vectors().iter().enumerate().map(|(k, v)| v[i].abs() * farthest(k)).sum::<f64>();
         for (i, (translation, vector)) in translations.iter_mut().zip(lattice.vectors()).enumerate() {
             let [f, g] = lattice.functional(i);
             let rounding = ROUNDING * (1.0 + f.abs() * reach(0) + g.abs() * reach(1));
