@@ -5,7 +5,7 @@ use super::errors::Subject;
 use super::number::{Vector, add, small, sub, vector};
 use super::subjects::{Frame, formulas};
 use billiards::geometry::{
-    Error, Figure, Lattice, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
+    Error, Figure, FundamentalCell, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
     shapes::{
         Arc, Circle, Ellipse, EllipticArc, FullLine, Parallel, Ray, Segment,
         curve::{Interval, Polar, PolarFormula},
@@ -111,17 +111,18 @@ impl WithWalls<2> for Ask<'_> {
     }
 }
 
-/// A piece and its translates by a lattice, as far as two cells away; hits lie in the unit cell.
+/// A piece and its translates by a lattice, as far as two cells away; hits lie in the table's cell.
 pub(crate) struct Repeated {
     pub(crate) piece: Box<dyn Truth>,
-    pub(crate) lattice: Lattice,
+    pub(crate) cell: FundamentalCell,
 }
 
 impl Repeated {
     fn translations(&self) -> impl Iterator<Item = [f64; 2]> {
-        let cells = |k: usize| if k < self.lattice.vectors().len() { -2..=2 } else { 0..=0 };
+        let lattice = self.cell.lattice();
+        let cells = |k: usize| if k < lattice.vectors().len() { -2..=2 } else { 0..=0 };
         let pairs = cells(0).flat_map(move |i| cells(1).map(move |j| [i, j].map(f64::from)));
-        pairs.map(|cell| self.lattice.translation(cell).into())
+        pairs.map(|cell| lattice.translation(cell).into())
     }
 }
 
@@ -136,8 +137,8 @@ impl Truth for Repeated {
         }
         for crossing in &mut all.crossings {
             let near = Vector2::from(crossing.point.each_ref().map(small));
-            let (_, cell) = self.lattice.reduce(&near);
-            crossing.point = sub(&crossing.point, &vector(self.lattice.translation(cell).into()));
+            let (_, cells) = self.cell.home(&near);
+            crossing.point = sub(&crossing.point, &vector(self.cell.given().translation(cells).into()));
         }
         all
     }
@@ -280,9 +281,9 @@ pub(crate) fn each_table(frame: &Frame, mut show: impl FnMut(&Subject<'_>)) -> R
     // a lattice begins at the origin
     let repeated = if frame.shift == [0.0; 2] { on_lattices(frame)? } else { vec![] };
     for (name, extent, table) in repeated {
-        let lattice = table.lattice().ok_or(Error::Empty)?.clone();
+        let cell = table.cell().ok_or(Error::Empty)?.clone();
         let once = |piece: &Shared<dyn Piece>| -> Box<dyn Truth> {
-            Box::new(Repeated { piece: truth_of(&**piece), lattice: lattice.clone() })
+            Box::new(Repeated { piece: truth_of(&**piece), cell: cell.clone() })
         };
         let truth = table.pieces().iter().map(once).collect();
         all.push((name, extent, table, truth));
@@ -292,8 +293,8 @@ pub(crate) fn each_table(frame: &Frame, mut show: impl FnMut(&Subject<'_>)) -> R
         table.with_walls(Ask(&mut |hit| {
             let pieces: Vec<&dyn Piece> = table.pieces().iter().map(|piece| &**piece).collect();
             let truth = truth.take().unwrap_or_default();
-            // a path starts in the unit cell
-            let in_cell = |x: &Vector2<f64>| table.lattice().is_none_or(|lattice| lattice.reduce(x).1 == [0.0; 2]);
+            // a path starts in the table's cell
+            let in_cell = |x: &Vector2<f64>| table.cell().is_none_or(|cell| cell.home(x).1 == [0.0; 2]);
             let (size, extent, inside) =
                 (frame.size(extent), extent * frame.scale, &|x: &Vector2<f64>| table.contains(x) && in_cell(x));
             // as far as the translates

@@ -42,7 +42,8 @@ pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
 impl<F: Lane, const N: usize, const S: usize, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>> Orbit<F, N, S, K, T> {
     /// The orbit that starts at `position` with `velocity` and scaled `spin`.
     ///
-    /// No table is asked: the position must lie in it, on a lattice in its unit cell, or what walls answer means nothing.
+    /// No table is asked: the position must lie in it, on a lattice in its
+    /// [cell](geometry::Table::cell), or what walls answer means nothing.
     /// [`Planar::orbit`](crate::Planar::orbit) and [`Spatial::orbit`](crate::Spatial::orbit) look; starts on a wall come from
     /// [`Starts`](crate::Starts) and [`ReducedState`](crate::ReducedState).
     #[inline]

@@ -3,6 +3,7 @@ use crate::{
     Error,
     billiard::{BallLaw, Billiard},
     energy::{EnergyKeeper, Keeping},
+    in_lanes::InLanes,
     observe::{LaneObserver, Observer},
     orbit::Orbit,
     rolling::Rolling,
@@ -11,7 +12,7 @@ use crate::{
     stop::Outcome,
     track::{Track, Tracking},
 };
-use geometry::{Homogeneous, Table, Walls, WithWalls};
+use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, WithWalls};
 
 /// A table and a disk's law. The centre of the disk moves in the table as a point.
 #[derive(Clone, Debug)]
@@ -23,7 +24,8 @@ pub struct Planar<L> {
 }
 
 impl<L> Planar<L> {
-    /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the unit cell.
+    /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the
+    /// [cell](Table::cell) where paths are followed, which is the unit cell for most.
     ///
     /// ```
     /// use billiards::{Error, Orbit, Planar, geometry::tables, laws::Specular};
@@ -49,8 +51,7 @@ impl<L> Planar<L> {
         K: EnergyKeeper<f64, 2, 1>,
         T: Track<f64, 2, 1>,
     {
-        let at = position.into();
-        let at = self.table.lattice().map_or(at, |lattice| lattice.reduce(&at).0);
+        let at = self.table.home(&position.into());
         if !self.table.contains(&at) {
             return Err(Error::Outside { position: position.to_vec() });
         }
@@ -59,7 +60,8 @@ impl<L> Planar<L> {
 }
 
 impl<L: BallLaw<2, 1>> Planar<L> {
-    /// Runs an orbit on the fastest walls that the table has. It starts in the table, which [`Planar::orbit`] makes sure of.
+    /// Runs an orbit on the fastest walls that the table has. It starts in the table, which [`Planar::orbit`] makes sure of. On a lattice it
+    /// is first brought into the [cell](Table::cell) where paths are followed, which is a flight of no time to its tracks.
     ///
     /// ```
     /// use billiards::{Clock, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};
@@ -79,6 +81,10 @@ impl<L: BallLaw<2, 1>> Planar<L> {
         T: Track<f64, 2, 1> + Clone,
         O: Observer<2, 1, K, T>,
     {
+        if let Some(home) = way_home(&self.table, &orbit.position) {
+            orbit.track.fly(&orbit.position, &[0.0; 2], &orbit.spin, &home);
+            orbit.position = home.point;
+        }
         self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
     }
 }
@@ -92,8 +98,24 @@ impl<L: BallLaw<2, 1>> Planar<L> {
         observer: &mut O,
         finished: &mut dyn FnMut(Finished<2, 1, K, T>),
     ) {
-        self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, observer, finished });
+        let mut orbits = orbits.map(|mut orbit| {
+            if let Some(home) = way_home(&self.table, &orbit.position) {
+                let mut track = T::In::<f64>::all(&orbit.track, 0.0);
+                track.fly(&orbit.position, &[0.0; 2], &orbit.spin, &home);
+                (orbit.track, orbit.position) = (track.one(0), home.point);
+            }
+            orbit
+        });
+        self.table.with_walls(ManyOn { law: &self.law, orbits: &mut orbits, collisions, observer, finished });
     }
+}
+
+/// Where an orbit is the same in the cell of a table on a lattice, as a hit at once; `None` where it lies there.
+fn way_home(table: &Table, position: &[f64; 2]) -> Option<WallHit<f64, 2>> {
+    let (cell, position) = (table.cell()?, Vector2::from(*position));
+    // a hit on an edge may lie beyond it by a rounding, and goes on from there
+    let strays = !cell.is_unit_cell() && !cell.holds(&position);
+    strays.then(|| WallHit { time: 0.0, ..WallHit::never(cell.home(&position).0.into()) })
 }
 
 struct ManyOn<'a, L, K, T, O> {

@@ -112,7 +112,7 @@ impl ReducedState {
         Ok(Start { position: point.into(), velocity: velocity.into(), spin: [v0] })
     }
 
-    /// The point of the boundary and the normal there; on a lattice in the unit cell.
+    /// The point of the boundary and the normal there; on a lattice in its cell.
     fn landing(&self, table: &Table) -> Result<Landing, Error> {
         let pieces = table.pieces();
         let piece = pieces.get(self.piece).ok_or(Error::Piece { piece: self.piece, pieces: pieces.len() })?;

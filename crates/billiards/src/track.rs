@@ -197,12 +197,12 @@ impl<const N: usize> Tracking<N, 1> for Angle {
 #[derive(Clone, Debug)]
 pub struct Cell<F = f64> {
     lattice: Arc<Lattice>,
-    /// Position in the plane = position in the unit cell + `cell` · lattice vectors.
+    /// Position in the plane = position in the table's cell + `cell` · lattice vectors.
     pub cell: [F; 2],
 }
 
 impl<F: Lane> Cell<F> {
-    /// In the unit cell, in as many lanes as `zero`.
+    /// Not yet moved, in as many lanes as `zero`.
     pub fn new(lattice: Arc<Lattice>, zero: F) -> Self {
         Cell { lattice, cell: [zero; 2] }
     }

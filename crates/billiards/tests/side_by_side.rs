@@ -9,7 +9,7 @@ type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
-use geometry::{Piece, Table, WallHit, Walls, shapes::Circle, tables};
+use geometry::{Lattice, Piece, Table, Vector2, WallHit, Walls, shapes::Circle, tables};
 use lanes::{Lane, MOST_LANES, Mask};
 use std::sync::{
     Arc,
@@ -379,6 +379,43 @@ fn what_is_seen_of_each_orbit_in_two_runs_is_merged_in_their_order() {
     let [once, twice] = [once, twice].map(|seen| seen.merged().unwrap());
     assert_eq!(once.points().len(), starts.len() * 20);
     assert!(once.points() == twice.points());
+}
+
+#[test]
+fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
+    type Tracks = (Clock, Cell);
+    let torus = |second: [f64; 2]| {
+        let disk = Circle::new(Vector2::zeros(), 0.25, false).unwrap();
+        let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), second.into()]).unwrap();
+        let table = Table::periodic(vec![Box::new(disk)], Some(lattice.clone())).unwrap();
+        (Planar { table, law: Disk::new(&NoSlip, 0.7) }, Arc::new(lattice))
+    };
+    // exact translations of places in the middle of a cell
+    let places = [[0.0, 0.0], [0.0, 1.0], [7.0, -2.0]];
+    let orbit = |place: [f64; 2], lattice: &Arc<Lattice>| -> Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks> {
+        let track = (Clock::new(0.0), Cell::new(lattice.clone(), 0.0));
+        Orbit::new([place[0] - 0.375, place[1] + 0.375], [0.6, 0.8], [0.1], track)
+    };
+    let known = |o: &Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks>, lattice: &Lattice, place: [f64; 2]| {
+        let lifted = Vector2::from(o.position) + lattice.translation(o.track.1.cell) - Vector2::from(place);
+        (o.velocity, o.spin, o.track.0.time(), lifted.map(|x| (x * 1e9).round()))
+    };
+    let (upright, lattice) = torus([0.0, 1.0]);
+    let mut first = orbit([0.0; 2], &lattice);
+    upright.run(&mut first, &Collisions(30), &mut ());
+    let first = known(&first, &lattice, [0.0; 2]);
+    for (billiard, lattice) in [torus([0.0, 1.0]), torus([20.0, 1.0])] {
+        for place in places {
+            let mut alone = orbit(place, &lattice);
+            billiard.run(&mut alone, &Collisions(30), &mut ());
+            assert_eq!(known(&alone, &lattice, place), first, "{place:?}");
+        }
+        let mut starts = places.iter().map(|place| orbit(*place, &lattice));
+        billiard.run_side_by_side(&mut starts, 30, &mut (), &mut |ended| {
+            let place = places[usize::try_from(ended.index).unwrap()];
+            assert_eq!(known(&ended.orbit, &lattice, place), first, "{place:?}");
+        });
+    }
 }
 
 #[test]

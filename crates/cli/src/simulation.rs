@@ -8,6 +8,7 @@ mod desk;
 mod drawing;
 mod engine;
 mod event;
+mod frame;
 mod harvest;
 mod horizon;
 mod job;
@@ -53,6 +54,7 @@ pub(crate) use law::{PlanarLaw, SpatialLaw, any_law};
 pub(crate) use summary::host;
 pub(crate) use trail::{PlanarTrail, Trail};
 
+use frame::Frame;
 use harvest::{Harvest, Seen, Totals};
 use look::{Flat, Solid};
 use planar::Planar;
@@ -227,7 +229,11 @@ impl Simulation {
         let crowded = AtomicBool::new(false);
         let format = self.format(lattice.is_some());
         let mut harvest = self.harvest(kept, format.as_ref(), lattice, &seen, &crowded)?;
-        let work = Work { pieces: &planar.pieces, ..self.work(&harvest, format.as_ref(), control, &crowded) };
+        let work = Work {
+            pieces: &planar.pieces,
+            frame: planar.frame(),
+            ..self.work(&harvest, format.as_ref(), control, &crowded)
+        };
         let portraits = planar.portraits(&harvest.clouds, work.most_points());
         let launch = |orbit| {
             let start = starts(orbit);
@@ -270,7 +276,8 @@ impl Simulation {
         let crowded = AtomicBool::new(false);
         let format = self.format(false);
         let mut harvest = self.harvest(kept, format.as_ref(), None, &seen, &crowded)?;
-        let work = Work { shift: spatial.shift.into(), ..self.work(&harvest, format.as_ref(), control, &crowded) };
+        let frame = Frame { shift: spatial.shift.into(), cell: None };
+        let work = Work { frame, ..self.work(&harvest, format.as_ref(), control, &crowded) };
         let launch = |orbit| {
             let start = starts(orbit);
             Launch { orbit: spatial.launch(&start), scale: start.scale }
@@ -331,7 +338,7 @@ impl Simulation {
             counted: harvest.clouds.any(),
             crowded,
             pieces: &[],
-            shift: [0.0; 3],
+            frame: Frame::default(),
             threads: control.threads,
             interrupted: &control.interrupted,
             progress: &control.done,

@@ -95,7 +95,7 @@ impl Table {
                 // without infinite walls there is one outside
                 if escapes
                     && distant.is_empty()
-                    && self.lattice().is_none()
+                    && self.shortest().is_none()
                     && let Some(last) = walls.last().filter(|wall| wall.into_table)
                 {
                     let last = sight.chain_of[last.number];
@@ -113,7 +113,7 @@ impl Table {
                 f64::INFINITY
             } else {
                 let enclosed = self.enclosed_by(members.iter().copied());
-                match self.lattice() {
+                match self.shortest() {
                     _ if enclosed > 0.0 => enclosed,
                     Some(lattice) => lattice.cell_area() + enclosed,
                     None => f64::INFINITY,

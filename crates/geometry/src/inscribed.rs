@@ -202,7 +202,7 @@ impl Table {
         if finite {
             // around holes alone, and walls on both sides, there is no end
             let width = (home.max - home.min).norm();
-            if self.lattice().is_none() && self.enclosed_by(&self.chains()) <= slack([width * width]) {
+            if self.shortest().is_none() && self.enclosed_by(&self.chains()) <= slack([width * width]) {
                 return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
             }
             return self.largest_disk_in(&home);
@@ -280,7 +280,7 @@ impl Table {
             _ => vec![],
         };
         let mut home = finite_extent(self.pieces()).union(Extent::of(self.pieces().iter().flat_map(corners)));
-        let cell = self.lattice().map_or(&[][..], |l| l.vectors());
+        let cell = self.shortest().map_or(&[][..], |l| l.vectors());
         for v in cell {
             home = home.union(Extent { min: home.min + v, max: home.max + v });
         }
@@ -294,7 +294,7 @@ impl Table {
 
     fn largest_disk_in(&self, home: &Extent) -> LargestDisk {
         let sides = home.max - home.min;
-        let field = Field::new(Copies::new(self.pieces(), self.lattice(), home, sides.amax()));
+        let field = Field::new(Copies::new(self.pieces(), self.shortest(), home, sides.amax()));
         let square = |middle: Vector2<f64>, half: f64| {
             let distance = field.distance(&middle);
             Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
@@ -336,7 +336,7 @@ impl Table {
         let top = field.climb(best.middle, best.half.max(best.distance.abs() * COARSE));
         // not all translates are known beyond
         let strays = (0..2).any(|i| (top.center[i] - best.middle[i]).abs() > sides.amax());
-        if strays && self.lattice().is_some() {
+        if strays && self.shortest().is_some() {
             return LargestDisk { center: best.middle, radius: best.distance };
         }
         top

@@ -22,7 +22,7 @@ impl Joint {
     /// a slit, π in a cusp.
     pub(crate) fn turn(&self, table: &Table) -> f64 {
         let [p, q] = [self.before, self.after].map(|i| &table.pieces()[i]);
-        let there = self.vertex - table.lattice().map_or_else(Vector2::zeros, |l| l.translation(self.cell));
+        let there = self.vertex - table.shortest().map_or_else(Vector2::zeros, |l| l.translation(self.cell));
         let (n, m) = (p.closest(&self.vertex).normal, q.closest(&there).normal);
         let angle = libm::atan2(n.perp(&m), n.dot(&m));
         if PI - angle.abs() <= CUSP {
@@ -89,7 +89,7 @@ pub(crate) fn joints(table: &Table) -> Vec<Joint> {
         let mut candidates: Vec<(usize, [f64; 2])> =
             starts[first..].iter().take_while(|(a, _)| *a == vertex).map(|&(_, j)| (j, [0.0; 2])).collect();
         if candidates.is_empty()
-            && let Some(lattice) = table.lattice()
+            && let Some(lattice) = table.shortest()
         {
             for (a, j) in &starts {
                 candidates.extend(lattice.between(a, &vertex).map(|cell| (*j, cell)));

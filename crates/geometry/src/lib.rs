@@ -58,5 +58,5 @@ pub use path::Line;
 pub use piece::{Extent, Figure, Landing, Piece, enclosed_area};
 pub use sample::{BoundaryPoint, Interior, Perimeter};
 pub use surface::Surface;
-pub use table::Table;
+pub use table::{FundamentalCell, Table};
 pub use walls::{Chord, Homogeneous, Swing, WallHit, Walls, WithWalls};

@@ -85,7 +85,7 @@ impl Table {
             return Err(Error::Radius { radius });
         }
         // on a flat torus a copy of any point lies within half the sum of two shortest vectors, and so does a wall
-        let fills_cells = self.lattice().is_some_and(|lattice| match lattice.reduced().0.vectors() {
+        let fills_cells = self.shortest().is_some_and(|lattice| match lattice.vectors() {
             [a, b] => radius > 0.5 * (a.norm() + b.norm()),
             _ => false,
         });

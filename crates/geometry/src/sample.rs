@@ -4,7 +4,7 @@
 use crate::{Error, Landing, Table, table::piece_at};
 use nalgebra::Vector2;
 
-/// The uniform distribution on a bounded table, or on a unit cell of one on a lattice.
+/// The uniform distribution on a bounded table, or on a [cell](Table::cell) of one on a lattice.
 ///
 /// ```
 /// use geometry::{Interior, tables};
@@ -42,15 +42,16 @@ impl<'a> Interior<'a> {
         }
         let extent = table.extent();
         let size = extent.max - extent.min;
-        let (corner, edges) = match table.lattice().map_or(&[][..], |lattice| lattice.vectors()) {
-            [a, b] => (Vector2::zeros(), [*a, *b]),
+        let begin = table.cell().map_or_else(Vector2::zeros, |cell| cell.lattice().translation(cell.corner()));
+        let (corner, edges) = match table.shortest().map_or(&[][..], |lattice| lattice.vectors()) {
+            [a, b] => (begin, [*a, *b]),
             [a] => {
                 // a cell of a channel: as high as the extent, seen along the channel
                 let across = Vector2::new(-a.y, a.x) / libm::hypot(a.x, a.y);
                 let middle = (extent.min + extent.max) * 0.5;
                 let reach = 0.5 * (size.x * across.x.abs() + size.y * across.y.abs());
                 let low = across * (across.dot(&middle) - reach);
-                (low, [*a, across * (2.0 * reach)])
+                (begin + low, [*a, across * (2.0 * reach)])
             }
             _ => (extent.min, [Vector2::new(size.x, 0.0), Vector2::new(0.0, size.y)]),
         };
@@ -81,7 +82,7 @@ pub struct BoundaryPoint {
     pub piece: usize,
     /// Arc length from the start of the piece \[L\].
     pub arc_length: f64,
-    /// The point \[L\], on a lattice in the unit cell.
+    /// The point \[L\], on a lattice in its [cell](Table::cell).
     pub point: Vector2<f64>,
     /// Unit normal there, into the table.
     pub normal: Vector2<f64>,
@@ -147,7 +148,7 @@ mod tests {
             let mut uniform = even();
             for _ in 0..1000 {
                 let p = interior.point(&mut uniform).unwrap();
-                let (home, _) = table.lattice().unwrap().reduce(&p);
+                let home = table.home(&p);
                 assert!((home - p).norm() < 4.0 * f64::EPSILON && table.contains(&p));
             }
         }

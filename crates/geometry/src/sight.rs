@@ -85,21 +85,21 @@ impl<'a> Sight<'a> {
         });
         let size = coordinates.fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
-        let reach = table.lattice().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum::<f64>() * cells);
+        let reach = table.shortest().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum::<f64>() * cells);
         let reach = slack([size]) + reach;
         let finite = finite_extent(pieces);
         let middle = if finite.is_finite() { 0.5 * finite.min + 0.5 * finite.max } else { Vector2::zeros() };
         let lines = pieces.iter().filter(|p| !p.length().is_finite());
-        let around = match table.lattice() {
+        let around = match table.shortest() {
             Some(lattice) => {
                 Extent::of(lines.flat_map(|p| [0.0, 1.0].map(|part| in_cell(&**p, lattice, middle, part))))
             }
             None => Extent::EMPTY,
         };
         let around = finite.union(around);
-        let copies = Copies::new(pieces, table.lattice(), &around, reach);
+        let copies = Copies::new(pieces, table.shortest(), &around, reach);
         let known =
-            table.lattice().map(|_| Extent { min: around.min.add_scalar(-reach), max: around.max.add_scalar(reach) });
+            table.shortest().map(|_| Extent { min: around.min.add_scalar(-reach), max: around.max.add_scalar(reach) });
         let chains = table.chains();
         let mut chain_of = vec![0; pieces.len()];
         for (k, chain) in chains.iter().enumerate() {
@@ -259,7 +259,7 @@ impl<'a> Sight<'a> {
         let piece = &self.table.pieces()[i];
         let part = part + 0.236_067_977_499_79 * (k as f64 / TRIES as f64);
         let length = piece.length();
-        if let Some(lattice) = self.table.lattice().filter(|_| !length.is_finite()) {
+        if let Some(lattice) = self.table.shortest().filter(|_| !length.is_finite()) {
             return (self.copies.home(i), in_cell(&**piece, lattice, self.middle, part));
         }
         let from_end = piece.ends().is_some_and(|[a, _]| is_finite(&a));

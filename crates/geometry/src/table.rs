@@ -1,4 +1,5 @@
 //! A table: its pieces, and how they hang together.
+mod cell;
 mod container;
 mod fastest;
 mod two_sided;
@@ -9,9 +10,10 @@ use crate::{
     enclosed_area,
     lattice::multiples,
     nearest::nearest_of,
-    plane::{is_finite, key, slack},
+    plane::{is_finite, key},
     walls::{Pieces, Polygon},
 };
+pub use cell::FundamentalCell;
 use container::Enclosed;
 use nalgebra::Vector2;
 use std::{
@@ -29,10 +31,11 @@ pub struct Table {
     /// For each piece, the one that starts where it ends.
     next: Vec<Option<usize>>,
     corners: Vec<Vector2<f64>>,
-    lattice: Option<Lattice>,
+    /// On a lattice, where paths are followed.
+    cell: Option<Arc<FundamentalCell>>,
     /// Whether the plane around all pieces is meant to belong to the table.
     pub(crate) unbounded: bool,
-    /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the unit cell.
+    /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the cell where paths are followed.
     nearby: Vec<Translate>,
     /// The composite wall that answers for a chain of pieces, if there is one. This and what follows is made when it is first asked
     /// for: of many pieces or of curves that takes longer than many a run.
@@ -72,6 +75,8 @@ impl Table {
             return Err(Error::Empty);
         }
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
+        let cell = lattice.map(FundamentalCell::at_origin);
+        let lattice = cell.as_ref().map(FundamentalCell::lattice);
         let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(Piece::ends).collect();
         let starts = || ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i)));
         let order = |a: &Vector2<f64>, b: &Vector2<f64>| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
@@ -115,7 +120,7 @@ impl Table {
                 if kink((i, *b), (j, *b)) {
                     corners.push(*b);
                 }
-            } else if let Some((a, j)) = lattice.as_ref().and_then(|lattice| starting_at_translate(b, lattice)) {
+            } else if let Some((a, j)) = lattice.and_then(|lattice| starting_at_translate(b, lattice)) {
                 if kink((i, *b), (j, a)) {
                     corners.extend([*b, a]);
                 }
@@ -124,20 +129,21 @@ impl Table {
                 return Err(Error::Open { piece: i, starts: false, gap });
             }
         }
-        every_start_is_an_end(&ends, &next, lattice.as_ref())?;
-        if let Some(lattice) = &lattice {
-            few_cells(&pieces, lattice)?;
+        every_start_is_an_end(&ends, &next, lattice)?;
+        if let Some(cell) = &cell {
+            few_cells(&pieces, cell)?;
         }
-        let mut nearby = all_nearby(&pieces, lattice.as_ref());
+        let cell = cell.map(|cell| Arc::new(cell.around(&pieces)));
+        let mut nearby = all_nearby(&pieces, cell.as_deref());
         let double = two_sided::two_sided(&nearby);
         if !double.is_empty() {
             for i in double {
                 pieces[i] = two_sided::one_side(&pieces[i]);
             }
-            nearby = all_nearby(&pieces, lattice.as_ref());
+            nearby = all_nearby(&pieces, cell.as_deref());
         }
         let (enclosed, polygon, parts) = (OnceLock::new(), OnceLock::new(), OnceLock::new());
-        Ok(Table { pieces, next, corners, lattice, unbounded: false, nearby, enclosed, polygon, parts })
+        Ok(Table { pieces, next, corners, cell, unbounded: false, nearby, enclosed, polygon, parts })
     }
 
     /// The same table, said to be the plane around its outermost loops: [`Table::validate`] then wants these to run clockwise.
@@ -168,9 +174,37 @@ impl Table {
         &self.corners
     }
 
-    /// The translations that identify points, where there are any.
+    /// The translations that identify points, where there are any, as they were given.
     pub fn lattice(&self) -> Option<&Lattice> {
-        self.lattice.as_ref()
+        self.cell().map(FundamentalCell::given)
+    }
+
+    /// The same translations as multiples of the shortest ones: what all questions about the table are asked of.
+    pub(crate) fn shortest(&self) -> Option<&Lattice> {
+        self.cell().map(FundamentalCell::lattice)
+    }
+
+    /// On a lattice, the cell in which paths are followed: they start there and hit walls there.
+    ///
+    /// ```
+    /// use geometry::{Lattice, Table, Vector2, shapes::Circle};
+    /// let v = Vector2::new;
+    /// // the vectors of the unit square, in other words
+    /// let lattice = Lattice::new(&[v(1.0, 0.0), v(20.0, 1.0)])?;
+    /// let table = Table::periodic(vec![Box::new(Circle::new(v(0.5, 0.5), 0.25, false)?)], Some(lattice))?;
+    /// let cell = table.cell().expect("a lattice");
+    /// let (home, by) = cell.home(&v(10.5, 0.125));
+    /// assert_eq!((home, by), (v(0.5, 0.125), [10.0, 0.0]));
+    /// assert_eq!(cell.in_unit_cell(&v(0.5, 0.75)), (v(15.5, 0.75), [-15.0, 0.0]));
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn cell(&self) -> Option<&FundamentalCell> {
+        self.cell.as_deref()
+    }
+
+    /// A point of the table where paths are followed: on a lattice its copy in the [cell](Table::cell) of that.
+    pub fn home(&self, point: &Vector2<f64>) -> Vector2<f64> {
+        self.cell().map_or(*point, |cell| cell.home(point).0)
     }
 
     /// The closed loops and infinite chains of the boundary: piece numbers in the order of traversal.
@@ -205,7 +239,7 @@ impl Table {
     /// Area of the table \[L²\], per unit cell on a lattice; infinite or NaN for infinite tables.
     pub fn area(&self) -> f64 {
         let enclosed = self.enclosed_by(&self.chains());
-        match &self.lattice {
+        match self.shortest() {
             Some(lattice) if enclosed < 0.0 => lattice.cell_area() + enclosed,
             _ => enclosed,
         }
@@ -241,13 +275,13 @@ impl Table {
 
     /// The piece closest to a point, the point of it that is closest, and its inward normal.
     pub fn closest(&self, point: &Vector2<f64>) -> (usize, Landing) {
-        let (home, cell) = self.lattice.as_ref().map_or((*point, None), |lattice| {
-            let (home, cell) = lattice.reduce(point);
-            (home, Some(lattice.translation(cell)))
+        let (home, back) = self.cell().map_or((*point, None), |cell| {
+            let (home, cells) = cell.home_in_shortest(point);
+            (home, Some(cell.lattice().translation(cells)))
         });
         let nowhere = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
         let (i, mut landing) = nearest_of(self.nearby(), &home).unwrap_or(nowhere); // a table has pieces
-        if let Some(back) = cell {
+        if let Some(back) = back {
             landing.point += back;
         }
         (i, landing)
@@ -255,13 +289,14 @@ impl Table {
 
     /// The curvature \[L⁻¹\] of a piece at a point of it, or on a lattice of a translate of it; 0 for a number beyond the last.
     pub fn curvature(&self, piece: usize, point: &Vector2<f64>) -> f64 {
+        let point = &self.near_home(point);
         self.copy_at(piece, point).map_or(0.0, |piece| piece.curvature(point))
     }
 
     /// The largest of the numbers \[L\] that a piece is made of at a point of it, or on a lattice a translate of it: where it is part of a
     /// line or a circle, of the points and lengths that tell which; 0 for a number beyond the last.
     pub fn size_of(&self, piece: usize, point: &Vector2<f64>) -> f64 {
-        self.copy_at(piece, point).map_or(0.0, |piece| match piece.figure() {
+        self.copy_at(piece, &self.near_home(point)).map_or(0.0, |piece| match piece.figure() {
             Figure::Line { through, .. } => through.amax(),
             Figure::Arc { center, radius, .. } | Figure::Circle { center, radius, .. } => center.amax() + radius,
             _ => piece.extent().size(),
@@ -271,17 +306,25 @@ impl Table {
     /// The arc length \[L\] from the start of a piece to a landing on it, or on a lattice on a translate of it; 0 for a number
     /// beyond the last.
     pub fn arc_length(&self, piece: usize, landing: &Landing) -> f64 {
-        self.copy_at(piece, &landing.point).map_or(0.0, |piece| piece.arc_length_of(landing))
+        let landing = Landing { point: self.near_home(&landing.point), ..*landing };
+        self.copy_at(piece, &landing.point).map_or(0.0, |piece| piece.arc_length_of(&landing))
     }
 
-    /// By what a piece is moved in its translates that reach within a cell of the unit cell; without a lattice by nothing.
+    /// By what a piece is moved in its translates that reach within a cell of [that](Table::cell) where paths are followed; without a
+    /// lattice by nothing.
     pub fn translations(&self, piece: usize) -> impl Iterator<Item = Vector2<f64>> + '_ {
         self.copies(piece).iter().map(|copy| copy.by)
     }
 
-    /// All pieces with their numbers; on a lattice, all translates that reach within a cell of the unit cell.
+    /// All pieces with their numbers; on a lattice, all translates that reach within a cell of [that](Table::cell) where paths are
+    /// followed.
     pub fn nearby(&self) -> impl Iterator<Item = (usize, &dyn Piece)> {
         self.nearby.iter().map(|copy| (copy.number, &*copy.piece))
+    }
+
+    /// The copy of a point from which the nearest translates are known: one of the unit cell may be far from where paths are followed.
+    fn near_home(&self, point: &Vector2<f64>) -> Vector2<f64> {
+        if self.cell().is_none_or(FundamentalCell::is_unit_cell) { *point } else { self.home(point) }
     }
 
     /// The translates of one piece.
@@ -338,10 +381,11 @@ impl Table {
         piece_at(&self.arc_length_offsets(), s)
     }
 
-    /// The point at an arc length \[L\] of a piece of the table, on a lattice in the unit cell, and the inward normal there.
+    /// The point at an arc length \[L\] of a piece of the table, on a lattice in the [cell](Table::cell) where paths are followed, and the
+    /// inward normal there.
     pub fn landing_on(&self, piece: &dyn Piece, s: f64) -> Landing {
         let Landing { point, normal } = piece.landing_at(s);
-        Landing { point: self.lattice().map_or(point, |lattice| lattice.reduce(&point).0), normal }
+        Landing { point: self.home(&point), normal }
     }
 }
 
@@ -375,20 +419,20 @@ fn every_start_is_an_end(
     Ok(())
 }
 
-/// All pieces with their numbers; on a lattice, all translates that reach within a cell of the unit cell.
-fn all_nearby(pieces: &[Arc<dyn Piece>], lattice: Option<&Lattice>) -> Vec<Translate> {
-    if let Some(lattice) = lattice {
-        return translates(pieces, lattice, 1.0);
+/// All pieces with their numbers; on a lattice, all translates that reach within a cell of that where paths are followed.
+fn all_nearby(pieces: &[Arc<dyn Piece>], cell: Option<&FundamentalCell>) -> Vec<Translate> {
+    if let Some(cell) = cell {
+        return translates(pieces, cell, 1.0);
     }
     pieces.iter().enumerate().map(|(number, piece)| Translate::home(number, piece)).collect()
 }
 
 /// Fails where the pieces reach over so many cells that their translates would fill the memory, or lie too far away to count them.
-fn few_cells(pieces: &[Arc<dyn Piece>], lattice: &Lattice) -> Result<(), Error> {
+fn few_cells(pieces: &[Arc<dyn Piece>], cell: &FundamentalCell) -> Result<(), Error> {
     let mut sum = 0.0;
     for (piece, p) in pieces.iter().enumerate() {
-        let reach = reach(&p.extent(), lattice, 1.0);
-        let away = reach.as_flattened().iter().fold(0.0, |m: f64, cell| m.max(cell.abs()));
+        let reach = cell.reach(&**p, 1.0);
+        let away = reach.as_flattened().iter().fold(0.0, |m: f64, cell| m.max(cell.abs())) * cell.skew();
         let cells: f64 = reach.iter().map(|[first, last]| last - first + 1.0).product();
         if away > Lattice::FARTHEST_CELL && cells <= MOST_TRANSLATES {
             return Err(Error::FarFromCell { piece, cells: away });
@@ -401,33 +445,12 @@ fn few_cells(pieces: &[Arc<dyn Piece>], lattice: &Lattice) -> Result<(), Error> 
     Ok(())
 }
 
-/// Of each lattice vector the least and the largest multiple by which a box can be moved to reach within `margin` cells of the unit
-/// cell.
-fn reach(&Extent { min, max }: &Extent, lattice: &Lattice, margin: f64) -> [[f64; 2]; 2] {
-    let corners_of = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
-    let mut range = [[0.0, 0.0]; 2];
-    for (k, range) in range.iter_mut().enumerate().take(lattice.vectors().len()) {
-        let [f, g] = lattice.functional(k);
-        // an infinite extent at right angles to the functional counts nothing
-        let at = corners_of.map(|c| [f * c.x, g * c.y].iter().filter(|a| !a.is_nan()).sum::<f64>());
-        let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
-        if low.is_finite() && high.is_finite() {
-            // a wall along an edge of cells bounds those on both sides of it
-            let rounding = slack([1.0, low, high]);
-            let margin = if high - low <= rounding { margin + rounding } else { margin };
-            // translates by t reach that far where low + t < 1 + margin and high + t ≥ −margin
-            *range = [-libm::floor(high + margin), libm::ceil(1.0 + margin - low) - 1.0];
-        }
-    }
-    range
-}
-
-/// The translates of pieces that reach within `margin` cells of the unit cell, in the order of their numbers.
-fn translates(pieces: &[Arc<dyn Piece>], lattice: &Lattice, margin: f64) -> Vec<Translate> {
+/// The translates of pieces that reach within `margin` cells of that where paths are followed, in the order of their numbers.
+fn translates(pieces: &[Arc<dyn Piece>], cell: &FundamentalCell, margin: f64) -> Vec<Translate> {
     let mut found = vec![];
     for (number, piece) in pieces.iter().enumerate() {
-        let cells = multiples(reach(&piece.extent(), lattice, margin));
-        found.extend(cells.map(|cell| Translate::new(number, piece, lattice, cell)));
+        let by = multiples(cell.reach(&**piece, margin));
+        found.extend(by.map(|by| Translate::new(number, piece, cell.lattice(), by)));
     }
     found
 }

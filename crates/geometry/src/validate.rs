@@ -60,7 +60,7 @@ impl Table {
 
     /// Whether an infinite piece may stand on the lattice: a line along the only lattice vector.
     fn is_along_lattice(&self, figure: &Figure) -> bool {
-        let Some(lattice) = self.lattice() else { return true };
+        let Some(lattice) = self.shortest() else { return true };
         match (figure, lattice.vectors()) {
             (Figure::Line { direction, .. }, [a]) => {
                 direction.perp(a).abs() <= 4.0 * f64::EPSILON * libm::hypot(a.x, a.y)
@@ -145,7 +145,7 @@ impl Table {
         // in the plane, the widest loop lies in no other
         let outermost = (0..chains.len()).max_by(|&a, &b| width(a).total_cmp(&width(b)));
         if let Some(k) = outermost
-            && self.lattice().is_none()
+            && self.shortest().is_none()
             && chains.iter().all(|c| self.is_closed(c))
             && chains[k].len() > 1
         {
@@ -162,7 +162,7 @@ impl Table {
         let disagree = |a: &Wall, b: &Wall| {
             let [first, second] = [a, b].map(|wall| {
                 let k = sight.chain_of[wall.number];
-                let room = self.lattice().is_some() && self.is_closed(&chains[k]) && area(k) > 0.0;
+                let room = self.shortest().is_some() && self.is_closed(&chains[k]) && area(k) > 0.0;
                 (!room, width(k))
             });
             Error::Orientation { piece: if second < first { b.number } else { a.number } }
@@ -171,7 +171,7 @@ impl Table {
         let behind = |wall: &Wall| wall.into_table || self.pieces()[wall.number].tips().is_some();
         // a wall behind which there is no other, where all around is one region
         let mut last: Option<Wall> = None;
-        let surrounded = infinite.is_empty() && self.lattice().is_none();
+        let surrounded = infinite.is_empty() && self.shortest().is_none();
         for k in 0..chains.len() {
             let others = [(k + 1) % chains.len()].into_iter().chain(infinite.iter().copied());
             let aims = [Aim::Inward, Aim::Outward].into_iter().chain(others.filter(|&other| other != k).map(Aim::At));
@@ -201,7 +201,7 @@ impl Table {
     /// Fails where walls around a flat torus have the table on their left and, the other way round the torus, on their right: those that
     /// bound a region lead back as far as there.
     fn sides_of_a_torus(&self) -> Result<(), Error> {
-        let Some(lattice) = self.lattice().filter(|lattice| lattice.vectors().len() == 2) else { return Ok(()) };
+        let Some(lattice) = self.shortest().filter(|lattice| lattice.vectors().len() == 2) else { return Ok(()) };
         let steps = self.pieces().iter().filter_map(|p| p.ends()).map(|[a, b]| b - a);
         if lattice.rounded(&steps.sum()) == [0.0; 2] {
             return Ok(());

@@ -14,7 +14,7 @@ pub struct PlanarRow {
     pub piece: usize,
     /// Scaled spin position `x₀ = γ R θ` \[L\].
     pub x0: f64,
-    /// Position of the centre \[L\]; on a lattice in the unit cell.
+    /// Position of the centre \[L\]; on a lattice in the table's cell.
     pub x: [f64; 2],
     /// Scaled spin `v₀ = γ R θ̇` after the collision [L T⁻¹].
     pub v0: f64,

@@ -7,6 +7,7 @@ use billiards::geometry::{self, Figure, Piece, Vector2, Walls, WithWalls};
 use serde::Serialize;
 
 use super::engine::{Engine, Until, Watch};
+use super::frame::Frame;
 use super::planar::Planar;
 use super::spatial::{Space, Spatial};
 use super::trail::Trail;
@@ -288,7 +289,7 @@ fn first<const N: usize, const S: usize, T: Trail<N, S>>(
         before: 0,
         scale: launch.scale,
         pieces,
-        shift: [0.0; 3],
+        frame: Frame::default(),
     };
     let mut orbit = launch.orbit;
     let outcome = engine.watched(&mut orbit, Until { collisions: 1, time: f64::INFINITY }, &mut watch);

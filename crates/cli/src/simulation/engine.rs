@@ -8,6 +8,7 @@ use billiards::{
 };
 
 use super::event::Event;
+use super::frame::Frame;
 use super::keeper::Keeper;
 use super::portraits::{Point, Portraits};
 use super::scale::Scale;
@@ -48,8 +49,8 @@ pub(crate) struct Watch<'a, P> {
     pub(crate) scale: Scale,
     /// The number that a piece of the table has for the user.
     pub(crate) pieces: &'a [u64],
-    /// Where the engine's origin lies.
-    pub(crate) shift: [f64; 3],
+    /// Where the engine's places are for the user.
+    pub(crate) frame: Frame<'a>,
 }
 
 impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Keeper<N>, (Clock, T)> for Watch<'_, T::Portraits> {
@@ -79,6 +80,7 @@ impl<P> Watch<'_, P> {
         let Collision { n, hit, orbit } = collision;
         let (clock, trail) = &orbit.track;
         let (velocity, spin) = orbit.restored();
+        let (place, cell) = self.frame.place(&orbit.position, trail.cell());
         let mut event = Event {
             orbit: self.orbit,
             n: self.before + n,
@@ -86,12 +88,12 @@ impl<P> Watch<'_, P> {
             piece: self.pieces.get(collision.piece()).copied().unwrap_or(collision.piece() as u64),
             own_piece: collision.piece(),
             angle: self.scale.length_out(trail.angle()),
-            cell: trail.cell(),
+            cell,
             ..Event::default()
         };
         let normal = hit.unit_normal();
         for i in 0..N {
-            event.position[i] = self.scale.length_out(orbit.position[i] + self.shift[i]);
+            event.position[i] = self.scale.length_out(place[i]);
             event.velocity[i] = self.scale.speed_out(velocity[i]);
             event.normal[i] = normal[i];
         }

@@ -1,6 +1,6 @@
 //! Up to where the digits of the orbits last.
 
-use billiards::geometry::{Lattice, Vector2};
+use billiards::geometry::{FundamentalCell, Vector2};
 use billiards::{Bend, Bounce, Horizon, Stop};
 use serde::Serialize;
 
@@ -152,9 +152,9 @@ pub(crate) fn size(low: &[f64], high: &[f64]) -> f64 {
     sides.reduce(f64::max).unwrap_or(f64::INFINITY)
 }
 
-/// The longest side of the unit cell.
-pub(crate) fn cell_size(lattice: &Lattice) -> f64 {
-    lattice.vectors().iter().map(Vector2::norm).fold(0.0, f64::max)
+/// The longest side of the cell in which paths are followed.
+pub(crate) fn cell_size(cell: &FundamentalCell) -> f64 {
+    cell.lattice().vectors().iter().map(Vector2::norm).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

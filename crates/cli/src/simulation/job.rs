@@ -90,7 +90,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             let shows_points = self.work.shows_points();
             let outcome = match &mut orbit {
                 Running::Watched(orbit) => {
-                    let Work { pieces, shift, .. } = *self.work;
+                    let Work { pieces, frame, .. } = *self.work;
                     let Results { events, points, .. } = &mut self.results;
                     let mut portraits = None;
                     if let Some(of_thread) = &mut self.portraits {
@@ -105,7 +105,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                         before: n,
                         scale,
                         pieces,
-                        shift,
+                        frame,
                     };
                     self.engine.watched(orbit, until, &mut watch)
                 }
@@ -212,7 +212,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     fn end(&mut self, orbit: &Running<N, S, T>, scale: Scale, course: Course) {
         let Course { orbit: index, stop, collisions, drift } = course;
         let (position, velocity) = orbit.end(self.engine, scale.time_in(self.work.time), stop);
-        let position = core::array::from_fn(|i| scale.length_out(position[i] + self.work.shift[i]));
+        let position = self.work.frame.beyond(&orbit.position(), &position).map(|x| scale.length_out(x));
         let velocity = velocity.map(|v| scale.speed_out(v));
         let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
         let time = if out_of_time { self.work.time } else { scale.time_out(orbit.time()) };
@@ -288,7 +288,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
     }
 
     /// Position and velocity at the end: at the end of time, in the corner that the path runs into, or at the last collision.
-    fn end(&self, engine: &dyn Engine<N, S, T>, end: f64, stop: Option<Stop>) -> ([f64; 3], [f64; 3]) {
+    fn end(&self, engine: &dyn Engine<N, S, T>, end: f64, stop: Option<Stop>) -> ([f64; N], [f64; 3]) {
         let at = match stop {
             Some(Stop::Finished) if end.is_finite() => self.position_at(end),
             Some(Stop::Corner) => {
@@ -299,10 +299,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
             _ => self.position(),
         };
         let (v, _) = self.restored();
-        let (mut position, mut velocity) = ([0.0; 3], [0.0; 3]);
-        position[..N].copy_from_slice(&at);
+        let mut velocity = [0.0; 3];
         velocity[..N].copy_from_slice(&v);
-        (position, velocity)
+        (at, velocity)
     }
 }
 

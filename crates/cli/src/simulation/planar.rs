@@ -7,6 +7,7 @@ use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Watched};
+use super::frame::Frame;
 use super::horizon::{self, Horizons};
 use super::keeper::Keeper;
 use super::law::{PlanarLaw, is_strict, keeps_spin};
@@ -86,6 +87,11 @@ impl Planar {
         }))
     }
 
+    /// Where the engine's places are for the user.
+    pub(crate) fn frame(&self) -> Frame<'_> {
+        Frame { shift: [0.0; 3], cell: self.centres.cell().filter(|cell| !cell.is_unit_cell()) }
+    }
+
     /// Where an orbit starts, in the user's units and not folded into the unit cell of a lattice.
     pub(crate) fn lifted(&self, start: &Start<2, 1>) -> [f64; 2] {
         let shift = self.centres.lattice().map_or(Vector2::zeros(), |lattice| lattice.translation(start.cell));
@@ -125,7 +131,7 @@ impl Planar {
         let extent = self.centres.extent();
         let size = self
             .centres
-            .lattice()
+            .cell()
             .map_or_else(|| horizon::size(extent.min.as_slice(), extent.max.as_slice()), horizon::cell_size);
         Ok(self.with_engine(|engine| {
             Horizons::of(engine, &self.centres, size, self.orbits(), &*starts, &|start| self.launch(start), limit)

@@ -11,7 +11,7 @@ use super::words::short;
 /// A start, scaled to the size of the engine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start<const N: usize, const S: usize> {
-    /// Centre; on a lattice, in the unit cell.
+    /// Centre; on a lattice, in the cell where paths are followed.
     pub(crate) position: [f64; N],
     /// Velocity.
     pub(crate) velocity: [f64; N],
@@ -70,11 +70,11 @@ pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64)
     }
 }
 
-/// The copy of a point in the unit cell of a lattice, and its cell.
+/// The copy of a point where paths are followed on a lattice, and by how many of its vectors it has been moved.
 pub(crate) fn folded(table: &Table, point: &[f64; 2]) -> ([f64; 2], [f64; 2]) {
-    table.lattice().map_or((*point, [0.0; 2]), |lattice| {
-        let (home, cell) = lattice.reduce(&Vector2::from(*point));
-        (home.into(), cell)
+    table.cell().map_or((*point, [0.0; 2]), |cell| {
+        let (home, by) = cell.home(&Vector2::from(*point));
+        (home.into(), by)
     })
 }
 

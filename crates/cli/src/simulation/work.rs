@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use billiards::SEATS;
 
 use super::engine::Watched;
+use super::frame::Frame;
 use super::recorder::Recorder;
 use super::scale::Scale;
 
@@ -63,8 +64,8 @@ pub(crate) struct Work<'a> {
     pub(crate) crowded: &'a AtomicBool,
     /// For the user, what number a piece of the table has.
     pub(crate) pieces: &'a [u64],
-    /// Where the engine's origin lies, in its unit.
-    pub(crate) shift: [f64; 3],
+    /// Where the engine's places are for the user.
+    pub(crate) frame: Frame<'a>,
     /// Number of threads.
     pub(crate) threads: usize,
     /// Set when the user has had enough.
@@ -157,7 +158,7 @@ mod tests {
                 counted: false,
                 crowded: &crowded,
                 pieces: &[],
-                shift: [0.0; 3],
+                frame: Frame::default(),
                 threads,
                 interrupted: &interrupted,
                 progress: &progress,
@@ -220,7 +221,7 @@ mod tests {
                 counted: counted.is_some(),
                 crowded: &crowded,
                 pieces: &[],
-                shift: [0.0; 3],
+                frame: Frame::default(),
                 threads,
                 interrupted: &interrupted,
                 progress: &progress,

@@ -38,6 +38,51 @@ fn positions_on_a_lattice_stay_in_the_unit_cell_and_cells_add_up() {
 }
 
 #[test]
+fn orbits_on_a_lattice_are_the_same_in_every_basis_and_lie_in_its_own_unit_cell() {
+    let folder = Folder::new("basis");
+    let rows = |second: [f64; 2], center: &str, start: &str, end: &str| {
+        folder.done(
+            &format!(
+                "law = \"no-slip\"\n[table]\nlattice = [[1, 0], {second:?}]\n[[table.boundary]]\n\
+                 circle = {{ center = {center}, radius = 0.25, domain = \"outside\" }}\n[[orbit]]\nposition = {start}\n\
+                 velocity = [1, 0.125]\n[run]\n{end}\n[output]\ncollisions = \"csv\"\npictures = [\"orbit\"]\n"
+            ),
+            &[],
+        );
+        folder.rows()
+    };
+    let lifted = |row: &[f64], second: [f64; 2]| [row[5] + row[10] + row[11] * second[0], row[6] + row[11] * second[1]];
+    for center in ["[0.5, 0.5]", "[0, 0]"] {
+        for end in ["collisions = 30", "time = 25"] {
+            let start = if center == "[0, 0]" { "[-8.375, 3.75]" } else { "[-7.875, 4.25]" };
+            let upright = rows([0.0, 1.0], center, start, end);
+            assert!(upright.iter().all(|row| (0.0..1.0).contains(&row[5]) && (0.0..1.0).contains(&row[6])), "{center}");
+            for second in [[20.0, 1.0], [-1000.0, 1.0]] {
+                let lean = rows(second, center, start, end);
+                assert_eq!(lean.len(), upright.len());
+                for (a, b) in lean.iter().zip(&upright) {
+                    // orbit, number, time, piece, spin position, spin and velocity to the last bit
+                    assert_eq!((&a[..5], &a[7..10]), (&b[..5], &b[7..10]), "{center} {second:?}");
+                    // in the unit cell that is asked for, of which coordinates are rounded
+                    let along = a[5] - a[6] * second[0];
+                    let rounding = 4.0 * f64::EPSILON * second[0].abs();
+                    assert!((0.0..1.0).contains(&a[6]) && (-rounding..=1.0 + rounding).contains(&along), "{a:?}");
+                    let ([x, y], [u, v]) = (lifted(a, second), lifted(b, [0.0, 1.0]));
+                    assert!(
+                        (x - u).abs() <= rounding * 8.0 && (y - v).abs() <= rounding,
+                        "{center} {second:?} {a:?} {b:?}"
+                    );
+                }
+            }
+        }
+    }
+    // the first flight leads along a straight line, from the start as it was given
+    let row = &rows([20.0, 1.0], "[0, 0]", "[-8.375, 3.75]", "collisions = 1")[0];
+    let [x, y] = lifted(row, [20.0, 1.0]);
+    assert!((x + 8.375 - row[2]).abs() < 1e-13 && (y - 3.75 - 0.125 * row[2]).abs() < 1e-13, "{row:?}");
+}
+
+#[test]
 fn a_piece_may_have_a_law_of_its_own() {
     let folder = Folder::new("laws");
     let scene = r#"

@@ -87,7 +87,7 @@ impl<'a> Arrangement<'a> {
     /// Finds all meetings.
     fn cut(&mut self) {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
-        let copies = Copies::new(&pieces, self.table.lattice(), &finite_extent(&pieces), self.tolerance);
+        let copies = Copies::new(&pieces, self.table.shortest(), &finite_extent(&pieces), self.tolerance);
         for index in copies.order() {
             let (copy, extent) = copies.get(index);
             if copy.cell != [0.0; 2] {
@@ -201,7 +201,7 @@ impl<'a> Arrangement<'a> {
     fn kept(&self) -> Vec<Section> {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
         let reach = self.radius + 2.0 * self.tolerance;
-        let drawn = Copies::new(self.table.pieces(), self.table.lattice(), &finite_extent(&pieces), reach);
+        let drawn = Copies::new(self.table.pieces(), self.table.shortest(), &finite_extent(&pieces), reach);
         let mut kept = vec![];
         for (raw, (r, cuts)) in self.raw.iter().zip(&self.cuts).enumerate() {
             let length = r.piece.length();

@@ -33,7 +33,7 @@ pub(super) struct RawBoundary {
 type Ends = [Option<(Vector2<f64>, Site)>; 2];
 
 pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
-    let mut vertices = Vertices::new(table.lattice());
+    let mut vertices = Vertices::new(table.shortest());
     let mut pieces: Vec<Moved> = vec![];
     let mut ends: Vec<Ends> = vec![[None; 2]; table.pieces().len()];
     for joint in joints(table) {

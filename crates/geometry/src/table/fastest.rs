@@ -1,31 +1,25 @@
 //! The fastest walls for a table.
 use super::{
-    Table, Translate,
+    FundamentalCell, Table, Translate,
     container::{Container, Enclosed, MOST_SIDES},
     translates,
 };
 use crate::{
-    Figure, Lattice, Piece,
+    Figure, Piece,
     nearest::nearest_of,
     shapes::{Segment, Shape},
     walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
 };
-use nalgebra::Vector2;
 use std::sync::Arc;
 
 impl Table {
     /// Runs a computation with the best walls for this table.
     pub fn with_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
-        if let Some(lattice) = &self.lattice {
+        if let Some(cell) = self.cell() {
             let boxes = || self.pieces.iter().map(Piece::extent);
-            return match self.figures().as_slice() {
-                [Figure::Circle { center, radius, inside: false }] if inside_cell(*center, *radius, lattice) => {
-                    match Scatterer::new(*center, *radius, 0) {
-                        Ok(disk) => visit.run(&Periodic::new(disk, lattice).within(lattice, boxes())),
-                        Err(_) => visit.run(&Periodic::new(self.translates(lattice), lattice)),
-                    }
-                }
-                _ => visit.run(&Periodic::new(self.translates(lattice), lattice).within(lattice, boxes())),
+            return match self.lone_disk(cell) {
+                Some(disk) => visit.run(&Periodic::in_cell(disk, cell).within(cell.lattice(), boxes())),
+                None => visit.run(&Periodic::in_cell(self.translates(cell), cell).within(cell.lattice(), boxes())),
             };
         }
         // obstacles of straight sides in a rectangle, too, are asked faster together with it
@@ -86,6 +80,17 @@ impl Table {
     fn scatterer(&self, piece: usize) -> Option<Scatterer<2>> {
         match self.pieces[piece].figure() {
             Figure::Circle { center, radius, inside: false } => Scatterer::new(center, radius, piece).ok(),
+            _ => None,
+        }
+    }
+
+    /// All that there is in a cell, if that is one disk as a whole.
+    fn lone_disk(&self, cell: &FundamentalCell) -> Option<Scatterer<2>> {
+        match self.figures()[..] {
+            [Figure::Circle { center, radius, inside: false }] => {
+                let (home, _) = cell.home(&center);
+                cell.contains_disk(home, radius).then(|| Scatterer::new(home, radius, 0).ok())?
+            }
             _ => None,
         }
     }
@@ -153,12 +158,12 @@ impl Table {
         nearest.is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) >= 0.0)
     }
 
-    /// Every piece that reaches into the unit cell, translated there.
-    fn translates(&self, lattice: &Lattice) -> &Pieces {
+    /// Every piece that reaches into the cell, translated there.
+    fn translates(&self, cell: &FundamentalCell) -> &Pieces {
         self.parts.get_or_init(|| {
             let mut corners = vec![];
             let mut pieces = vec![];
-            for Translate { number, by, piece, .. } in translates(&self.pieces, lattice, 0.0) {
+            for Translate { number, by, piece, .. } in translates(&self.pieces, cell, 0.0) {
                 let ends = self.pieces[number].ends().map_or(vec![], Vec::from);
                 corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
                 pieces.push((number, piece));
@@ -174,13 +179,4 @@ fn straight(piece: &dyn Piece) -> Option<Segment> {
         Some(Shape::Segment(side)) => Some(side),
         _ => None,
     }
-}
-
-/// Whether a disk lies in the unit cell, so that no translate of it reaches in.
-fn inside_cell(center: Vector2<f64>, radius: f64, lattice: &Lattice) -> bool {
-    (0..lattice.vectors().len()).all(|i| {
-        let [f, g] = lattice.functional(i);
-        let (at, reach) = (f * center.x + g * center.y, radius * libm::hypot(f, g));
-        at - reach >= 0.0 && at + reach <= 1.0
-    })
 }

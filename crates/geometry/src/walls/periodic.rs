@@ -1,12 +1,12 @@
 //! Walls repeated by a lattice of translations.
 use super::{WallHit, Walls};
-use crate::{extent::Extent, lattice::Lattice, plane::slack};
+use crate::{FundamentalCell, extent::Extent, lattice::Lattice, plane::slack};
 use lanes::{Double, Lane, Mask};
 
-/// Walls on a channel or a flat torus: the particle is followed from unit cell to unit cell.
+/// Walls on a channel or a flat torus: the particle is followed from cell to cell.
 ///
-/// The walls inside must contain, besides those of the unit cell, every translate that reaches into it. A path starts in the unit
-/// cell (see [`Lattice::reduce`]), and a hit is reported there.
+/// The walls inside must contain, besides those of the cell, every translate that reaches into it. A path starts in the cell (see
+/// [`Lattice::reduce`] and [`FundamentalCell::home`]), and a hit is reported there.
 #[derive(Clone, Debug)]
 pub struct Periodic<W> {
     walls: W,
@@ -41,12 +41,25 @@ const PATIENCE: usize = 16;
 impl<W> Periodic<W> {
     /// The walls in the unit cell of a lattice.
     pub fn new(walls: W, lattice: &Lattice) -> Self {
-        let mut translations = [Translation { functional: [0.0; 2], vector: [0.0; 2], rounding: 0.0 }; 2];
-        let reach = |i: usize| lattice.vectors().iter().map(|vector| vector[i].abs()).sum::<f64>();
+        Periodic::from_corner(walls, lattice, [0.0; 2])
+    }
+
+    /// The walls in a cell of a table.
+    pub fn in_cell(walls: W, cell: &FundamentalCell) -> Self {
+        Periodic::from_corner(walls, cell.lattice(), cell.corner())
+    }
+
+    /// The walls in the cell of a lattice with its corner at these coordinates.
+    fn from_corner(walls: W, lattice: &Lattice, corner: [f64; 2]) -> Self {
+        let nowhere = Translation { functional: [0.0; 2], vector: [0.0; 2], edges: [0.0; 2], rounding: 0.0 };
+        let mut translations = [nowhere; 2];
+        let edges = corner.map(|c| [c, c + 1.0]);
+        let farthest = |k: usize| edges[k].iter().fold(0.0, |m: f64, edge| m.max(edge.abs()));
+        let reach = |i: usize| lattice.vectors().iter().enumerate().map(|(k, v)| v[i].abs() * farthest(k)).sum::<f64>();
         for (i, (translation, vector)) in translations.iter_mut().zip(lattice.vectors()).enumerate() {
             let [f, g] = lattice.functional(i);
             let rounding = ROUNDING * (1.0 + f.abs() * reach(0) + g.abs() * reach(1));
-            *translation = Translation { functional: [f, g], vector: (*vector).into(), rounding };
+            *translation = Translation { functional: [f, g], vector: (*vector).into(), edges: edges[i], rounding };
         }
         Periodic { walls, translations, across: [0.0; 2], range: [-f64::INFINITY, f64::INFINITY] }
     }
@@ -76,8 +89,9 @@ impl<W> Periodic<W> {
 /// A vector of the lattice.
 #[derive(Clone, Copy, Debug)]
 struct Translation {
-    /// The coordinate that this vector makes larger by 1; between 0 and 1 in the unit cell.
+    /// The coordinate that this vector makes larger by 1, and between which values it lies in the cell: 0 and 1 in the unit cell.
     functional: [f64; 2],
+    edges: [f64; 2],
     vector: [f64; 2],
     /// The rounding of coordinates in the cell, as part of its width.
     rounding: f64,
@@ -86,35 +100,40 @@ struct Translation {
 /// How a path crosses the edges of cells that one translation takes to each other.
 struct Crossings<F: Lane> {
     functional: [f64; 2],
+    /// The value of the coordinate where the path leaves the cell, and how long it takes for each unit of that, negative downwards.
+    edge: F,
+    inverse: F,
     /// The translation that the path has made from a cell to the next.
     step: [F; 2],
     /// The time from one crossing to the next; infinite along the edges.
     period: F,
     /// How late a hit on the edge may seem.
     late: F,
-    up: F::Mask,
 }
 
 impl<F: Lane> Crossings<F> {
     #[inline(always)]
     fn new(translation: &Translation, v: &[F; 2]) -> Self {
-        let Translation { functional: [f, g], vector: [x, y], rounding } = *translation;
+        let Translation { functional: [f, g], edges: [low, high], vector: [x, y], rounding } = *translation;
         let speed = v[0] * f + v[1] * g;
         let (zero, one) = (speed.same(0.0), speed.same(1.0));
         let up = zero.lt(speed);
         let step = [up.select(zero.same(x), zero.same(-x)), up.select(zero.same(y), zero.same(-y))];
-        let period = one / speed.abs();
-        Crossings { functional: [f, g], step, period, late: period * rounding, up }
+        let edge = up.select(zero.same(high), zero.same(low));
+        let inverse = one / speed;
+        let period = inverse.abs();
+        Crossings { functional: [f, g], edge, inverse, step, period, late: period * rounding }
     }
 
-    /// The time until the first crossing of a path from `x` in the unit cell.
+    /// The time until the first crossing of a path from `x` in the cell.
     #[inline(always)]
     fn first(&self, x: &[F; 2]) -> F {
         let [f, g] = self.functional;
         let at = x[0] * f + x[1] * g;
         let (zero, never) = (at.same(0.0), at.same(f64::INFINITY));
-        let to_go = self.up.select(at.same(1.0) - at, at).max(zero);
-        self.period.lt(never).select(to_go * self.period, never)
+        // as for a path that is on the edge, where rounding has taken it beyond
+        let time = ((self.edge - at) * self.inverse).max(zero);
+        self.period.lt(never).select(time, never)
     }
 }
 

@@ -14,7 +14,7 @@ struct CompareLifted<'a> {
 impl WithWalls<2> for CompareLifted<'_> {
     type Output = ();
     fn run<W: Walls<2>>(self, walls: &W) {
-        let lattice = self.table.lattice().unwrap();
+        let lattice = self.table.cell().unwrap().lattice();
         let mut pieces: Vec<(usize, std::sync::Arc<dyn Piece>)> = vec![];
         let second = if lattice.vectors().len() == 2 { -9..=9 } else { 0..=0 };
         for (i, piece) in self.table.pieces().iter().enumerate() {
@@ -52,6 +52,48 @@ fn lattice_walls_agree_with_all_translates() {
         let paths = orbit_starts(&table, 1000, &mut random);
         table.with_walls(CompareLifted { name, table: &table, paths: &paths });
     }
+}
+
+#[test]
+fn walls_in_any_cell_of_any_basis_agree_with_all_translates() {
+    let v = Vector2::new;
+    let disk = |x: f64, y: f64, r: f64| Box::new(Circle::new(v(x, y), r, false).unwrap()) as Box<dyn Piece>;
+    let mut random = Random(21);
+    for (name, vectors, disks) in [
+        ("a lean cell", [v(1.0, 0.0), v(20.0, 1.0)], vec![disk(0.5, 0.5, 0.25)]),
+        ("a disk about the origin", [v(1.0, 0.0), v(0.0, 1.0)], vec![disk(0.0, 0.0, 0.25)]),
+        ("both", [v(0.9, 0.1), v(-7.3, 0.25)], vec![disk(0.0, 0.0, 0.1), disk(0.25, 0.5, 0.05)]),
+        ("a disk that any cell cuts", [v(1.0, 0.0), v(0.5, 1.0)], vec![disk(0.3, 0.0, 0.45), disk(0.8, 0.5, 0.05)]),
+    ] {
+        let table = Table::periodic(disks, Some(Lattice::new(&vectors).unwrap())).unwrap();
+        table.validate().unwrap();
+        let paths = orbit_starts(&table, 1000, &mut random);
+        table.with_walls(CompareLifted { name, table: &table, paths: &paths });
+        table.with_walls(side_by_side::SameBits { name, paths: &paths });
+    }
+}
+
+#[test]
+fn a_basis_costs_no_more_than_the_shortest_one() {
+    let copies = |second: Vector2<f64>| {
+        let disk = Circle::new(Vector2::new(0.5, 0.5), 0.25, false).unwrap();
+        let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), second]).unwrap();
+        let table = Table::periodic(vec![Box::new(disk)], Some(lattice)).unwrap();
+        table.validate().unwrap();
+        assert!((table.largest_disk().radius - (0.5_f64.sqrt() - 0.25)).abs() < 1e-15, "{second}");
+        table.nearby().count()
+    };
+    for skew in [20.0, 1000.0, 1e9] {
+        assert_eq!(copies(Vector2::new(skew, 1.0)), copies(Vector2::new(0.0, 1.0)), "{skew:e}");
+    }
+}
+
+#[test]
+fn a_basis_too_lean_to_count_the_cells_is_refused() {
+    let disk = Circle::new(Vector2::new(0.5, 0.5), 0.25, false).unwrap();
+    let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), Vector2::new(1e17, 1.0)]).unwrap();
+    let table = Table::periodic(vec![Box::new(disk)], Some(lattice));
+    assert!(matches!(table, Err(geometry::Error::FarFromCell { piece: 0, .. })));
 }
 
 /// Walls that count how often they are asked.
@@ -157,7 +199,7 @@ fn no_path_passes_a_wall_along_an_edge_of_cells() {
             let lattice = table.lattice().unwrap();
             let mut at = || random.uniform();
             let point = lattice.translation([at(), at()]) + Vector2::new(0.0, at());
-            let (point, _) = lattice.reduce(&point);
+            let point = table.home(&point);
             let piece = &table.pieces()[paths.len() % table.pieces().len()];
             let cell = [at(), at()].map(|a| f64::from(a < 0.5));
             let near = piece.arc_length_at(&point) + 4.0 * (at() - 0.5);
