@@ -13,6 +13,7 @@
 //! Nothing here has an absolute tolerance; scaling a table by a power of two scales every answer to the last bit.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
+mod afar;
 mod boundary;
 mod boxes;
 pub mod check;

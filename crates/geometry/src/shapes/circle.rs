@@ -1,6 +1,7 @@
 //! A whole circle, with the table inside or outside.
 use crate::{
     Error,
+    afar::{NEWTON, on_circle},
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
@@ -123,8 +124,20 @@ impl Circle {
         // one Newton step towards |y| = r. What |y|² lacks is not taken from a sum near r², which rounds to even numbers and
         // so on one side more often than on the other: along an ellipse that adds up
         let change = ((y[0].same(self.square) - y[0] * y[0]) - y[1] * y[1]) * self.half;
-        let y = [y[0] + y[0] * change, y[1] + y[1] * change];
-        ([y[0] + self.center[0], y[1] + self.center[1]], [y[0] * self.to_normal, y[1] * self.to_normal])
+        let z = [y[0] + y[0] * change, y[1] + y[1] * change];
+        let (point, normal) =
+            ([z[0] + self.center[0], z[1] + self.center[1]], [z[0] * self.to_normal, z[1] * self.to_normal]);
+        let afar = change.same(NEWTON).lt(change.abs());
+        if !afar.any() {
+            return (point, normal);
+        }
+        let (p, n) = on_circle(
+            &y,
+            &v,
+            self.center.map(|c| change.same(c)),
+            [self.to_normal, self.square].map(|k| change.same(k)),
+        );
+        ([0, 1].map(|i| afar.select(p[i], point[i])), [0, 1].map(|i| afar.select(n[i], normal[i])))
     }
 
     pub(crate) fn translated(self, by: [f64; 2]) -> Circle {

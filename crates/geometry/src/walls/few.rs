@@ -1,6 +1,7 @@
 //! A list of a few shapes, asked in lanes.
 use super::{CORNER, WallHit, Walls};
 use crate::{
+    afar::{NEWTON, on_circle},
     crossing::Candidate,
     plane::{along, cross, from},
     shapes::{Ellipse, Ground, Shape},
@@ -248,6 +249,11 @@ impl Walls<2> for Few {
             [z[0] + anchor[0], z[1] + anchor[1], z[0] * normal[0], z[1] * normal[0]],
             [p[0] + off * normal[0], p[1] + off * normal[1], normal[0], normal[1]],
         );
+        let afar = round & one.same(NEWTON).lt(change.abs());
+        if afar.any() {
+            let (p, n) = on_circle(&y, &v, anchor, normal);
+            [p1, p2, n1, n2] = afar.choose([p[0], p[1], n[0], n[1]], [p1, p2, n1, n2]);
+        }
         if !self.ovals.is_empty() {
             let oval = !round & one.same(1.5).lt(normal[0]);
             for (k, ellipse) in self.ovals.iter().enumerate() {

@@ -196,10 +196,6 @@ pub trait WithWalls<const N: usize> {
 /// A landing point is right to about 2 ulp of the size along the wall; 8 covers it with a factor of four.
 pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
 
-/// In lanes a place on a round wall is brought onto it, and the length of its normal found, by one step of Newton's method each. What
-/// these leave is the square of what the place is off, as part of the radius: next to nothing for radii above this part of the table's size.
-pub(crate) const LEAST_RADIUS: f64 = 1.0 / (1 << 26) as f64; // √ε
-
 /// Whether a wall at this distance is reached with this speed before another one.
 ///
 /// One that is not moved towards is never reached, even from the wall itself: nothing is less than 0, nor than ∞·0.

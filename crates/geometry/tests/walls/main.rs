@@ -19,6 +19,41 @@ use geometry::{
 };
 use lanes::{Kernel, Lane, Mask};
 
+#[test]
+fn circles_that_are_tiny_beside_the_flights_reflect_as_well_as_others() {
+    struct Head(Line<2>);
+    impl WithWalls<2> for Head {
+        type Output = geometry::Hit<2>;
+        fn run<W: Walls<2>>(self, walls: &W) -> geometry::Hit<2> {
+            walls.hit(&self.0).unwrap()
+        }
+    }
+    let v = Vector2::new;
+    let sides = |corners: [Vector2<f64>; 4]| {
+        (0..4).map(move |i| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as Box<dyn Piece>)
+    };
+    // head on, where the place is off by more than the radius
+    for radius in [1e-9, 1e-12, 1e-15] {
+        let disk = || Box::new(Circle::new(v(0.1, 0.2), radius, false).unwrap()) as Box<dyn Piece>;
+        let others = [v(0.5, 0.5), v(0.6, 0.5), v(0.6, 0.6), v(0.5, 0.6)];
+        let square = [v(-1.0, -1.0), v(1.0, -1.0), v(1.0, 1.0), v(-1.0, 1.0)];
+        let alone = Table::new(sides(square).chain([disk()]).collect()).unwrap();
+        let mut hole = others;
+        hole.reverse();
+        let among = Table::new(sides(square).chain(sides(hole)).chain([disk()]).collect()).unwrap();
+        for table in [alone, among] {
+            for from in [v(0.1, 0.9), v(0.9, 0.2)] {
+                let towards = v(0.1, 0.2) - from;
+                let hit = table.with_walls(Head(Line { point: from, velocity: towards }));
+                assert!((hit.normal + towards.normalize()).norm() <= 4.0 * f64::EPSILON, "{radius}: {hit:?}");
+                assert!((hit.time - 1.0).abs() <= 2.0 * radius + 8.0 * f64::EPSILON, "{radius}: {hit:?}");
+            }
+            let paths = paths(&table, 64, &mut Random(5));
+            table.with_walls(side_by_side::SameBits { name: "a tiny disk", paths: &paths });
+        }
+    }
+}
+
 /// Random numbers, uniform in [0, 1): a linear congruential generator with its upper bits.
 struct Random(u64);
 

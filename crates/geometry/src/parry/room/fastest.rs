@@ -2,9 +2,10 @@
 use super::{Room, boxed};
 use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
+    afar::NEWTON,
     parry::{Side, Solid, first::first_in, solid::Figure},
     plane::slack,
-    walls::{Around, ByLane, Cuboid, Cylinder, LEAST_RADIUS, Scatterers, Slab, Sphere, Walls, WithWalls},
+    walls::{Around, ByLane, Cuboid, Cylinder, Scatterers, Slab, Sphere, Walls, WithWalls},
 };
 use nalgebra::Vector3;
 
@@ -79,7 +80,7 @@ impl Container {
     fn single(number: usize, solid: &Solid) -> Option<Container> {
         match solid.figure().filter(|_| solid.side() == Side::Inside)? {
             Figure::Ball { center, radius } => Some(Container::Ball { center, radius, piece: number }),
-            Figure::Cylinder { center, axis, radius, half_height } => {
+            Figure::Cylinder { center, axis, radius, half_height } if radius > half_height * NEWTON => {
                 Some(Container::Cylinder { center, axis, radius, half_height, piece: number })
             }
             Figure::Cuboid { low, high } if low < high => Some(Container::Box { low, high, pieces: [[number; 2]; 3] }),
@@ -152,17 +153,13 @@ impl<'a> Obstacles<'a> {
         }
     }
 
-    /// Centres, radii and numbers, if all of them are balls that lie apart, none of them too small.
+    /// Centres, radii and numbers, if all of them are balls that lie apart.
     fn balls(&self) -> Option<Vec<(Vector3<f64>, f64, usize)>> {
         let ball = |(number, solid): &(usize, &Solid)| match solid.figure()? {
             Figure::Ball { center, radius } if solid.side() == Side::Outside => Some((center, radius, *number)),
             _ => None,
         };
         let balls: Vec<_> = self.solids.iter().map(ball).collect::<Option<_>>()?;
-        let size = self.room.solids.iter().map(Solid::size).fold(0.0, f64::max);
-        if balls.iter().any(|(_, radius, _)| *radius < LEAST_RADIUS * size) {
-            return None;
-        }
         let reach = self.solids.iter().map(|(_, solid)| off(solid)).fold(0.0, f64::max);
         let is_apart = |(a, (center, radius, _)): (usize, &(Vector3<f64>, f64, usize))| {
             let (own, mut apart) = (boxed(self.solids[a].1), true);

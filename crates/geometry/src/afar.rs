@@ -1,0 +1,40 @@
+//! Landings on round walls that are tiny beside the flight.
+//!
+//! A place on a round wall is brought onto it, and the length of its normal found, by one step of Newton's method each. What these leave
+//! is the square of what the place is off, as part of the radius. Rounding puts it off by that of the flight's length, so walls with a
+//! radius of 10⁻⁸ of that and less need more.
+use lanes::{Lane, Mask, dot};
+
+/// By how much, as part of the radius, a place may be off for Newton's method to leave next to nothing: `√ε/2`.
+pub(crate) const NEWTON: f64 = 1.0 / (1 << 27) as f64;
+
+/// The direction from the centre of a round wall to a place `y`, seen from there, that is off the wall by more than [`NEWTON`], and the
+/// inverse of its length: against the path where the place is the centre itself.
+#[inline(always)]
+pub(crate) fn outwards<F: Lane, const N: usize>(y: &[F; N], v: &[F; N]) -> ([F; N], F) {
+    let (zero, one) = (v[0].same(0.0), v[0].same(1.0));
+    let square = dot(y, y);
+    let somewhere = zero.lt(square);
+    let mut to = *y;
+    for i in 0..N {
+        to[i] = somewhere.select(y[i], -v[i]);
+    }
+    (to, one / somewhere.select(square, dot(v, v)).sqrt())
+}
+
+/// The point of a circle and the normal where a path lands whose place `y` is off it by more than [`NEWTON`]; of the circle, its centre,
+/// `±1/r`, from there to the normal, and `r²`.
+#[cold]
+#[inline(never)]
+pub(crate) fn on_circle<F: Lane>(
+    y: &[F; 2],
+    v: &[F; 2],
+    center: [F; 2],
+    [to_normal, square]: [F; 2],
+) -> ([F; 2], [F; 2]) {
+    let (to, inverse) = outwards(y, v);
+    let side = to_normal.same(1.0).copysign(to_normal);
+    let unit = [to[0] * inverse, to[1] * inverse];
+    let radius = square * to_normal.abs();
+    ([unit[0] * radius + center[0], unit[1] * radius + center[1]], [unit[0] * side, unit[1] * side])
+}
