@@ -1,6 +1,7 @@
 //! A table: its pieces, and how they hang together.
 mod container;
 mod fastest;
+mod sides;
 mod two_sided;
 
 use crate::{

@@ -2,7 +2,8 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, wedge, capsule, sphere), scatterers, pairs of those, straight sides eight at a time, straight,
+//! zonogon, convex polygon, wedge, capsule, sphere), also where their sides are several pieces, scatterers, pairs of those, straight
+//! sides eight at a time, straight,
 //! circular and elliptic pieces as a list in lanes, smooth curves as graphs of polynomials, or a list of any pieces.
 mod around;
 mod by_lane;
@@ -13,6 +14,7 @@ mod cuboid;
 mod few;
 mod graphs;
 mod homogeneous;
+mod hull;
 mod lines;
 mod list;
 mod normal;
@@ -21,6 +23,7 @@ mod pieces;
 mod polygon;
 mod rotated;
 mod scatterer;
+mod seamed;
 mod slab;
 mod sphere;
 mod wedge;
@@ -30,16 +33,19 @@ pub use around::Around;
 pub use by_lane::ByLane;
 pub use capsule::Capsule;
 pub use convex::ConvexPolygon;
+pub(crate) use corners::Corners;
 pub use cuboid::Cuboid;
 pub use few::Few;
 pub use graphs::Graphs;
 pub use homogeneous::{Chord, Homogeneous, Swing};
+pub use hull::Hull;
 pub use list::List;
 pub use periodic::Periodic;
 pub use pieces::Pieces;
 pub use polygon::Polygon;
 pub use rotated::Rotated;
 pub use scatterer::Scatterer;
+pub use seamed::{Seam, Seamed};
 pub use slab::Slab;
 pub use sphere::Sphere;
 pub use wedge::Wedge;
