@@ -9,7 +9,7 @@ use crate::{
     Figure, Lattice, Piece,
     nearest::nearest_of,
     shapes::{Segment, Shape},
-    walls::{Around, Corners, Hull, List, Periodic, Pieces, Polygon, Scatterer, Seam, Seamed, WithWalls},
+    walls::{Around, Corners, Enclosure, Hull, List, Obstacles, Periodic, Pieces, Polygon, Scatterer, Seam, WithWalls},
 };
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -37,30 +37,28 @@ impl Table {
             return self.with_general_walls(visit);
         };
         let Enclosed { hull, seams, rest } = &**known;
-        let disk = self.scatterer(rest);
-        if !seams.is_empty() {
-            let seamed = Seamed { walls: hull, seams };
-            return match (disk, rest.as_slice()) {
-                (Some(disk), _) => visit.run(&Around { container: seamed, obstacles: disk }),
-                (None, []) => visit.run(&seamed),
-                (None, many) => visit.run(&Around { container: seamed, obstacles: self.parts(many) }),
-            };
-        }
-        match (hull, rest.as_slice()) {
-            (Hull::Level(walls), []) => visit.run_homogeneous(walls),
-            (Hull::Upright(walls), []) => visit.run_homogeneous(walls),
-            (Hull::Rectangle(walls), []) => visit.run(walls),
-            (Hull::Hexagon(walls), []) => visit.run(walls),
-            (Hull::Convex(walls), []) => visit.run(walls),
-            (Hull::Wedge(walls), []) => visit.run(walls),
-            (Hull::Capsule(walls), []) => visit.run(walls),
-            (Hull::RotatedCapsule(walls), []) => visit.run(walls),
-            (Hull::Disk(walls), []) => visit.run_homogeneous(walls),
-            (_, obstacles) => match (hull, disk) {
-                (Hull::Rectangle(walls), Some(disk)) => visit.run(&Around { container: walls, obstacles: disk }),
-                (_, Some(disk)) => visit.run(&Around { container: hull, obstacles: disk }),
-                (_, None) => visit.run(&Around { container: hull, obstacles: self.parts(obstacles) }),
-            },
+        let obstacles = match (self.scatterer(rest), rest.as_slice()) {
+            (Some(disk), _) => Obstacles::Disk(disk),
+            (None, []) => Obstacles::None,
+            (None, many) => Obstacles::Pieces(self.parts(many)),
+        };
+        match (hull, seams.as_slice(), obstacles) {
+            (Hull::Level(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
+            (Hull::Upright(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
+            (Hull::Rectangle(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Hexagon(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Convex(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Wedge(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Capsule(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::RotatedCapsule(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Disk(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
+            (Hull::Rectangle(container), [], Obstacles::Disk(obstacles)) => visit.run(&Around { container, obstacles }),
+            (Hull::Rectangle(container), [], Obstacles::Pieces(obstacles)) => {
+                visit.run(&Around { container, obstacles })
+            }
+            (Hull::Disk(container), [], Obstacles::Disk(obstacles)) => visit.run(&Around { container, obstacles }),
+            (Hull::Disk(container), [], Obstacles::Pieces(obstacles)) => visit.run(&Around { container, obstacles }),
+            (hull, seams, obstacles) => visit.run(&Enclosure { hull, seams, obstacles }),
         }
     }
 
