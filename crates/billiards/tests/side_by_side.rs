@@ -9,7 +9,7 @@ type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
-use geometry::{Lattice, Piece, Table, Vector2, WallHit, Walls, shapes::Circle, tables};
+use geometry::{Lattice, Outline, Piece, Table, Vector2, WallHit, Walls, shapes::Circle, tables};
 use lanes::{Lane, MOST_LANES, Mask};
 use std::sync::{
     Arc,
@@ -103,6 +103,26 @@ fn lanes_have_the_bits_of_single_orbits() {
     agree("pocket", tables::pocket([2.0, 1.0], 0.3125, 0.5625), no_slip());
     // asked in lanes side by side, and through a tree of boxes alone
     agree("many sides", tables::polygon(100, 1.0), no_slip());
+    // a side of two pieces, alone and with something inside; a container that lies askew
+    agree("a side in two", in_square([1.0, 0.0], 0.0, 0), no_slip());
+    agree("a side in two about a disk", in_square([1.0, 0.0], 0.0, 1), no_slip());
+    agree("a side in two about two disks", in_square([1.0, 0.0], 0.0, 2), no_slip());
+    agree("a disk in a square askew", in_square([0.6, 0.8], 0.5, 1), no_slip());
+    agree("two disks in a square askew", in_square([0.6, 0.8], 0.5, 2), no_slip());
+}
+
+/// The square (−1, 1)², turned, around some disks; in the lower side there is a vertex, `corner` below it.
+fn in_square([c, s]: [f64; 2], corner: f64, disks: usize) -> Result<Table, geometry::Error> {
+    let at = |x: f64, y: f64| Vector2::new(c * x - s * y, s * x + c * y);
+    let mut square = Outline::from(at(-1.0, -1.0));
+    for (x, y) in [(0.0, -1.0 - corner), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+        square = square.line_to(at(x, y))?;
+    }
+    let mut pieces = square.close()?;
+    for x in [-0.5, 0.5].into_iter().take(disks) {
+        pieces.push(Box::new(Circle::new(at(x, 0.125), 0.25, false)?));
+    }
+    Table::new(pieces)
 }
 
 /// A disk table, as a user would write it for lanes.

@@ -2,6 +2,7 @@
 mod cell;
 mod container;
 mod fastest;
+mod sides;
 mod two_sided;
 
 use crate::{

@@ -1,15 +1,17 @@
 //! The fastest walls for a table.
 use super::{
     FundamentalCell, Table, Translate,
-    container::{Container, Enclosed, MOST_SIDES},
+    container::{Enclosed, MOST_SIDES, hull, slab},
+    sides::{Side, sides},
     translates,
 };
 use crate::{
     Figure, Piece,
     nearest::nearest_of,
     shapes::{Segment, Shape},
-    walls::{Around, List, Periodic, Pieces, Polygon, Scatterer, WithWalls},
+    walls::{Around, Corners, Enclosure, Hull, List, Obstacles, Periodic, Pieces, Polygon, Scatterer, Seam, WithWalls},
 };
+use nalgebra::Vector2;
 use std::sync::Arc;
 
 impl Table {
@@ -29,29 +31,29 @@ impl Table {
         let Some(known) = self.enclosed.get_or_init(|| self.enclosed().map(Arc::new)) else {
             return self.with_general_walls(visit);
         };
-        let Enclosed { container, rest } = &**known;
-        match (container, rest.as_slice()) {
-            (Container::Level(walls), []) => visit.run_homogeneous(walls),
-            (Container::Upright(walls), []) => visit.run_homogeneous(walls),
-            (Container::Rectangle(walls), []) => visit.run(walls),
-            (Container::Hexagon(walls), []) => visit.run(walls),
-            (Container::Convex(walls), []) => visit.run(walls),
-            (Container::Wedge(walls), []) => visit.run(walls),
-            (Container::Capsule(walls), []) => visit.run(walls),
-            (Container::RotatedCapsule(walls), []) => visit.run(walls),
-            (Container::Disk(walls), []) => visit.run_homogeneous(walls),
-            (Container::Rectangle(walls), [one]) => match self.scatterer(*one) {
-                Some(disk) => visit.run(&Around { container: walls.clone(), obstacles: disk }),
-                None => visit.run(&Around { container: walls.clone(), obstacles: self.parts(&[*one]) }),
-            },
-            (Container::Disk(walls), [one]) => match self.scatterer(*one) {
-                Some(disk) => visit.run(&Around { container: walls.clone(), obstacles: disk }),
-                None => visit.run(&Around { container: walls.clone(), obstacles: self.parts(&[*one]) }),
-            },
-            (Container::Rectangle(walls), many) => {
-                visit.run(&Around { container: walls.clone(), obstacles: self.parts(many) })
+        let Enclosed { hull, seams, rest } = &**known;
+        let obstacles = match (self.scatterer(rest), rest.as_slice()) {
+            (Some(disk), _) => Obstacles::Disk(disk),
+            (None, []) => Obstacles::None,
+            (None, many) => Obstacles::Pieces(self.parts(many)),
+        };
+        match (hull, seams.as_slice(), obstacles) {
+            (Hull::Level(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
+            (Hull::Upright(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
+            (Hull::Rectangle(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Hexagon(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Convex(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Wedge(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Capsule(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::RotatedCapsule(walls), [], Obstacles::None) => visit.run(walls),
+            (Hull::Disk(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
+            (Hull::Rectangle(container), [], Obstacles::Disk(obstacles)) => visit.run(&Around { container, obstacles }),
+            (Hull::Rectangle(container), [], Obstacles::Pieces(obstacles)) => {
+                visit.run(&Around { container, obstacles })
             }
-            _ => self.with_general_walls(visit),
+            (Hull::Disk(container), [], Obstacles::Disk(obstacles)) => visit.run(&Around { container, obstacles }),
+            (Hull::Disk(container), [], Obstacles::Pieces(obstacles)) => visit.run(&Around { container, obstacles }),
+            (hull, seams, obstacles) => visit.run(&Enclosure { hull, seams, obstacles }),
         }
     }
 
@@ -76,8 +78,9 @@ impl Table {
         Some(Polygon::new(&sides?, &self.corners))
     }
 
-    /// A piece as a scatterer, if it is one.
-    fn scatterer(&self, piece: usize) -> Option<Scatterer<2>> {
+    /// The obstacles as one scatterer, if they are that.
+    fn scatterer(&self, obstacles: &[usize]) -> Option<Scatterer<2>> {
+        let &[piece] = obstacles else { return None };
         match self.pieces[piece].figure() {
             Figure::Circle { center, radius, inside: false } => Scatterer::new(center, radius, piece).ok(),
             _ => None,
@@ -118,37 +121,42 @@ impl Table {
         if self.unbounded {
             return None; // around all chains
         }
-        let figures = self.figures();
-        let rest = |used: &[usize]| (0..self.pieces.len()).filter(|i| !used.contains(i)).collect();
+        let corners = Corners::new(&self.corners);
+        let is_corner = |vertex: &Vector2<f64>| corners.contains(vertex);
+        let mut lines = vec![];
         for chain in self.chains() {
-            let of_chain: Vec<Figure> = chain.iter().map(|&i| figures[i]).collect();
+            if chain.len() > MOST_SIDES {
+                continue;
+            }
             if chain.iter().any(|&i| self.pieces[i].shape().is_some_and(|shape| shape.is_two_sided())) {
                 continue; // what starts on it may be on either side
             }
-            let sides: Option<Vec<Segment>> = chain.iter().map(|&i| straight(&*self.pieces[i])).collect();
-            if let Some(container) = Container::of(&chain, &of_chain, sides.as_deref()) {
-                let rest: Vec<usize> = rest(&chain);
-                // what else there is must lie inside: a table may have several rooms
-                let fits = !self.has_flat_vertex(&of_chain) && rest.iter().all(|&i| self.inside(&chain, i));
-                return fits.then_some(Enclosed { container, rest });
+            if chain.len() > 2 && chain.windows(2).any(|w| w[1] != w[0] + 1) {
+                continue; // where tables touch, a chain may lead from one into another
+            }
+            if let [one] = chain[..]
+                && matches!(self.pieces[one].figure(), Figure::Line { .. })
+            {
+                lines.push(one);
+                continue;
+            }
+            let side =
+                |&i: &usize| Side { figure: self.pieces[i].figure(), straight: straight(&*self.pieces[i]), piece: i };
+            let pieces: Vec<Side> = chain.iter().map(side).collect();
+            let Some((sides, seams)) = sides(&pieces, is_corner) else { continue };
+            if let Some(hull) = hull(&sides) {
+                return self.around(hull, seams, &chain).filter(|_| !has_flat_vertex(&sides, is_corner));
             }
         }
-        if let [Figure::Line { .. }, Figure::Line { .. }] = figures[..]
-            && let Some(slab) = Container::slab(&figures)
-        {
-            return Some(Enclosed { container: slab, rest: vec![] });
-        }
-        None
+        let [one, other] = lines[..] else { return None };
+        let hull = slab([one, other].map(|i| self.pieces[i].figure()), [one, other])?;
+        self.around(hull, vec![], &[one, other])
     }
 
-    /// Whether a polygon has a vertex that is no corner of the table: composite walls of straight sides call each of theirs one.
-    fn has_flat_vertex(&self, chain: &[Figure]) -> bool {
-        let start = |figure: &Figure| match figure {
-            Figure::Segment { ends: [start, _] } => Some(*start),
-            _ => None,
-        };
-        let starts: Option<Vec<_>> = chain.iter().map(start).collect();
-        starts.is_some_and(|starts| starts.iter().any(|start| !self.corners.contains(start)))
+    /// A composite wall of some pieces with all others, if these lie inside: a table may have several rooms.
+    fn around(&self, hull: Hull, seams: Vec<Seam>, chain: &[usize]) -> Option<Enclosed> {
+        let rest: Vec<usize> = (0..self.pieces.len()).filter(|i| !chain.contains(i)).collect();
+        rest.iter().all(|&i| self.inside(chain, i)).then_some(Enclosed { hull, seams, rest })
     }
 
     /// Whether a piece lies on the table's side of a chain that it does not cross.
@@ -171,6 +179,12 @@ impl Table {
             Arc::new(Pieces::new(pieces, &corners))
         })
     }
+}
+
+/// Whether a polygon has a vertex that is no corner of the table: composite walls of straight sides call each of theirs one.
+fn has_flat_vertex(sides: &[Side], is_corner: impl Fn(&Vector2<f64>) -> bool) -> bool {
+    let starts: Option<Vec<Segment>> = sides.iter().map(|side| side.straight).collect();
+    starts.is_some_and(|sides| sides.iter().any(|side| !is_corner(&side.start().into())))
 }
 
 /// A piece as a segment, if it is one.

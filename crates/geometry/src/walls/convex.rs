@@ -43,12 +43,18 @@ impl ConvexPolygon {
     /// # Errors
     /// [`Error::NotConvex`] where it is not strictly convex.
     pub fn new(sides: &[Segment], first: usize) -> Result<Self, Error> {
+        ConvexPolygon::numbered(sides, &(first..first + sides.len()).collect::<Vec<_>>())
+    }
+
+    /// The same with the number of each side's piece.
+    pub(crate) fn numbered(sides: &[Segment], numbers: &[usize]) -> Result<Self, Error> {
         if sides.len() < 3 || !turns_left(sides) {
             return Err(Error::NotConvex);
         }
         let margin = CORNER * sides.iter().flat_map(Segment::start).fold(0.0, |m: f64, c| m.max(c.abs()));
-        let side = |(i, s): (usize, &Segment)| Side::new(s.inward_normal(), [s.start(), s.end()], margin, first + i);
-        Ok(ConvexPolygon { sides: sides.iter().enumerate().map(side).collect() })
+        let side =
+            |(s, number): (&Segment, &usize)| Side::new(s.inward_normal(), [s.start(), s.end()], margin, *number);
+        Ok(ConvexPolygon { sides: sides.iter().zip(numbers).map(side).collect() })
     }
 }
 

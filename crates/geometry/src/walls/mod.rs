@@ -2,8 +2,9 @@
 //!
 //! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, wedge, capsule, sphere, cylinder), one scatterer or many, pairs of those, straight sides eight at a time, straight,
-//! circular and elliptic pieces as a list in lanes, smooth curves as graphs of polynomials, or a list of any pieces.
+//! zonogon, convex polygon, wedge, capsule, sphere, cylinder), also where their sides are several pieces, one scatterer or
+//! many, pairs of those, straight sides eight at a time, straight, circular and elliptic pieces as a list in lanes, smooth
+//! curves as graphs of polynomials, or a list of any pieces.
 mod around;
 mod by_lane;
 mod capsule;
@@ -11,9 +12,11 @@ mod convex;
 mod corners;
 mod cuboid;
 mod cylinder;
+mod enclosure;
 mod few;
 mod graphs;
 mod homogeneous;
+mod hull;
 mod lines;
 mod list;
 mod normal;
@@ -32,11 +35,14 @@ pub use around::Around;
 pub use by_lane::ByLane;
 pub use capsule::Capsule;
 pub use convex::ConvexPolygon;
+pub(crate) use corners::Corners;
 pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
+pub use enclosure::{Enclosure, Obstacles, Seam};
 pub use few::Few;
 pub use graphs::Graphs;
 pub use homogeneous::{Chord, Homogeneous, Swing};
+pub use hull::Hull;
 pub use list::List;
 pub use periodic::Periodic;
 pub use pieces::Pieces;

@@ -36,6 +36,11 @@ impl<const K: usize> Zonogon<K> {
     /// # Errors
     /// [`Error::NotConvex`] where it is not.
     pub fn new(sides: &[Segment], first: usize) -> Result<Self, Error> {
+        Zonogon::numbered(sides, &(first..first + sides.len()).collect::<Vec<_>>())
+    }
+
+    /// The same with the number of each side's piece.
+    pub(crate) fn numbered(sides: &[Segment], numbers: &[usize]) -> Result<Self, Error> {
         if sides.len() != 2 * K || K < 2 {
             return Err(Error::NotConvex);
         }
@@ -75,7 +80,7 @@ impl<const K: usize> Zonogon<K> {
                 distance: 0.5 * (dot(&a, &n) + dot(&b, &n)),
                 middle: 0.5 * (along(a) + along(b)),
                 half: 0.5 * (along(b) - along(a)).abs() - CORNER * size,
-                pieces: [(first + i) as f64, (first + i + K) as f64],
+                pieces: [numbers[i] as f64, numbers[i + K] as f64],
             }
         });
         Ok(Zonogon { center, clear, pairs })

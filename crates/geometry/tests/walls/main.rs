@@ -5,10 +5,12 @@ mod few;
 #[path = "../formulas/mod.rs"]
 mod formulas;
 mod leaks;
+mod obstacles;
 mod periodic;
 mod reused;
 mod rooms;
 mod side_by_side;
+mod whole_sides;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};
 use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, Translated};
@@ -148,11 +150,15 @@ fn planar() -> Vec<(String, Table)> {
             Table::new(square.iter().map(|s| Box::new(*s) as _).chain([round(8.0, 1.0)]).collect()).unwrap(),
         );
         if k < 4 {
+            for (name, table) in whole_sides::seamed(by, size).into_iter().chain(obstacles::containers(by, size)) {
+                add(name, table);
+            }
             for (name, table) in formulas::tables(by, size) {
                 add(name, table);
             }
         }
     }
+    all.extend(obstacles::endless().map(|(name, table)| (name.to_string(), table)));
     all
 }
 
@@ -263,6 +269,16 @@ impl WithWalls<2> for Ask {
     }
 }
 
+/// What the walls of a table are.
+struct NameOf;
+
+impl WithWalls<2> for NameOf {
+    type Output = &'static str;
+    fn run<W: Walls<2>>(self, _: &W) -> &'static str {
+        core::any::type_name::<W>()
+    }
+}
+
 #[test]
 fn a_vertex_flatter_than_any_corner_is_none() {
     let v = Vector2::new;
@@ -271,7 +287,7 @@ fn a_vertex_flatter_than_any_corner_is_none() {
         let table = Table::new(sides.into_iter().map(|s| Box::new(s) as _).collect()).unwrap();
         table.with_walls(Ask(Line { point: v(0.5, 0.5), velocity: v(0.0, -1.0) })).unwrap().corner
     };
-    assert!(corner(1e-3) && !corner(1e-11));
+    assert!(corner(1e-3) && !corner(1e-11) && !corner(1e-17) && !corner(0.0));
 }
 
 #[test]
