@@ -8,20 +8,6 @@ use lanes::{Lane, Mask, dot};
 /// By how much, as part of the radius, a place may be off for Newton's method to leave next to nothing: `√ε/2`.
 pub(crate) const NEWTON: f64 = 1.0 / (1 << 27) as f64;
 
-/// The direction from the centre of a round wall to a place `y`, seen from there, that is off the wall by more than [`NEWTON`], and the
-/// inverse of its length: against the path where the place is the centre itself.
-#[inline(always)]
-pub(crate) fn outwards<F: Lane, const N: usize>(y: &[F; N], v: &[F; N]) -> ([F; N], F) {
-    let (zero, one) = (v[0].same(0.0), v[0].same(1.0));
-    let square = dot(y, y);
-    let somewhere = zero.lt(square);
-    let mut to = *y;
-    for i in 0..N {
-        to[i] = somewhere.select(y[i], -v[i]);
-    }
-    (to, one / somewhere.select(square, dot(v, v)).sqrt())
-}
-
 /// The point of a circle and the normal where a path lands whose place `y` is off it by more than [`NEWTON`]; of the circle, its centre,
 /// `±1/r`, from there to the normal, and `r²`.
 #[cold]
@@ -32,7 +18,12 @@ pub(crate) fn on_circle<F: Lane>(
     center: [F; 2],
     [to_normal, square]: [F; 2],
 ) -> ([F; 2], [F; 2]) {
-    let (to, inverse) = outwards(y, v);
+    let (zero, one) = (v[0].same(0.0), v[0].same(1.0));
+    // against the path where the place is the centre itself
+    let distance = dot(y, y);
+    let somewhere = zero.lt(distance);
+    let to = [somewhere.select(y[0], -v[0]), somewhere.select(y[1], -v[1])];
+    let inverse = one / somewhere.select(distance, dot(v, v)).sqrt();
     let side = to_normal.same(1.0).copysign(to_normal);
     let unit = [to[0] * inverse, to[1] * inverse];
     let radius = square * to_normal.abs();

@@ -12,7 +12,7 @@ use nalgebra::Vector2;
 /// A composite wall with all pieces that it does not answer for, which lie inside.
 #[derive(Debug)]
 pub(super) struct Enclosed {
-    pub(super) hull: Hull,
+    pub(super) container: Container,
     /// Where its sides are several pieces.
     pub(super) seams: Vec<Seam>,
     /// The numbers of the pieces inside.
@@ -22,30 +22,42 @@ pub(super) struct Enclosed {
 /// Chains of more pieces than this are better served piece by piece.
 pub(super) const MOST_SIDES: usize = 16;
 
-/// The wall that answers for the sides of a chain, if there is one.
-pub(super) fn hull(sides: &[Side]) -> Option<Hull> {
+/// A composite wall that encloses the particle. Those that are no [`Hull`] have sides of one piece each, and nothing lies within.
+#[derive(Debug)]
+pub(super) enum Container {
+    Hull(Hull),
+    Level(Slab<2, 1>),
+    Upright(Slab<2, 0>),
+    Hexagon(Zonogon<3>),
+    Wedge(Wedge),
+    Capsule(Capsule),
+}
+
+/// The wall that answers for the sides of a chain, if there is one: whether it is alone, and each side one piece.
+pub(super) fn container(sides: &[Side], alone: bool) -> Option<Container> {
     let figures: Vec<Figure> = sides.iter().map(|side| side.figure).collect();
     let pieces: Vec<usize> = sides.iter().map(|side| side.piece).collect();
     match figures[..] {
         [Figure::Circle { center, radius, inside: true }] => {
-            return Sphere::new(center, radius, pieces[0]).ok().map(Hull::Disk);
+            return Sphere::new(center, radius, pieces[0]).ok().map(|disk| Container::Hull(Hull::Disk(disk)));
         }
         [arriving, leaving] => {
-            return Wedge::new([arriving, leaving], [pieces[0], pieces[1]]).ok().map(Hull::Wedge);
+            let wedge = Wedge::new([arriving, leaving], [pieces[0], pieces[1]]);
+            return wedge.ok().filter(|_| alone).map(Container::Wedge);
         }
         _ => {}
     }
     let straight: Option<Vec<Segment>> = sides.iter().map(|side| side.straight).collect();
     match straight {
-        Some(sides) => polygon(&sides, &pieces),
-        None => capsule(&figures, &pieces),
+        Some(sides) => polygon(&sides, &pieces, alone),
+        None => capsule(&figures, &pieces, alone),
     }
 }
 
-fn polygon(sides: &[Segment], pieces: &[usize]) -> Option<Hull> {
-    rectangle(sides, pieces)
-        .or_else(|| Zonogon::numbered(sides, pieces).ok().map(Hull::Hexagon))
-        .or_else(|| ConvexPolygon::numbered(sides, pieces).ok().map(Hull::Convex))
+fn polygon(sides: &[Segment], pieces: &[usize], alone: bool) -> Option<Container> {
+    let hexagon = || Zonogon::numbered(sides, pieces).ok().filter(|_| alone).map(Container::Hexagon);
+    let convex = || ConvexPolygon::numbered(sides, pieces).ok().map(|walls| Container::Hull(Hull::Convex(walls)));
+    rectangle(sides, pieces).map(Container::Hull).or_else(hexagon).or_else(convex)
 }
 
 fn rectangle(sides: &[Segment], numbers: &[usize]) -> Option<Hull> {
@@ -76,7 +88,7 @@ fn rectangle(sides: &[Segment], numbers: &[usize]) -> Option<Hull> {
     Cuboid::new(low, high, pieces).ok().map(Hull::Rectangle)
 }
 
-fn capsule(figures: &[Figure], numbers: &[usize]) -> Option<Hull> {
+fn capsule(figures: &[Figure], numbers: &[usize], alone: bool) -> Option<Container> {
     // in whatever order the loop starts: side, cap, side, cap
     let k = figures.iter().position(|f| matches!(f, Figure::Segment { .. }))?;
     let at = |i: usize| figures[(k + i) % figures.len()];
@@ -112,14 +124,14 @@ fn capsule(figures: &[Figure], numbers: &[usize]) -> Option<Hull> {
         return None;
     }
     let capsule = Capsule::new((head + tail) * 0.5, 0.5 * length, radius, pieces).ok()?;
-    if axis.y == 0.0 && axis.x > 0.0 {
-        return Some(Hull::Capsule(capsule));
+    if alone && axis.y == 0.0 && axis.x > 0.0 {
+        return Some(Container::Capsule(capsule));
     }
-    Rotated::new(capsule, axis).ok().map(Hull::RotatedCapsule)
+    Rotated::new(capsule, axis).ok().map(|walls| Container::Hull(Hull::Capsule(walls)))
 }
 
 /// The room between two parallel lines along an axis.
-pub(super) fn slab(figures: [Figure; 2], [i, j]: [usize; 2]) -> Option<Hull> {
+pub(super) fn slab(figures: [Figure; 2], [i, j]: [usize; 2]) -> Option<Container> {
     let [Figure::Line { through: p, direction: d }, Figure::Line { through: q, direction: e }] = figures else {
         return None;
     };
@@ -131,9 +143,9 @@ pub(super) fn slab(figures: [Figure; 2], [i, j]: [usize; 2]) -> Option<Hull> {
             let (low, high, pieces) =
                 if first_is_low { (p[axis], q[axis], [i, j]) } else { (q[axis], p[axis], [j, i]) };
             return if axis == 1 {
-                Slab::new(low, high, pieces).ok().map(Hull::Level)
+                Slab::new(low, high, pieces).ok().map(Container::Level)
             } else {
-                Slab::new(low, high, pieces).ok().map(Hull::Upright)
+                Slab::new(low, high, pieces).ok().map(Container::Upright)
             };
         }
     }

@@ -1,12 +1,14 @@
 //! The fastest walls for a table.
 use super::{
     FundamentalCell, Table, Translate,
-    container::{Enclosed, MOST_SIDES, hull, slab},
+    container::{Container, Enclosed, MOST_SIDES, container, slab},
     sides::{Side, sides},
     translates,
 };
 use crate::{
     Figure, Piece,
+    afar::NEWTON,
+    copies::finite_extent,
     nearest::nearest_of,
     shapes::{Segment, Shape},
     walls::{Around, Corners, Enclosure, Hull, List, Obstacles, Periodic, Pieces, Polygon, Scatterer, Seam, WithWalls},
@@ -31,28 +33,27 @@ impl Table {
         let Some(known) = self.enclosed.get_or_init(|| self.enclosed().map(Arc::new)) else {
             return self.with_general_walls(visit);
         };
-        let Enclosed { hull, seams, rest } = &**known;
+        let Enclosed { container, seams, rest } = &**known;
+        let hull = match container {
+            Container::Level(walls) => return visit.run_homogeneous(walls),
+            Container::Upright(walls) => return visit.run_homogeneous(walls),
+            Container::Hexagon(walls) => return visit.run(walls),
+            Container::Wedge(walls) => return visit.run(walls),
+            Container::Capsule(walls) => return visit.run(walls),
+            Container::Hull(hull) => hull,
+        };
         let obstacles = match (self.scatterer(rest), rest.as_slice()) {
             (Some(disk), _) => Obstacles::Disk(disk),
             (None, []) => Obstacles::None,
             (None, many) => Obstacles::Pieces(self.parts(many)),
         };
         match (hull, seams.as_slice(), obstacles) {
-            (Hull::Level(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
-            (Hull::Upright(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
             (Hull::Rectangle(walls), [], Obstacles::None) => visit.run(walls),
-            (Hull::Hexagon(walls), [], Obstacles::None) => visit.run(walls),
             (Hull::Convex(walls), [], Obstacles::None) => visit.run(walls),
-            (Hull::Wedge(walls), [], Obstacles::None) => visit.run(walls),
             (Hull::Capsule(walls), [], Obstacles::None) => visit.run(walls),
-            (Hull::RotatedCapsule(walls), [], Obstacles::None) => visit.run(walls),
             (Hull::Disk(walls), [], Obstacles::None) => visit.run_homogeneous(walls),
             (Hull::Rectangle(container), [], Obstacles::Disk(obstacles)) => visit.run(&Around { container, obstacles }),
-            (Hull::Rectangle(container), [], Obstacles::Pieces(obstacles)) => {
-                visit.run(&Around { container, obstacles })
-            }
             (Hull::Disk(container), [], Obstacles::Disk(obstacles)) => visit.run(&Around { container, obstacles }),
-            (Hull::Disk(container), [], Obstacles::Pieces(obstacles)) => visit.run(&Around { container, obstacles }),
             (hull, seams, obstacles) => visit.run(&Enclosure { hull, seams, obstacles }),
         }
     }
@@ -82,7 +83,11 @@ impl Table {
     fn scatterer(&self, obstacles: &[usize]) -> Option<Scatterer<2>> {
         let &[piece] = obstacles else { return None };
         match self.pieces[piece].figure() {
-            Figure::Circle { center, radius, inside: false } => Scatterer::new(center, radius, piece).ok(),
+            Figure::Circle { center, radius, inside: false }
+                if radius > NEWTON * finite_extent(&self.pieces).size() =>
+            {
+                Scatterer::new(center, radius, piece).ok()
+            }
             _ => None,
         }
     }
@@ -92,7 +97,9 @@ impl Table {
         match self.figures()[..] {
             [Figure::Circle { center, radius, inside: false }] => {
                 let (home, _) = cell.home(&center);
-                cell.contains_disk(home, radius).then(|| Scatterer::new(home, radius, 0).ok())?
+                let size = cell.lattice().vectors().iter().map(Vector2::amax).fold(0.0, f64::max);
+                (radius > NEWTON * size && cell.contains_disk(home, radius))
+                    .then(|| Scatterer::new(home, radius, 0).ok())?
             }
             _ => None,
         }
@@ -144,19 +151,23 @@ impl Table {
                 |&i: &usize| Side { figure: self.pieces[i].figure(), straight: straight(&*self.pieces[i]), piece: i };
             let pieces: Vec<Side> = chain.iter().map(side).collect();
             let Some((sides, seams)) = sides(&pieces, is_corner) else { continue };
-            if let Some(hull) = hull(&sides) {
-                return self.around(hull, seams, &chain).filter(|_| !has_flat_vertex(&sides, is_corner));
+            let alone = seams.is_empty() && chain.len() == self.pieces.len();
+            if let Some(container) = container(&sides, alone) {
+                return self.around(container, seams, &chain).filter(|_| !has_flat_vertex(&sides, is_corner));
             }
         }
         let [one, other] = lines[..] else { return None };
-        let hull = slab([one, other].map(|i| self.pieces[i].figure()), [one, other])?;
-        self.around(hull, vec![], &[one, other])
+        if self.pieces.len() > 2 {
+            return None; // a slab stands alone
+        }
+        let slab = slab([one, other].map(|i| self.pieces[i].figure()), [one, other])?;
+        self.around(slab, vec![], &[one, other])
     }
 
     /// A composite wall of some pieces with all others, if these lie inside: a table may have several rooms.
-    fn around(&self, hull: Hull, seams: Vec<Seam>, chain: &[usize]) -> Option<Enclosed> {
+    fn around(&self, container: Container, seams: Vec<Seam>, chain: &[usize]) -> Option<Enclosed> {
         let rest: Vec<usize> = (0..self.pieces.len()).filter(|i| !chain.contains(i)).collect();
-        rest.iter().all(|&i| self.inside(chain, i)).then_some(Enclosed { hull, seams, rest })
+        rest.iter().all(|&i| self.inside(chain, i)).then_some(Enclosed { container, seams, rest })
     }
 
     /// Whether a piece lies on the table's side of a chain that it does not cross.

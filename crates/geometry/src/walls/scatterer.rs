@@ -1,14 +1,11 @@
 //! The outside of a sphere: a scatterer.
 use super::{WallHit, Walls};
-use crate::{
-    Error,
-    afar::{NEWTON, outwards},
-    plane::slack,
-};
+use crate::{Error, plane::slack};
 use lanes::{Lane, Mask, dot};
 use nalgebra::SVector;
 
-/// The complement of the ball of radius `r` about `c` in ℝᴺ.
+/// The complement of the ball of radius `r` about `c` in ℝᴺ, which is not tiny beside the flights to it: where that is 10⁻⁸ of one and
+/// less, [`Few`](super::Few) and [`Solid`](crate::parry::Solid) know more digits of the normal.
 #[derive(Clone, Debug)]
 pub struct Scatterer<const N: usize>(Round<f64, N>);
 
@@ -123,10 +120,6 @@ impl<F: Lane, const N: usize> Round<F, N> {
         }
         // |y|² is r² up to rounding: one Newton step each for y on the sphere and 1/|y|
         let change = lacks * self.half;
-        let off = time.same(NEWTON).lt(change.abs()) & time.lt(time.same(f64::INFINITY));
-        if off.any() {
-            return self.landing_afar(y, v, time, change, off);
-        }
         let mut point = y;
         for i in 0..N {
             point[i] = y[i] + y[i] * change + self.center[i];
@@ -139,24 +132,6 @@ impl<F: Lane, const N: usize> Round<F, N> {
             piece: self.piece,
             corner: time.never(),
         }
-    }
-}
-
-impl<F: Lane, const N: usize> Round<F, N> {
-    /// The same where the place `y`, seen from the centre, is `off` the ball by more than Newton's method mends, of a tiny ball beside
-    /// the flight.
-    #[cold]
-    #[inline(never)]
-    fn landing_afar(&self, y: [F; N], v: &[F; N], time: F, change: F, off: F::Mask) -> WallHit<F, N> {
-        let (mut normal, inverse) = outwards(&y, v);
-        let onto = (self.square * self.inverse) * inverse;
-        let mut point = y;
-        for i in 0..N {
-            point[i] = off.select(normal[i] * onto, y[i] + y[i] * change) + self.center[i];
-            normal[i] = off.select(normal[i], y[i]);
-        }
-        let inverse = off.select(inverse, change * self.inverse + self.inverse);
-        WallHit { time, point, normal, inverse, piece: self.piece, corner: time.never() }
     }
 }
 

@@ -153,13 +153,17 @@ impl<'a> Obstacles<'a> {
         }
     }
 
-    /// Centres, radii and numbers, if all of them are balls that lie apart.
+    /// Centres, radii and numbers, if all of them are balls that lie apart, none of them tiny beside the room.
     fn balls(&self) -> Option<Vec<(Vector3<f64>, f64, usize)>> {
         let ball = |(number, solid): &(usize, &Solid)| match solid.figure()? {
             Figure::Ball { center, radius } if solid.side() == Side::Outside => Some((center, radius, *number)),
             _ => None,
         };
         let balls: Vec<_> = self.solids.iter().map(ball).collect::<Option<_>>()?;
+        let size = self.room.solids.iter().map(Solid::size).fold(0.0, f64::max);
+        if balls.iter().any(|(_, radius, _)| *radius <= NEWTON * size) {
+            return None;
+        }
         let reach = self.solids.iter().map(|(_, solid)| off(solid)).fold(0.0, f64::max);
         let is_apart = |(a, (center, radius, _)): (usize, &(Vector3<f64>, f64, usize))| {
             let (own, mut apart) = (boxed(self.solids[a].1), true);
