@@ -22,6 +22,16 @@ pub(super) struct Round<F, const N: usize> {
     pub(super) piece: F,
 }
 
+/// How a path comes to a ball.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Approach<F: Lane> {
+    /// Whether it meets it.
+    pub(super) meets: F::Mask,
+    discriminant: F,
+    b: F,
+    c: F,
+}
+
 impl<const N: usize> Scatterer<N> {
     /// The scatterer about `center` \[L\] with a positive radius \[L\].
     ///
@@ -81,9 +91,9 @@ impl<F: Lane, const N: usize> Round<F, N> {
         self
     }
 
-    /// When the path `x + t v` comes in, infinite where it does not; `None` where it does in no lane.
+    /// How the path `x + t v` comes to the ball.
     #[inline(always)]
-    pub(super) fn entry(&self, x: &[F; N], v: &[F; N]) -> Option<F> {
+    pub(super) fn approach(&self, x: &[F; N], v: &[F; N]) -> Approach<F> {
         let mut y = *x;
         for i in 0..N {
             y[i] = y[i] - self.center[i];
@@ -102,11 +112,7 @@ impl<F: Lane, const N: usize> Round<F, N> {
             }
         }
         let meets = zero.lt(discriminant) & approaches & (-self.off).lt(c);
-        if !meets.any() {
-            return None;
-        }
-        let q = discriminant.sqrt() - b;
-        Some(meets.select(c.max(zero) / q, zero.same(f64::INFINITY)))
+        Approach { meets, discriminant, b, c }
     }
 
     /// The hit at that time.
@@ -135,13 +141,23 @@ impl<F: Lane, const N: usize> Round<F, N> {
     }
 }
 
+impl<F: Lane> Approach<F> {
+    /// When the path comes in; infinite where it does not.
+    #[inline(always)]
+    pub(super) fn time(&self) -> F {
+        let q = self.discriminant.sqrt() - self.b;
+        self.meets.select(self.c.max(q.same(0.0)) / q, q.same(f64::INFINITY))
+    }
+}
+
 impl<const N: usize> Walls<N> for Scatterer<N> {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let ball = self.in_lanes(v[0]);
-        match ball.entry(x, v) {
-            Some(time) => ball.landing(x, v, time),
-            None => WallHit::never(*x),
+        let approach = ball.approach(x, v);
+        if !approach.meets.any() {
+            return WallHit::never(*x);
         }
+        ball.landing(x, v, approach.time())
     }
 }

@@ -1,8 +1,5 @@
 //! The outside of many balls.
-use super::{
-    WallHit, Walls,
-    scatterer::{Round, Scatterer},
-};
+use super::{Scatterer, WallHit, Walls};
 use crate::{BoxTree, Crossing, Error, Extent, Line};
 use lanes::{Lane, MOST_LANES, Mask, stored};
 use nalgebra::SVector;
@@ -37,22 +34,20 @@ impl<const N: usize> Scatterers<N> {
     /// The first hit, each ball being asked for all lanes.
     #[inline(always)]
     fn of_each<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
-        let mut first: Option<(F, Round<F, N>)> = None;
+        let mut soonest = v[0].same(f64::INFINITY);
+        let Some(any) = self.balls.first() else { return WallHit::never(*x) };
+        let mut first = any.in_lanes(soonest);
         for ball in &self.balls {
-            let ball = ball.in_lanes(v[0]);
-            let Some(time) = ball.entry(x, v) else { continue };
-            first = Some(match first {
-                None => (time, ball),
-                Some((soonest, other)) => {
-                    let sooner = time.lt(soonest);
-                    (sooner.select(time, soonest), other.or(sooner, &ball))
-                }
-            });
+            let ball = ball.in_lanes(soonest);
+            let approach = ball.approach(x, v);
+            if approach.meets.any() {
+                let time = approach.time();
+                let sooner = time.lt(soonest);
+                soonest = sooner.select(time, soonest);
+                first = first.or(sooner, &ball);
+            }
         }
-        match first {
-            Some((time, ball)) => ball.landing(x, v, time),
-            None => WallHit::never(*x),
-        }
+        first.landing(x, v, soonest)
     }
 
     /// The first hit, each lane being looked at by itself for the ball.
@@ -64,8 +59,8 @@ impl<const N: usize> Scatterers<N> {
         for lane in 0..F::LANES {
             let [point, velocity] = [&from, &along].map(|a| a.each_ref().map(|a| a[lane]));
             let crossing = |k: usize| {
-                let time = self.balls[k].round().entry(&point, &velocity);
-                Crossing { num: time.unwrap_or(f64::INFINITY), den: 1.0 }
+                let approach = self.balls[k].round().approach(&point, &velocity);
+                if approach.meets { Crossing { num: approach.time(), den: 1.0 } } else { Crossing::NEVER }
             };
             let path = Line { point: point.into(), velocity: velocity.into() };
             if let Some((ball, time)) = self.tree.first(&path, crossing) {
