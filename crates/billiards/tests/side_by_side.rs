@@ -1,15 +1,20 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
 use billiards::observe::{EachOrbit, LaneObserver, VelocityPortrait, Watch};
 use billiards::{
-    Angle, BallLaw, Billiard, Canonical, Cell, Clock, Collision, Collisions, Conserved, Finished, Orbit, Planar, Start,
-    Starts, Stop, Timed, Turned, laws::Disk, run, run_side_by_side,
+    Angle, BallLaw, Billiard, Canonical, Cell, Clock, Collision, Collisions, Conserved, Finished, Motion, Orbit,
+    Planar, Rolling, Start, Starts, Stop, Timed, Turned, laws::Disk, run, run_side_by_side,
 };
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
 use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
-use geometry::{Lattice, Outline, Piece, Table, Vector2, WallHit, Walls, shapes::Circle, tables};
+use geometry::{
+    Lattice, Outline, Piece, Table, Vector2, WallHit, Walls,
+    shapes::Circle,
+    tables,
+    walls::{Cuboid, Pieces, Slab, Sphere},
+};
 use lanes::{Lane, MOST_LANES, Mask};
 use std::sync::{
     Arc,
@@ -231,22 +236,27 @@ fn a_first_orbit_without_a_future_holds_nobody_up() {
 
 #[test]
 fn under_laws_that_lose_energy_an_orbit_is_as_flat_as_it_leaves() {
-    let [half, none] = [(0.5, 0.0), (0.0, -1.0)].map(|(e, t)| Disk::new(&Restitution::new(e, t).unwrap(), 0.7));
+    fn ends_alike(x: f64, velocity: [f64; 2], expected: (Stop, u64), billiard: &impl Motion<2, 1>) {
+        let orbit = Orbit::<_, 2, 1, (), _>::new([x, 0.5], velocity, [0.0], Clock::new(0.0));
+        let mut alone = orbit;
+        let outcome = run(billiard, &mut alone, &Collisions(400), &mut ());
+        assert_eq!((outcome.stop, outcome.collisions), expected);
+        let mut ended = vec![];
+        let orbits = &mut core::iter::repeat_n(orbit, 40);
+        run_side_by_side(billiard, orbits, 400, &mut (), &mut |f| ended.push(f));
+        assert_eq!(ended.len(), 40);
+        assert!(ended.iter().all(|f| f.outcome == outcome && f.orbit.position == alone.position));
+    }
     // straight at a wall, slower and slower; and along it from the first collision on
-    let ways = [(half, [0.0, 1.0], Stop::Finished, 400), (none, [0.6, 0.8], Stop::Grazing, 1)];
-    let tables = [(tables::square(1.0), 0.5), (tables::strip(1.0), 0.5), (tables::circle(1.0), 0.0)];
-    for (table, x) in tables.map(|(table, x)| (table.unwrap(), x)) {
-        for (law, velocity, stop, collisions) in ways {
-            let billiard = Planar { table: table.clone(), law };
-            let orbit = Orbit::<_, 2, 1, (), _>::new([x, 0.5], velocity, [0.0], Clock::new(0.0));
-            let mut alone = orbit;
-            let outcome = billiard.run(&mut alone, &Collisions(400), &mut ());
-            assert_eq!((outcome.stop, outcome.collisions), (stop, collisions), "{law:?}");
-            let mut ended = vec![];
-            let orbits = &mut core::iter::repeat_n(orbit, 40);
-            billiard.run_side_by_side(orbits, 400, &mut (), &mut |f| ended.push(f));
-            assert!(ended.iter().all(|f| f.outcome == outcome && f.orbit.position == alone.position), "{law:?}");
-        }
+    let ways = [((0.5, 0.0), [0.0, 1.0], (Stop::Finished, 400)), ((0.0, -1.0), [0.6, 0.8], (Stop::Grazing, 1))];
+    let square = Cuboid::new([0.0; 2], [1.0; 2], [[0, 1], [2, 3]]).unwrap();
+    let strip = Slab::<2, 1>::new(0.0, 1.0, [0, 1]).unwrap();
+    let circle = Sphere::new(Vector2::zeros(), 1.0, 0).unwrap();
+    for ((normal, tangential), velocity, expected) in ways {
+        let law = &Disk::new(&Restitution::new(normal, tangential).unwrap(), 0.7);
+        ends_alike(0.5, velocity, expected, &Billiard { walls: &square, law });
+        ends_alike(0.5, velocity, expected, &Rolling::new(&strip, law));
+        ends_alike(0.0, velocity, expected, &Rolling::new(&circle, law));
     }
 }
 
@@ -349,24 +359,22 @@ impl LaneObserver<2, 1, Conserved<f64, 2>, Clock> for Diary {
     }
 }
 
+fn portrait(_: u64, _: &Disks) -> VelocityPortrait<Vec<[f64; 2]>> {
+    VelocityPortrait::new(vec![])
+}
+
+/// All pieces of a table, asked in lanes: one kind of walls, whatever the table.
+fn pieces(table: &Table) -> Pieces {
+    Pieces::new(table.pieces().iter().cloned().enumerate().collect(), table.corners())
+}
+
 #[test]
 fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
-    // where orbits finish, hit corners, graze, escape and stay for ever
-    let tables = [
-        tables::stadium(1.0, 1.0),
-        tables::square(1.0),
-        tables::circle(1.0),
-        tables::wedge(1.0),
-        tables::strip(1.0),
-        tables::mushroom(1.0, 0.5, 0.75),
-    ];
-    for table in tables {
-        let billiard = Planar { table: table.unwrap(), law: Disk::new(&Specular, 1.0) };
-        let starts = starts(&billiard.table, 70);
+    fn sees_all(table: &Table, billiard: &impl Motion<2, 1>) {
+        let starts = starts(table, 70);
         let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
-        let portrait = |_, _: &Disks| VelocityPortrait::new(vec![]);
         let mut both = (Diary::default(), EachOrbit::new(portrait));
-        billiard.run_side_by_side(&mut starts.iter().map(orbit), 50, &mut both, &mut |_| {});
+        run_side_by_side(billiard, &mut starts.iter().map(orbit), 50, &mut both, &mut |_| {});
         let (mut diary, portraits) = both;
         diary.pages.sort_by_key(|page| page.0); // a stable sort
         let mut alone = vec![];
@@ -377,33 +385,47 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
                 alone.push((k as u64, [x, y, c.hit.piece, v1, v2, w].map(f64::to_bits)));
                 ControlFlow::Continue(())
             };
-            billiard.run(&mut orbit(start), &Collisions(50), &mut (Watch::new(look), &mut portrait));
+            run(billiard, &mut orbit(start), &Collisions(50), &mut (Watch::new(look), &mut portrait));
         }
         assert_eq!(diary.pages.len(), alone.len());
         assert!(diary.pages == alone);
         assert!(portraits.merged().unwrap().points() == portrait.points(), "in the order of the starts");
     }
+    let law = &Disk::new(&Specular, 1.0);
+    // where orbits finish, hit corners, graze, escape and stay for ever
+    for table in [tables::stadium(1.0, 1.0), tables::square(1.0), tables::wedge(1.0), tables::mushroom(1.0, 0.5, 0.75)]
+    {
+        let table = table.unwrap();
+        sees_all(&table, &Billiard { walls: &pieces(&table), law });
+    }
+    // in the frame of the wall
+    let circle = Sphere::new(Vector2::zeros(), 1.0, 0).unwrap();
+    sees_all(&tables::circle(1.0).unwrap(), &Rolling::new(&circle, law));
+    let strip = Slab::<2, 1>::new(0.0, 1.0, [0, 1]).unwrap();
+    sees_all(&tables::strip(1.0).unwrap(), &Rolling::new(&strip, law));
 }
 
 #[test]
 fn what_is_seen_of_each_orbit_in_two_runs_is_merged_in_their_order() {
-    let billiard = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
-    let starts = starts(&billiard.table, 50);
+    let table = tables::stadium(1.0, 1.0).unwrap();
+    let billiard = Billiard { walls: &pieces(&table), law: &Disk::new(&Specular, 1.0) };
+    let starts = starts(&table, 50);
     let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
-    let portrait = |_, _: &Disks| VelocityPortrait::new(vec![]);
-    let (mut once, mut twice) = (EachOrbit::new(portrait), EachOrbit::new(portrait));
-    billiard.run_side_by_side(&mut starts.iter().map(orbit), 20, &mut once, &mut |_| {});
+    let seen = || (Diary::default(), EachOrbit::new(portrait));
+    let (mut once, mut twice) = (seen(), seen());
+    run_side_by_side(&billiard, &mut starts.iter().map(orbit), 20, &mut once, &mut |_| {});
     for part in [&starts[..20], &starts[20..20], &starts[20..]] {
-        billiard.run_side_by_side(&mut part.iter().map(orbit), 20, &mut twice, &mut |_| {});
+        run_side_by_side(&billiard, &mut part.iter().map(orbit), 20, &mut twice, &mut |_| {});
     }
-    let [once, twice] = [once, twice].map(|seen| seen.merged().unwrap());
+    let [once, twice] = [once, twice].map(|(_, seen)| seen.merged().unwrap());
     assert_eq!(once.points().len(), starts.len() * 20);
     assert!(once.points() == twice.points());
 }
 
+type Tracks = (Clock, (Angle, Cell));
+
 #[test]
 fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
-    type Tracks = (Clock, Cell);
     let torus = |second: [f64; 2]| {
         let disk = Circle::new(Vector2::zeros(), 0.25, false).unwrap();
         let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), second.into()]).unwrap();
@@ -413,12 +435,13 @@ fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
     // exact translations of places in the middle of a cell
     let places = [[0.0, 0.0], [0.0, 1.0], [7.0, -2.0]];
     let orbit = |place: [f64; 2], lattice: &Arc<Lattice>| -> Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks> {
-        let track = (Clock::new(0.0), Cell::new(lattice.clone(), 0.0));
+        let track = (Clock::new(0.0), (Angle::new(0.0), Cell::new(lattice.clone(), 0.0)));
         Orbit::new([place[0] - 0.375, place[1] + 0.375], [0.6, 0.8], [0.1], track)
     };
     let known = |o: &Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks>, lattice: &Lattice, place: [f64; 2]| {
-        let lifted = Vector2::from(o.position) + lattice.translation(o.track.1.cell) - Vector2::from(place);
-        (o.velocity, o.spin, o.track.0.time(), lifted.map(|x| (x * 1e9).round()))
+        let (time, (angle, cell)) = &o.track;
+        let lifted = Vector2::from(o.position) + lattice.translation(cell.cell) - Vector2::from(place);
+        (o.velocity, o.spin, time.time(), angle.angle(), lifted.map(|x| (x * 1e9).round()))
     };
     let (upright, lattice) = torus([0.0, 1.0]);
     let mut first = orbit([0.0; 2], &lattice);
@@ -440,7 +463,6 @@ fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
 
 #[test]
 fn every_track_grows_side_by_side_as_it_does_alone() {
-    type Tracks = (Clock, (Angle, Cell));
     let table = tables::sinai_torus(0.25, 1.0).unwrap();
     let lattice = Arc::new(table.lattice().unwrap().clone());
     let billiard = Planar { table, law: Disk::new(&NoSlip, 0.7) };
