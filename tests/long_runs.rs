@@ -18,9 +18,10 @@ fn time_is_so_exact_that_a_place_in_the_square_at_time_100_000_is_right() {
 fn energy_is_kept_to_the_last_digit() {
     for (name, billiard) in energies().unwrap() {
         // restored at every sixteenth collision, to four units of 2⁻⁵³, the rounding of the velocity's own components, which one
-        // collision rounds by twice as much again, on an arc at the worst (1.3·10⁻¹⁵, of a thousand looks)
+        // collision rounds by twice as much again, and half as much more where the normal is an arc's (1.3·10⁻¹⁵, of a thousand looks)
+        // or a scatterer's (1.6·10⁻¹⁵)
         let restored = energy_drift(&billiard, 800_000, 100);
-        assert!(restored <= 12.0 * 0.5 * f64::EPSILON, "{name}: {restored:e}");
+        assert!(restored <= 15.0 * 0.5 * f64::EPSILON, "{name}: {restored:e}");
         // in between, that and what seventeen collisions round: about 4·10⁻¹⁶ each, at worst all alike
         let anywhere = energy_drift(&billiard, 100_000, 100_000);
         assert!(anywhere <= 1e-14, "{name}: {anywhere:e}");

@@ -52,7 +52,8 @@ fn orbit(m: &Start<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>, Clock> {
     Orbit::new(m.position, m.velocity, m.spin, Clock::new(0.0))
 }
 
-/// The collision at which two orbits are a quarter of a table apart that start an ulp of the table from each other.
+/// The collision at which two orbits are an eighth of a table apart that start an ulp of the table from each other (a fourth would be
+/// reached by chance only where all collisions are with one disk of that radius).
 fn parting(billiard: &Planar<Disk>, start: &Start<2, 1>, size: f64) -> Option<u64> {
     let mut other = *start;
     other.position[0] += 2.0 * f64::EPSILON;
@@ -63,7 +64,7 @@ fn parting(billiard: &Planar<Disk>, start: &Start<2, 1>, size: f64) -> Option<u6
             return None;
         }
         let [dx, dy] = [0, 1].map(|i| a.position[i] - b.position[i]);
-        if libm::hypot(dx, dy) > 0.25 * size {
+        if libm::hypot(dx, dy) > 0.125 * size {
             return Some(n);
         }
     }

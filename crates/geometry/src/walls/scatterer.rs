@@ -1,7 +1,7 @@
 //! The outside of a sphere: a scatterer.
 use super::{WallHit, Walls};
 use crate::{Error, plane::slack};
-use lanes::{Lane, Mask, dot};
+use lanes::{Double, Lane, Mask, dot};
 use nalgebra::SVector;
 
 /// The complement of the ball of radius `r` about `c` in ℝᴺ, which is not tiny beside the flights to it: where that is 10⁻⁸ of one and
@@ -24,12 +24,16 @@ pub(super) struct Round<F, const N: usize> {
 
 /// How a path comes to a ball.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Approach<F: Lane> {
+pub(super) struct Approach<F: Lane, const N: usize> {
     /// Whether it meets it.
     pub(super) meets: F::Mask,
     discriminant: F,
+    /// `|v|²`
+    a: F,
     b: F,
     c: F,
+    /// Where its line is closest to the centre, from there, times `|v|²`.
+    aside: [F; N],
 }
 
 impl<const N: usize> Scatterer<N> {
@@ -42,10 +46,12 @@ impl<const N: usize> Scatterer<N> {
             return Err(Error::Radius { radius });
         }
         let square = radius * radius;
+        // of the length that a normal has, so that as little as can be is added to the energy, or taken of it, at every hit
+        let inverse = Double::new(1.0).over(Double::new(square).root()).value();
         Ok(Scatterer(Round {
             center: center.into(),
             square,
-            inverse: 1.0 / radius,
+            inverse,
             half: 0.5 / square,
             off: 2.0 * radius * slack(center.iter().copied().chain([radius])),
             piece: piece as f64,
@@ -93,7 +99,7 @@ impl<F: Lane, const N: usize> Round<F, N> {
 
     /// How the path `x + t v` comes to the ball.
     #[inline(always)]
-    pub(super) fn approach(&self, x: &[F; N], v: &[F; N]) -> Approach<F> {
+    pub(super) fn approach(&self, x: &[F; N], v: &[F; N]) -> Approach<F, N> {
         let mut y = *x;
         for i in 0..N {
             y[i] = y[i] - self.center[i];
@@ -105,14 +111,17 @@ impl<F: Lane, const N: usize> Round<F, N> {
         // the earlier root of |y + t v|² = r², without cancellation, where the path approaches and meets the ball
         // b² − a c = |v|² r² − |y ∧ v|², in which the distance of a far start does not cancel
         let mut discriminant = a * self.square;
+        let mut aside = [zero; N];
         for i in 1..N {
             for j in 0..i {
-                let moment = y[j] * v[i] - y[i] * v[j];
+                let moment = y[i] * v[j] - y[j] * v[i];
                 discriminant = discriminant - moment * moment;
+                aside[i] = aside[i] + moment * v[j];
+                aside[j] = aside[j] - moment * v[i];
             }
         }
         let meets = zero.lt(discriminant) & approaches & (-self.off).lt(c);
-        Approach { meets, discriminant, b, c }
+        Approach { meets, discriminant, a, b, c, aside }
     }
 
     /// The hit at that time.
@@ -141,12 +150,34 @@ impl<F: Lane, const N: usize> Round<F, N> {
     }
 }
 
-impl<F: Lane> Approach<F> {
+impl<F: Lane, const N: usize> Approach<F, N> {
     /// When the path comes in; infinite where it does not.
     #[inline(always)]
     pub(super) fn time(&self) -> F {
-        let q = self.discriminant.sqrt() - self.b;
+        self.time_of(self.discriminant.sqrt())
+    }
+
+    #[inline(always)]
+    fn time_of(&self, root: F) -> F {
+        let q = root - self.b;
         self.meets.select(self.c.max(q.same(0.0)) / q, q.same(f64::INFINITY))
+    }
+
+    /// The hit of that ball.
+    ///
+    /// `(aside − √discriminant v)/|v|²` from the centre: the division is over before the root is, the next flight does not wait for the
+    /// time, and the length is the radius to rounding, from wherever the path comes.
+    #[inline(always)]
+    fn hit(&self, ball: &Round<F, N>, v: &[F; N]) -> WallHit<F, N> {
+        let root = self.discriminant.sqrt();
+        let inverse = root.same(1.0) / self.a;
+        let (mut normal, mut point) = (*v, *v);
+        for i in 0..N {
+            normal[i] = (self.aside[i] - root * v[i]) * inverse;
+            point[i] = normal[i] + ball.center[i];
+        }
+        let time = self.time_of(root);
+        WallHit { time, point, normal, inverse: ball.inverse, piece: ball.piece, corner: time.never() }
     }
 }
 
@@ -158,6 +189,6 @@ impl<const N: usize> Walls<N> for Scatterer<N> {
         if !approach.meets.any() {
             return WallHit::never(*x);
         }
-        ball.landing(x, v, approach.time())
+        approach.hit(&ball, v)
     }
 }
