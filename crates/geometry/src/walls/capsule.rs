@@ -67,22 +67,32 @@ impl Capsule {
         // otherwise the cap on that side
         let cap = zero.same(self.half_length).copysign(meet);
         let q = [y[0] - cap, y[1]];
+        let mut l = q;
         if (!flat).any() {
             let (a, b, c) = (dot(v, v), dot(&q, v), dot(&q, &q) - self.square);
             // b² − a c = |v|² r² − |q ∧ v|²; below 0 by rounding only
             let moment = q[0] * v[1] - q[1] * v[0];
             let root = (a * self.square - moment * moment).abs().sqrt();
+            // from its centre: the division is over before the root is, and the next flight does not wait for the time
+            let inverse = one / a;
+            l = [(moment * v[1] + root * v[0]) * inverse, (root * v[1] - moment * v[0]) * inverse];
             // the later root, without cancellation
             let sum = b.abs() + root;
             let [n, d, _] = zero.lt(b).choose([(-c).max(zero), sum, zero], [sum, a, one]);
             [num, den, _] = flat.choose([num, den, zero], [n, d, one]);
         }
         let time = num / den;
-        let l = [q[0] + time * v[0], q[1] + time * v[1]];
         // |l|² is r² up to rounding on a cap: one Newton step each
         let change = ((zero.same(self.square) - l[0] * l[0]) - l[1] * l[1]) * self.half;
         let [p1, p2, n1, n2, inverse, piece] = flat.choose(
-            [l[0] + cap, radius.copysign(v[1]), zero, (-one).copysign(-v[1]), one, up.select(upper, lower)],
+            [
+                q[0] + time * v[0] + cap,
+                radius.copysign(v[1]),
+                zero,
+                (-one).copysign(-v[1]),
+                one,
+                up.select(upper, lower),
+            ],
             [
                 l[0] + l[0] * change + cap,
                 l[1] + l[1] * change,
