@@ -35,6 +35,10 @@ impl<const N: usize> Cuboid<N> {
 }
 
 impl<const N: usize> Walls<N> for Cuboid<N> {
+    fn is_along_axes(&self) -> bool {
+        true
+    }
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);

@@ -158,6 +158,11 @@ pub trait Walls<const N: usize>: Sync {
         false
     }
 
+    /// Whether every normal is a unit vector along an axis, at which a law has less to do.
+    fn is_along_axes(&self) -> bool {
+        false
+    }
+
     /// The first hit of one path.
     fn hit(&self, path: &Line<N>) -> Option<Hit<N>> {
         let hit = self.first_hit::<f64>(&path.point.into(), &path.velocity.into());
@@ -179,6 +184,10 @@ impl<W: Walls<N>, const N: usize> Walls<N> for &W {
 
     fn rounds_normals(&self) -> bool {
         (**self).rounds_normals()
+    }
+
+    fn is_along_axes(&self) -> bool {
+        (**self).is_along_axes()
     }
 }
 
