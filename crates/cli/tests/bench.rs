@@ -42,11 +42,15 @@ fn a_table_of_that_name_must_exist() {
 }
 
 fn scores(table: &str, law: Law, methods: &[&str]) -> Vec<Score> {
+    scores_with(Effort::Quick, table, law, methods)
+}
+
+fn scores_with(effort: Effort, table: &str, law: Law, methods: &[&str]) -> Vec<Score> {
     let case = CASES.iter().find(|entry| entry.name == table).unwrap().build().unwrap();
-    let exam = Exam::new(&case, law, Effort::Quick).unwrap();
+    let exam = Exam::new(&case, law, effort).unwrap();
     let wanted = METHODS.iter().filter(|method| methods.contains(&method.name));
     wanted
-        .flat_map(|method| (method.sizes)(&case, Effort::Quick).into_iter().map(move |pieces| (method, pieces)))
+        .flat_map(|method| (method.sizes)(&case, effort).into_iter().map(move |pieces| (method, pieces)))
         .map(|(method, pieces)| exam.score(method, pieces).unwrap())
         .collect()
 }
@@ -55,10 +59,13 @@ fn scores(table: &str, law: Law, methods: &[&str]) -> Vec<Score> {
 fn exact_pieces_are_right_to_rounding_on_every_table_and_for_both_laws() {
     for table in CASES {
         for law in [Law::NoSlip, Law::Specular] {
-            for score in scores(table.name, law, &["exact"]) {
-                // a landing point is right to 2 ulp; ten collisions of an ellipse or a flower make a few hundred of them
+            // a landing point is right to 2 ulp; ten collisions of a flower make a few hundred of them, of a stadium a few thousand,
+            // which scatter so much that it takes many orbits to tell
+            for score in scores_with(Effort::Full, table.name, law, &["exact"]) {
                 assert!(score.errors[0].median < 1e-15, "{}: {:?}", table.name, score.errors);
                 assert!(score.errors[1].median < 1e-12, "{}: {:?}", table.name, score.errors);
+            }
+            for score in scores(table.name, law, &["exact"]) {
                 assert!(score.drift.energy < 4e-15, "{}: {:?}", table.name, score.drift);
                 assert!(score.lost.ordinary.is_empty() && score.lost.grazing.is_empty(), "{}: {score:?}", table.name);
             }
