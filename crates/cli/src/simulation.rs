@@ -28,6 +28,7 @@ mod scale;
 mod schedule;
 mod spatial;
 mod start;
+mod stretches;
 pub(crate) mod strokes;
 mod summary;
 mod trail;

@@ -133,20 +133,27 @@ impl Density {
     /// Points, those far outside the window (or nowhere) replaced by some close to it.
     #[inline(always)]
     pub fn near<F: Lane>(&self, point: [F; 2]) -> [F; 2] {
-        let near = |i: usize| {
+        let bounds = |i: usize| {
             let (low, high) = (self.low[i].min(self.high[i]), self.low[i].max(self.high[i]));
             let beside = (0.5 / self.scale[i]).abs();
-            point[i].max(point[i].same(low - beside)).min(point[i].same(high + beside))
+            (low - beside, high + beside)
         };
-        [near(0), near(1)]
+        let [(left, right), (below, above)] = [bounds(0), bounds(1)];
+        let [x, y] = point;
+        [x.max(x.same(left)).min(x.same(right)), y.max(y.same(below)).min(y.same(above))]
+    }
+
+    /// Number of the cell along an axis, added to [`WHOLE`].
+    #[inline(always)]
+    fn along<F: Lane>(&self, x: F, axis: usize) -> F {
+        (x - self.first[axis]) * self.scale[axis] + WHOLE
     }
 
     /// The cells of a point in each lane that is `here`, in the layers given by [`layer`](Self::layer), for
     /// [`count`](Self::count): of points in the window or [`near`](Self::near) it.
     #[inline(always)]
     pub fn cells<F: Lane>(&self, point: [F; 2], layer: F, here: F::Mask) -> F {
-        let along = |x: F, i: usize| (x - self.first[i]) * self.scale[i] + WHOLE;
-        let (column, row) = (along(point[0], 0), along(point[1], 1) - WHOLE);
+        let (column, row) = (self.along(point[0], 0), self.along(point[1], 1) - WHOLE);
         let cell = column + (row * self.stride + layer);
         here.select(cell, layer.same(self.nobody))
     }

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use billiards::geometry::WallHit;
-use lanes::{Kernel, Lane, Mask};
+use lanes::{Kernel, Lane, Mask, Twin};
 
 use super::counter::Counter;
 use super::unrolled::Unrolled;
@@ -57,7 +57,7 @@ impl Places {
         for (x, xs) in hit.point.iter().zip(point) {
             x.store(&mut xs[these.clone()]);
         }
-        if self.unrolled.is_thin() {
+        if self.unrolled.wants_normals() {
             for (n, ns) in hit.unit_normal().iter().zip(normal) {
                 n.store(&mut ns[these.clone()]);
             }
@@ -92,8 +92,10 @@ impl Kernel for Find<'_> {
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) {
         let Places { counter, unrolled, noted, .. } = self.0;
-        for first in (0..MOST).step_by(F::LANES) {
-            let of = |numbers: &[f64; MOST]| zero.load(&numbers[first..first + F::LANES]);
+        // one angle is a long chain of operations
+        let zero = Twin::of(zero);
+        for first in (0..MOST).step_by(Twin::<F>::LANES) {
+            let of = |numbers: &[f64; MOST]| zero.load(&numbers[first..first + Twin::<F>::LANES]);
             let place = unrolled.arc_length(
                 noted.point.each_ref().map(of),
                 || noted.normal.each_ref().map(of),
