@@ -9,30 +9,19 @@ use lanes::{Lane, Mask};
 const MOST: usize = 16;
 
 /// The unrolled boundary of a table of a few segments and arcs.
+///
+/// The point `x` of a segment is at `start + slope·x`. The point of an arc with the unit normal `ν` is at `start + radius θ`,
+/// where `(cos θ, sin θ) = (cosine·ν, sine·ν)` and `0 ≤ θ ≤ sweep`.
 #[derive(Clone, Debug)]
 pub(super) struct Stretches {
-    /// Each with the number of its piece, in ascending order.
-    straights: Vec<(f64, Straight)>,
-    bends: Vec<(f64, Bend)>,
+    /// `slope` and `start`.
+    segments: Vec<Stretch<3>>,
+    /// `cosine`, `sine`, `radius`, `sweep` and `start`.
+    arcs: Vec<Stretch<7>>,
 }
 
-/// A segment: the point `x` of it is at `start + slope·x`.
-#[derive(Clone, Copy, Debug)]
-struct Straight<F = f64> {
-    slope: [F; 2],
-    start: F,
-}
-
-/// An arc: the point of it with the unit normal `ν` is at `start + radius θ`, where `(cos θ, sin θ) = (cosine·ν, sine·ν)`.
-#[derive(Clone, Copy, Debug)]
-struct Bend<F = f64> {
-    cosine: [F; 2],
-    sine: [F; 2],
-    radius: F,
-    /// θ at its end.
-    sweep: F,
-    start: F,
-}
+/// The number of a piece, and numbers that tell where its points are.
+type Stretch<const K: usize> = (f64, [f64; K]);
 
 impl Stretches {
     /// Those of a table whose pieces begin at these arc lengths, in a picture with so much width per length; `None` if there
@@ -41,29 +30,26 @@ impl Stretches {
         if table.lattice().is_some() || table.pieces().len() > MOST {
             return None;
         }
-        let mut all = Stretches { straights: vec![], bends: vec![] };
+        let mut stretches = Stretches { segments: vec![], arcs: vec![] };
         for (number, (piece, offset)) in table.pieces().iter().zip(offsets).enumerate() {
             let (number, start) = (number as f64, offset * unit);
             match piece.figure() {
                 Figure::Segment { ends: [a, b] } => {
                     let slope = (b - a).normalize() * unit;
-                    all.straights.push((number, Straight { slope: slope.into(), start: start - slope.dot(&a) }));
+                    stretches.segments.push((number, [slope.x, slope.y, start - slope.dot(&a)]));
                 }
                 Figure::Arc { radius, inside, .. } | Figure::Circle { radius, inside, .. } => {
                     let (first, turn) = (piece.landing_at(0.0).normal, if inside { 1.0 } else { -1.0 });
-                    let bend = Bend {
-                        cosine: first.into(),
-                        sine: [-turn * first.y, turn * first.x],
-                        radius: radius * unit,
-                        sweep: piece.length() / radius,
-                        start,
-                    };
-                    all.bends.push((number, bend));
+                    let [cosine, sine] = [[first.x, first.y], [-turn * first.y, turn * first.x]];
+                    let sweep = piece.length() / radius;
+                    stretches
+                        .arcs
+                        .push((number, [cosine[0], cosine[1], sine[0], sine[1], radius * unit, sweep, start]));
                 }
                 _ => return None,
             }
         }
-        Some(all)
+        Some(stretches)
     }
 
     /// Whether a piece is told where a point of it is without a search.
@@ -72,93 +58,63 @@ impl Stretches {
     }
 
     /// Whether unit normals are asked for.
-    pub(super) fn bend(&self) -> bool {
-        !self.bends.is_empty()
+    pub(super) fn want_normals(&self) -> bool {
+        !self.arcs.is_empty()
     }
 
     /// Where points of these pieces are that have these unit normals.
     #[inline(always)]
     pub(super) fn at<F: Lane>(&self, point: [F; 2], normal: impl FnOnce() -> [F; 2], piece: F) -> F {
         let zero = piece.same(0.0);
-        let beyond = |number: f64| zero.same(number - 0.5).lt(piece);
-        let straight = self.straights.split_first().map(|((_, first), others)| {
-            others.iter().fold(first.all(zero), |one, (number, other)| one.or(beyond(*number), &other.all(zero)))
-        });
-        let straight = straight.map_or(zero, |straight| straight.at(point));
-        let Some(((number, first), others)) = self.bends.split_first() else { return straight };
-        let only = |number: f64| beyond(number) & piece.lt(zero.same(number + 0.5));
-        let (mut bend, mut bends) = (first.all(zero), only(*number));
-        for (number, other) in others {
-            bend = bend.or(beyond(*number), &other.all(zero));
-            bends = bends | only(*number);
+        let on_segment = match of_pieces(&self.segments, piece) {
+            Some(segment) => on_segment(segment, point),
+            None => zero,
+        };
+        let Some(arc) = of_pieces(&self.arcs, piece) else { return on_segment };
+        let mut on_arcs = zero.never();
+        for (number, _) in &self.arcs {
+            on_arcs = on_arcs | (zero.same(number - 0.5).lt(piece) & piece.lt(zero.same(number + 0.5)));
         }
-        bends.select(bend.at(normal()), straight)
+        on_arcs.select(on_arc(arc, normal()), on_segment)
     }
 }
 
-impl Straight {
-    /// The same in as many lanes as `zero` has.
-    #[inline(always)]
-    fn all<F: Lane>(&self, zero: F) -> Straight<F> {
-        Straight { slope: self.slope.map(|x| zero.same(x)), start: zero.same(self.start) }
+/// The numbers of a piece in each lane, or of another where it is not among these; `None` if there are none.
+#[inline(always)]
+fn of_pieces<F: Lane, const K: usize>(stretches: &[Stretch<K>], piece: F) -> Option<[F; K]> {
+    let ((_, first), others) = stretches.split_first()?;
+    let mut numbers = all(first, piece);
+    for (number, other) in others {
+        numbers = piece.same(number - 0.5).lt(piece).choose(all(other, piece), numbers);
     }
+    Some(numbers)
 }
 
-impl<F: Lane> Straight<F> {
-    /// This one, or `other` where `second`.
-    #[inline(always)]
-    fn or(self, second: F::Mask, other: &Self) -> Self {
-        let ([a1, a2], [b1, b2]) = (self.slope, other.slope);
-        Straight {
-            slope: [second.select(b1, a1), second.select(b2, a2)],
-            start: second.select(other.start, self.start),
-        }
+/// Numbers in as many lanes as `like` has.
+#[inline(always)]
+fn all<F: Lane, const K: usize>(numbers: &[f64; K], like: F) -> [F; K] {
+    // no closure: a compiler may leave it a function of its own, which is not compiled for the instruction set
+    let mut all = [like; K];
+    for i in 0..K {
+        all[i] = like.same(numbers[i]);
     }
-
-    #[inline(always)]
-    fn at(&self, [x, y]: [F; 2]) -> F {
-        self.start + (self.slope[0] * x + self.slope[1] * y)
-    }
+    all
 }
 
-impl Bend {
-    /// The same in as many lanes as `zero` has.
-    #[inline(always)]
-    fn all<F: Lane>(&self, zero: F) -> Bend<F> {
-        let all = |x: f64| zero.same(x);
-        Bend {
-            cosine: self.cosine.map(all),
-            sine: self.sine.map(all),
-            radius: all(self.radius),
-            sweep: all(self.sweep),
-            start: all(self.start),
-        }
-    }
+/// Where on a segment a point is.
+#[inline(always)]
+fn on_segment<F: Lane>([slope1, slope2, start]: [F; 3], [x1, x2]: [F; 2]) -> F {
+    start + (slope1 * x1 + slope2 * x2)
 }
 
-impl<F: Lane> Bend<F> {
-    /// This one, or `other` where `second`.
-    #[inline(always)]
-    fn or(self, second: F::Mask, other: &Self) -> Self {
-        let pair = |[a1, a2]: [F; 2], [b1, b2]: [F; 2]| [second.select(b1, a1), second.select(b2, a2)];
-        Bend {
-            cosine: pair(self.cosine, other.cosine),
-            sine: pair(self.sine, other.sine),
-            radius: second.select(other.radius, self.radius),
-            sweep: second.select(other.sweep, self.sweep),
-            start: second.select(other.start, self.start),
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, [n1, n2]: [F; 2]) -> F {
-        let ([c1, c2], [s1, s2]) = (self.cosine, self.sine);
-        let angle = angle(c1 * n1 + c2 * n2, s1 * n1 + s2 * n2);
-        // rounding may take a point beyond the ends
-        let before = (self.sweep * 0.5 + PI).lt(angle);
-        let angle = before.select(angle.same(0.0), angle.min(self.sweep));
-        self.start + self.radius * angle
-    }
+/// Where on an arc the point with a unit normal is.
+#[inline(always)]
+fn on_arc<F: Lane>([cosine1, cosine2, sine1, sine2, radius, sweep, start]: [F; 7], [n1, n2]: [F; 2]) -> F {
+    let angle = angle(cosine1 * n1 + cosine2 * n2, sine1 * n1 + sine2 * n2);
+    // rounding may take a point beyond the ends
+    let before = (sweep * 0.5 + PI).lt(angle);
+    let angle = before.select(angle.same(0.0), angle.min(sweep));
+    start + radius * angle
 }
 
 /// `arcsin s / s` in powers of `s²`, for `s² ≤ ½`, by which `arcsin s` is right to 3.2·10⁻⁷: of such polynomials the best.
@@ -192,7 +148,7 @@ fn angle<F: Lane>(cos: F, sin: F) -> F {
 mod tests {
     use super::*;
     use crate::picture::REDUCED_WIDTH;
-    use billiards::geometry::tables;
+    use billiards::geometry::{Landing, tables};
 
     #[test]
     fn angles_are_right_to_a_thousandth_of_a_pixel() {
@@ -216,7 +172,7 @@ mod tests {
         for table in tables.map(Result::unwrap) {
             let (offsets, unit) = (table.arc_length_offsets(), REDUCED_WIDTH / table.perimeter());
             let stretches = Stretches::of(&table, &offsets, unit).unwrap();
-            assert_eq!(stretches.straights.len() + stretches.bends.len(), table.pieces().len());
+            assert_eq!(stretches.segments.len() + stretches.arcs.len(), table.pieces().len());
             for (number, piece) in table.pieces().iter().enumerate() {
                 for k in 0..=100 {
                     let landing = piece.landing_at(piece.length() * f64::from(k) * 0.01);
@@ -226,6 +182,27 @@ mod tests {
                     let off = (fast - exact).abs();
                     let round = piece.ends().is_none() && (off - piece.length() * unit).abs() < 3e-7;
                     assert!(off < 3e-7 || round, "{table:?} {number} {k}: {fast} {exact}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn points_that_rounding_takes_beyond_an_arc_are_at_its_end() {
+        for table in [tables::stadium(1.0, 1.0), tables::moon(1.0, 0.75, 1.0)].map(Result::unwrap) {
+            let offsets = table.arc_length_offsets();
+            let stretches = Stretches::of(&table, &offsets, 1.0).unwrap();
+            for (number, piece) in
+                table.pieces().iter().enumerate().filter(|(_, piece)| piece.curvature(&piece.point_at(0.0)) != 0.0)
+            {
+                for end in [0.0, piece.length()] {
+                    let Landing { point, normal } = piece.landing_at(end);
+                    for turn in [-1e-9, 1e-9] {
+                        let turned = [normal.x - turn * normal.y, normal.y + turn * normal.x];
+                        let place = stretches.at(point.into(), || turned, number as f64) - offsets[number];
+                        // the angle is right to 3.2·10⁻⁷, times a radius of at most 1
+                        assert!((place - end).abs() < 1e-6, "{piece:?}: {place} for {end}");
+                    }
                 }
             }
         }

@@ -51,7 +51,7 @@ impl Unrolled {
     /// Whether unit normals are asked for, since they tell where on an arc a hit is, or on which face of a thin wall.
     #[inline(always)]
     pub(super) fn wants_normals(&self) -> bool {
-        self.stretches.as_ref().map_or(self.thin, Stretches::bend)
+        self.stretches.as_ref().map_or(self.thin, Stretches::want_normals)
     }
 
     /// Where hits are, between 0 and the width of the picture.
