@@ -160,20 +160,23 @@ pub struct Conserved<F, const N: usize> {
 /// and a tail: `x² = head² + tail (x + head)`.
 #[inline(always)]
 fn precise_square<F: Lane, const N: usize, const S: usize>(grid: F, v: &[F; N], w: &[F; S]) -> (F, F) {
-    let parts = |x: F| {
-        let head = (x + grid) - grid;
-        (head * head, (x - head) * (x + head))
-    };
-    let (mut high, mut low) = parts(v[0]);
+    let (mut high, mut low) = square_in_parts(grid, v[0]);
     for i in 1..N {
-        let (h, l) = parts(v[i]);
+        let (h, l) = square_in_parts(grid, v[i]);
         (high, low) = (high + h, low + l);
     }
     for i in 0..S {
-        let (h, l) = parts(w[i]);
+        let (h, l) = square_in_parts(grid, w[i]);
         (high, low) = (high + h, low + l);
     }
     (high, low)
+}
+
+/// `x²` as the exact square of its leading digits, those on the grid, and the rest, rounded.
+#[inline(always)]
+fn square_in_parts<F: Lane>(grid: F, x: F) -> (F, F) {
+    let head = (x + grid) - grid;
+    (head * head, (x - head) * (x + head))
 }
 
 impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserved<F, N> {

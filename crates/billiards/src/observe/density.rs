@@ -73,11 +73,17 @@ impl Density {
     /// The counts of a layer, row by row from `low` on, first coordinate first.
     pub fn counts(&self, layer: usize) -> Vec<u64> {
         let [width, height] = self.size;
-        let cells = (0..height).flat_map(|row| {
-            let first = self.first(layer) + row * (width + 2);
-            first..first + width
-        });
-        cells.map(|cell| self.at(cell)).collect()
+        let mut counts = Vec::with_capacity(width * height);
+        (0..height).for_each(|row| counts.extend(self.row(layer, row)));
+        counts
+    }
+
+    /// Those of a row of a layer; none if there is no such row.
+    pub fn row(&self, layer: usize, row: usize) -> impl Iterator<Item = u64> {
+        let [width, height] = self.size;
+        let first = self.first(layer) + row.min(height) * (width + 2);
+        let cells = first..first + if row < height { width } else { 0 };
+        self.few[cells.clone()].iter().zip(&self.many[cells]).map(|(few, many)| many + u64::from(*few))
     }
 
     /// Number of layers.
@@ -243,16 +249,23 @@ impl Density {
     /// Adds the points of another grid; of one with another window, size or number of layers, as points outside.
     pub fn merge_in(&mut self, other: &Self) {
         let same = (self.low, self.high, self.size, self.layers) == (other.low, other.high, other.size, other.layers);
-        let mut add = |cell: usize, count: u64| {
-            let total = self.at(cell) + count;
+        if !same {
+            let total = other.total() + u64::from(self.few[0]);
             #[allow(clippy::cast_possible_truncation, reason = "the last eight bits")]
             let few = total as u8;
-            (self.few[cell], self.many[cell]) = (few, total - u64::from(few));
-        };
-        if same {
-            (0..other.few.len()).for_each(|cell| add(cell, other.at(cell)));
-        } else {
-            add(0, other.total());
+            self.few[0] = few;
+            self.many[0] += total - u64::from(few);
+            return;
+        }
+        let cells = self.few.iter_mut().zip(&mut self.many);
+        for ((few, many), (other_few, other_many)) in cells.zip(other.few.iter().zip(&other.many)) {
+            let (sum, carry) = few.overflowing_add(*other_few);
+            *few = sum;
+            // memory that nobody has written to need not be there
+            let more = other_many + if carry { 256 } else { 0 };
+            if more > 0 {
+                *many += more;
+            }
         }
     }
 }
@@ -283,6 +296,7 @@ mod tests {
         let mut grid = Density::new([0.0, 0.0], [4.0, 2.0], [4, 2]);
         grid.extend([[1e-9, 1e-9], [3.5, 1.5], [3.999, 1.001], [1.5, 0.5]]);
         assert_eq!(grid.counts(0), [1, 1, 0, 0, 0, 0, 0, 2]);
+        assert_eq!([0, 1, 2].map(|row| grid.row(0, row).sum::<u64>()), [2, 2, 0]);
         let far = [[4.001, 0.5], [1.0, -1e-9], [f64::NAN, 0.5], [0.5, 1e300], [f64::NEG_INFINITY, 0.5], [-1e-9, 0.5]];
         grid.extend(far);
         assert_eq!((grid.outside(), grid.total()), (6, 10));

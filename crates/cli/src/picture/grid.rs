@@ -21,8 +21,8 @@ struct Tally {
     width: usize,
     height: usize,
     counts: Vec<u64>,
-    /// Sums of the colours of the points, per cell.
-    tints: Vec<[u64; 3]>,
+    /// The mean colour of the points of each cell.
+    tints: Vec<Colour>,
 }
 
 /// How counts become depth of colour.
@@ -78,19 +78,28 @@ impl Grid {
 
     fn tally(&self) -> Tally {
         let [width, height] = self.size();
-        let cells = width * height;
-        let (mut counts, mut tints) = (vec![0; cells], vec![[0; 3]; cells]);
-        for (layer, colour) in self.colours.iter().enumerate() {
-            let parts = [colour.0, colour.1, colour.2].map(u64::from);
-            let plane = self.density.counts(layer);
-            for ((total, tint), &count) in counts.iter_mut().zip(&mut tints).zip(&plane).filter(|of| *of.1 > 0) {
-                *total += count;
-                for (sum, part) in tint.iter_mut().zip(parts) {
-                    *sum += count * part;
+        let mut tally =
+            Tally { width, height, counts: vec![0; width * height], tints: vec![Colour::WHITE; width * height] };
+        let rows = tally.counts.chunks_exact_mut(width).zip(tally.tints.chunks_exact_mut(width));
+        for (row, (counts, tints)) in rows.enumerate() {
+            let mut sums = vec![[0; 3]; width];
+            for (layer, colour) in self.colours.iter().enumerate() {
+                let parts = [colour.0, colour.1, colour.2].map(u64::from);
+                let layer = self.density.row(layer, row);
+                for ((total, sum), count) in counts.iter_mut().zip(&mut sums).zip(layer).filter(|of| of.1 > 0) {
+                    *total += count;
+                    for (sum, part) in sum.iter_mut().zip(parts) {
+                        *sum += count * part;
+                    }
                 }
             }
+            for ((tint, sum), &count) in tints.iter_mut().zip(sums).zip(&*counts).filter(|of| *of.1 > 0) {
+                #[allow(clippy::cast_possible_truncation, reason = "a mean of bytes")]
+                let [r, g, b] = sum.map(|sum| ((sum + count / 2) / count) as u8);
+                *tint = Colour(r, g, b);
+            }
         }
-        Tally { width, height, counts, tints }
+        tally
     }
 
     /// The picture of the counts: empty cells white, full ones in the mean colour of their points.
@@ -131,15 +140,12 @@ impl Tally {
 
     fn shaded(&self, shading: Shading, faintest: f64) -> Raster {
         let depth = self.depths(shading, faintest);
-        let colour = |(&count, tint): (&u64, &[u64; 3])| {
+        let colour = |(&count, &full): (&u64, &Colour)| {
             if count == 0 {
                 return Colour::WHITE;
             }
-            #[allow(clippy::cast_possible_truncation, reason = "a mean of bytes")]
-            let [r, g, b] = tint.map(|sum| ((sum + count / 2) / count) as u8);
             let depth = depth(count);
             // From a pale tint through the full one towards black, so that more than one order of magnitude shows.
-            let full = Colour(r, g, b);
             if depth < FULL {
                 Colour::WHITE.mix(full, depth / FULL)
             } else {
@@ -151,13 +157,12 @@ impl Tally {
 
     /// The depth of colour, 0 … 1, of a count that is not zero.
     fn depths(&self, shading: Shading, faintest: f64) -> impl Fn(u64) -> f64 {
-        let mut sorted: Vec<u64> = self.counts.iter().copied().filter(|count| *count > 0).collect();
-        sorted.sort_unstable();
+        let mut filled: Vec<u64> = self.counts.iter().copied().filter(|count| *count > 0).collect();
         // Without the few cells of periodic orbits, which all else would be pale beside.
-        let few = sorted.len() / 200;
-        let most = sorted.get(sorted.len().saturating_sub(1 + few)).copied().unwrap_or(1);
+        let (few, last) = (filled.len() / 200, filled.len().saturating_sub(1));
+        let mut ranked = |rank| if filled.is_empty() { 1 } else { *filled.select_nth_unstable(rank).1 };
         // black says that a count is an order of magnitude above others; where they hardly differ the colour is full
-        let least = sorted.get(few).copied().unwrap_or(1);
+        let (least, most) = (ranked(few), ranked(last.saturating_sub(few)));
         let darkest = FULL + (1.0 - FULL) * libm::log10(most as f64 / least as f64).min(1.0);
         move |count| {
             let share = match shading {

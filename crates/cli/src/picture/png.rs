@@ -36,11 +36,17 @@ impl Raster {
     pub fn ring(&mut self, center: [f64; 2], radius: f64, window: Window, colour: Colour) {
         let scale = self.width as f64 / window.size()[0];
         let (x, y, r) = ((center[0] - window.low[0]) * scale, (window.high[1] - center[1]) * scale, radius * scale);
-        for (i, pixel) in self.pixels.iter_mut().enumerate() {
-            let (column, row) = ((i % self.width) as f64 + 0.5, (i / self.width) as f64 + 0.5);
-            let off = (libm::hypot(column - x, row - y) - r).abs();
-            if off < 1.5 {
-                *pixel = pixel.mix(colour, 1.5 - off);
+        let near = (r - 2.0).max(0.0) * (r - 2.0)..(r + 2.0) * (r + 2.0);
+        for (row, pixels) in self.pixels.chunks_exact_mut(self.width).enumerate() {
+            let dy = row as f64 + 0.5 - y;
+            for (column, pixel) in pixels.iter_mut().enumerate() {
+                let dx = column as f64 + 0.5 - x;
+                if near.contains(&(dx * dx + dy * dy)) {
+                    let off = (libm::hypot(dx, dy) - r).abs();
+                    if off < 1.5 {
+                        *pixel = pixel.mix(colour, 1.5 - off);
+                    }
+                }
             }
         }
     }
