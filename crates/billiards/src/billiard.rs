@@ -1,10 +1,10 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
-    creep::{creeps, follows},
-    energy::{Arrived, EnergyKeeper, speed},
+    creep::{creeps, follows, meets_a_vertex},
+    energy::{Arrived, EnergyKeeper, sum},
     laws::Mirror,
     orbit::Orbit,
-    stop::{GRAZING, Stop, has_stalled, without_hit},
+    stop::{ROUNDED, Stop, has_stalled, slow, without_hit},
     track::Track,
 };
 use geometry::{WallHit, Walls};
@@ -97,7 +97,9 @@ pub trait Motion<const N: usize, const S: usize> {
         arrival: &Self::Arrival<F>,
         slow: F,
     ) -> F::Mask;
-    /// Why an orbit that hits nothing ends: it escapes, it has stalled, or it runs along a wall.
+    /// The normal speed up to which an orbit of these velocities grazes, under a strict law.
+    fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
+    /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, or it ends where two of them meet.
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
         without_hit(velocity)
     }
@@ -136,7 +138,8 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         orbit.position = hit.point;
         let normal_speed = dot(&orbit.velocity, &hit.normal);
         let reverses = self.law.is_strict();
-        let owed = if reverses { *owed } else { orbit.keeper.rounded_off(*owed) };
+        let (owed, before) =
+            if reverses { (*owed, *owed) } else { (orbit.keeper.rounded_off(*owed), sum(&orbit.velocity)) };
         let arrived = Arrived { owed, normal_speed, reverses };
         if self.walls.is_along_axes() {
             self.law.collide_along_axis(hit, &mut orbit.velocity, &mut orbit.spin);
@@ -151,10 +154,19 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             return !slow.lt((normal_speed * hit.inverse).abs());
         }
         let leaving = (dot(&orbit.velocity, &hit.normal) * hit.inverse).abs();
-        let flat = !(speed(&orbit.velocity, &orbit.spin) * GRAZING).lt(leaving);
+        let flat = !(sum(&orbit.velocity).max(before) * ROUNDED).lt(leaving);
         flat | creeps(hit, normal_speed, leaving, &orbit.velocity) | has_stalled(&orbit.velocity)
     }
+    fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64 {
+        slow(self.law, velocity, spin)
+    }
     fn without_hit(&self, position: [f64; N], velocity: [f64; N]) -> Stop {
-        if follows(self.walls, &position, &velocity) { Stop::Grazing } else { without_hit(velocity) }
+        if follows(self.walls, &position, &velocity) {
+            Stop::Grazing
+        } else if meets_a_vertex(self.walls, &position, &velocity) {
+            Stop::Corner
+        } else {
+            without_hit(velocity)
+        }
     }
 }

@@ -29,22 +29,46 @@ pub(crate) fn creeps<F: Lane, const N: usize>(
 #[cold]
 #[inline(never)]
 pub(crate) fn follows<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {
-    // turned by 2⁻²⁰: far more than FLAT, and still along the wall
-    let turn = sum(velocity) / 1_048_576.0;
-    let turned = |by: &[f64; N]| core::array::from_fn(|i| velocity[i] + turn * by[i]);
-    let axes = (0..2 * N).map(|k| {
+    axes().filter_map(|axis| wall_there(walls, position, &turned(velocity, &axis))).any(|(normal, piece)| {
+        let again = walls.first_hit(position, &turned(velocity, &normal));
+        dot(velocity, &normal).abs() <= sum(velocity) * FLAT && again.time < f64::INFINITY && again.piece == piece
+    })
+}
+
+/// Whether a path that meets no wall starts on one, within rounding, and would meet another had it started a little farther inside: it ends
+/// where these two meet.
+#[cold]
+#[inline(never)]
+pub(crate) fn meets_a_vertex<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {
+    let step = sum(position) * NEAR;
+    axes().filter_map(|axis| wall_there(walls, position, &axis)).any(|(normal, _)| {
+        let inside = core::array::from_fn(|i| position[i] + step * normal[i]);
+        walls.first_hit(&inside, velocity).time < f64::INFINITY
+    })
+}
+
+/// The unit vectors along the axes, both ways.
+fn axes<const N: usize>() -> impl Iterator<Item = [f64; N]> {
+    (0..2 * N).map(|k| {
         let mut axis = [0.0; N];
         axis[k / 2] = if k % 2 == 0 { 1.0 } else { -1.0 };
         axis
-    });
-    axes.into_iter().any(|axis| {
-        let outwards = turned(&axis);
-        let hit: WallHit<f64, N> = walls.first_hit(position, &outwards);
-        let normal = hit.unit_normal();
-        let again = walls.first_hit(position, &turned(&normal));
-        hit.time * dot(&outwards, &normal).abs() <= sum(position) * NEAR
-            && dot(velocity, &normal).abs() <= sum(velocity) * FLAT
-            && again.time < f64::INFINITY
-            && again.piece == hit.piece
     })
+}
+
+/// Normal and number of the wall that a path in this direction meets where it starts, within rounding.
+fn wall_there<W: Walls<N>, const N: usize>(
+    walls: &W,
+    position: &[f64; N],
+    direction: &[f64; N],
+) -> Option<([f64; N], f64)> {
+    let hit: WallHit<f64, N> = walls.first_hit(position, direction);
+    let normal = hit.unit_normal();
+    (hit.time * dot(direction, &normal).abs() <= sum(position) * NEAR).then_some((normal, hit.piece))
+}
+
+/// A velocity turned by 2⁻²⁰: far more than [`FLAT`], and still along a wall that it is along.
+fn turned<const N: usize>(velocity: &[f64; N], by: &[f64; N]) -> [f64; N] {
+    let turn = sum(velocity) / 1_048_576.0;
+    core::array::from_fn(|i| velocity[i] + turn * by[i])
 }

@@ -5,7 +5,7 @@ use crate::{
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
-    stop::{GRAZING, LEAST},
+    stop::{GRAZING, LEAST, slow},
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};
@@ -264,8 +264,11 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         if self.law.is_strict() {
             return !slow.lt(arrival.abs());
         }
-        let all = carried.normal.abs() + carried.even.tangential.abs() + orbit.spin[0].abs();
+        let all = carried.normal.abs() + carried.even.tangential.abs();
         !(all * GRAZING).max(all.same(LEAST)).lt(carried.normal.abs())
+    }
+    fn slow(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
+        slow(self.law, velocity, spin)
     }
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, orbit: &mut Orbit<F, 2, 1, K, T>, carried: &Frame<F>) {

@@ -1,10 +1,10 @@
 //! The engine's loop.
 use crate::{
     billiard::Motion,
-    energy::{EnergyKeeper, speed},
+    energy::EnergyKeeper,
     observe::{Collision, Observer},
     orbit::Orbit,
-    stop::{GRAZING, MOST_IDLE, Outcome, Stop, without_way},
+    stop::{MOST_IDLE, Outcome, Stop, without_way},
     track::{Timed, Track},
 };
 use core::ops::ControlFlow;
@@ -86,7 +86,7 @@ where
         // copies of our own, to which nothing else points: they live in registers for as long as no observer looks at them
         let (mut orbit, mut carried) = (at.clone(), start);
         let orbit = &mut orbit;
-        let slow = GRAZING * speed(&orbit.velocity, &orbit.spin);
+        let slow = billiard.slow(&orbit.velocity, &orbit.spin);
         let mut n = 0;
         // flights of no length in a row, and the number of the last one
         let (mut idle, mut idle_at) = (0, 0);

@@ -1,11 +1,11 @@
 //! Many orbits side by side: the lanes of vector registers, refilled as orbits end.
 use crate::{
     billiard::Motion,
-    energy::{Keeping, speed},
+    energy::Keeping,
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
-    stop::{GRAZING, MOST_IDLE, Outcome, Stop, without_way},
+    stop::{MOST_IDLE, Outcome, Stop, without_way},
     track::{Track, Tracking},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
@@ -155,7 +155,7 @@ where
                     let mut here = [false; MOST_LANES];
                     here[lane] = true;
                     self.billiard.restart(&mut group.carried, mask(&here), &mut orbit);
-                    Self::seat(group, lane, &orbit);
+                    self.seat(group, lane, &orbit);
                     self.observer.begin(&mut group.view, mask(&here), index, &orbit);
                 }
                 (Some(wait), orbit) => {
@@ -175,16 +175,16 @@ where
         if let (true, Some(model)) = (idle.contains(&true), model) {
             let mut orbit = group.orbit.one(model);
             for lane in (0..F::LANES).filter(|lane| idle[*lane]) {
-                Self::seat(group, lane, &orbit);
+                self.seat(group, lane, &orbit);
             }
             self.billiard.restart(&mut group.carried, mask(&idle), &mut orbit);
         }
     }
 
     /// Puts an orbit into a lane: numbers in memory, for which no vectors are needed.
-    fn seat<F: Lane>(group: &mut GroupOf<F, N, S, B, K, T, O>, lane: usize, orbit: &Orbit<f64, N, S, K, T>) {
+    fn seat<F: Lane>(&self, group: &mut GroupOf<F, N, S, B, K, T, O>, lane: usize, orbit: &Orbit<f64, N, S, K, T>) {
         group.orbit.put(lane, orbit);
-        group.slow.put(lane, speed(&orbit.velocity, &orbit.spin) * GRAZING);
+        group.slow.put(lane, self.billiard.slow(&orbit.velocity, &orbit.spin));
     }
 
     /// One collision of every lane.

@@ -1,4 +1,9 @@
 //! Why an orbit ends.
+use crate::{
+    billiard::BallLaw,
+    energy::{speed, sum},
+    laws::Mirror,
+};
 use lanes::{Lane, dot};
 
 /// Why an orbit ended.
@@ -48,6 +53,19 @@ pub(crate) const MOST_IDLE: u32 = 64;
 
 /// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
+
+/// What a law leaves of a normal speed by rounding is up to this fraction of the speeds before and after: of a sum of products it takes one
+/// apart again.
+pub(crate) const ROUNDED: f64 = 4.0 * f64::EPSILON;
+
+/// The normal speed up to which an orbit of these velocities grazes under a strict law. Spin that never becomes velocity has no part in it.
+pub(crate) fn slow<const N: usize, const S: usize>(
+    law: &impl BallLaw<N, S>,
+    velocity: &[f64; N],
+    spin: &[f64; S],
+) -> f64 {
+    GRAZING * if law.mirror().is_some_and(Mirror::is_specular) { sum(velocity) } else { speed(velocity, spin) }
+}
 
 /// The square of a normal speed of this has lost its digits.
 pub(crate) const LEAST: f64 = 1e-154;

@@ -10,7 +10,9 @@ use billiards::geometry::{
     tables, walls,
 };
 use billiards::laws::{Custom, Disk, Specular};
+use billiards::observe::{Collision, Observer};
 use billiards::{Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Planar, Start, Starts, Stop, Timed, run};
+use core::ops::ControlFlow;
 use std::collections::BTreeMap;
 
 /// Slows the motion along the normal down, and the slip.
@@ -79,6 +81,81 @@ fn what_has_lost_all_speed_stalls_before_its_squares_vanish() {
         let speed = orbit.velocity[0].hypot(orbit.velocity[1]);
         assert!((1e-160..1.5e-154).contains(&speed), "{speed:e}");
         assert!(orbit.track.time() < 1e160, "{:e}", orbit.track.time());
+    }
+}
+
+#[test]
+fn what_is_left_along_a_wall_grazes_at_once_wherever_it_comes_from() {
+    let law = Disk::new(&Restitution::new(0.0, 0.0).unwrap(), 0.5_f64.sqrt());
+    for table in [
+        tables::equilateral(1.0),
+        tables::polygon(7, 1.0),
+        tables::polygon(20, 1.0),
+        tables::stadium(1.0, 1.0),
+        tables::mushroom(1.0, 0.5, 0.75),
+        tables::flower(5, 1.0, 1.0),
+        tables::ellipse([2.0, 1.0]),
+        tables::sinai(1.0, 0.25),
+    ] {
+        let table = table.unwrap();
+        let starts = Canonical::new(&table, 1.0, 1).unwrap();
+        let billiard = Planar { table: table.clone(), law };
+        for k in 0..2000 {
+            let mut orbit: Orbit<f64, 2, 1> = starts.start(k).orbit(());
+            let outcome = billiard.run(&mut orbit, &Collisions(10), &mut ());
+            assert!(
+                matches!(outcome.stop, Stop::Grazing | Stop::Corner) && outcome.collisions <= 1,
+                "{k}: {outcome:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_escapes_from_a_closed_table_and_time_runs_forwards() {
+    struct Forwards(f64);
+    impl<const N: usize, const S: usize, K> Observer<N, S, K, Clock> for Forwards {
+        fn collision(&mut self, collision: &Collision<'_, N, S, K, Clock>) -> ControlFlow<()> {
+            assert!(collision.hit.time >= 0.0 && collision.orbit.track.time() >= self.0);
+            self.0 = collision.orbit.track.time();
+            ControlFlow::Continue(())
+        }
+    }
+    for (normal, tangential) in [(0.001, 0.5), (1e-6, 0.5), (1e-10, -1.0)] {
+        let law = Disk::new(&Restitution::new(normal, tangential).unwrap(), 0.5_f64.sqrt());
+        for table in [
+            tables::equilateral(1.0),
+            tables::polygon(20, 1.0),
+            tables::polygon(64, 1.0),
+            tables::mushroom(1.0, 0.5, 0.75),
+            tables::stadium(1.0, 1.0),
+            tables::flower(5, 1.0, 1.0),
+        ] {
+            let table = table.unwrap();
+            let starts = Canonical::new(&table, 1.0, 1).unwrap();
+            let billiard = Planar { table: table.clone(), law };
+            for k in 0..2000 {
+                let mut orbit: Orbit<f64, 2, 1, (), Clock> = starts.start(k).orbit(Clock::new(0.0));
+                let outcome = billiard.run(&mut orbit, &Collisions(300), &mut Forwards(0.0));
+                assert_ne!(outcome.stop, Stop::Escaped, "{normal} {tangential}: start {k}, {outcome:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn spin_that_never_becomes_velocity_makes_nothing_graze() {
+    for table in [tables::circle(1.0), tables::square(1.0), tables::stadium(1.0, 1.0), tables::hexagon(1.0)] {
+        let billiard =
+            Planar { table: table.unwrap(), law: Disk::new(&billiards::collision_laws::laws::Specular, 0.5) };
+        for spin in [1e16, 1e20, 1e90] {
+            let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.125, 0.25], [0.6, 0.7], [spin], ());
+            assert_eq!(billiard.run(&mut orbit, &Collisions(100), &mut ()).stop, Stop::Finished);
+            let lossy =
+                Planar { table: billiard.table.clone(), law: Disk::new(&Restitution::new(0.9, -1.0).unwrap(), 0.5) };
+            let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.125, 0.25], [0.6, 0.7], [spin], ());
+            assert_eq!(lossy.run(&mut orbit, &Collisions(10), &mut ()).stop, Stop::Finished);
+        }
     }
 }
 

@@ -76,6 +76,19 @@ proptest! {
         agree((&custom, &Specular), g, n, v, w);
         let lossy = laws::Restitution::new(0.7, 0.2).unwrap();
         agree((&Custom::disk(lossy, g).unwrap(), &Disk::new(&lossy, g)), g, n, v, w);
+        agree((&Custom::disk(lossy, g).unwrap().with_scaled_slip(), &Disk::new(&lossy, g)), 0.0, n, v, w);
+    }
+
+    #[test]
+    fn with_scaled_slip_strict_laws_and_restitution_are_right_to_rounding_for_any_gamma(
+        n in normal(), v in vector(), w in vector(), g in gamma(),
+    ) {
+        // a size that does not grow with 1/γ
+        let scaled = |law| Custom::ball(law, g).unwrap().with_scaled_slip();
+        agree((&scaled(NoSlip), &RoughBall::no_slip(g)), 0.0, n, v, w);
+        let elastic = laws::Restitution::new(1.0, 1.0).unwrap();
+        let elastic = Custom::ball(elastic, g).unwrap().with_scaled_slip();
+        agree((&elastic, &RoughBall::no_slip(g)), 0.0, n, v, w);
     }
 
     #[test]

@@ -23,7 +23,7 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 /// The contact velocity of a spinning ball is `u = v − (1/γ) W × ν` with the scaled spin `W = γ R ω`, so it is right to about
 /// `ε/γ` of the speed. In the limit γ → 0 of a point (γ < 2⁻²⁶ here) the slip is measured in the units of the spin: the
 /// tangential parts of `u` and of the impulse are `γ u` and `p/γ`. Strict laws and restitution do not notice such a change of
-/// units; laws that do, such as friction, have no limit there.
+/// units, and may have it for any γ ([`with_scaled_slip`](Self::with_scaled_slip)); laws that do, such as friction, have no limit there.
 ///
 /// ```
 /// use billiards::{BallLaw, laws::{Custom, Disk}};
@@ -48,6 +48,7 @@ pub struct Custom<L, const N: usize> {
     law: L,
     mass: f64,
     radius: f64,
+    gamma: f64,
     /// What a velocity of the centre along the wall counts in the slip: 1, or γ where γ is next to nothing.
     centre: f64,
     /// What a scaled spin counts in the slip: 1/γ as much.
@@ -80,7 +81,7 @@ impl<L, const N: usize> Custom<L, N> {
             return Err(Error::Ball { quantity: "γ", must: "finite and not negative", value: gamma });
         }
         let (centre, rim) = if gamma < LEAST_GAMMA { (gamma, 1.0) } else { (1.0, 1.0 / gamma) };
-        Ok(Custom { law, mass: 1.0, radius: 0.0, centre, rim })
+        Ok(Custom { law, mass: 1.0, radius: 0.0, gamma, centre, rim })
     }
 
     /// The same for a ball of mass `mass` \[M\]: impulses are that much larger.
@@ -106,6 +107,14 @@ impl<L, const N: usize> Custom<L, N> {
             return Ok(Custom { radius, ..self });
         }
         Err(Error::Ball { quantity: "radius", must: "finite and not negative", value: radius })
+    }
+
+    /// The same for a law that does not notice in which units the slip is measured, such as strict laws and restitution: if γ is below 1,
+    /// it is the tangential parts of `γ u` and `p/γ` that the law has to do with, and is right to rounding for any γ, not to `ε/γ` of the
+    /// speed.
+    #[must_use]
+    pub fn with_scaled_slip(self) -> Self {
+        if self.gamma < 1.0 { Custom { centre: self.gamma, rim: 1.0, ..self } } else { self }
     }
 
     /// The Delassus operator, of the slip along the wall.

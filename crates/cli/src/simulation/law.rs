@@ -148,6 +148,9 @@ impl BallLaw<3, 3> for SpatialLaw {
     fn is_strict(&self) -> bool {
         !matches!(self, SpatialLaw::Any(_))
     }
+    fn mirror(&self) -> Option<Mirror> {
+        matches!(self, SpatialLaw::Specular).then(Mirror::specular)
+    }
 }
 
 impl SpatialLaw {
@@ -175,7 +178,8 @@ impl SpatialLaw {
             laws = laws.with(wall, any(kind)?);
         }
         let law = Custom::ball(laws, gamma).map_err(|error| error.to_string())?;
-        Ok(SpatialLaw::Any(Box::new(law)))
+        // none of them notices the unit of the slip
+        Ok(SpatialLaw::Any(Box::new(law.with_scaled_slip())))
     }
 }
 

@@ -36,7 +36,9 @@ pub(crate) struct Roots<F: Lane> {
     pub(crate) c: F,
     /// `|v|²`
     pub(crate) a: F,
-    /// `√(b² − a c)`, 0 where the path misses the circle.
+    /// `b² − a c`
+    pub(crate) discriminant: F,
+    /// Its root, 0 where the path misses the circle.
     pub(crate) root: F,
     /// Whether the path's line meets the circle in two points.
     pub(crate) meets: F::Mask,
@@ -77,7 +79,7 @@ impl Circle {
         let moment = cross(y, v);
         let discriminant = a * self.square - moment * moment;
         let zero = a.same(0.0);
-        Roots { a, b, c, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
+        Roots { a, b, c, discriminant, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
 
     /// The crossing outwards among the roots, wherever on the circle it lies: for sure on what is asked about where the path passes
@@ -85,15 +87,17 @@ impl Circle {
     /// along its edge. A path that starts outside a disk leaves it after it has entered it, if ever.
     #[inline(always)]
     pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, between: F::Mask, around: F::Mask) -> Candidate<F> {
-        let Roots { a, b, c, root, meets } = *roots;
+        let Roots { a, b, c, discriminant, root, meets } = *roots;
         let zero = a.same(0.0);
         let q = b.abs() + root;
         let off = zero.same(self.off);
         if self.inside {
-            // leaving the disk: the later root, in the form without cancellation; a tangent start crosses at once
+            // leaving the disk: the later root, in the form without cancellation, but where rounding leaves so little of `b` and of
+            // the root that `c` is no product of roots; a tangent start crosses at once
             let (coming, starts) = (!zero.lt(b), c.lt(off));
             let really = (between | (around & (meets | starts))) & (coming | starts);
-            Candidate { really, num: coming.select(q, -c), den: coming.select(a, q) }
+            let as_sum = coming | discriminant.lt(-(a * c));
+            Candidate { really, num: as_sum.select(root - b, -c), den: as_sum.select(a, q) }
         } else {
             // entering the disk: the earlier root
             let really = (between | (around & meets)) & b.lt(zero) & (-off).lt(c);

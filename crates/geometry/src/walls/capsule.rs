@@ -72,14 +72,16 @@ impl Capsule {
             let (a, b, c) = (dot(v, v), dot(&q, v), dot(&q, &q) - self.square);
             // b² − a c = |v|² r² − |q ∧ v|²; below 0 by rounding only
             let moment = q[0] * v[1] - q[1] * v[0];
-            let root = (a * self.square - moment * moment).abs().sqrt();
+            let discriminant = a * self.square - moment * moment;
+            let root = discriminant.abs().sqrt();
             // from its centre: the division is over before the root is, and the next flight does not wait for the time
             let inverse = one / a;
             l = [(moment * v[1] + root * v[0]) * inverse, (root * v[1] - moment * v[0]) * inverse];
-            // the later root, without cancellation
-            let sum = b.abs() + root;
-            let [n, d, _] = zero.lt(b).choose([(-c).max(zero), sum, zero], [sum, a, one]);
-            [num, den, _] = flat.choose([num, den, zero], [n, d, one]);
+            // the later root, without cancellation, but where rounding leaves so little of `b` and of the root that `c` is no product of
+            // roots
+            let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
+            let [n, d, _] = as_product.choose([-c, b.abs() + root, zero], [root - b, a, one]);
+            [num, den, _] = flat.choose([num, den, zero], [n.max(zero), d, one]);
         }
         let time = num / den;
         // |l|² is r² up to rounding on a cap: one Newton step each

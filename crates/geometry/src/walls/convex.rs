@@ -97,7 +97,7 @@ impl Walls<2> for ConvexPolygon {
                 [num, den, n[0], n[1], start, end, piece],
             );
         }
-        let time = num / den;
+        let time = num.max(zero) / den;
         let point = [x[0] + time * v[0], x[1] + time * v[1]];
         let along = point[1] * n[0] - point[0] * n[1];
         WallHit {

@@ -93,12 +93,13 @@ impl Walls<3> for Cylinder {
             let moment = w[j] * u[i] - w[i] * u[j];
             discriminant = discriminant - moment * moment;
         }
-        let q = b.abs() + discriminant.max(zero).sqrt();
-        let leaving = zero.lt(b);
+        let root = discriminant.max(zero).sqrt();
+        // where rounding leaves little of `b` and of the root, `c` is no product of roots
+        let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
         let moves = zero.lt(a);
         let round = [
-            moves.select(leaving.select(-c, q).max(zero), zero.same(f64::INFINITY)),
-            moves.select(leaving.select(q, a), one),
+            moves.select(as_product.select(-c, root - b).max(zero), zero.same(f64::INFINITY)),
+            moves.select(as_product.select(b + root, a), one),
         ];
         // the end ahead
         let end = zero.same(self.half_height).copysign(rise);

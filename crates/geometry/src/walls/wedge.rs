@@ -75,7 +75,7 @@ impl Walls<2> for Wedge {
                 [num, den, n[0], n[1], inverse, piece],
             );
         }
-        let time = num / den;
+        let time = num.max(zero) / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
         // a path may come from any distance
         let margin = (x[0].abs() + x[1].abs()) * CORNER + self.margin;

@@ -112,7 +112,7 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
             [num, den, n[0], n[1], middle, half, piece] = sooner([distance, speed], [num, den])
                 .choose([distance, speed, m1, m2, along, most, number], [num, den, n[0], n[1], middle, half, piece]);
         }
-        let time = num / den;
+        let time = num.max(zero) / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
         let mut corner = zero.never();
         if zero.same(self.clear).lt(dot(&p, &p)).any() {

@@ -126,9 +126,14 @@ fn between(a: f64, b: f64, c: f64, discriminant: f64, touches: bool) -> Option<C
     if discriminant < 0.0 && !touches {
         return None;
     }
-    let q = b.abs() + libm::sqrt(discriminant.max(0.0));
+    let root = libm::sqrt(discriminant.max(0.0));
+    let q = b.abs() + root;
     if q == 0.0 {
         return Some(Chord { enter: 0.0, exit: 0.0 });
+    }
+    if discriminant < -(a * c) {
+        // rounding leaves so little of both that C is no product of roots
+        return Some(Chord { enter: (-b - root) / a, exit: (root - b) / a });
     }
     Some(if b < 0.0 { Chord { enter: c / q, exit: q / a } } else { Chord { enter: -q / a, exit: -c / q } })
 }
