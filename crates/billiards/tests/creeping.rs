@@ -112,12 +112,19 @@ fn what_is_left_along_a_wall_grazes_at_once_wherever_it_comes_from() {
 }
 
 #[test]
-fn nothing_escapes_from_a_closed_table_and_time_runs_forwards() {
-    struct Forwards(f64);
-    impl<const N: usize, const S: usize, K> Observer<N, S, K, Clock> for Forwards {
-        fn collision(&mut self, collision: &Collision<'_, N, S, K, Clock>) -> ControlFlow<()> {
-            assert!(collision.hit.time >= 0.0 && collision.orbit.track.time() >= self.0);
-            self.0 = collision.orbit.track.time();
+fn nothing_escapes_from_a_closed_table_time_runs_forwards_and_hits_are_where_the_time_says() {
+    /// The velocity after the last collision, where it was, and when.
+    struct Last(Option<(Vector2<f64>, Vector2<f64>)>, f64);
+    impl<K> Observer<2, 1, K, Clock> for Last {
+        fn collision(&mut self, collision: &Collision<'_, 2, 1, K, Clock>) -> ControlFlow<()> {
+            let Collision { hit, orbit, .. } = collision;
+            assert!(hit.time >= 0.0 && orbit.track.time() >= self.1);
+            let [position, velocity] = [orbit.position, orbit.velocity].map(Vector2::from);
+            if let Some((from, along)) = self.0 {
+                let off = (from + along * hit.time - position).norm();
+                assert!(off < 2e-14, "{off:e} from {from:?} along {along:?}, {:e} later", hit.time);
+            }
+            *self = Last(Some((position, velocity)), orbit.track.time());
             ControlFlow::Continue(())
         }
     }
@@ -136,7 +143,7 @@ fn nothing_escapes_from_a_closed_table_and_time_runs_forwards() {
             let billiard = Planar { table: table.clone(), law };
             for k in 0..2000 {
                 let mut orbit: Orbit<f64, 2, 1, (), Clock> = starts.start(k).orbit(Clock::new(0.0));
-                let outcome = billiard.run(&mut orbit, &Collisions(300), &mut Forwards(0.0));
+                let outcome = billiard.run(&mut orbit, &Collisions(300), &mut Last(None, 0.0));
                 assert_ne!(outcome.stop, Stop::Escaped, "{normal} {tangential}: start {k}, {outcome:?}");
             }
         }

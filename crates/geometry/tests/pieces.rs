@@ -229,6 +229,29 @@ fn grazing_chords_have_the_length_of_the_osculating_circle() {
 }
 
 #[test]
+fn a_path_along_a_curve_lands_where_its_time_says() {
+    for (name, piece) in pieces(1.0).iter().filter(|(_, piece)| piece.length().is_finite()) {
+        for k in 0..200 {
+            let at = piece.landing_at(piece.length() * (f64::from(k) + 0.5) / 200.0);
+            if piece.curvature(&at.point) < 0.2 {
+                continue;
+            }
+            for slope in [0.0, 1e-17, -1e-17, 1e-16, -1e-16, 1e-15, -1e-15, 1e-12, -1e-12] {
+                for turn in [-1.0, 1.0] {
+                    let along = v(at.normal.y, -at.normal.x) * turn;
+                    let path = Line { point: at.point, velocity: along + at.normal * slope };
+                    let time = piece.crossing(&path).time();
+                    if time < f64::INFINITY {
+                        let off = (path.at(time) - piece.landing(&path, time).point).norm();
+                        assert!(off < 1e-14, "{name} {k} {slope:e}: {off:e} off after {time:e}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn orbits_on_closed_curves_never_leave() {
     for (name, piece) in pieces(1.0).iter().filter(|(_, piece)| piece.ends().is_none() && piece.area() > 0.0) {
         for k in 0..20 {

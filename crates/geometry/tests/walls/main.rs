@@ -1,6 +1,7 @@
 //! Composite walls against the plain list of pieces, lanes against single numbers, and long orbits against leaks.
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
 
+mod along;
 mod few;
 #[path = "../formulas/mod.rs"]
 mod formulas;
