@@ -84,6 +84,7 @@ impl Walls<2> for ConvexPolygon {
         for side in &self.sides {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let distance = zero.same(side.distance) - (x[0] * side.normal[0] + x[1] * side.normal[1]);
+            let distance = distance.max(zero);
             [num, den, n[0], n[1], start, end, piece] = sooner([distance, speed], [num, den]).choose(
                 [
                     distance,
@@ -97,7 +98,7 @@ impl Walls<2> for ConvexPolygon {
                 [num, den, n[0], n[1], start, end, piece],
             );
         }
-        let time = num.max(zero) / den;
+        let time = num / den;
         let point = [x[0] + time * v[0], x[1] + time * v[1]];
         let along = point[1] * n[0] - point[0] * n[1];
         WallHit {

@@ -62,7 +62,7 @@ impl<const N: usize> Walls<N> for Cuboid<N> {
                 first[0] = !never;
                 continue;
             }
-            let sooner = sooner([distance, speed], [num, den]);
+            let sooner = sooner([distance.max(zero), speed], [num, den]);
             [num, den, piece] = sooner.choose([distance, speed, number], [num, den, piece]);
             for j in 0..i {
                 first[j] = sooner.either(never, first[j]);

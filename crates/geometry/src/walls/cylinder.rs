@@ -103,10 +103,10 @@ impl Walls<3> for Cylinder {
         ];
         // the end ahead
         let end = zero.same(self.half_height).copysign(rise);
-        let flat = [(end - height) * one.copysign(rise), rise.abs()];
+        let flat = [((end - height) * one.copysign(rise)).max(zero), rise.abs()];
         let at_end = sooner(flat, round);
         let [num, den] = at_end.choose(flat, round);
-        let time = num.max(zero) / den;
+        let time = num / den;
         let mut at = y;
         for i in 0..3 {
             at[i] = y[i] + time * v[i];

@@ -211,10 +211,10 @@ pub trait WithWalls<const N: usize> {
 /// A landing point is right to about 2 ulp of the size along the wall; 8 covers it with a factor of four.
 pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
 
-/// Whether a wall at this distance is reached with this speed before another one.
+/// Whether a wall at this distance, which is not negative, is reached with this speed before another one.
 ///
 /// One that is not moved towards is never reached, even from the wall itself: nothing is less than 0, nor than ∞·0.
 #[inline(always)]
 fn sooner<F: Lane>([distance, speed]: [F; 2], [other_distance, other_speed]: [F; 2]) -> F::Mask {
-    (distance.max(speed.same(0.0)) * other_speed).lt(other_distance * speed)
+    (distance * other_speed).lt(other_distance * speed)
 }

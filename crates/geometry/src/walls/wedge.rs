@@ -62,7 +62,7 @@ impl Walls<2> for Wedge {
         let (mut n, mut inverse, mut piece) = ([zero; 2], zero, zero);
         for side in &self.sides {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
-            let distance = -(y[0] * side.normal[0] + y[1] * side.normal[1]);
+            let distance = (-(y[0] * side.normal[0] + y[1] * side.normal[1])).max(zero);
             [num, den, n[0], n[1], inverse, piece] = sooner([distance, speed], [num, den]).choose(
                 [
                     distance,
@@ -75,7 +75,7 @@ impl Walls<2> for Wedge {
                 [num, den, n[0], n[1], inverse, piece],
             );
         }
-        let time = num.max(zero) / den;
+        let time = num / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
         // a path may come from any distance
         let margin = (x[0].abs() + x[1].abs()) * CORNER + self.margin;

@@ -100,7 +100,7 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
             let height = y[0] * side.normal[0] + y[1] * side.normal[1];
             // the side ahead: the first one, or its opposite
             let [height, m1, m2] = speed.towards([height, zero.same(side.unit[0]), zero.same(side.unit[1])]);
-            let distance = zero.same(side.distance) - height;
+            let distance = (zero.same(side.distance) - height).max(zero);
             let number = zero.lt(speed).select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
             let (speed, along, most) = (speed.abs(), zero.same(side.middle), zero.same(side.half));
             if i == 0 {
@@ -112,7 +112,7 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
             [num, den, n[0], n[1], middle, half, piece] = sooner([distance, speed], [num, den])
                 .choose([distance, speed, m1, m2, along, most, number], [num, den, n[0], n[1], middle, half, piece]);
         }
-        let time = num.max(zero) / den;
+        let time = num / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
         let mut corner = zero.never();
         if zero.same(self.clear).lt(dot(&p, &p)).any() {
