@@ -1,7 +1,8 @@
 //! The command line.
 
+use std::io;
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Component, Path, PathBuf};
 
 use clap::error::{ContextKind, ContextValue};
 use clap::{Args, CommandFactory, Parser, Subcommand};
@@ -28,9 +29,17 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Reads the arguments of the process; ends it with a message where they make no sense.
-    pub fn read() -> Self {
-        Cli::try_parse().unwrap_or_else(|error| with_nearest(error).exit())
+    /// The arguments of the process; none where they ask for help or the version, which is printed. Ends the process with a message
+    /// where they make no sense.
+    ///
+    /// # Errors
+    /// Help cannot be written.
+    pub fn read() -> io::Result<Option<Self>> {
+        match Cli::try_parse().map_err(with_nearest) {
+            Ok(cli) => Ok(Some(cli)),
+            Err(error) if error.use_stderr() => error.exit(),
+            Err(help) => help.print().map(|()| None),
+        }
     }
 }
 
@@ -98,9 +107,15 @@ pub struct Run {
 }
 
 impl Run {
-    /// The folder for everything that is written.
-    pub fn folder(&self) -> PathBuf {
-        self.out.clone().unwrap_or_else(|| PathBuf::from("out").join(self.scene.file_stem().unwrap_or_default()))
+    /// The folder for everything that is written; none where the scene file's name is not one for a folder.
+    pub fn folder(&self) -> Option<PathBuf> {
+        let named = || {
+            let stem = self.scene.file_stem()?;
+            // `..toml` and `...toml`: the stems are this folder and the one above
+            let is_name = matches!(Path::new(stem).components().next(), Some(Component::Normal(_)));
+            is_name.then(|| Path::new("out").join(stem))
+        };
+        self.out.clone().or_else(named)
     }
 }
 
@@ -274,8 +289,21 @@ mod tests {
             run: Run,
         }
         let run = |words: &[&str]| Line::parse_from([&["billiards"], words].concat()).run;
-        assert_eq!(run(&["scenes/hexagon.toml"]).folder(), PathBuf::from("out/hexagon"));
+        assert_eq!(run(&["scenes/hexagon.toml"]).folder(), Some(PathBuf::from("out/hexagon")));
         let run = run(&["x.toml", "--law", "no-slip", "-n", "1e3", "--out", "y", "--threads", "2"]);
-        assert_eq!((run.folder(), run.law, run.collisions), (PathBuf::from("y"), Some(LawKind::NoSlip), Some(1000)));
+        assert_eq!(
+            (run.folder(), run.law, run.collisions),
+            (Some(PathBuf::from("y")), Some(LawKind::NoSlip), Some(1000))
+        );
+    }
+    #[test]
+    fn a_scene_named_as_the_folder_above_has_no_folder() {
+        for (scene, folder) in
+            [("...toml", None), ("..toml", None), (".toml", Some("out/.toml")), ("....toml", Some("out/..."))]
+        {
+            let run = Cli::parse_from(["billiards", "run", scene]);
+            let Command::Run(run) = run.command else { panic!("{run:?}") };
+            assert_eq!(run.folder(), folder.map(PathBuf::from), "{scene}");
+        }
     }
 }

@@ -9,7 +9,10 @@ use billiards_cli::document::Source;
 
 fn main() -> ExitCode {
     let out = &mut io::stdout().lock();
-    let done = execute(Cli::read().command, out).and_then(|()| Ok(out.flush()?));
+    let done = Cli::read()
+        .map_err(Failure::from)
+        .and_then(|cli| cli.map_or(Ok(()), |cli| execute(cli.command, out)))
+        .and_then(|()| Ok(out.flush()?));
     match done {
         Ok(()) | Err(Failure::Closed) => ExitCode::SUCCESS,
         Err(failure) => {

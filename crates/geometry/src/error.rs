@@ -107,6 +107,14 @@ pub enum Error {
         /// About where.
         at: [f64; 2],
     },
+    /// A piece with such a kink, or a curvature without bound: where a disk can go around it is not known.
+    #[error("piece {piece} has a kink near {} that a disk cannot be followed around", about(at))]
+    RoughPiece {
+        /// The piece.
+        piece: usize,
+        /// About where.
+        at: [f64; 2],
+    },
     /// A formula that does not bound a table.
     #[error("the curve of the formula must {must}; it does not near {}", about(at))]
     Curve {

@@ -11,8 +11,12 @@ mod raw;
 mod tips;
 mod vertices;
 
-use crate::{Error, Piece, Table};
+use crate::{Error, Figure, Piece, Table, shapes::kink};
 use arrangement::Arrangement;
+use nalgebra::Vector2;
+
+/// Parts of a curve in which a kink is looked for.
+const PLACES: u32 = 256;
 
 /// Which piece of the drawn boundary a piece of an offset comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,7 +79,7 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Radius`] for a radius that is negative or not finite, [`Error::NothingLeft`] where no such disk fits,
-    /// [`Error::Undecided`] where rounding decides whether it does. The table should satisfy [`Table::validate`].
+    /// [`Error::Undecided`] where rounding decides whether it does, [`Error::RoughPiece`] for a kink within a piece. The table should satisfy [`Table::validate`].
     pub fn offset(&self, radius: f64) -> Result<Offset, Error> {
         if radius == 0.0 {
             let origins = (0..self.pieces().len()).map(Origin::Piece).collect();
@@ -89,8 +93,12 @@ impl Table {
             [a, b] => radius > 0.5 * (a.norm() + b.norm()),
             _ => false,
         });
-        let loops =
-            if fills_cells { vec![] } else { Arrangement::new(self, radius, raw::raw(self, radius)?).loops()? };
+        let loops = if fills_cells {
+            vec![]
+        } else {
+            let loops = Arrangement::new(self, radius, raw::raw(self, radius)?).loops();
+            loops.map_err(|error| self.rough_piece(radius, &error).unwrap_or(error))?
+        };
         if loops.is_empty() {
             return Err(Error::NothingLeft { radius, largest: self.largest_disk().radius });
         }
@@ -101,5 +109,18 @@ impl Table {
         }
         let table = Table::periodic(pieces, self.lattice().cloned())?;
         Ok(Offset { table: if self.unbounded { table.unbounded() } else { table }, origins })
+    }
+    /// What is undecided at a kink within a piece is so for every radius.
+    fn rough_piece(&self, radius: f64, error: &Error) -> Option<Error> {
+        let Error::Undecided { at, .. } = error else { return None };
+        // on a lattice the kink may be that of a copy
+        let is_there = |p: &Vector2<f64>| self.lattice().is_some() || (p - Vector2::from(*at)).norm() <= 1.5 * radius;
+        self.pieces().iter().enumerate().filter(|(_, curve)| curve.figure() == Figure::Other).find_map(
+            |(piece, curve)| {
+                let place = |k: u32| curve.length() * f64::from(k) / f64::from(PLACES);
+                let s = kink(&**curve, (0..PLACES).map(|k| [place(k), place(k + 1)]))?;
+                Some(curve.point_at(s)).filter(is_there).map(|at| Error::RoughPiece { piece, at: at.into() })
+            },
+        )
     }
 }

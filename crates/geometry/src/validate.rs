@@ -1,6 +1,6 @@
 //! Is this a table? What a set of pieces must satisfy before a particle may run in it.
 use crate::{
-    Error, Extent, Figure, Meeting, MeetingKind, Table,
+    Error, Extent, Figure, Meeting, MeetingKind, Piece, Table,
     copies::Copies,
     enclosed_area,
     intersect::{direction_at, self_crossing},
@@ -28,7 +28,7 @@ impl Table {
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
     /// [`Error::Spike`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the numbers of the pieces and about where.
     pub fn validate(&self) -> Result<(), Error> {
-        let vertices = self.pieces().iter().filter_map(|p| p.ends()).flatten();
+        let vertices = self.pieces().iter().filter_map(Piece::ends).flatten();
         let size = vertices.map(|v| v.amax()).filter(|x| x.is_finite()).fold(0.0, f64::max);
         for (piece, p) in self.pieces().iter().enumerate() {
             if let Figure::Arc { radius, .. } = p.figure()
@@ -202,12 +202,26 @@ impl Table {
     /// bound a region lead back as far as there.
     fn sides_of_a_torus(&self) -> Result<(), Error> {
         let Some(lattice) = self.shortest().filter(|lattice| lattice.vectors().len() == 2) else { return Ok(()) };
-        let steps = self.pieces().iter().filter_map(|p| p.ends()).map(|[a, b]| b - a);
+        let steps = self.pieces().iter().filter_map(Piece::ends).map(|[a, b]| b - a);
         if lattice.rounded(&steps.sum()) == [0.0; 2] {
             return Ok(());
         }
         let around = self.chains().into_iter().rfind(|chain| !self.is_closed(chain));
         around.map_or(Ok(()), |chain| Err(Error::OneSided { piece: chain[0] }))
+    }
+}
+
+/// Whether a closed outline crosses itself. Such a one may enclose as much area on its left as on its right, and is not flat.
+pub(crate) fn crosses_itself(outline: Vec<Box<dyn Piece>>) -> bool {
+    let Ok(table) = Table::new(outline) else { return false };
+    match table.validate() {
+        Err(Error::SelfCrossing { .. }) => true,
+        Err(Error::Crossing { first, second, .. }) => {
+            let [a, b] = [first, second].map(|i| &*table.pieces()[i]);
+            // what runs twice along one stretch does not cross
+            meetings(a, b).iter().all(|m| m.kind != MeetingKind::Overlap)
+        }
+        _ => false,
     }
 }
 

@@ -227,6 +227,21 @@ fn styles_hide_outlines_or_are_refused() {
 }
 
 #[test]
+fn an_outline_whose_parts_cancel_crosses_itself() {
+    for (d, at) in [
+        ("M0 0L100 100L100 0L0 100Z", [50.0, -50.0]),
+        // at a vertex
+        ("M0 0L-1 -1L-1 1L0 0L1 -1L1 1Z", [0.0, 0.0]),
+    ] {
+        let error = Table::new(pieces(&format!("<path d='{d}'/>"))).unwrap().validate();
+        assert!(matches!(error, Err(Error::Crossing { at: found, .. }) if found == at), "{d}: {error:?}");
+    }
+    for flat in ["M0 0L1 1", "M0 0L1 0L0 0L1 0Z", "M0 0A1 1 0 0 1 2 0A1 1 0 0 0 0 0"] {
+        assert_eq!(problem(&format!("<path d='{flat}'/>")).1, "the outline encloses no area", "{flat}");
+    }
+}
+
+#[test]
 fn mistakes_are_named_with_line_and_element() {
     let (place, what) = problem("<g>\n<path d='M0 0L1'/></g>");
     assert_eq!(place, "line 3, <path>");

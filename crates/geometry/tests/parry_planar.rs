@@ -410,6 +410,16 @@ fn a_polyline_there_and_back_is_one_wall_and_one_without_area_none() {
 }
 
 #[test]
+fn a_polyline_whose_parts_cancel_crosses_itself() {
+    let around = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    let bow = Polyline::new(glam(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]), Some(around.to_vec()));
+    for side in [Side::Inside, Side::Outside] {
+        let error = Table::new(pieces(&bow, &here(), side).unwrap()).unwrap().validate();
+        assert!(matches!(error, Err(Error::Crossing { at: [0.5, 0.5], .. })), "{error:?}");
+    }
+}
+
+#[test]
 fn overlapping_members_of_a_compound_become_the_outline_of_their_union() {
     let cross = compound(&[(0.0, 0.0, SharedShape::cuboid(2.0, 0.5)), (0.0, 0.0, SharedShape::cuboid(0.5, 2.0))]);
     let cross = table(&cross, Side::Inside);

@@ -175,6 +175,50 @@ fn an_equation_agrees_with_the_ellipse_it_describes() {
 }
 
 #[test]
+fn an_equation_times_any_power_of_two_is_the_same_curve_to_the_last_bit() {
+    /// `2ᵏ f`
+    #[derive(Debug)]
+    struct Times(i32, Quartic);
+    impl Times {
+        fn times(&self, x: f64) -> f64 {
+            libm::ldexp(x, self.0)
+        }
+    }
+    impl ImplicitFormula for Times {
+        fn value(&self, p: [f64; 2]) -> f64 {
+            self.times(self.1.value(p))
+        }
+        fn gradient(&self, p: [f64; 2]) -> [f64; 2] {
+            self.1.gradient(p).map(|x| self.times(x))
+        }
+        fn hessian(&self, p: [f64; 2]) -> [f64; 3] {
+            self.1.hessian(p).map(|x| self.times(x))
+        }
+        fn hessian_over(&self, over: [Interval; 2]) -> [Interval; 3] {
+            self.1.hessian_over(over).map(|x| Interval { low: self.times(x.low), high: self.times(x.high) })
+        }
+        fn extent(&self) -> Extent {
+            self.1.extent()
+        }
+    }
+    let quartic = Quartic { semi_axes: [1.0, 0.75], twist: 0.25 };
+    let curve = |k: i32| Implicit::new(Times(k, quartic), true).unwrap();
+    let once = Implicit::new(quartic, true).unwrap();
+    for curve in [0, 500, 1015, -500, -950].map(curve) {
+        assert_eq!([curve.area(), curve.length()], [once.area(), once.length()]);
+        for k in 0..50 {
+            let (sin, cos) = libm::sincos(0.13 * f64::from(k));
+            let path = Line { point: v(0.1, -0.2), velocity: v(cos, sin) };
+            let (time, same) = (once.crossing(&path).time(), curve.crossing(&path).time());
+            assert_eq!(time, same);
+            assert_eq!(once.landing(&path, time), curve.landing(&path, time));
+            let at = once.landing(&path, time).point;
+            assert_eq!(once.curvature(&at), curve.curvature(&at));
+        }
+    }
+}
+
+#[test]
 fn a_circle_about_another_point_is_a_circle() {
     for inside in [true, false] {
         let circle = Circle::new(v(1.5, 0.25), 1.0, inside).unwrap();

@@ -11,7 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Failure;
 use crate::args;
-use crate::document::{Source, spell};
+use crate::document::{Diagnostic, Source, spell};
 use crate::scene::{Request, Scene};
 use crate::simulation::{Control, Done, Simulation};
 
@@ -27,12 +27,15 @@ const GLANCE: Duration = Duration::from_millis(100);
 pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let request = Request { law: arguments.law.clone(), collisions: arguments.collisions, needs_limit: true };
     let source = Source::read(&arguments.scene)?;
+    let folder = arguments.folder().ok_or_else(|| {
+        let what = "the results would go to out/ and the name of this file, which is none for a folder";
+        Box::new(Diagnostic::of_file(source.name(), what).with_help("name a folder: --out DIR"))
+    })?;
     let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let control = Arc::new(Control::new(arguments.threads.map_or(cores, usize::from)));
     let flag = Arc::clone(&control);
     super::on_ctrl_c(move || flag.interrupted.store(true, Ordering::Relaxed))?;
-    let folder = arguments.folder();
     let done = with_progress(&simulation, &control, || simulation.run(&folder, &control))
         .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;
     Ok(report(&simulation, &done, &folder, out)?)

@@ -3,6 +3,10 @@
 use super::{choice, direction, list, point};
 use crate::document::{Item, Problems, Section, Span, Spanned, Value, count, positive, real, seed};
 
+/// Most that a spin may be beside the speed of the centre: the square of this still leaves the energy of the centre above the smallest
+/// numbers.
+const MOST_SPIN: f64 = 1e100;
+
 /// Where orbits start.
 #[derive(Clone, Debug)]
 pub enum Starts {
@@ -88,8 +92,21 @@ fn orbit(item: &Item, n: usize, problems: &mut Problems) -> Option<Orbit> {
         Some(item) => real(item, problems),
         None => Some(Spanned::new(0.0, item.span)),
     };
+    if let (Some(velocity), Some(spin)) = (&velocity, &spin) {
+        slow_enough(velocity, spin, problems);
+    }
     section.finish(problems);
     Some(Orbit { span: item.span, position: position?, velocity: velocity?, spin: spin?, angle: angle? })
+}
+
+/// Records a spin so fast that the velocity would be nothing beside it.
+fn slow_enough(velocity: &Spanned<Vec<f64>>, spin: &Spanned<Vec<f64>>, problems: &mut Problems) {
+    let [speed, fast] = [velocity, spin].map(|v| v.value.iter().fold(0.0, |norm, x| libm::hypot(norm, *x)));
+    if fast / MOST_SPIN > speed {
+        let what =
+            format!("the spin, {fast:.0e}, is more than {MOST_SPIN:e} times the speed of the centre, {speed:.0e}");
+        problems.add_with_help(spin.span, what, "make the spin smaller, or the velocity larger");
+    }
 }
 
 fn ensemble(item: &Item, problems: &mut Problems) -> Option<Ensemble> {

@@ -47,9 +47,9 @@ impl Planar {
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
         let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma);
         let starts = match &scene.starts {
-            scene::Starts::Orbits(orbits) => {
-                Starts::Given(start::all(orbits, |orbit| start::planar(scene, &centres, orbit, drawn.factor))?)
-            }
+            scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
+                start::planar(scene, (&centres, &pieces), orbit, drawn.factor)
+            })?),
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
         let planar = Planar { drawn, centres, pieces, law, strict, starts };
@@ -165,7 +165,7 @@ fn centres(scene: &Scene, drawn: &Drawn) -> Result<(Table, Vec<u64>), Vec<Diagno
             };
             let diagnostic = scene.source.diagnostic(radius.span, what);
             Err(vec![match error {
-                Error::Bend { .. } | Error::Kink { .. } => {
+                Error::Bend { .. } | Error::RoughPiece { .. } => {
                     boundary::with_advice(diagnostic, &error, &scene.table.shape)
                 }
                 _ => diagnostic,

@@ -276,7 +276,7 @@ fn checked(
     let touched = centres.touched(&point);
     let at = orbit.position.span;
     if let Some((distance, piece)) = touched.outside {
-        return Err(Box::new(start::outside(scene, at, distance / length, piece)));
+        return Err(Box::new(start::outside(scene, at, distance / length, piece as u64)));
     }
     let velocity = Vector3::from(start.velocity);
     let leaves = touched.normals.iter().all(|normal| velocity.dot(normal) > 0.0);

@@ -93,8 +93,13 @@ pub(crate) fn all<T>(
     if bad.is_empty() { Ok(good) } else { Err(bad) }
 }
 
-/// A start in a table of centres, or what is wrong with it. `radius` is that of the particle.
-pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -> Result<Start<2, 1>, Box<Diagnostic>> {
+/// A start in a table of centres, of whose pieces each stands for one of the drawn `pieces`, or what is wrong with it.
+pub(crate) fn planar(
+    scene: &Scene,
+    (table, pieces): (&Table, &[u64]),
+    orbit: &Orbit,
+    length: f64,
+) -> Result<Start<2, 1>, Box<Diagnostic>> {
     let mut start: Start<2, 1> = scaled(orbit, length);
     (start.position, start.cell) = folded(table, &start.position);
     if let Some(away) = start.cell.into_iter().find(|cell| cell.abs() > Lattice::FARTHEST_CELL) {
@@ -108,7 +113,8 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
         ));
     }
     let home = Vector2::from(start.position);
-    let (piece, landing) = table.closest(&home);
+    let (nearest, landing) = table.closest(&home);
+    let piece = pieces[nearest];
     let off = home - landing.point;
     let distance = libm::hypot(off.x, off.y);
     // a point given on a wall is on it within the rounding of its coordinates and of the wall's
@@ -123,22 +129,23 @@ pub(crate) fn planar(scene: &Scene, table: &Table, orbit: &Orbit, length: f64) -
     if moves_inwards(table, &home, &Vector2::from(start.velocity), slack) {
         return Ok(start);
     }
-    let what = format!("the start lies on piece {piece} and does not move into the table");
+    let touch = if scene.particle.radius.value > 0.0 { "the disk touches" } else { "the start lies on" };
+    let what = format!("{touch} piece {piece} and does not move into the table");
     Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
 }
 
-/// That a start lies so far beyond a piece of the table of centres.
-pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: usize) -> Diagnostic {
-    let beyond = format!("{} beyond piece {piece}", short(distance));
+/// That a start lies so far beyond where a piece as drawn lets it come.
+pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: u64) -> Diagnostic {
+    let distance = short(distance);
     let radius = scene.particle.radius.value;
     let particle = if scene.dimension == 2 { "disk" } else { "ball" };
     let what = if radius > 0.0 {
         format!(
-            "a {particle} of radius {} does not fit there: its centre would be {beyond} of the region of centres",
+            "a {particle} of radius {} does not fit there: its centre would be {distance} beyond where piece {piece} lets it be",
             spell(radius)
         )
     } else {
-        format!("the start lies outside the table, {beyond}")
+        format!("the start lies outside the table, {distance} beyond piece {piece}")
     };
     scene
         .source

@@ -223,10 +223,13 @@ fn what_a_formula_lacks_is_told_with_the_place_and_the_mend() {
             "implicit = \"x^2+y^2-0.3*abs(x+0.1*y)-1\", within = [[-1.6, -1.6], [1.6, 1.6]]",
             0.2,
             "5:10",
-            "a disk of radius 0.2: the curve has a kink near (",
+            "a disk of radius 0.2: piece 0 has a kink near (",
             "write kinks with abs",
         ),
-        ("polar = \"2+0.1*asin(sin(t))\"", 0.2, "5:10", "the curve has a kink near (", "write kinks with abs"),
+        ("polar = \"2+0.1*asin(sin(t))\"", 0.2, "5:10", "piece 0 has a kink near (", "write kinks with abs"),
+        ("polar = \"1+0.3*abs(cos(t))^0.9\"", 0.1, "5:10", "piece 0 has a kink near (", "take radius = 0"),
+        ("polar = \"1+0.1*abs(cos(3*t))^0.5\"", 0.03, "5:10", "piece 0 has a kink near (", "take radius = 0"),
+        ("polar = \"1+0.3*abs(cos(t))^1.1\"", 0.02, "5:10", "piece 0 has a kink near (", "take radius = 0"),
         ("polar = \"2-0.3*abs(cos(1.5*t+0.2))^1.2\"", 0.1, "5:10", "radius of curvature is smaller", "another radius"),
         (
             "implicit = \"(x-333.3)^2+(y-77.7)^2-1\", within = [[-1000, -1000], [1000, 1000]]",
@@ -346,5 +349,82 @@ fn advice_names_what_the_scene_has_and_works_when_followed() {
         let told = String::from_utf8(folder.run(&scene(&format!("name = \"{name}\"")), &[]).stderr).unwrap();
         let mend = told.split_once("write for instance ").map_or("", |(_, mend)| mend).lines().next().unwrap();
         folder.done(&scene(&format!("name = \"{name}\"\n{mend}")), &[]);
+    }
+}
+
+#[test]
+fn a_start_at_a_wall_is_told_its_number_as_drawn() {
+    // the region of centres has eight pieces, the table six
+    let folder = Folder::new("as-drawn");
+    for (x, message) in [
+        ("0.125", "the disk touches piece 5 and does not move into the table"),
+        ("0.1", "its centre would be 0.025 beyond where piece 5 lets it be"),
+    ] {
+        let scene = format!(
+            "law = \"specular\"\ntable = {{ name = \"pocket\" }}\nparticle = {{ radius = 0.125 }}\n\
+             orbit = {{ position = [{x}, 0.5], velocity = [-1, 0] }}\nrun = {{ collisions = 1 }}"
+        );
+        let text = String::from_utf8(folder.run(&scene, &[]).stderr).unwrap();
+        assert!(text.contains(message), "{text}");
+    }
+}
+
+#[test]
+fn a_scene_whose_name_is_none_for_a_folder_needs_one() {
+    let folder = Folder::new("dots");
+    for name in ["...toml", "..toml"] {
+        fs::write(folder.0.join(name), SQUARE).unwrap();
+        let run = |arguments: &[&str]| {
+            let mut command = Command::cargo_bin("billiards").unwrap();
+            command.current_dir(&folder.0).args(["run", name]).args(arguments).output().unwrap()
+        };
+        let output = run(&[]);
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.starts_with(&format!("{name}: error: ")) && text.contains("--out DIR"), "{text}");
+        assert!(!folder.0.join("out").exists() && !folder.0.join("summary.json").exists());
+        assert!(run(&["--out", "named"]).status.success());
+    }
+}
+
+#[test]
+fn a_spin_beside_which_the_velocity_is_lost_is_refused() {
+    let folder = Folder::new("spin");
+    let plane = |spin: &str| {
+        format!(
+            "law = \"specular\"\ntable = {{ name = \"circle\" }}\nrun = {{ collisions = 100 }}\n[[orbit]]\nposition = [0.125, 0.25]\n\
+             velocity = [0.6e-50, 0.8e-50]\nspin = {spin}\n"
+        )
+    };
+    let space = "law = \"no-slip\"\ntable = { name = \"ball\", dimension = 3 }\nrun = { collisions = 3 }\n[[orbit]]\n\
+                 position = [0, 0.1, 0.2]\nvelocity = [1e-60, 0, 0]\nspin = [0, 0, 1e50]\n";
+    for scene in [&plane("-1.1e50"), &plane("1e150"), space] {
+        let output = folder.run(scene, &[]);
+        let text = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(text.contains("scene.toml:7:8: error: the spin, ") && text.contains("make the spin smaller"), "{text}");
+    }
+    assert!(folder.done(&plane("1e50"), &[])["energy_drift"].as_f64().unwrap() <= 4e-16);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn help_that_cannot_be_written_is_a_failure() {
+    use std::process::{Command, Stdio};
+    for arguments in [&["--help"][..], &["run", "--help"], &["help", "check"], &["--version"]] {
+        let command = || {
+            let mut command = Command::new(assert_cmd::cargo::cargo_bin("billiards"));
+            command.args(arguments).stderr(Stdio::piped());
+            command
+        };
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = command().stdout(full).output().unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert!(output.stderr.starts_with(b"error: "), "{arguments:?}");
+        // a reader that has seen enough
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        let output = command().stdout(writer).output().unwrap();
+        assert!(output.status.success() && output.stderr.is_empty(), "{arguments:?}");
     }
 }

@@ -242,7 +242,11 @@ fn a_start_outside_is_told_of_which_piece_and_by_how_much() {
     for (radius, position, what) in [
         (0.0, "[0.25, 0, 0]", "the start lies outside the table, 0.25 beyond piece 1"),
         (0.0, "[2.5, 0, 0]", "the start lies outside the table, 0.5 beyond piece 0"),
-        (0.25, "[0.5, 0, 0]", "a ball of radius 0.25 does not fit there: its centre would be 0.25 beyond piece 1"),
+        (
+            0.25,
+            "[0.5, 0, 0]",
+            "a ball of radius 0.25 does not fit there: its centre would be 0.25 beyond where piece 1 lets it be",
+        ),
     ] {
         let scene =
             one(&walls, position, "[1, 0, 0]").replace("[run]", &format!("[particle]\nradius = {radius}\n[run]"));

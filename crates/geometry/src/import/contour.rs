@@ -4,6 +4,7 @@ use crate::{
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
+    validate::crosses_itself,
 };
 use nalgebra::Vector2;
 
@@ -176,8 +177,10 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         let extent = loops[k].iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union);
         let width = (extent.max - extent.min).amax();
         // the vertices may be off by the rounding of their coordinates
-        if area.is_nan() || area.abs() <= width * slack([size]) {
-            let far = width < 1e-3 * size;
+        let far = width < 1e-3 * size;
+        let flat = area.is_nan() || area.abs() <= width * slack([size]);
+        // one that crosses itself is told so, with the place, where the table is validated
+        if flat && (far || !crosses_itself(contour.pieces(false)?)) {
             let problem = if far {
                 "the outline is so far from the origin that its coordinates are rounded to less than its size: move it nearer"
             } else {

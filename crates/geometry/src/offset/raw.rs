@@ -246,7 +246,10 @@ fn parallels(
         let mut start = (low, vertex(low, if low == 0.0 { seam.or(ends[0]) } else { None }));
         for s in cuts.chain([high]) {
             let end = (s, vertex(s, if s == length { seam.or(ends[1]) } else { None }));
-            let parallel = Parallel::new(base.clone(), radius, [start.0, s], Some([start.1.0, end.1.0]))?;
+            let parallel =
+                Parallel::new(base.clone(), radius, [start.0, s], Some([start.1.0, end.1.0])).map_err(|error| {
+                    if let Error::Kink { at } = error { Error::RoughPiece { piece: number, at } } else { error }
+                })?;
             pieces.push(Moved {
                 piece: Arc::new(parallel.clone()),
                 origin: Origin::Piece(number),

@@ -4,6 +4,7 @@ use crate::{
     Error, Extent, Figure, Piece,
     plane::{cross, key, slack},
     shapes::{Arc, Circle, FullLine, Ray, Segment},
+    validate::crosses_itself,
 };
 use nalgebra::Vector2;
 use parry2d_f64::{
@@ -268,16 +269,19 @@ fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
         let depth = loops.iter().enumerate().filter(|&(j, other)| j != i && around(&own[0], other)).count();
         let counter_clockwise = depth % 2 == 0;
         let mut own = own.clone();
+        let n = own.len();
+        let sides = |own: &[Vector2<f64>]| segments((0..n).map(|k| [own[k], own[(k + 1) % n]]));
         let width = Extent::of(own.iter().copied());
-        if area(&own).abs() <= slack([width.size()]) * (width.max - width.min).amax() {
+        let flat = area(&own).abs() <= slack([width.size()]) * (width.max - width.min).amax();
+        // one that crosses itself is told so, with the place, where the table is validated
+        if flat && !crosses_itself(sides(&own).iter().map(piece_of).collect::<Result<_, _>>()?) {
             let why = "a closed part of it encloses no area: for a wall without thickness, list its vertices once, from tip to tip";
             return Err(Error::Shape { shape: "polyline", why });
         }
         if (area(&own) > 0.0) != counter_clockwise {
             own[1..].reverse();
         }
-        let n = own.len();
-        figures.extend(segments((0..n).map(|k| [own[k], own[(k + 1) % n]])));
+        figures.extend(sides(&own));
     }
     Ok(Contour { name: "polyline", figures, screens })
 }

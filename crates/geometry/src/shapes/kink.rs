@@ -22,7 +22,7 @@ pub(super) fn turning(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
 /// The arc length of the first re-entrant kink of a curve: a place where its direction turns away from the table by more than its
 /// curvature tells. (A disk in the table does not come to other kinks.) It is looked for in parts between arc lengths, which the
 /// curve's features should not be much shorter than.
-pub(super) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
     let length = curve.length();
     let at = |s: f64| {
         let landing = curve.landing_at(s);

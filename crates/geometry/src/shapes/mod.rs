@@ -21,6 +21,7 @@ pub use bump::Bump;
 pub use circle::Circle;
 pub use ellipse::Ellipse;
 pub use elliptic_arc::EllipticArc;
+pub(crate) use kink::kink;
 pub use line::FullLine;
 pub(crate) use one_side::OneSide;
 pub use parallel::Parallel;

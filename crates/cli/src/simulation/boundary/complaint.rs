@@ -23,7 +23,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Collapsed { piece, area } => Error::Collapsed { piece, area: back(back(area)) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
         Error::Bend { distance, at } => Error::Bend { distance: back(distance), at: at.map(back) },
-        Error::Kink { at } => Error::Kink { at: at.map(back) },
+        Error::RoughPiece { piece, at } => Error::RoughPiece { piece, at: at.map(back) },
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
@@ -133,8 +133,9 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         }
         Error::Curve { must, .. } if must.contains("only") => "draw the box `within` closer around one of them",
         Error::Curve { .. } => "an implicit formula has no kinks; a polar one may have them, written with abs",
-        Error::Kink { .. } => {
-            "a disk needs to know where: in a polar formula write kinks with abs, as in abs(sin(t)); an implicit one has none"
+        Error::RoughPiece { .. } => {
+            "take radius = 0, or write kinks with abs in a polar formula, as in abs(sin(t)): its powers below 2 have slopes or \
+             curvatures without bound, and an implicit formula has no kinks"
         }
         Error::Bend { .. } => "take another radius, or a formula with a curvature that has a bound",
         Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",

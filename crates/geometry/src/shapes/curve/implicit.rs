@@ -67,6 +67,50 @@ pub trait ImplicitFormula: Debug + Send + Sync {
     fn extent(&self) -> Extent;
 }
 
+/// A formula times a power of two that brings its gradient near 1: the curve is the same to the last bit, and squares of what `f` and its
+/// derivatives are neither over- nor underflow.
+#[derive(Clone, Debug)]
+struct Levelled<F> {
+    formula: F,
+    factor: f64,
+}
+
+impl<F: ImplicitFormula> Levelled<F> {
+    /// By the gradient at a point near the curve.
+    fn at(formula: F, point: Vector2<f64>) -> Levelled<F> {
+        let gradient = Vector2::from(formula.gradient(point.into())).amax();
+        let (_, exponent) = libm::frexp(gradient);
+        let is_some = gradient > 0.0 && gradient.is_finite();
+        Levelled { formula, factor: if is_some { libm::ldexp(1.0, (-exponent).min(1023)) } else { 1.0 } }
+    }
+
+    /// An interval times the factor.
+    fn level(&self, over: Interval) -> Interval {
+        Interval { low: over.low * self.factor, high: over.high * self.factor }
+    }
+}
+
+impl<F: ImplicitFormula> ImplicitFormula for Levelled<F> {
+    fn value(&self, point: [f64; 2]) -> f64 {
+        self.formula.value(point) * self.factor
+    }
+    fn gradient(&self, point: [f64; 2]) -> [f64; 2] {
+        self.formula.gradient(point).map(|x| x * self.factor)
+    }
+    fn hessian(&self, point: [f64; 2]) -> [f64; 3] {
+        self.formula.hessian(point).map(|x| x * self.factor)
+    }
+    fn hessian_over(&self, region: [Interval; 2]) -> [Interval; 3] {
+        self.formula.hessian_over(region).map(|x| self.level(x))
+    }
+    fn gradient_over(&self, region: [Interval; 2]) -> [Interval; 2] {
+        self.formula.gradient_over(region).map(|x| self.level(x))
+    }
+    fn extent(&self) -> Extent {
+        self.formula.extent()
+    }
+}
+
 /// The closed curve `f = 0`, with the table inside or outside.
 ///
 /// Along a path `f` is a function of time; [`first_rise`] finds where it first changes sign in the right sense.
@@ -75,7 +119,7 @@ pub trait ImplicitFormula: Debug + Send + Sync {
 /// horizontal line through the middle of [`ImplicitFormula::extent`], if that line meets the curve.
 #[derive(Clone, Debug)]
 pub struct Implicit<F> {
-    formula: F,
+    formula: Levelled<F>,
     inside: bool,
     /// The formula's box, a little larger.
     region: Extent,
@@ -117,6 +161,7 @@ impl<F: ImplicitFormula> Implicit<F> {
         let region = Extent { min: given.min - room, max: given.max + room };
         let middle = (given.min + given.max) * 0.5;
         let start = seed(&formula, &region).ok_or_else(|| Error::NoCurve { value: formula.value(middle.into()) })?;
+        let formula = Levelled::at(formula, start);
         let vertices = trace(&formula, &region, start)?;
         let chords = Chords { formula: &formula, vertices: &vertices };
         let count = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
@@ -137,10 +182,10 @@ impl<F: ImplicitFormula> Implicit<F> {
 
     /// The formula.
     pub fn formula(&self) -> &F {
-        &self.formula
+        &self.formula.formula
     }
 
-    fn chords(&self) -> Chords<'_, F> {
+    fn chords(&self) -> Chords<'_, Levelled<F>> {
         Chords { formula: &self.formula, vertices: &self.vertices }
     }
 
