@@ -79,7 +79,8 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Radius`] for a radius that is negative or not finite, [`Error::NothingLeft`] where no such disk fits,
-    /// [`Error::Undecided`] where rounding decides whether it does, [`Error::RoughPiece`] for a kink within a piece. The table should satisfy [`Table::validate`].
+    /// [`Error::Undecided`] where rounding decides whether it does, [`Error::RoughPiece`] for a kink within a piece. The table should
+    /// satisfy [`Table::validate`].
     pub fn offset(&self, radius: f64) -> Result<Offset, Error> {
         if radius == 0.0 {
             let origins = (0..self.pieces().len()).map(Origin::Piece).collect();
@@ -110,6 +111,7 @@ impl Table {
         let table = Table::periodic(pieces, self.lattice().cloned())?;
         Ok(Offset { table: if self.unbounded { table.unbounded() } else { table }, origins })
     }
+
     /// What is undecided at a kink within a piece is so for every radius.
     fn rough_piece(&self, radius: f64, error: &Error) -> Option<Error> {
         let Error::Undecided { at, .. } = error else { return None };

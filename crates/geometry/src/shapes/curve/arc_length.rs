@@ -55,9 +55,6 @@ const FINEST: f64 = 1.0 / 536_870_912.0;
 /// with 64 waves has one.
 const IN_VAIN: u32 = 6;
 
-/// Halving that leaves more than this part of a difference per width meets the rounding of the formula.
-const LESS: f64 = 0.75;
-
 /// Rules that differ by less than this part, and no less when halved, differ by the rounding of the formula.
 const NOISE: f64 = 1e-9;
 
@@ -109,24 +106,7 @@ impl ArcLength {
             let [p, d] = curve.at(u);
             0.5 * (p - about).perp(&d)
         };
-        // places that hardly matter for the length may matter for the area: at the ends of `|x|^2.5 + |y|^2.5 = 1` along the axes the
-        // speed has one derivative more than the height
-        let reach = self.points().map(|p| (p - about).norm()).fold(0.0, f64::max);
-        let finest = self.finest();
-        let of_part = |w: &[Node]| {
-            let enough = 2.0 * f64::EPSILON * reach * (w[1].s - w[0].s);
-            refined(
-                &form,
-                [w[0].u, w[1].u],
-                Rule { value: integral(form, w[0].u, w[1].u), enough, last: f64::INFINITY, finest },
-            )
-        };
-        self.nodes.windows(2).map(of_part).sum()
-    }
-
-    /// The width that is not halved any more.
-    fn finest(&self) -> f64 {
-        FINEST * self.nodes.last().zip(self.nodes.first()).map_or(0.0, |(last, first)| last.u - first.u)
+        self.nodes.windows(2).map(|w| integral(form, w[0].u, w[1].u)).sum()
     }
 
     /// The box around the curve: its ends and the points where it runs along an axis.
@@ -174,33 +154,6 @@ impl ArcLength {
     pub(crate) fn points(&self) -> impl Iterator<Item = Vector2<f64>> + '_ {
         self.nodes.iter().map(|node| node.at[0])
     }
-}
-
-/// An integral by one rule on the whole interval.
-#[derive(Clone, Copy, Debug)]
-struct Rule {
-    value: f64,
-    /// By how much it may differ from the rule on the halves.
-    enough: f64,
-    /// By how much, per width, it did for the interval before.
-    last: f64,
-    /// The width that is not halved any more.
-    finest: f64,
-}
-
-/// `∫ f du`, from halves where the rule on the whole differs from the rule on them, and does so less and less.
-fn refined(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], rule: Rule) -> f64 {
-    let middle = 0.5 * (a + b);
-    let halves = [[a, middle], [middle, b]];
-    let values = halves.map(|[a, b]| integral(f, a, b));
-    let difference = (rule.value - (values[0] + values[1])).abs();
-    let per_width = difference / (b - a);
-    let mends = difference > rule.enough && per_width <= LESS * rule.last && b - a > rule.finest;
-    if !mends {
-        return rule.value;
-    }
-    let next = Rule { enough: 0.5 * rule.enough, last: per_width, ..rule };
-    refined(f, halves[0], Rule { value: values[0], ..next }) + refined(f, halves[1], Rule { value: values[1], ..next })
 }
 
 /// What halving an interval has brought so far.
@@ -301,26 +254,6 @@ mod tests {
         }
         let table = ArcLength::new(&Nowhere, [0.0, 1.0]);
         assert!(table.length().is_nan() && table.points().count() == 3);
-    }
-
-    /// `y = 2|u|^(5/2)/5 + 1`, a third derivative of which has no bound at 0: `∫ y du = 4 a^(7/2)/35 + a` from 0 to `a`.
-    struct Rough;
-    impl Parametric for Rough {
-        fn at(&self, u: f64) -> [Vector2<f64>; 2] {
-            let x = u.abs();
-            [Vector2::new(u, 0.4 * x * x * x.sqrt() + 1.0), Vector2::new(1.0, libm::copysign(x * x.sqrt(), u))]
-        }
-    }
-
-    #[test]
-    fn an_area_is_right_where_a_higher_derivative_has_no_bound() {
-        let table = ArcLength::new(&Rough, [-0.7, 0.3]);
-        let below = |a: f64| 4.0 / 35.0 * a.powf(3.5) + a;
-        // the triangles from the origin to the ends
-        let ends = [-0.7, 0.3].map(|u| Rough.at(u)[0]);
-        let expected = 0.5 * (ends[1].x * ends[1].y - ends[0].x * ends[0].y) - (below(0.7) + below(0.3));
-        let area = table.enclosed_area(&Rough, Vector2::zeros());
-        assert!((area - expected).abs() < 4e-16, "{area} {expected}");
     }
 
     #[test]
