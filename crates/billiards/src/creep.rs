@@ -1,4 +1,4 @@
-//! Motion along a wall, as far as rounding tells.
+//! Motion along a wall, and past its end, as far as rounding tells.
 use crate::energy::sum;
 use geometry::{WallHit, Walls};
 use lanes::{Lane, dot};

@@ -54,8 +54,8 @@ pub(crate) const MOST_IDLE: u32 = 64;
 /// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
-/// What a law leaves of a normal speed by rounding is up to this fraction of the speeds before and after: of a sum of products it takes one
-/// apart again.
+/// What a law leaves of a normal speed by rounding is up to this fraction of the speeds before and after: the normal component is a sum of
+/// products, is taken off, and asked for again, each rounded.
 pub(crate) const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// The normal speed up to which an orbit of these velocities grazes under a strict law. Spin that never becomes velocity has no part in it.
