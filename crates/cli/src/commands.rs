@@ -11,6 +11,7 @@ pub mod tables;
 
 use std::fmt;
 use std::io;
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::document::Diagnostic;
@@ -74,6 +75,25 @@ impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe { Self::Closed } else { Self::Work(error.to_string()) }
     }
+}
+
+/// That a file cannot be written there, and what helps.
+fn unwritable(path: &Path, error: &io::Error) -> Failure {
+    let what = format!("{}: {error}", path.display());
+    let help = match error.kind() {
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "a file stands where a folder should be: name another one, --out DIR"
+        }
+        io::ErrorKind::IsADirectory => "move that folder away, or name another one for the files: --out DIR",
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            "name a folder in which you may write: --out DIR"
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "make room there, or name a folder elsewhere: --out DIR"
+        }
+        _ => return Failure::Work(what),
+    };
+    Failure::Work(format!("{what}\nhelp: {help}"))
 }
 
 /// Signals within this time are one request: launchers such as `timeout` send one to the program and another to its group.

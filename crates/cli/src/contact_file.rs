@@ -104,7 +104,7 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
     let normal = root.required("normal", "normal = [0, 1]").and_then(|item| vector(item, n, problems));
     let before = root.required("pre", "pre = [{ v = [0, -1], w = 0 }, { v = [0, 0], w = 0 }]");
     let before = before.and_then(|item| pair(item, "pre", problems, |item, problems| motion(item, n, problems)));
-    let law = match root.one_of(&["law", "rough"], problems) {
+    let law = match root.one_of(&["law", "rough"], "law = \"no-slip\"", problems) {
         Some(("law", item)) => spanned(item, scene::read_law(item, n, problems)).map(LawEntry::Named),
         Some((_, item)) => rough(item, n, problems),
         None => None,
@@ -192,15 +192,21 @@ fn body(item: &Item, n: usize, problems: &mut Problems) -> Option<BodyEntry> {
     }
     let mass = mass.and_then(|(item, _)| document::positive(item, problems));
     let position = section.required("position", "position = [0, 1]").and_then(|item| vector(item, n, problems));
-    let inertia =
-        match if n <= 3 { section.one_of(&["inertia", "S"], problems) } else { section.one_of(&["S"], problems) } {
-            Some(("inertia", item)) if n == 2 => {
-                spanned(item, document::real(item, problems).map(|x| InertiaEntry::Moment(x.value)))
-            }
-            Some(("inertia", item)) => spanned(item, matrix(item, n, problems).map(InertiaEntry::Tensor)),
-            Some((_, item)) => spanned(item, matrix(item, n, problems).map(InertiaEntry::SecondMoments)),
-            None => None,
-        };
+    let keys: &[&str] = if n <= 3 { &["inertia", "S"] } else { &["S"] };
+    let example = match n {
+        2 => "inertia = \"1/2\"",
+        3 => "inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+        4 => "S = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]",
+        _ => "S = [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 1]]",
+    };
+    let inertia = match section.one_of(keys, example, problems) {
+        Some(("inertia", item)) if n == 2 => {
+            spanned(item, document::real(item, problems).map(|x| InertiaEntry::Moment(x.value)))
+        }
+        Some(("inertia", item)) => spanned(item, matrix(item, n, problems).map(InertiaEntry::Tensor)),
+        Some((_, item)) => spanned(item, matrix(item, n, problems).map(InertiaEntry::SecondMoments)),
+        None => None,
+    };
     section.finish(problems);
     Some(BodyEntry { position: position?.value, free: Some((mass?, inertia?)) })
 }

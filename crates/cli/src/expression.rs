@@ -27,6 +27,9 @@ pub const MAX_LEVELS: usize = 100;
 /// Up to this many nodes, evaluation needs no allocation.
 const SMALL: usize = 64;
 
+/// What helps where a number is too large.
+const TOO_LARGE: &str = "doubles end at 1.8e308: make it smaller";
+
 /// What is wrong with an expression, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
@@ -185,7 +188,7 @@ impl Expression {
             if constant {
                 let value: f64 = node.apply(&values, &[]);
                 if !value.is_finite() {
-                    return Err(Error::new(column, node.complaint(&values)));
+                    return Err(node.complaint(&values, column));
                 }
                 values[i] = value;
                 self.nodes[i] = Node::Constant(value);
@@ -234,22 +237,34 @@ impl Node {
         }
     }
 
-    /// Why this node has no finite value, its operands being finite.
-    fn complaint(self, values: &[f64]) -> String {
-        match self {
-            Self::Unary(Function::Sqrt, a) => format!("sqrt of the negative number {}", values[a]),
-            Self::Unary(Function::Ln, a) => format!("ln of {}, which is not positive", values[a]),
-            Self::Unary(Function::Asin, a) => format!("asin of {}, which is outside [-1, 1]", values[a]),
-            Self::Unary(Function::Acos, a) => format!("acos of {}, which is outside [-1, 1]", values[a]),
-            Self::Binary(Operation::Divide, _, b) if values[b] == 0.0 => "division by zero".into(),
+    /// Why this node, in a column of the text, has no finite value, its operands being finite.
+    fn complaint(self, values: &[f64], column: usize) -> Error {
+        let (what, help) = match self {
+            Self::Unary(Function::Sqrt, a) => {
+                (format!("sqrt of the negative number {}", values[a]), "its argument must not be negative")
+            }
+            Self::Unary(Function::Ln, a) => {
+                (format!("ln of {}, which is not positive", values[a]), "its argument must be positive")
+            }
+            Self::Unary(Function::Asin, a) => {
+                (format!("asin of {}, which is outside [-1, 1]", values[a]), "its argument must lie between -1 and 1")
+            }
+            Self::Unary(Function::Acos, a) => {
+                (format!("acos of {}, which is outside [-1, 1]", values[a]), "its argument must lie between -1 and 1")
+            }
+            Self::Binary(Operation::Divide, _, b) if values[b] == 0.0 => {
+                ("division by zero".into(), "the divisor must not be 0")
+            }
             Self::Binary(Operation::Power, a, b) if values[a] == 0.0 => {
-                format!("zero to the negative power {}", values[b])
+                (format!("zero to the negative power {}", values[b]), "the base must not be 0")
             }
-            Self::Binary(Operation::Power, a, b) if values[a] < 0.0 && values[b] % 1.0 != 0.0 => {
-                format!("the negative number {} to the power {}, which is not an integer", values[a], values[b])
-            }
-            _ => "the value is too large for a double".into(),
-        }
+            Self::Binary(Operation::Power, a, b) if values[a] < 0.0 && values[b] % 1.0 != 0.0 => (
+                format!("the negative number {} to the power {}, which is not an integer", values[a], values[b]),
+                "take an integer power, or abs of the base",
+            ),
+            _ => ("the value is too large for a double".into(), TOO_LARGE),
+        };
+        Error::new(column, what).with_help(help)
     }
 }
 

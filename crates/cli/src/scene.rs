@@ -100,7 +100,10 @@ impl Scene {
 }
 
 fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Option<Scene> {
-    let title = root.optional("title").and_then(|item| text(item, problems)).map(|title| title.value);
+    let title = root
+        .optional("title")
+        .and_then(|item| text(item, "write for instance \"Stadium\"", problems))
+        .map(|title| title.value);
     let table_item = root.required("table", "[table] with name = \"stadium\"");
     let dimension = table_item.map_or(Some(2), |item| table::dimension(item, problems));
     // Of a scene of unknown dimension hardly anything can be checked.
@@ -138,12 +141,12 @@ fn absent() -> Item {
     Item::new(Value::Table(vec![]), Span::default())
 }
 
-/// A string.
-fn text(item: &document::Item, problems: &mut Problems) -> Option<Spanned<String>> {
+/// A string; `help` tells which.
+fn text(item: &document::Item, help: &str, problems: &mut Problems) -> Option<Spanned<String>> {
     match &item.value {
         Value::Text(text) => Some(Spanned::new(text.clone(), item.span)),
         other => {
-            problems.add(item.span, format!("expected a string, found {}", other.kind()));
+            problems.add_with_help(item.span, format!("expected a string, found {}", other.kind()), help);
             None
         }
     }
@@ -151,7 +154,7 @@ fn text(item: &document::Item, problems: &mut Problems) -> Option<Spanned<String
 
 /// One of a few words; `what` is what they name, for messages.
 fn choice<T: Clone>(item: &document::Item, what: &str, choices: &[(&str, T)], problems: &mut Problems) -> Option<T> {
-    let word = text(item, problems)?.value;
+    let word = text(item, &known(choices.iter().map(|c| c.0)), problems)?.value;
     if let Some((_, value)) = choices.iter().find(|(name, _)| *name == word) {
         return Some(value.clone());
     }
@@ -160,17 +163,22 @@ fn choice<T: Clone>(item: &document::Item, what: &str, choices: &[(&str, T)], pr
     None
 }
 
+/// That these words are known.
+fn known<'a>(words: impl Iterator<Item = &'a str>) -> String {
+    format!("known: {}", words.collect::<Vec<_>>().join(", "))
+}
+
 /// Records that a word is none of the known ones.
 fn unknown<'a>(
     span: Span,
     what: &str,
     word: &str,
-    known: impl Iterator<Item = &'a str> + Clone,
+    words: impl Iterator<Item = &'a str> + Clone,
     problems: &mut Problems,
 ) {
-    let help = match crate::spelling::closest(word, known.clone()) {
+    let help = match crate::spelling::closest(word, words.clone()) {
         Some(near) => format!("did you mean \"{near}\"?"),
-        None => format!("known: {}", known.collect::<Vec<_>>().join(", ")),
+        None => known(words),
     };
     problems.add_with_help(span, format!("unknown {what} \"{word}\""), help);
 }
@@ -196,11 +204,13 @@ fn direction(item: &document::Item, dimension: usize, problems: &mut Problems) -
     let vector = point(item, dimension, problems)?;
     let length = vector.value.iter().fold(0.0, |length, x| libm::hypot(length, *x));
     if length == 0.0 {
-        problems.add(item.span, "the zero vector has no direction");
+        let help = if dimension == 2 { "write for instance [1, 0]" } else { "write for instance [1, 0, 0]" };
+        problems.add_with_help(item.span, "the zero vector has no direction", help);
     } else if !(document::SMALLEST..=document::LARGEST).contains(&length) {
-        problems.add(
+        problems.add_with_help(
             item.span,
             format!("its length {length:?} is not between {:?} and {:?}", document::SMALLEST, document::LARGEST),
+            if length > 1.0 { "make it shorter" } else { "make it longer" },
         );
     } else {
         return Some(vector);

@@ -2,7 +2,7 @@
 
 #![allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values")]
 
-use billiards_cli::document::Source;
+use billiards_cli::document::{Diagnostic, Source};
 use billiards_cli::scene::{
     Border, Curve, Domain, EdgePath, LawKind, Limit, RecordFormat, Request, SHAPES, Scene, Starts, TABLES, TableShape,
     Turn,
@@ -213,6 +213,47 @@ fn the_command_line_takes_the_place_of_law_and_limit() {
     let replaced = Request { collisions: Some(7), ..Request::default() };
     let scene = Scene::parse(&Source::new("x.toml", NAMED), &replaced).unwrap();
     assert!(matches!(scene.limit, Some(Limit::Collisions(n)) if n.value == 7));
+}
+
+#[test]
+fn mistakes_of_few_words_are_told_the_mend() {
+    for (valid, old, new, mend) in [
+        (NAMED, "sqrt(2)/4", "sqrt(2)/0", "the divisor must not be 0"),
+        (NAMED, "sqrt(2)/4", "sqrt(-1)", "its argument must not be negative"),
+        (NAMED, "sqrt(2)/4", "ln(0)", "its argument must be positive"),
+        (NAMED, "sqrt(2)/4", "exp(1000)", "doubles end at 1.8e308"),
+        (NAMED, "sqrt(2)/4", "1e999", "doubles end at 1.8e308"),
+        (NAMED, "collisions = 1000", "", "collisions = 1000"),
+        (NAMED, "inertia = \"uniform-disk\"", "", "inertia = \"uniform-disk\""),
+        (NAMED, "\"csv\"", "true", "known: csv, jsonl, npy"),
+        (NAMED, "\"orbit\"", "1", "known: orbit, velocity-portrait, phase-portrait"),
+        (NAMED, "\"stadium\"", "1", "known: "),
+        (NAMED, "[0.6, 0.8]", "[0, 0]", "write for instance [1, 0]"),
+        (NAMED, "[0.6, 0.8]", "[1e-160, 0]", "make it longer"),
+        (NAMED, "radius  = 0", "radius = 1e-151", "write a larger number"),
+        (NAMED, "name = \"stadium\"", "", "name = \"stadium\""),
+        (NAMED, "law   = \"no-slip\"", "", "law = \"no-slip\""),
+        (BOUNDARY, "line_to = [1, -1]", "curve_to = [1, -1]", "line_to = [1, 0]"),
+    ] {
+        assert!(valid.contains(old), "{old}");
+        let source = Source::new("x.toml", &valid.replacen(old, new, 1));
+        let errors = Scene::parse(&source, &Request::default()).unwrap_err();
+        let mends = |error: &Diagnostic| error.help.as_ref().is_some_and(|help| help.contains(mend));
+        assert!(errors.iter().any(mends), "{new}: {mend} expected in {errors:?}");
+    }
+}
+
+#[test]
+fn a_number_of_sides_is_told_its_range() {
+    for (table, range) in [("polygon\", sides", "3"), ("flower\", petals", "2")] {
+        for n in ["2.5", "1", "1000001"] {
+            let scene = format!(
+                "law = \"specular\"\ntable = {{ name = \"{table} = {n} }}\nensemble = {{ count = 1 }}\nrun = {{ collisions = 1 }}"
+            );
+            let errors = Scene::parse(&Source::new("x.toml", &scene), &Request::default()).unwrap_err();
+            assert_eq!(errors[0].what, format!("{n} is not a whole number from {range} to 1000000"));
+        }
+    }
 }
 
 #[test]

@@ -94,6 +94,27 @@ fn every_scene_is_described_by_check() {
 }
 
 #[test]
+fn areas_within_formulas_of_limited_smoothness_are_right_to_rounding() {
+    // 4ab Γ(1+1/n)²/Γ(1+2/n), from 30 digits
+    for (formula, area) in [
+        ("abs(x/3)^2.5 + abs(y/2)^2.5 - 1", 20.285_612_175_224_3),
+        ("abs(x)^3.5 + abs(y)^3.5 - 1", 3.635_880_811_933_636_6),
+        ("abs(x)^5 + abs(y)^5 - 1", 3.800_600_555_953_747),
+        ("x^4 + y^4 - 1/4", 1.854_074_677_301_371_9),
+    ] {
+        let curve = format!("curve = {{ implicit = \"{formula}\", within = [[-4, -4], [4, 4]] }}");
+        let text = format!(
+            "law = \"specular\"\ntable = {{ boundary = [{{ {curve} }}] }}\n{}",
+            "run = { collisions = 1 }\norbit = [{ position = [0, 0], velocity = [1, 0] }]"
+        );
+        let parsed = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap();
+        let told = serde_json::to_value(Simulation::new(parsed).unwrap().describe()).unwrap();
+        let told = told["walls"]["area"].as_f64().unwrap();
+        assert!((told / area - 1.0).abs() < 8.0 * f64::EPSILON, "{formula}: {told}, not {area}");
+    }
+}
+
+#[test]
 fn the_mean_free_time_is_that_of_the_law() {
     // of a Lorentz gas πA/P, where the centre keeps its speed, and 4A/P where all velocities mix
     for (name, law, told, silent) in [

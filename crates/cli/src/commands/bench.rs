@@ -1,13 +1,13 @@
 //! `billiards bench`: what accuracy costs on this machine.
 
 use std::io::{self, IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::ProgressBar;
 
-use super::Failure;
+use super::{Failure, unwritable};
 use crate::args;
 use crate::bench::score::Score;
 use crate::bench::{self, Effort, case, chart, report, stress};
@@ -151,10 +151,6 @@ impl Keep {
         }
         Ok(())
     }
-}
-
-fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    Failure::Work(format!("{}: {error}", path.display()))
 }
 
 /// On a terminal, what is being done; elsewhere nothing.

@@ -79,8 +79,7 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
     };
     let mut told = Ok(());
     if !(drawn.is_empty() && measured.is_empty()) {
-        write(&results, effort, &arguments.out, &files)
-            .map_err(|error| Failure::Work(format!("{}: {error}", arguments.out.display())))?;
+        write(&results, effort, &arguments.out, &files).map_err(|error| super::unwritable(&arguments.out, &error))?;
         let rest = jobs.len() - drawn.len() - measured.len() - failed.len();
         let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
         let page = arguments.out.join(files.page);

@@ -37,7 +37,7 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let flag = Arc::clone(&control);
     super::on_ctrl_c(move || flag.interrupted.store(true, Ordering::Relaxed))?;
     let done = with_progress(&simulation, &control, || simulation.run(&folder, &control))
-        .map_err(|error| Failure::Work(format!("{}: {error}", folder.display())))?;
+        .map_err(|error| super::unwritable(&folder, &error))?;
     Ok(report(&simulation, &done, &folder, out)?)
 }
 

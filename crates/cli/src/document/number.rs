@@ -1,6 +1,7 @@
 //! Numbers of input files: literals or formulas, finite and of a sensible size.
 
 use core::f64::consts::PI;
+use core::ops::RangeInclusive;
 
 use billiards::geometry::shapes::curve::{Interval, PolarFormula};
 
@@ -125,7 +126,9 @@ pub fn positive(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
             format!("write a number {within}"),
         );
     } else {
-        problems.add(item.span, format!("{} is not {within}", spell(x.value)));
+        let size = if x.value < SMALLEST { "larger" } else { "smaller" };
+        let help = format!("write a {size} number, in another unit if need be");
+        problems.add_with_help(item.span, format!("{} is not {within}", spell(x.value)), help);
     }
     None
 }
@@ -146,6 +149,11 @@ pub fn nonnegative(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>>
 
 /// A whole number from `least` to 10¹².
 pub fn count(item: &Item, least: u64, problems: &mut Problems) -> Option<Spanned<u64>> {
+    whole(item, least..=LARGEST_COUNT, problems)
+}
+
+/// A whole number in a range that ends at 10¹² or before.
+pub fn whole(item: &Item, range: RangeInclusive<u64>, problems: &mut Problems) -> Option<Spanned<u64>> {
     let x = number(item, problems)?;
     let exact = match item.value {
         Value::Integer(n) => u64::try_from(n).ok(),
@@ -153,9 +161,11 @@ pub fn count(item: &Item, least: u64, problems: &mut Problems) -> Option<Spanned
         _ if x.value % 1.0 == 0.0 && (0.0..=LARGEST_COUNT as f64).contains(&x.value) => Some(x.value as u64),
         _ => None,
     };
-    let found = exact.filter(|n| (least..=LARGEST_COUNT).contains(n));
+    let found = exact.filter(|n| range.contains(n));
     if found.is_none() {
-        problems.add(item.span, format!("{} is not a whole number from {least} to 1e12", spell(x.value)));
+        let (least, most) = (range.start(), *range.end());
+        let most = if most == LARGEST_COUNT { "1e12".into() } else { most.to_string() };
+        problems.add(item.span, format!("{} is not a whole number from {least} to {most}", spell(x.value)));
     }
     found.map(|n| Spanned::new(n, item.span))
 }

@@ -21,7 +21,7 @@ pub struct Section<'a> {
 struct Missing<'a> {
     keys: Vec<&'a str>,
     what: String,
-    help: Option<String>,
+    help: String,
 }
 
 impl<'a> Section<'a> {
@@ -62,19 +62,20 @@ impl<'a> Section<'a> {
             self.missing.push(Missing {
                 keys: vec![key],
                 what: format!("{} lacks the key \"{key}\"", self.name),
-                help: Some(format!("write for instance {example}")),
+                help: format!("write for instance {example}"),
             });
         }
         found
     }
 
-    /// The one present of several keys of which exactly one must be given, and its name.
-    pub fn one_of(&mut self, keys: &[&'a str], problems: &mut Problems) -> Option<(&'a str, &'a Item)> {
+    /// The one present of several keys of which exactly one must be given, and its name; `example` shows how to write one.
+    pub fn one_of(&mut self, keys: &[&'a str], example: &str, problems: &mut Problems) -> Option<(&'a str, &'a Item)> {
         let found = self.at_most_one_of(keys, problems);
         let any = self.entries.iter().any(|(k, _)| keys.contains(&k.value.as_str()));
         if !any {
             let what = format!("{} needs {}", self.name, alternatives(keys, "or"));
-            self.missing.push(Missing { keys: keys.to_vec(), what, help: None });
+            let help = format!("write for instance {example}");
+            self.missing.push(Missing { keys: keys.to_vec(), what, help });
         }
         found
     }
@@ -137,10 +138,7 @@ impl<'a> Section<'a> {
             if keys.iter().any(|key| mended.contains(key)) {
                 continue;
             }
-            match help {
-                Some(help) => problems.add_with_help(self.span, what, help),
-                None => problems.add(self.span, what),
-            }
+            problems.add_with_help(self.span, what, help);
         }
     }
 }

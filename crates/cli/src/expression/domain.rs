@@ -34,7 +34,7 @@ impl Expression {
                 {
                     let mut numbers = vec![0.0; self.nodes.len()];
                     fill(&self.nodes, &mut numbers, &[middle]);
-                    return Some((Error::new(self.columns[i], self.nodes[i].complaint(&numbers)), middle));
+                    return Some((self.nodes[i].complaint(&numbers, self.columns[i]), middle));
                 }
                 if arguments.flatten().any(|(x, domain)| x.low < domain.low || x.high > domain.high) {
                     doubtful.extend([Interval::new(part.low, middle), Interval::new(middle, part.high)]);

@@ -1,6 +1,6 @@
 //! From the text of a formula to its nodes.
 
-use super::{Error, Expression, Function, MAX_LEVELS, Node, Operation};
+use super::{Error, Expression, Function, MAX_LEVELS, Node, Operation, TOO_LARGE};
 use crate::spelling;
 
 /// A lexical token.
@@ -23,7 +23,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token<'_>, usize)>, Error> {
             let literal = number_prefix(rest);
             let x: f64 = literal.parse().map_err(|_| Error::new(column, format!("\"{literal}\" is not a number")))?;
             if !x.is_finite() {
-                return Err(Error::new(column, format!("{literal} is too large for a double")));
+                return Err(Error::new(column, format!("{literal} is too large for a double")).with_help(TOO_LARGE));
             }
             tokens.push((Token::Number(x), column));
             literal.len()

@@ -215,9 +215,13 @@ const SPATIAL: &[&str] = &["sphere", "plane", "shape", "mesh"];
 pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Entry> {
     let mut section = Section::new(item, "[[table.boundary]]", problems)?;
     let law = law::at_most_one(&mut section, dimension, problems);
-    let found = section.one_of(if dimension == 2 { PLANAR } else { SPATIAL }, problems);
+    let found = if dimension == 2 {
+        section.one_of(PLANAR, "circle = { center = [0, 0], radius = 1 }", problems)
+    } else {
+        section.one_of(SPATIAL, "sphere = { center = [0, 0, 0], radius = 1 }", problems)
+    };
     let border = found.and_then(|(key, item)| match key {
-        "outline" => text(item, problems).map(|file| Border::Outline { file }),
+        "outline" => text(item, "write for instance \"room.svg\"", problems).map(|file| Border::Outline { file }),
         _ => border(key, Section::new(item, key, problems)?, dimension, problems),
     });
     section.finish(problems);
@@ -277,7 +281,9 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
         }
         "curve" => curve(&mut section, problems),
         "mesh" => {
-            let file = section.required("file", "file = \"rock.obj\"").and_then(|item| text(item, problems));
+            let file = section
+                .required("file", "file = \"rock.obj\"")
+                .and_then(|item| text(item, "write for instance \"rock.obj\"", problems));
             let unit = section.optional("unit").map_or(Some(1.0), |item| Some(positive(item, problems)?.value));
             let center = section
                 .optional("center")
@@ -310,12 +316,12 @@ fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -
 
 fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
     let domain = domain(section, Domain::Inside, problems);
-    let (curve, text) = match section.one_of(&["polar", "implicit"], problems)? {
+    let (curve, text) = match section.one_of(&["polar", "implicit"], "polar = \"2 + 0.2*cos(5*t)\"", problems)? {
         ("polar", item) => {
             let center = section
                 .optional("center")
                 .map_or(Some(Spanned::new(vec![0.0; 2], section.span())), |item| point(item, 2, problems));
-            let text = text(item, problems)?;
+            let text = text(item, "write for instance \"2 + 0.2*cos(5*t)\"", problems)?;
             let radius = polar_formula(&text, problems)?;
             (Curve::Polar { radius, center: center? }, text)
         }
@@ -323,7 +329,7 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
             let within = section
                 .required("within", "within = [[-3, -2], [3, 2]], a box that contains the curve")
                 .and_then(|item| corners(item, problems));
-            let text = text(item, problems)?;
+            let text = text(item, "write for instance \"x^2/9 + y^2/4 - 1\"", problems)?;
             let function = formula(&text, &["x", "y"], problems)?;
             (Curve::Implicit { function, within: within? }, text)
         }
@@ -358,7 +364,7 @@ fn edges(item: &Item, closed: bool, problems: &mut Problems) -> Option<Vec<Edge>
 fn edge(item: &Item, problems: &mut Problems) -> Option<Edge> {
     let mut section = Section::new(item, "an edge", problems)?;
     let law = law::at_most_one(&mut section, 2, problems);
-    let path = match section.one_of(&["line_to", "arc_to"], problems) {
+    let path = match section.one_of(&["line_to", "arc_to"], "line_to = [1, 0]", problems) {
         Some(("line_to", item)) => point(item, 2, problems).map(|to| EdgePath::Line { to }),
         Some((_, item)) => {
             let to = point(item, 2, problems);

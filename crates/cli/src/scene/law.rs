@@ -123,7 +123,7 @@ impl std::str::FromStr for LawKind {
 
 /// The law of a table that must have one.
 pub(super) fn exactly_one(section: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Law> {
-    let found = section.one_of(&["law", "rough"], problems)?;
+    let found = section.one_of(&["law", "rough"], "law = \"no-slip\"", problems)?;
     read(found, dimension, problems)
 }
 

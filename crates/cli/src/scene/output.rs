@@ -1,6 +1,6 @@
 //! `[output]`: what is kept of a run.
 
-use super::{absent, choice, list, text, unknown};
+use super::{absent, choice, known, list, text, unknown};
 use crate::document::{Item, Problems, Section, Span};
 use crate::picture;
 
@@ -40,7 +40,7 @@ pub(super) fn read(item: Option<&Item>, problems: &mut Problems) -> Option<Outpu
 fn pictures(item: &Item, problems: &mut Problems) -> Option<Vec<(&'static str, Span)>> {
     let mut pictures: Vec<(&'static str, Span)> = Vec::new();
     for item in list(item, "pictures", problems)? {
-        let Some(word) = text(item, problems) else { continue };
+        let Some(word) = text(item, &known(picture::PICTURES.iter().map(|p| p.name)), problems) else { continue };
         match picture::PICTURES.iter().find(|picture| picture.name == word.value) {
             Some(known) if pictures.iter().any(|p| p.0 == known.name) => {
                 problems.add(item.span, format!("the picture \"{}\" is listed twice", known.name));

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{direction, point, text, unknown};
+use super::{direction, known, point, text, unknown};
 use crate::document::{self, Item, Problems, Section, Span, Spanned};
 
 /// Something a scene can name, with its parameters.
@@ -38,8 +38,13 @@ pub enum Kind {
     Distance,
     /// Any real number: a coordinate, an angle in radians, a signed length.
     Real,
-    /// A whole number, at least this.
-    Count(u64),
+    /// A whole number.
+    Count {
+        /// At least.
+        least: u64,
+        /// At most.
+        most: u64,
+    },
     /// This many positive lengths.
     Lengths(usize),
     /// A point of space.
@@ -103,7 +108,7 @@ impl Parameter {
         }
         let value = match self.kind {
             Kind::Length | Kind::Distance | Kind::Real => "1",
-            Kind::Count(_) => "5",
+            Kind::Count { .. } => "5",
             Kind::Lengths(2) => "[2, 1]",
             Kind::Lengths(_) => "[1, 1, 1]",
             Kind::Point => match (self.name, dimension) {
@@ -181,8 +186,8 @@ pub(super) fn model(
     dimension: usize,
     problems: &mut Problems,
 ) -> Option<&'static Model> {
-    let word = text(item, problems)?.value;
     let fitting = models.iter().filter(|model| model.dimension == dimension);
+    let word = text(item, &known(fitting.clone().map(|model| model.name)), problems)?.value;
     if let Some(model) = fitting.clone().find(|model| model.name == word) {
         return Some(model);
     }
@@ -230,7 +235,9 @@ fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) 
         Kind::Length => one(document::positive(item, problems)?),
         Kind::Distance => one(document::nonnegative(item, problems)?),
         Kind::Real => one(document::real(item, problems)?),
-        Kind::Count(least) => Argument::Numbers(vec![document::count(item, least, problems)?.value as f64]),
+        Kind::Count { least, most } => {
+            Argument::Numbers(vec![document::whole(item, least..=most, problems)?.value as f64])
+        }
         Kind::Lengths(n) => Argument::Numbers(document::vector(item, n, document::positive, problems)?.value),
         Kind::Point => Argument::Numbers(point(item, dimension, problems)?.value),
         Kind::Direction => Argument::Numbers(direction(item, dimension, problems)?.value),

@@ -43,8 +43,9 @@ pub(super) fn read(item: Option<&Item>, dimension: usize, spins: bool, problems:
     let mut section = Section::new(item, "[particle]", problems)?;
     let radius =
         section.optional("radius").map_or(Some(Spanned::new(0.0, item.span)), |item| nonnegative(item, problems));
+    let example = format!("inertia = \"{}\"", known.first().map_or("point", |k| k.0));
     let pair = ["inertia", "gamma_squared"];
-    let found = if spins { section.one_of(&pair, problems) } else { section.at_most_one_of(&pair, problems) };
+    let found = if spins { section.one_of(&pair, &example, problems) } else { section.at_most_one_of(&pair, problems) };
     let gamma_squared = match found {
         Some(("inertia", item)) => {
             choice(item, "inertia", &known, problems).map(|gamma_squared| Spanned::new(gamma_squared, item.span))

@@ -28,7 +28,11 @@ pub(super) fn read(root: &mut Section<'_>, request: &Request, problems: &mut Pro
 fn written(item: &Item, needed: bool, problems: &mut Problems) -> Option<Limit> {
     let mut section = Section::new(item, "[run]", problems)?;
     let keys = ["collisions", "time"];
-    let found = if needed { section.one_of(&keys, problems) } else { section.at_most_one_of(&keys, problems) };
+    let found = if needed {
+        section.one_of(&keys, "collisions = 1000", problems)
+    } else {
+        section.at_most_one_of(&keys, problems)
+    };
     section.finish(problems);
     match found? {
         ("collisions", item) => count(item, 1, problems).map(Limit::Collisions),

@@ -56,7 +56,9 @@ pub const SAMPLES: &[(&str, &str)] = &[
 ];
 
 pub(super) fn read(root: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Starts> {
-    match root.one_of(&["orbit", "ensemble"], problems)? {
+    let example =
+        if dimension == 2 { "[0, 0] and velocity = [0.6, 0.8]" } else { "[0, 0, 0] and velocity = [0.6, 0, 0.8]" };
+    match root.one_of(&["orbit", "ensemble"], &format!("[[orbit]] with position = {example}"), problems)? {
         ("orbit", item) => orbits(item, dimension, problems).map(Starts::Orbits),
         (_, item) => ensemble(item, problems).map(Starts::Ensemble),
     }

@@ -90,7 +90,7 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     section.optional("dimension");
     let lattice = section.optional("lattice").map_or(Some(Vec::new()), |item| lattice(item, dimension, problems));
     let laws = section.optional("laws").map_or(Some(Vec::new()), |item| laws(item, dimension, problems));
-    let found = section.one_of(&["name", "boundary"], problems);
+    let found = section.one_of(&["name", "boundary"], "name = \"stadium\"", problems);
     let shape = match found {
         Some(("name", item)) => {
             // Which keys belong to an unknown table is unknown too.

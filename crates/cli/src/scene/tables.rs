@@ -18,7 +18,7 @@ fn parameter(of: &'static tables::Parameter) -> Parameter {
     let kind = match of.kind {
         Measure::Length => Kind::Length,
         Measure::Displacement | Measure::Angle | Measure::Number => Kind::Real,
-        Measure::Count => Kind::Count(0),
+        Measure::Count { least } => Kind::Count { least, most: tables::MOST_VERTICES as u64 },
         Measure::Lengths(n) => Kind::Lengths(n),
         Measure::Points(n) => Kind::Points { least: n, most: n },
     };

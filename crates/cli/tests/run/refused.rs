@@ -283,7 +283,8 @@ fn a_folder_that_cannot_be_written_is_a_failure() {
     fs::write(folder.0.join("out"), "a file where a folder should be").unwrap();
     let output = folder.run(SQUARE, &[]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8(output.stderr).unwrap().starts_with("error: out:"));
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert!(text.starts_with("error: out:") && text.contains("help: a file stands where a folder should be"), "{text}");
     assert_eq!(folder.read("out"), "a file where a folder should be");
 }
 

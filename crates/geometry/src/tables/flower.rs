@@ -32,7 +32,7 @@ pub(super) const ENTRY: Entry = Entry {
     name: "flower",
     summary: "arcs that bulge outwards between corners on a circle about the origin (Bunimovich)",
     parameters: &[
-        Parameter::count("petals", 4.0),
+        Parameter::count("petals", 2, 4.0),
         Parameter::length("petal_radius", 1.25),
         Parameter::length("side", 2.0),
     ],

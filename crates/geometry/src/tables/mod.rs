@@ -55,6 +55,7 @@ pub use square::square;
 pub use stadium::stadium;
 pub use strip::strip;
 pub use triangle::triangle;
+pub use vertices::MOST_VERTICES;
 pub use wedge::wedge;
 
 /// Every named table.

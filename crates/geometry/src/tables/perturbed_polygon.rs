@@ -35,7 +35,7 @@ pub(super) const ENTRY: Entry = Entry {
     name: "perturbed-polygon",
     summary: "a regular polygon whose sides are bent by smooth bumps, amount times the side high",
     parameters: &[
-        Parameter::count("sides", 5.0),
+        Parameter::count("sides", 3, 5.0),
         Parameter::length("side", 1.0),
         Parameter::number("amount", 0.05).required(),
     ],

@@ -17,6 +17,6 @@ pub fn polygon(n: usize, side: f64) -> Result<Table, Error> {
 pub(super) const ENTRY: Entry = Entry {
     name: "polygon",
     summary: "a regular polygon about the origin, a vertex on the +x1 axis",
-    parameters: &[Parameter::count("sides", 5.0).required(), Parameter::length("side", 1.0)],
+    parameters: &[Parameter::count("sides", 3, 5.0).required(), Parameter::length("side", 1.0)],
     build: Build::Planar(|v| polygon(v.count("sides")?, v.number("side")?)),
 };

@@ -51,8 +51,11 @@ pub enum Kind {
     Angle,
     /// A pure number.
     Number,
-    /// A whole number.
-    Count,
+    /// A whole number, at least this, at most [`MOST_VERTICES`](super::MOST_VERTICES).
+    Count {
+        /// At least.
+        least: u64,
+    },
     /// A list of so many lengths \[L\].
     Lengths(usize),
     /// A list of so many points of the plane \[L\].
@@ -90,8 +93,8 @@ impl Parameter {
     pub(super) const fn number(name: &'static str, default: f64) -> Parameter {
         Parameter::optional(name, Kind::Number, Value::Number(default))
     }
-    pub(super) const fn count(name: &'static str, default: f64) -> Parameter {
-        Parameter::optional(name, Kind::Count, Value::Number(default))
+    pub(super) const fn count(name: &'static str, least: u64, default: f64) -> Parameter {
+        Parameter::optional(name, Kind::Count { least }, Value::Number(default))
     }
     pub(super) const fn lengths(name: &'static str, default: &'static [f64]) -> Parameter {
         Parameter::optional(name, Kind::Lengths(default.len()), Value::List(Cow::Borrowed(default)))
@@ -110,7 +113,7 @@ impl Parameter {
         let Parameter { name, kind, .. } = *self;
         let form = |must: &'static str| Error::Form { name, must, found: value.describe() };
         let numbers: &[f64] = match (kind, value) {
-            (Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number | Kind::Count, Value::Number(x)) => {
+            (Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number | Kind::Count { .. }, Value::Number(x)) => {
                 core::slice::from_ref(x)
             }
             (Kind::Lengths(n), Value::List(list)) if list.len() == n => list,
@@ -129,7 +132,7 @@ impl Kind {
     pub fn form(self) -> &'static str {
         match self {
             Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number => "a number",
-            Kind::Count => "a whole number",
+            Kind::Count { .. } => "a whole number",
             Kind::Lengths(2) => "a list of two numbers",
             Kind::Lengths(_) => "a list of three numbers",
             Kind::Points(_) => "a list of three points [x1, x2]",

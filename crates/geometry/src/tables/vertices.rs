@@ -31,11 +31,11 @@ pub(super) fn regular(n: usize, side: f64) -> Result<Vec<Box<dyn Piece>>, Error>
 }
 
 /// Most sides of a regular figure.
-const MOST: usize = 1_000_000;
+pub const MOST_VERTICES: usize = 1_000_000;
 
 /// A number of sides or petals.
 pub(super) fn number_of(name: &'static str, n: usize, least: usize, must: &'static str) -> Result<usize, Error> {
-    within(name, n as f64, (least..=MOST).contains(&n), must)?;
+    within(name, n as f64, (least..=MOST_VERTICES).contains(&n), must)?;
     Ok(n)
 }
 

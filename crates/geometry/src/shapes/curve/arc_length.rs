@@ -55,6 +55,13 @@ const FINEST: f64 = 1.0 / 536_870_912.0;
 /// with 64 waves has one.
 const IN_VAIN: u32 = 6;
 
+/// Halving should leave this part, or less, of a difference per width, where a derivative has a jump: half of it. Rounding leaves it
+/// as it is.
+const LESS: f64 = 0.6;
+
+/// A difference may be so much less than others by chance.
+const BY_CHANCE: f64 = 16.0;
+
 /// Rules that differ by less than this part, and no less when halved, differ by the rounding of the formula.
 const NOISE: f64 = 1e-9;
 
@@ -100,13 +107,25 @@ impl ArcLength {
         self.nodes.iter().map(|node| node.u)
     }
 
-    /// `½ ∮ (x dy − y dx)` of a closed curve, positive if it is traversed counter-clockwise; `about` is a point not far from it.
+    /// `½ ∮ (x dy − y dx)` of a closed curve, positive if it is traversed counter-clockwise, by one rule between neighbours of the table;
+    /// `about` is a point not far from it.
     pub(crate) fn enclosed_area(&self, curve: &impl Parametric, about: Vector2<f64>) -> f64 {
-        let form = |u: f64| {
-            let [p, d] = curve.at(u);
-            0.5 * (p - about).perp(&d)
+        let form = sector(curve, about);
+        self.nodes.windows(2).map(|w| integral(&form, w[0].u, w[1].u)).sum()
+    }
+
+    /// The same, by more rules where the curve is so rough that one is not enough: at the ends of `|x|^2.5 + |y|^2.5 = 1` along the
+    /// axes the speed has one derivative more than the height. Takes three times as long where the curve is smooth.
+    pub(crate) fn refined_area(&self, curve: &impl Parametric, about: Vector2<f64>) -> f64 {
+        let form = sector(curve, about);
+        let reach = self.points().map(|p| (p - about).norm()).fold(0.0, f64::max);
+        let finest = FINEST * self.nodes.last().zip(self.nodes.first()).map_or(0.0, |(last, first)| last.u - first.u);
+        let of_part = |w: &[Node]| {
+            let value = integral(&form, w[0].u, w[1].u);
+            let enough = 2.0 * f64::EPSILON * reach * (w[1].s - w[0].s);
+            refined(&form, [w[0].u, w[1].u], Rule { value, enough, most: f64::INFINITY, finest })
         };
-        self.nodes.windows(2).map(|w| integral(form, w[0].u, w[1].u)).sum()
+        self.nodes.windows(2).map(of_part).sum()
     }
 
     /// The box around the curve: its ends and the points where it runs along an axis.
@@ -154,6 +173,42 @@ impl ArcLength {
     pub(crate) fn points(&self) -> impl Iterator<Item = Vector2<f64>> + '_ {
         self.nodes.iter().map(|node| node.at[0])
     }
+}
+
+/// The area between `about` and a curve, per parameter.
+fn sector(curve: &impl Parametric, about: Vector2<f64>) -> impl Fn(f64) -> f64 {
+    move |u| {
+        let [p, d] = curve.at(u);
+        0.5 * (p - about).perp(&d)
+    }
+}
+
+/// An integral by one rule on the whole interval.
+#[derive(Clone, Copy, Debug)]
+struct Rule {
+    value: f64,
+    /// By how much it may differ from the rule on the halves.
+    enough: f64,
+    /// More than this, per width, and halving does not help.
+    most: f64,
+    /// The width that is not halved any more.
+    finest: f64,
+}
+
+/// `∫ f du`, from halves where the rule on the whole differs from the rule on them, and does so less and less.
+fn refined(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], rule: Rule) -> f64 {
+    let middle = 0.5 * (a + b);
+    let halves = [[a, middle], [middle, b]];
+    let values = halves.map(|[a, b]| integral(f, a, b));
+    let difference = (rule.value - (values[0] + values[1])).abs();
+    let per_width = difference / (b - a);
+    let mends = difference > rule.enough && per_width <= rule.most && b - a > rule.finest;
+    if !mends {
+        return values[0] + values[1];
+    }
+    let most = LESS * rule.most.min(BY_CHANCE * per_width);
+    let next = Rule { enough: 0.5 * rule.enough, most, ..rule };
+    refined(f, halves[0], Rule { value: values[0], ..next }) + refined(f, halves[1], Rule { value: values[1], ..next })
 }
 
 /// What halving an interval has brought so far.

@@ -166,7 +166,7 @@ impl<F: ImplicitFormula> Implicit<F> {
         let chords = Chords { formula: &formula, vertices: &vertices };
         let count = u32::try_from(vertices.len()).unwrap_or(u32::MAX);
         let table = ArcLength::new(&chords, (0..count).map(f64::from));
-        let area = table.enclosed_area(&chords, vertices[0]);
+        let area = table.refined_area(&chords, vertices[0]);
         if area <= 0.0 || area.is_nan() {
             return Err(Error::Inverted);
         }
