@@ -138,7 +138,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         orbit.position = hit.point;
         let normal_speed = dot(&orbit.velocity, &hit.normal);
         let reverses = self.law.is_strict();
-        let (owed, slow) =
+        let (owed, before) =
             if reverses { (*owed, slow) } else { (orbit.keeper.rounded_off(*owed), sum(&orbit.velocity) * ROUNDED) };
         let arrived = Arrived { owed, normal_speed, reverses };
         if self.walls.is_along_axes() {
@@ -154,7 +154,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             return !slow.lt((normal_speed * hit.inverse).abs());
         }
         let leaving = (dot(&orbit.velocity, &hit.normal) * hit.inverse).abs();
-        let flat = !(sum(&orbit.velocity) * ROUNDED).max(slow).lt(leaving);
+        let flat = !(sum(&orbit.velocity) * ROUNDED).max(before).lt(leaving);
         flat | creeps(hit, normal_speed, leaving, &orbit.velocity) | has_stalled(&orbit.velocity)
     }
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64 {
