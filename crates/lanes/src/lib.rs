@@ -130,6 +130,14 @@ pub trait Lane:
     fn max(self, other: Self) -> Self {
         other.lt(self).select(self, other)
     }
+    /// The number itself, or 0 where it is not above 0 or NaN.
+    ///
+    /// With one lane this is a branch, for numbers that are hardly ever below 0: what follows does not wait for the comparison.
+    #[must_use]
+    #[inline(always)]
+    fn above_zero(self) -> Self {
+        self.max(self.same(0.0))
+    }
     /// The smaller of two numbers; where one is NaN, either, as the processor has it.
     #[must_use]
     #[inline(always)]

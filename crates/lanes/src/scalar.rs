@@ -25,6 +25,11 @@ impl Lane for f64 {
         (0.0 < self).choose(numbers, numbers.map(|number| -number))
     }
     #[inline(always)]
+    fn above_zero(self) -> f64 {
+        let [number] = (0.0 < self).choose([self], [0.0]);
+        number
+    }
+    #[inline(always)]
     fn lt(self, other: f64) -> bool {
         self < other
     }

@@ -268,6 +268,11 @@ mod tests {
                     (if F::LANES == 1 { 9.0 } else { numbers[k] }, 9.0)
                 );
                 let [towards] = (lanes - 2.5).towards([lanes]);
+                for number in [-2.0, -0.0, 0.0, 2.0, f64::NAN] {
+                    let above = zero.same(number).above_zero();
+                    let expected: f64 = if number == 2.0 { 2.0 } else { 0.0 };
+                    assert!((0..F::LANES).all(|i| above.lane(i).to_bits() == expected.to_bits()), "{number} {above:?}");
+                }
                 let below = lanes.lt(zero.same(3.0));
                 for i in 0..F::LANES {
                     let number = numbers[k + i];

@@ -1,5 +1,5 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
-use super::{WallHit, Walls};
+use super::{WallHit, Walls, origin::Origin};
 use crate::Error;
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
@@ -7,7 +7,7 @@ use nalgebra::Vector2;
 /// The stadium of half-length `h` along the first axis and radius `r` about a centre.
 #[derive(Clone, Debug)]
 pub struct Capsule {
-    center: [f64; 2],
+    center: Origin<2>,
     /// Half the distance of the centres of the caps.
     half_length: f64,
     radius: f64,
@@ -33,7 +33,7 @@ impl Capsule {
         }
         let square = radius * radius;
         Ok(Capsule {
-            center: center.into(),
+            center: Origin::new(center.into()),
             half_length,
             radius,
             square,
@@ -46,8 +46,8 @@ impl Capsule {
 
 impl Capsule {
     /// Its centre.
-    pub(super) fn center(&self) -> [f64; 2] {
-        self.center
+    pub(super) fn center(&self) -> &Origin<2> {
+        &self.center
     }
 
     /// The first hit of a path, both seen from the centre.
@@ -111,9 +111,8 @@ impl Capsule {
 impl Walls<2> for Capsule {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        let [c1, c2] = self.center;
-        let mut hit = self.first_hit_from_center([x[0] - c1, x[1] - c2], v);
-        hit.point = [hit.point[0] + c1, hit.point[1] + c2];
+        let mut hit = self.first_hit_from_center(self.center.sees(x), v);
+        hit.point = self.center.seen(&hit.point);
         hit
     }
 }

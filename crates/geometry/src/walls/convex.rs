@@ -81,11 +81,12 @@ impl Walls<2> for ConvexPolygon {
         let zero = v[0].same(0.0);
         let (mut num, mut den) = (zero.same(f64::INFINITY), zero.same(1.0));
         let (mut n, mut start, mut end, mut piece) = ([zero; 2], zero, zero, zero);
-        for side in &self.sides {
+        for (i, side) in self.sides.iter().enumerate() {
             let speed = v[0] * side.normal[0] + v[1] * side.normal[1];
             let distance = zero.same(side.distance) - (x[0] * side.normal[0] + x[1] * side.normal[1]);
-            let distance = distance.max(zero);
-            [num, den, n[0], n[1], start, end, piece] = sooner([distance, speed], [num, den]).choose(
+            let sooner =
+                if i == 0 { zero.lt(speed) } else { sooner([distance.max(zero), speed], [num.max(zero), den]) };
+            [num, den, n[0], n[1], start, end, piece] = sooner.choose(
                 [
                     distance,
                     speed,
@@ -98,7 +99,7 @@ impl Walls<2> for ConvexPolygon {
                 [num, den, n[0], n[1], start, end, piece],
             );
         }
-        let time = num / den;
+        let time = num.above_zero() / den;
         let point = [x[0] + time * v[0], x[1] + time * v[1]];
         let along = point[1] * n[0] - point[0] * n[1];
         WallHit {

@@ -20,6 +20,7 @@ mod hull;
 mod lines;
 mod list;
 mod normal;
+mod origin;
 mod periodic;
 mod pieces;
 mod polygon;

@@ -26,10 +26,10 @@ impl Rotated {
 impl Walls<2> for Rotated {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        let ([c, s], [c1, c2]) = (self.axis, self.capsule.center());
-        let hit = self.capsule.first_hit_from_center(turned([x[0] - c1, x[1] - c2], [c, -s]), &turned(*v, [c, -s]));
-        let [p1, p2] = turned(hit.point, [c, s]);
-        WallHit { point: [p1 + c1, p2 + c2], normal: turned(hit.normal, [c, s]), ..hit }
+        let ([c, s], center) = (self.axis, self.capsule.center());
+        let hit = self.capsule.first_hit_from_center(turned(center.sees(x), [c, -s]), &turned(*v, [c, -s]));
+        let point = center.seen(&turned(hit.point, [c, s]));
+        WallHit { point, normal: turned(hit.normal, [c, s]), ..hit }
     }
 }
 

@@ -1,5 +1,5 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, normal::most_unit, sooner};
+use super::{CORNER, WallHit, Walls, normal::most_unit, origin::Origin, sooner};
 use crate::{Error, plane::slack, shapes::Segment};
 use lanes::{Lane, Mask, dot};
 
@@ -23,7 +23,7 @@ struct Pair {
 /// Only one side of each pair can be hit, the one that the particle moves towards: half the work of a general polygon.
 #[derive(Clone, Debug)]
 pub struct Zonogon<const K: usize> {
-    center: [f64; 2],
+    center: Origin<2>,
     /// Within the square root of this of the centre there are no corners: one comparison tells of most points that they are none.
     clear: f64,
     pairs: [Pair; K],
@@ -83,7 +83,7 @@ impl<const K: usize> Zonogon<K> {
                 pieces: [numbers[i] as f64, numbers[i + K] as f64],
             }
         });
-        Ok(Zonogon { center, clear, pairs })
+        Ok(Zonogon { center: Origin::new(center), clear, pairs })
     }
 }
 
@@ -92,7 +92,7 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
-        let y = [x[0] - self.center[0], x[1] - self.center[1]];
+        let y = self.center.sees(x);
         let (mut num, mut den) = (zero.same(f64::INFINITY), one);
         let (mut n, mut middle, mut half, mut piece) = ([zero; 2], zero, zero, zero);
         for (i, side) in self.pairs.iter().enumerate() {
@@ -100,7 +100,7 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
             let height = y[0] * side.normal[0] + y[1] * side.normal[1];
             // the side ahead: the first one, or its opposite
             let [height, m1, m2] = speed.towards([height, zero.same(side.unit[0]), zero.same(side.unit[1])]);
-            let distance = (zero.same(side.distance) - height).max(zero);
+            let distance = zero.same(side.distance) - height;
             let number = zero.lt(speed).select(zero.same(side.pieces[0]), zero.same(side.pieces[1]));
             let (speed, along, most) = (speed.abs(), zero.same(side.middle), zero.same(side.half));
             if i == 0 {
@@ -109,22 +109,15 @@ impl<const K: usize> Walls<2> for Zonogon<K> {
                 [middle, half, piece] = [along, most, number];
                 continue;
             }
-            [num, den, n[0], n[1], middle, half, piece] = sooner([distance, speed], [num, den])
+            [num, den, n[0], n[1], middle, half, piece] = sooner([distance.max(zero), speed], [num, den])
                 .choose([distance, speed, m1, m2, along, most, number], [num, den, n[0], n[1], middle, half, piece]);
         }
-        let time = num / den;
+        let time = num.above_zero() / den;
         let p = [y[0] + time * v[0], y[1] + time * v[1]];
         let mut corner = zero.never();
         if zero.same(self.clear).lt(dot(&p, &p)).any() {
             corner = half.lt((p[1] * n[0] - p[0] * n[1] - middle).abs());
         }
-        WallHit {
-            time,
-            point: [p[0] + self.center[0], p[1] + self.center[1]],
-            normal: [-n[0], -n[1]],
-            inverse: one,
-            piece,
-            corner,
-        }
+        WallHit { time, point: self.center.seen(&p), normal: [-n[0], -n[1]], inverse: one, piece, corner }
     }
 }
