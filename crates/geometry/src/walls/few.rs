@@ -6,18 +6,22 @@ use crate::{
     plane::{along, cross, from},
     shapes::{Ellipse, Ground, Shape},
 };
-use lanes::{Lane, Mask, dot};
+use lanes::{Lane, Mask, WHOLE, dot};
 use nalgebra::Vector2;
 
 /// Shapes that are asked one after another, each for all lanes at once.
 ///
-/// Times are compared as fractions, and what the landing needs to know of a piece is selected with them, so that
+/// Times are compared as fractions, and what the landing needs to know of the piece that is hit is looked up at the end, so that
 /// however many pieces there are a hit costs one division and one landing. Neighbours look at the vertex that they
 /// share once, and from the same side, so no path slips through between them.
 #[derive(Clone, Debug)]
 pub struct Few {
     entries: Vec<Entry>,
-    /// The ellipses, on which a landing needs too many constants to be selected.
+    /// What a landing needs to know of each entry, and a row for hits of none.
+    grounds: Vec<[f64; 4]>,
+    /// The numbers of the pieces, where they are not 0, 1, 2, …
+    numbers: Vec<f64>,
+    /// The ellipses, on which a landing needs more constants.
     ovals: Vec<Ellipse>,
     /// The corners, with the numbers of the pieces that end there.
     corners: Vec<([f64; 2], f64)>,
@@ -32,19 +36,12 @@ struct Entry {
     joined: bool,
     /// Whether its start and its end are corners.
     corners: [bool; 2],
-    landing: Landing<f64>,
+    /// The place in the list; of a part of a circle −1 minus that.
+    place: f64,
 }
 
-/// What a landing needs to know of a piece.
-#[derive(Clone, Copy, Debug)]
-struct Landing<F> {
-    /// A point of a straight piece, the centre of a circle, the place of an ellipse in the list of those.
-    anchor: [F; 2],
-    /// The unit normal into the table; `±1/r` and `r²` of a circle; [`OVAL`].
-    normal: [F; 2],
-    /// The number; of a part of a circle −1 minus that.
-    piece: F,
-}
+/// The last bits of `x + WHOLE`: the whole number nearest to `x`, for `0 ≤ x < 2³²`.
+const LAST_BITS: u64 = (1 << 32) - 1;
 
 /// In place of a unit normal: an ellipse.
 const OVAL: [f64; 2] = [2.0, 0.0];
@@ -53,7 +50,7 @@ const OVAL: [f64; 2] = [2.0, 0.0];
 struct First<F: Lane> {
     num: F,
     den: F,
-    landing: Landing<F>,
+    place: F,
 }
 
 /// A vertex as a path sees it.
@@ -108,26 +105,32 @@ impl Few {
     /// The shapes with their numbers, and the corners of the boundary.
     pub fn new(shapes: &[(usize, Shape)], corners: &[Vector2<f64>]) -> Few {
         let is_corner = |p: Option<[f64; 2]>| p.is_some_and(|p| corners.contains(&p.into()));
-        let mut few = Few { entries: vec![], ovals: vec![], corners: vec![], size: 0.0 };
+        let mut numbers: Vec<f64> = shapes.iter().map(|(number, _)| *number as f64).collect();
+        if shapes.iter().enumerate().all(|(place, (number, _))| place == *number) {
+            numbers.clear();
+        }
+        let mut few = Few { entries: vec![], grounds: vec![], numbers, ovals: vec![], corners: vec![], size: 0.0 };
         let mut end = None;
         for &(number, shape) in shapes {
             let [a, b] = ends(&shape);
-            let piece = number as f64;
-            let landing = match shape.ground() {
-                Ground::Flat { through, normal } => Landing { anchor: through, normal, piece },
-                Ground::Round { center, to_normal, square } => {
-                    Landing { anchor: center, normal: [to_normal, square], piece: -1.0 - piece }
-                }
+            let (place, piece) = (few.entries.len() as f64, number as f64);
+            // a point of a straight piece and the unit normal into the table; the centre of a circle, ±1/r and r²; the place of an
+            // ellipse in the list of those
+            let (ground, place) = match shape.ground() {
+                Ground::Flat { through: [a, b], normal: [m, n] } => ([a, b, m, n], place),
+                Ground::Round { center: [a, b], to_normal, square } => ([a, b, to_normal, square], -1.0 - place),
                 Ground::Oval(ellipse) => {
                     few.ovals.push(ellipse);
-                    Landing { anchor: [(few.ovals.len() - 1) as f64, 0.0], normal: OVAL, piece }
+                    ([(few.ovals.len() - 1) as f64, 0.0, OVAL[0], OVAL[1]], place)
                 }
             };
+            few.grounds.push(ground);
             let corners = [a, b].map(is_corner);
-            few.entries.push(Entry { shape, joined: a.is_some() && a == end, corners, landing });
+            few.entries.push(Entry { shape, joined: a.is_some() && a == end, corners, place });
             few.corners.extend([a, b].into_iter().filter(|p| is_corner(*p)).flatten().map(|p| (p, piece)));
             end = b;
         }
+        few.grounds.push([0.0; 4]);
         few.size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
         few
     }
@@ -156,6 +159,14 @@ impl Few {
     }
 }
 
+/// The whole number to which [`WHOLE`] was added.
+#[inline(always)]
+fn last_bits(place: f64) -> usize {
+    #[allow(clippy::cast_possible_truncation, reason = "the place of something in memory")]
+    let place = (place.to_bits() & LAST_BITS) as usize;
+    place
+}
+
 /// Start and end of a shape, where there are such.
 fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
     match shape {
@@ -179,22 +190,8 @@ impl<F: Lane> First<F> {
         let zero = num.same(0.0);
         let num = num.max(zero);
         let sooner = really & (num * self.den).lt(self.num * den);
-        let Landing { anchor, normal, piece } = self.landing;
-        let new = &entry.landing;
-        let [num, den, a0, a1, n0, n1, piece] = sooner.choose(
-            [
-                num,
-                den,
-                zero.same(new.anchor[0]),
-                zero.same(new.anchor[1]),
-                zero.same(new.normal[0]),
-                zero.same(new.normal[1]),
-                zero.same(new.piece),
-            ],
-            [self.num, self.den, anchor[0], anchor[1], normal[0], normal[1], piece],
-        );
-        (self.num, self.den) = (num, den);
-        self.landing = Landing { anchor: [a0, a1], normal: [n0, n1], piece };
+        [self.num, self.den, self.place] =
+            sooner.choose([num, den, zero.same(entry.place)], [self.num, self.den, self.place]);
     }
 }
 
@@ -209,8 +206,7 @@ impl Walls<2> for Few {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
         let never = zero.same(f64::INFINITY);
-        let nowhere = Landing { anchor: [zero; 2], normal: [zero; 2], piece: zero };
-        let mut first = First { num: never, den: one, landing: nowhere };
+        let mut first = First { num: never, den: one, place: zero };
         let mut eye = Eye { x, v, last: Seen { to: [zero; 2], turn: zero }, aside: never };
         for entry in &self.entries {
             match &entry.shape {
@@ -235,9 +231,15 @@ impl Walls<2> for Few {
                 Shape::Line(s) => first.look(s.meet(x, v), entry),
             }
         }
-        let First { num, den, landing: Landing { anchor, normal, piece } } = first;
-        let round = piece.lt(zero);
-        let piece = round.select(-piece - 1.0, piece);
+        let First { num, den, place } = first;
+        let round = place.lt(zero);
+        let mut piece = round.select(-place - 1.0, place);
+        let place = piece + WHOLE;
+        let [a0, a1, n0, n1] = zero.columns(|lane| &self.grounds[last_bits(place.lane(lane))]);
+        if !self.numbers.is_empty() {
+            piece = zero.each(|lane| self.numbers[last_bits(place.lane(lane))]);
+        }
+        let (anchor, normal) = ([a0, a1], [n0, n1]);
         let time = num / den;
         let p = along(x, v, time);
         let y = [p[0] - anchor[0], p[1] - anchor[1]];
