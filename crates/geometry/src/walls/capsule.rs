@@ -1,5 +1,5 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
-use super::{WallHit, Walls, origin::Origin};
+use super::{WallHit, Walls, center::Center};
 use crate::Error;
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
@@ -7,7 +7,7 @@ use nalgebra::Vector2;
 /// The stadium of half-length `h` along the first axis and radius `r` about a centre.
 #[derive(Clone, Debug)]
 pub struct Capsule {
-    center: Origin<2>,
+    center: Center<2>,
     /// Half the distance of the centres of the caps.
     half_length: f64,
     radius: f64,
@@ -33,7 +33,7 @@ impl Capsule {
         }
         let square = radius * radius;
         Ok(Capsule {
-            center: Origin::new(center.into()),
+            center: Center::new(center.into()),
             half_length,
             radius,
             square,
@@ -46,7 +46,7 @@ impl Capsule {
 
 impl Capsule {
     /// Its centre.
-    pub(super) fn center(&self) -> &Origin<2> {
+    pub(super) fn center(&self) -> &Center<2> {
         &self.center
     }
 

@@ -8,6 +8,7 @@
 mod around;
 mod by_lane;
 mod capsule;
+mod center;
 mod convex;
 mod corners;
 mod cuboid;
@@ -20,7 +21,6 @@ mod hull;
 mod lines;
 mod list;
 mod normal;
-mod origin;
 mod periodic;
 mod pieces;
 mod polygon;

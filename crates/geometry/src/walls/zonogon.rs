@@ -1,5 +1,5 @@
 //! Centrally symmetric convex polygons: parallelogram, hexagon, every regular polygon with an even number of sides.
-use super::{CORNER, WallHit, Walls, normal::most_unit, origin::Origin, sooner};
+use super::{CORNER, WallHit, Walls, center::Center, normal::most_unit, sooner};
 use crate::{Error, plane::slack, shapes::Segment};
 use lanes::{Lane, Mask, dot};
 
@@ -23,7 +23,7 @@ struct Pair {
 /// Only one side of each pair can be hit, the one that the particle moves towards: half the work of a general polygon.
 #[derive(Clone, Debug)]
 pub struct Zonogon<const K: usize> {
-    center: Origin<2>,
+    center: Center<2>,
     /// Within the square root of this of the centre there are no corners: one comparison tells of most points that they are none.
     clear: f64,
     pairs: [Pair; K],
@@ -83,7 +83,7 @@ impl<const K: usize> Zonogon<K> {
                 pieces: [numbers[i] as f64, numbers[i + K] as f64],
             }
         });
-        Ok(Zonogon { center: Origin::new(center), clear, pairs })
+        Ok(Zonogon { center: Center::new(center), clear, pairs })
     }
 }
 
