@@ -1,5 +1,6 @@
 //! Many lanes: the vector registers of the CPU, through `pulp`.
 use crate::{Kernel, Lane, Mask, Task};
+use core::any::Any;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
 
@@ -171,7 +172,7 @@ impl<S: Simd> Mask<Wide<S>> for WideMask<S> {
     }
     #[inline(always)]
     fn any(self) -> bool {
-        self.simd.first_true_m64s(self.value) < S::F64_LANES
+        self.bits() != 0
     }
     #[inline(always)]
     fn at(self, lane: usize) -> bool {
@@ -181,6 +182,11 @@ impl<S: Simd> Mask<Wide<S>> for WideMask<S> {
     }
     #[inline(always)]
     fn bits(self) -> u64 {
+        // one instruction, where lane after lane would take three each
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V3>() {
+            return u64::from(avx2.avx._mm256_movemask_pd(pulp::bytemuck::cast(self.value)).cast_unsigned());
+        }
         // a truth value is a bit, or a whole number of ones or of zeros
         if const { size_of::<S::m64s>() == size_of::<S::u64s>() } {
             let lanes = pulp::bytemuck::cast::<S::m64s, S::u64s>(self.value);
