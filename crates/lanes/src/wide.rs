@@ -1,18 +1,30 @@
 //! Many lanes: the vector registers of the CPU, through `pulp`.
 use crate::{Kernel, Lane, Mask, Task};
 use core::any::Any;
+use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
 
-/// As many numbers as a vector register of the instruction set `S` holds.
+/// As many numbers as a vector register of the instruction set `S` holds, aligned like `A`.
 ///
-/// Aligned to a line of the cache: a register that is kept in two lines takes twice as long to read and to write.
+/// Aligned to their size, they are never kept in two lines of the cache, which takes twice as long to read and to write; and nothing
+/// stands between them that would be copied with them.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub struct Wide<S: Simd> {
+pub struct Wide<S: Simd, A> {
     simd: S,
+    _aligned: [A; 0],
     value: S::f64s,
 }
+
+/// Aligned like registers of 512 bits: to a line of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Line;
+
+/// Aligned like registers of 256 bits or fewer.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct HalfLine;
 
 /// As many truth values as [`Wide`] has numbers.
 #[derive(Clone, Copy, Debug)]
@@ -21,16 +33,20 @@ pub struct WideMask<S: Simd> {
     value: S::m64s,
 }
 
-impl<S: Simd> Wide<S> {
+impl<S: Simd, A: Copy> Wide<S, A> {
+    #[inline(always)]
+    fn zero(simd: S) -> Self {
+        Wide { simd, _aligned: [], value: simd.splat_f64s(0.0) }
+    }
     #[inline(always)]
     fn of(self, value: S::f64s) -> Self {
-        Wide { simd: self.simd, value }
+        Wide { value, ..self }
     }
 }
 
 macro_rules! binary {
     ($($trait:ident $method:ident $op:ident),*) => { $(
-        impl<S: Simd> $trait for Wide<S> {
+        impl<S: Simd, A: Copy> $trait for Wide<S, A> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
@@ -43,7 +59,7 @@ binary!(Add add add_f64s, Sub sub sub_f64s, Mul mul mul_f64s, Div div div_f64s);
 
 macro_rules! binary_with_constant {
     ($($trait:ident $method:ident),*) => { $(
-        impl<S: Simd> $trait<f64> for Wide<S> {
+        impl<S: Simd, A: Copy + Debug> $trait<f64> for Wide<S, A> {
             type Output = Self;
             #[inline(always)]
             fn $method(self, other: f64) -> Self {
@@ -54,7 +70,7 @@ macro_rules! binary_with_constant {
 }
 binary_with_constant!(Add add, Sub sub, Mul mul);
 
-impl<S: Simd> Neg for Wide<S> {
+impl<S: Simd, A: Copy> Neg for Wide<S, A> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -62,7 +78,7 @@ impl<S: Simd> Neg for Wide<S> {
     }
 }
 
-impl<S: Simd> Lane for Wide<S> {
+impl<S: Simd, A: Copy + Debug> Lane for Wide<S, A> {
     type Mask = WideMask<S>;
     const LANES: usize = S::F64_LANES;
     #[inline(always)]
@@ -143,6 +159,26 @@ impl<S: Simd> Lane for Wide<S> {
     }
 }
 
+impl<S: Simd> WideMask<S> {
+    /// The lanes as bits, the first one lowest.
+    #[inline(always)]
+    fn to_bits(self) -> u64 {
+        // one instruction, where lane after lane would take three each
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V3>() {
+            return u64::from(avx2.avx._mm256_movemask_pd(pulp::bytemuck::cast(self.value)).cast_unsigned());
+        }
+        // a truth value is a bit, or a whole number of ones or of zeros
+        if const { size_of::<S::m64s>() == size_of::<S::u64s>() } {
+            let lanes = pulp::bytemuck::cast::<S::m64s, S::u64s>(self.value);
+            let lanes = pulp::bytemuck::cast_slice::<S::u64s, u64>(core::slice::from_ref(&lanes));
+            lanes.iter().enumerate().fold(0, |all, (k, lane)| all | (lane & (1 << k)))
+        } else {
+            u64::from(pulp::bytemuck::cast::<S::m64s, u8>(self.value))
+        }
+    }
+}
+
 impl<S: Simd> BitAnd for WideMask<S> {
     type Output = Self;
     #[inline(always)]
@@ -165,36 +201,22 @@ impl<S: Simd> Not for WideMask<S> {
     }
 }
 
-impl<S: Simd> Mask<Wide<S>> for WideMask<S> {
+impl<S: Simd, A: Copy + Debug> Mask<Wide<S, A>> for WideMask<S> {
     #[inline(always)]
-    fn select(self, yes: Wide<S>, no: Wide<S>) -> Wide<S> {
+    fn select(self, yes: Wide<S, A>, no: Wide<S, A>) -> Wide<S, A> {
         yes.of(self.simd.select_f64s(self.value, yes.value, no.value))
     }
     #[inline(always)]
     fn any(self) -> bool {
-        self.bits() != 0
+        self.to_bits() != 0
     }
     #[inline(always)]
     fn at(self, lane: usize) -> bool {
-        let s = self.simd;
-        let ones = Wide { simd: s, value: s.splat_f64s(1.0) };
-        self.select(ones, ones.same(0.0)).lane(lane) != 0.0
+        self.to_bits() >> lane & 1 == 1
     }
     #[inline(always)]
     fn bits(self) -> u64 {
-        // one instruction, where lane after lane would take three each
-        #[cfg(target_arch = "x86_64")]
-        if let Some(avx2) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V3>() {
-            return u64::from(avx2.avx._mm256_movemask_pd(pulp::bytemuck::cast(self.value)).cast_unsigned());
-        }
-        // a truth value is a bit, or a whole number of ones or of zeros
-        if const { size_of::<S::m64s>() == size_of::<S::u64s>() } {
-            let lanes = pulp::bytemuck::cast::<S::m64s, S::u64s>(self.value);
-            let lanes = pulp::bytemuck::cast_slice::<S::u64s, u64>(core::slice::from_ref(&lanes));
-            lanes.iter().enumerate().fold(0, |all, (k, lane)| all | (lane & (1 << k)))
-        } else {
-            u64::from(pulp::bytemuck::cast::<S::m64s, u8>(self.value))
-        }
+        self.to_bits()
     }
 }
 
@@ -205,7 +227,11 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
         type Output = K::Output;
         #[inline(always)]
         fn with_simd<S: Simd>(self, simd: S) -> K::Output {
-            self.0.run(Wide { simd, value: simd.splat_f64s(0.0) })
+            if const { size_of::<S::f64s>() > size_of::<[f64; 4]>() } {
+                self.0.run(Wide::<S, Line>::zero(simd))
+            } else {
+                self.0.run(Wide::<S, HalfLine>::zero(simd))
+            }
         }
     }
     Arch::new().dispatch(Run(kernel))
@@ -308,8 +334,8 @@ mod tests {
         Twice.run(0.0);
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = pulp::x86::V3::try_new() {
-            Holds.run(Wide { simd: avx2, value: avx2.splat_f64s(0.0) });
+            Holds.run(Wide::<_, HalfLine>::zero(avx2));
         }
-        Holds.run(Wide { simd: pulp::Scalar, value: 0.0 });
+        Holds.run(Wide::<_, HalfLine>::zero(pulp::Scalar));
     }
 }
