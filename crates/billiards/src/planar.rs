@@ -114,8 +114,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
 fn way_home(table: &Table, position: &[f64; 2]) -> Option<WallHit<f64, 2>> {
     let (cell, position) = (table.cell()?, Vector2::from(*position));
     // a hit on an edge may lie beyond it by a rounding, and goes on from there
-    let strays = !cell.is_unit_cell() && !cell.holds(&position);
-    strays.then(|| WallHit { time: 0.0, ..WallHit::never(cell.home(&position).0.into()) })
+    (!cell.holds(&position)).then(|| WallHit { time: 0.0, ..WallHit::never(cell.home(&position).0.into()) })
 }
 
 struct ManyOn<'a, L, K, T, O> {

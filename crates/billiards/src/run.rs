@@ -35,7 +35,8 @@ impl<T> Limit<T> for Collisions {
 impl<T: Timed> Limit<T> for Time {
     #[inline(always)]
     fn is_beyond(&self, _: u64, track: &T, flight: f64) -> bool {
-        track.time() + flight > self.0
+        // NaN is over at once
+        !(track.time() + flight <= self.0)
     }
 }
 

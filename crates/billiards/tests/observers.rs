@@ -1,7 +1,7 @@
 //! What the observers see, against closed forms.
 use billiards::{
     Angle, Canonical, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit, Planar, Starts,
-    Stop,
+    Stop, Time,
     laws::{Disk, Specular},
     observe::{
         Density, EnergyDrift, FirstReturn, FreePath, Invariant, Nearest, Period, PlanarRow, Record, ReducedPortrait,
@@ -404,4 +404,12 @@ fn a_path_from_beyond_a_wall_by_rounding_comes_no_nearer_to_a_point_than_it_is()
     let mut nearest = Nearest::to([1.5, 0.5], &orbit);
     square.run(&mut orbit, &Collisions(1), &mut nearest);
     assert!((nearest.distance() - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn a_time_that_is_no_number_is_over_at_once() {
+    let billiard = Planar { table: tables::square(1.0).unwrap(), law: Disk::new(&NoSlip, 0.7) };
+    let mut orbit: Orbit<f64, 2, 1, (), Clock> = Orbit::new([0.5, 0.5], [0.6, 0.8], [0.0], Clock::new(0.0));
+    let outcome = billiard.run(&mut orbit, &Time(f64::NAN), &mut ());
+    assert_eq!((outcome.stop, outcome.collisions), (Stop::Finished, 0));
 }

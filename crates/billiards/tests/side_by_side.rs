@@ -426,8 +426,8 @@ type Tracks = (Clock, (Angle, Cell));
 
 #[test]
 fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
-    let torus = |second: [f64; 2]| {
-        let disk = Circle::new(Vector2::zeros(), 0.25, false).unwrap();
+    let torus = |center: f64, second: [f64; 2]| {
+        let disk = Circle::new(Vector2::new(center, center), 0.25, false).unwrap();
         let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), second.into()]).unwrap();
         let table = Table::periodic(vec![Box::new(disk)], Some(lattice.clone())).unwrap();
         (Planar { table, law: Disk::new(&NoSlip, 0.7) }, Arc::new(lattice))
@@ -443,21 +443,26 @@ fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
         let lifted = Vector2::from(o.position) + lattice.translation(cell.cell) - Vector2::from(place);
         (o.velocity, o.spin, time.time(), angle.angle(), lifted.map(|x| (x * 1e9).round()))
     };
-    let (upright, lattice) = torus([0.0, 1.0]);
-    let mut first = orbit([0.0; 2], &lattice);
-    upright.run(&mut first, &Collisions(30), &mut ());
-    let first = known(&first, &lattice, [0.0; 2]);
-    for (billiard, lattice) in [torus([0.0, 1.0]), torus([20.0, 1.0])] {
-        for place in places {
-            let mut alone = orbit(place, &lattice);
-            billiard.run(&mut alone, &Collisions(30), &mut ());
-            assert_eq!(known(&alone, &lattice, place), first, "{place:?}");
+    // about a disk in the middle of its cell paths are followed in the unit cell
+    for center in [0.0, 0.5] {
+        let from = |place: [f64; 2]| place.map(|x| x + center);
+        let (upright, lattice) = torus(center, [0.0, 1.0]);
+        assert_eq!(upright.table.cell().unwrap().is_unit_cell(), center == 0.5);
+        let mut first = orbit(from([0.0; 2]), &lattice);
+        upright.run(&mut first, &Collisions(30), &mut ());
+        let first = known(&first, &lattice, from([0.0; 2]));
+        for (billiard, lattice) in [torus(center, [0.0, 1.0]), torus(center, [20.0, 1.0])] {
+            for place in places {
+                let mut alone = orbit(from(place), &lattice);
+                billiard.run(&mut alone, &Collisions(30), &mut ());
+                assert_eq!(known(&alone, &lattice, from(place)), first, "{center} {place:?}");
+            }
+            let mut starts = places.iter().map(|place| orbit(from(*place), &lattice));
+            billiard.run_side_by_side(&mut starts, 30, &mut (), &mut |ended| {
+                let place = places[usize::try_from(ended.index).unwrap()];
+                assert_eq!(known(&ended.orbit, &lattice, from(place)), first, "{center} {place:?}");
+            });
         }
-        let mut starts = places.iter().map(|place| orbit(*place, &lattice));
-        billiard.run_side_by_side(&mut starts, 30, &mut (), &mut |ended| {
-            let place = places[usize::try_from(ended.index).unwrap()];
-            assert_eq!(known(&ended.orbit, &lattice, place), first, "{place:?}");
-        });
     }
 }
 
