@@ -34,6 +34,12 @@ impl<const N: usize> Extent<N> {
         is_finite(&self.min) && is_finite(&self.max)
     }
 
+    /// A point on the same side of all that lies in the box, and along no axis farther from it than it is long, if it is.
+    pub(crate) fn beside(&self, point: &SVector<f64, N>) -> SVector<f64, N> {
+        let size = (self.max - self.min).map(|length| if length > 0.0 { length } else { f64::INFINITY });
+        point.sup(&(self.min - size)).inf(&(self.max + size))
+    }
+
     /// Distance of a point from the box, 0 inside.
     pub(crate) fn distance(&self, point: &SVector<f64, N>) -> f64 {
         let gap = |i: usize| (self.min[i] - point[i]).max(point[i] - self.max[i]).max(0.0);

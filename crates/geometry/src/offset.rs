@@ -89,12 +89,7 @@ impl Table {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
-        // on a flat torus a copy of any point lies within half the sum of two shortest vectors, and so does a wall
-        let fills_cells = self.shortest().is_some_and(|lattice| match lattice.vectors() {
-            [a, b] => radius > 0.5 * (a.norm() + b.norm()),
-            _ => false,
-        });
-        let loops = if fills_cells {
+        let loops = if self.is_less_than(radius) {
             vec![]
         } else {
             let loops = Arrangement::new(self, radius, raw::raw(self, radius)?).loops();
@@ -110,6 +105,18 @@ impl Table {
         }
         let table = Table::periodic(pieces, self.lattice().cloned())?;
         Ok(Offset { table: if self.unbounded { table.unbounded() } else { table }, origins })
+    }
+
+    /// Whether no disk of this radius fits for sure. (One that all but fits is left to the parallels of the pieces; of those far beyond the
+    /// table each crosses each.)
+    fn is_less_than(&self, radius: f64) -> bool {
+        if let Some(lattice) = self.shortest() {
+            // on a flat torus a copy of any point lies within half the sum of two shortest vectors, and so does a wall
+            return matches!(lattice.vectors(), [a, b] if radius > 0.5 * (a.norm() + b.norm()));
+        }
+        let extent = self.extent();
+        let size = extent.max - extent.min;
+        extent.is_finite() && radius > size.min() && !self.contains(&(extent.max + size))
     }
 
     /// What is undecided at a kink within a piece is so for every radius.

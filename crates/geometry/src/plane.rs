@@ -1,4 +1,5 @@
 //! Products in the plane, in lanes.
+use crate::Error;
 use lanes::{Double, Lane, two_sum};
 use nalgebra::SVector;
 
@@ -46,6 +47,14 @@ pub(crate) fn key<const N: usize>(point: impl Into<[f64; N]>) -> [u64; N] {
 /// Whether all coordinates are finite.
 pub(crate) fn is_finite<const N: usize>(point: &SVector<f64, N>) -> bool {
     point.iter().all(|x| x.is_finite())
+}
+
+/// Refuses a point with a coordinate that is not finite, by the name that it has.
+pub(crate) fn finite<const N: usize>(name: &'static str, point: &SVector<f64, N>) -> Result<(), Error> {
+    match point.iter().find(|x| !x.is_finite()) {
+        Some(&value) => Err(Error::Parameter { name, must: "finite", value }),
+        None => Ok(()),
+    }
 }
 
 /// The unit vector from `a` to `b`, each component right to its last digit, and the distance; `None` where there is no direction.

@@ -351,12 +351,20 @@ impl Table {
         let (_, landing) = self.closest(point);
         let d = point - landing.point;
         let distance = libm::hypot(d.x, d.y);
-        if d.dot(&landing.normal) < 0.0 { -distance } else { distance }
+        // from 10¹² sizes away all walls are at the same distance but for rounding, and on the same side as from nearer by
+        let near = if self.cell().is_none() { self.extent().beside(point) } else { *point };
+        let outside = if near == *point {
+            d.dot(&landing.normal) < 0.0
+        } else {
+            let (_, landing) = self.closest(&near);
+            (near - landing.point).dot(&landing.normal) < 0.0
+        };
+        if outside { -distance } else { distance }
     }
 
     /// Whether a point lies in the table, off the boundary.
     pub fn contains(&self, point: &Vector2<f64>) -> bool {
-        self.signed_distance(point) > 0.0
+        is_finite(point) && self.signed_distance(point) > 0.0
     }
 
     /// Arc length of the start of each piece, all pieces laid end to end in the order of their numbers.

@@ -4,8 +4,9 @@
 use core::f64::consts::PI;
 use geometry::{
     Error, Figure, Landing, Lattice, Line, Piece, SVector, Table, Vector2, Walls, WithWalls,
-    shapes::Circle,
+    shapes::{Circle, Ellipse, FullLine, Ray},
     tables::{self, Build, Kind, Value, Values},
+    walls,
 };
 use serde_json::Value as Json;
 
@@ -436,5 +437,62 @@ fn the_sides_of_regular_polygons_have_the_directions_of_the_figure_however_short
             let hit = table.with_walls(NormalOf(Line { point: Vector2::zeros(), velocity: outward }));
             assert!((hit + outward).amax() <= near, "{n} {k}: {hit:?}");
         }
+    }
+}
+
+#[test]
+fn no_point_is_so_far_outside_that_it_seems_to_lie_inside() {
+    let all = [
+        tables::square(1.0).unwrap(),
+        tables::hexagon(1.0).unwrap(),
+        tables::equilateral(1.0).unwrap(),
+        tables::stadium(1.0, 1.0).unwrap(),
+        tables::sinai(1.0, 0.25).unwrap(),
+        tables::mushroom(1.0, 0.5, 0.75).unwrap(),
+        tables::strip(1.0).unwrap(),
+    ];
+    for table in &all {
+        for far in [1e11, 1e12, 1e13, 1e16, 1e100, 1e150] {
+            for (x, y) in [(0.5, far), (0.5, -far), (-0.3 * far, far), (far, -far)] {
+                let at = Vector2::new(x, y);
+                assert!(!table.contains(&at), "{table:?} {at}");
+                let distance = table.signed_distance(&at);
+                assert!(distance < -0.9 * far, "{table:?} {at}: {distance}");
+            }
+        }
+        assert!(!table.contains(&Vector2::new(0.3, f64::NAN)) && !table.contains(&Vector2::new(0.5, f64::INFINITY)));
+    }
+    let outside = Table::new(vec![Box::new(Circle::new(Vector2::zeros(), 1.0, false).unwrap())]).unwrap();
+    assert!(outside.contains(&Vector2::new(1e13, 1e14)));
+    let plane = Table::new(vec![Box::new(FullLine::new(Vector2::zeros(), Vector2::x()).unwrap())]).unwrap();
+    assert!(plane.contains(&Vector2::new(1.0, 1e15)) && !plane.contains(&Vector2::new(1.0, -1e15)));
+}
+
+#[test]
+fn in_space_too_what_is_no_place_is_not_in_the_table() {
+    for table in [tables::slab(1.0), tables::cuboid([1.0; 3]), tables::ball(1.0)] {
+        let table = table.unwrap();
+        assert!(table.contains(&[0.25; 3].into()));
+        for nowhere in [[f64::NAN, 0.25, 0.25], [0.25, f64::INFINITY, 0.25], [0.25, 0.25, f64::NEG_INFINITY]] {
+            assert!(!table.contains(&nowhere.into()), "{nowhere:?}");
+        }
+    }
+}
+
+#[test]
+fn nothing_is_built_about_a_center_that_is_no_place() {
+    for at in [Vector2::new(f64::NAN, 0.0), Vector2::new(0.0, f64::INFINITY)] {
+        let refused = |error: Option<Error>| match error {
+            Some(Error::Parameter { must: "finite", .. }) => {}
+            other => panic!("{at}: {other:?}"),
+        };
+        refused(Circle::new(at, 1.0, true).err());
+        refused(FullLine::new(at, Vector2::x()).err());
+        refused(Ray::new(at, Vector2::x(), true).err());
+        refused(Ellipse::new(at, [1.0, 2.0], 0.0, true).err());
+        refused(walls::Sphere::new(at, 1.0, 0).err());
+        refused(walls::Scatterer::new(at, 1.0, 0).err());
+        refused(walls::Scatterers::new([(at, 1.0, 0)]).err());
+        refused(walls::Capsule::new(at, 1.0, 1.0, [0; 4]).err());
     }
 }

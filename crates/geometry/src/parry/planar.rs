@@ -7,7 +7,7 @@ use super::{
     screen::Screen,
     union,
 };
-use crate::{Error, Piece};
+use crate::{Error, Piece, plane::finite};
 use nalgebra::Isometry2;
 use parry2d_f64::shape::{Shape, TypedShape};
 
@@ -34,8 +34,9 @@ use parry2d_f64::shape::{Shape, TypedShape};
 ///
 /// # Errors
 /// [`Error::Shape`] for the inside of a shape that has none and for a compound with members that have no exact
-/// outline and overlap others; otherwise as the constructors of the pieces.
+/// outline and overlap others, [`Error::Parameter`] for a translation that is not finite; otherwise as the constructors of the pieces.
 pub fn pieces(shape: &dyn Shape, pose: &Isometry2<f64>, side: Side) -> Result<Vec<Box<dyn Piece>>, Error> {
+    finite("translation", &pose.translation.vector)?;
     let frame = Frame::from(pose);
     let mut members = vec![];
     flatten(shape, &frame, &mut members);

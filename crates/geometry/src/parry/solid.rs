@@ -15,7 +15,10 @@ use super::{
     mesh::Mesh,
     polytope::Polytope,
 };
-use crate::{Boundary, Error, Hit, Line, plane::slack};
+use crate::{
+    Boundary, Error, Hit, Line,
+    plane::{finite, is_finite, slack},
+};
 use convex::Convex;
 pub(in crate::parry) use convex::Figure;
 use field::Spatial;
@@ -83,8 +86,9 @@ impl Solid {
     /// # Errors
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), meshes
     /// that are not oriented, and the inside of a compound with members that are not convex;
-    /// [`Error::Parameter`] for sizes that are not positive and finite.
+    /// [`Error::Parameter`] for sizes that are not positive and finite, or a translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
+        finite("translation", &pose.translation.vector)?;
         Solid::placed(shape, &Frame::from(pose), side)
     }
 
@@ -183,7 +187,7 @@ impl Solid {
 
     /// Whether a point lies in the table, off the boundary.
     pub fn contains(&self, point: &Vector3<f64>) -> bool {
-        self.distance(point) > 0.0
+        is_finite(point) && self.distance(point) > 0.0
     }
 
     /// A box around the boundary: least and greatest coordinates, infinite for a half-space.

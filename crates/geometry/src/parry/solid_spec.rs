@@ -210,8 +210,9 @@ fn wrong(field: &str, must: &'static str) -> Error {
     Error::Field { field: field.into(), must }
 }
 
+/// A length must be positive, and with others still a number.
 fn positive(field: &str, value: f64) -> Result<f64, Error> {
-    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(wrong(field, "positive and finite")) }
+    if value > 0.0 && value < 1e300 { Ok(value) } else { Err(wrong(field, "positive and less than 1e300")) }
 }
 
 fn finite(field: &str, value: &[f64; 3]) -> Result<(), Error> {
@@ -254,7 +255,7 @@ mod tests {
     #[test]
     fn a_wrong_field_is_named() {
         let error = SolidSpec::Cone { radius: 1.0, height: 0.0, rounding: 0.0 }.solid([0.0; 3], Side::Inside);
-        assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "positive and finite" });
+        assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "positive and less than 1e300" });
         let flat = SolidSpec::ConvexHull { points: vec![[0.0; 3]; 3], rounding: 0.0 };
         assert!(flat.solid([0.0; 3], Side::Inside).is_err());
     }

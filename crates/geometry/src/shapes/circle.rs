@@ -5,7 +5,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{along, cross, dot, from, moved, slack},
+    plane::{along, cross, dot, finite, from, moved, slack},
     shapes::{Ground, Shape},
 };
 use core::f64::consts::PI;
@@ -48,8 +48,9 @@ impl Circle {
     /// The circle with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::Radius`] unless the radius is positive and finite.
+    /// [`Error::Radius`] unless the radius is positive and finite, [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: Vector2<f64>, radius: f64, inside: bool) -> Result<Circle, Error> {
+        finite("center", &center)?;
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }

@@ -7,12 +7,12 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{dot, from, moved, slack},
+    plane::{dot, finite, from, moved, slack},
     shapes::{Circle, Shape, curve::rising_root_near, elliptic_integral::second_kind},
 };
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 use lanes::Lane;
-use nalgebra::Vector2;
+use nalgebra::{Vector1, Vector2};
 
 /// The ellipse `|A (x − c)| = 1` with `A = diag(1/a, 1/b) R(−angle)`.
 ///
@@ -50,11 +50,8 @@ impl Ellipse {
         if let Some(&radius) = semi_axes.iter().find(|&&r| !(r > 0.0 && r.is_finite())) {
             return Err(Error::Radius { radius });
         }
-        for (name, value) in [("angle", angle), ("center", center.x), ("center", center.y)] {
-            if !value.is_finite() {
-                return Err(Error::Parameter { name, must: "finite", value });
-            }
-        }
+        finite("angle", &Vector1::new(angle))?;
+        finite("center", &center)?;
         let [a, b] = semi_axes;
         let axis = [libm::cos(angle), libm::sin(angle)];
         let (e1, e2) = (axis, [-axis[1], axis[0]]);

@@ -22,8 +22,9 @@ impl FullLine {
     /// The line through a point along `direction`, which need not have length 1.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] if `direction` is zero.
+    /// [`Error::ZeroLength`] if `direction` is zero, [`Error::Parameter`] for a point that is not finite.
     pub fn new(through: Vector2<f64>, direction: Vector2<f64>) -> Result<FullLine, Error> {
+        plane::finite("through", &through)?;
         let ([along_x, along_y], _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
         let normal = [-along_y, along_x];
         Ok(FullLine { through: through.into(), normal, behind: Behind::of(slack([through.x, through.y])) })

@@ -24,8 +24,9 @@ impl Ray {
     /// The ray from a point along `direction`, which need not have length 1; `left`: the table lies on its left.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] if `direction` is zero.
+    /// [`Error::ZeroLength`] if `direction` is zero, [`Error::Parameter`] for a point that is not finite.
     pub fn new(from: Vector2<f64>, direction: Vector2<f64>, left: bool) -> Result<Ray, Error> {
+        plane::finite("from", &from)?;
         let (direction, _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
         Ok(Ray {
             from: from.into(),

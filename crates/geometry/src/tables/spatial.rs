@@ -3,7 +3,7 @@ use super::{ball, cuboid, slab};
 use crate::{
     Error,
     parry::{Side, SolidSpec},
-    plane::slack,
+    plane::{is_finite, slack},
     surface::{Surface, direction},
     walls::{Cuboid, Slab, Sphere, WithWalls},
 };
@@ -118,7 +118,7 @@ impl SpatialTable {
 
     /// Whether a point lies in the table, off the boundary.
     pub fn contains(&self, point: &Vector3<f64>) -> bool {
-        self.signed_distance(point) > 0.0
+        is_finite(point) && self.signed_distance(point) > 0.0
     }
 
     /// Its walls as seen from a point \[L\].

@@ -1,6 +1,6 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
 use super::{WallHit, Walls, center::Center};
-use crate::Error;
+use crate::{Error, plane::finite};
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
 
@@ -23,8 +23,9 @@ impl Capsule {
     /// The stadium about `center`; pieces: lower side, right cap, upper side, left cap.
     ///
     /// # Errors
-    /// [`Error::Parameter`] or [`Error::Radius`] for sizes that are not positive and finite.
+    /// [`Error::Parameter`] or [`Error::Radius`] for sizes that are not positive and finite, or a centre that is not finite.
     pub fn new(center: Vector2<f64>, half_length: f64, radius: f64, pieces: [usize; 4]) -> Result<Self, Error> {
+        finite("center", &center)?;
         if !(half_length > 0.0 && half_length.is_finite()) {
             return Err(Error::Parameter { name: "half_length", must: "positive and finite", value: half_length });
         }

@@ -1,6 +1,6 @@
 //! The inside of a cylinder with flat ends.
 use super::{CORNER, WallHit, Walls, sooner};
-use crate::{Error, plane::is_finite};
+use crate::{Error, plane::finite};
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
 
@@ -24,7 +24,7 @@ impl Cylinder {
     /// The cylinder about `center` \[L\] along a unit vector, with a positive radius \[L\] and height `2 h` \[L\].
     ///
     /// # Errors
-    /// [`Error::Radius`] or [`Error::Parameter`] unless radius and half the height are positive and finite, [`Error::ZeroLength`] for
+    /// [`Error::Radius`] or [`Error::Parameter`] unless radius and half the height are positive and finite and the centre finite, [`Error::ZeroLength`] for
     /// an axis whose length is not 1 within 8 ulp.
     pub fn new(
         center: Vector3<f64>,
@@ -33,10 +33,11 @@ impl Cylinder {
         half_height: f64,
         piece: usize,
     ) -> Result<Self, Error> {
+        finite("center", &center)?;
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
-        if !(half_height > 0.0 && half_height.is_finite() && is_finite(&center)) {
+        if !(half_height > 0.0 && half_height.is_finite()) {
             return Err(Error::Parameter { name: "height", must: "positive and finite", value: 2.0 * half_height });
         }
         if !((axis.norm_squared() - 1.0).abs() <= 8.0 * f64::EPSILON) {

@@ -1,6 +1,9 @@
 //! The outside of a sphere: a scatterer.
 use super::{WallHit, Walls};
-use crate::{Error, plane::slack};
+use crate::{
+    Error,
+    plane::{finite, slack},
+};
 use lanes::{Double, Lane, Mask, dot};
 use nalgebra::SVector;
 
@@ -40,8 +43,9 @@ impl<const N: usize> Scatterer<N> {
     /// The scatterer about `center` \[L\] with a positive radius \[L\].
     ///
     /// # Errors
-    /// [`Error::Radius`] unless the radius is positive and finite.
+    /// [`Error::Radius`] unless the radius is positive and finite, [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
+        finite("center", &center)?;
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }

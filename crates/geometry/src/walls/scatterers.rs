@@ -18,7 +18,7 @@ impl<const N: usize> Scatterers<N> {
     /// them go on by the normal of one of them.
     ///
     /// # Errors
-    /// [`Error::Radius`] unless all radii are positive and finite.
+    /// [`Error::Radius`] unless all radii are positive and finite, [`Error::Parameter`] for a centre that is not finite.
     pub fn new(balls: impl IntoIterator<Item = (SVector<f64, N>, f64, usize)>) -> Result<Self, Error> {
         let (mut scatterers, mut boxes) = (vec![], vec![]);
         for (center, radius, piece) in balls {

@@ -477,3 +477,18 @@ fn disks_move_along_walls_that_are_all_but_straight_at_a_convex_corner() {
         }
     }
 }
+
+#[test]
+fn a_disk_far_larger_than_the_table_is_told_at_once_that_nothing_is_left() {
+    // each of fifty parallels, a million times as long as the table, crosses all others
+    let polygon = tables::perturbed_polygon(50, 1.0, 0.05).unwrap();
+    let largest = polygon.largest_disk().radius;
+    for radius in [1e6, 1e10, 1e100] {
+        assert_eq!(polygon.offset(radius).unwrap_err(), Error::NothingLeft { radius, largest });
+    }
+    // around the outside of a wall, or above one, is room for any disk
+    let around = Table::new(vec![Box::new(Circle::new(v(0.0, 0.0), 1.0, false).unwrap())]).unwrap().unbounded();
+    assert!(around.offset(1e6).is_ok());
+    let above = Table::new(vec![Box::new(FullLine::new(v(0.0, 0.0), v(1.0, 0.0)).unwrap())]).unwrap();
+    assert!(above.offset(1e6).is_ok());
+}

@@ -8,7 +8,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::slack,
+    plane::{finite, slack},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::fmt::Debug;
@@ -84,8 +84,9 @@ impl<F: PolarFormula> Polar<F> {
     /// # Errors
     /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
     /// (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′` is not a number, so that the curve has
-    /// no length or no normal, and [`Error::Winding`] for thousands of waves.
+    /// no length or no normal, [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
+        finite("center", &center)?;
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
         let sector = |k: u32| Interval::new(whole(k), whole(k + 1));
         let jets: Vec<_> = (0..SECTORS).map(|k| formula.jet_over(sector(k))).collect();
