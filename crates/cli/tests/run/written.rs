@@ -270,6 +270,18 @@ fn a_run_that_cannot_write_all_its_files_leaves_those_of_an_earlier_one() {
 }
 
 #[test]
+fn the_command_of_a_summary_can_be_given_to_a_shell() {
+    let folder = Folder::new("command");
+    let name = "sp ace'q.toml";
+    fs::write(folder.0.join(name), SQUARE).unwrap();
+    let mut command = Command::cargo_bin("billiards").unwrap();
+    let arguments = ["run", name, "--out", "out", "-n", "2"];
+    assert!(command.current_dir(&folder.0).args(arguments).output().unwrap().status.success());
+    let command = folder.summary("out")["command"].as_str().unwrap().to_owned();
+    assert!(command.ends_with(r" run 'sp ace'\''q.toml' --out out -n 2"), "{command}");
+}
+
+#[test]
 fn a_summary_names_the_files_of_its_run() {
     let folder = Folder::new("files");
     let scene = format!("{CHAOS}\n[output]\npictures = [\"orbit\"]\ncollisions = \"npy\"\n");
