@@ -245,6 +245,15 @@ fn each_mistake_has_status_2_and_its_own_message() {
             "9:11: error: the inertia is not symmetric",
         ),
         (
+            "unsymmetric S",
+            SPATIAL,
+            "inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "S = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "9:5: error: S, the second moments, is not symmetric",
+        ),
+        ("one direction", SPATIAL, "[[1, 0, 0]]", "[1, 0, 0]", "help: write [[1, 0, 0]]"),
+        ("law 3", TOML, "\"no-slip\"", "3", "error: a law is a string or a table, not an integer"),
+        (
             "indefinite",
             SPATIAL,
             "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",

@@ -148,7 +148,6 @@ impl Spatial {
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
         if let Starts::Ensemble(ensemble) = &starts {
-            let wrong = |what: String| vec![scene.source.diagnostic(ensemble.span, what)];
             if ensemble.sample.value == "grid" {
                 let what = "in space, the sample is \"canonical\"";
                 return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
@@ -156,7 +155,7 @@ impl Spatial {
             if let Space::Room(room) = &centres {
                 room.surface().map_err(|error| match error {
                     Error::Vanished if drawn(&walls).surface().is_ok() => vec![room::no_place(scene)],
-                    other => wrong(other.to_string()),
+                    other => vec![start::undrawable(scene, ensemble, &other)],
                 })?;
             }
         }
