@@ -14,6 +14,7 @@ use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
 use super::wires::Wall;
+use super::words::short;
 use crate::document::Diagnostic;
 use crate::scene::{self, Arguments, LawKind, Scene, TableShape};
 
@@ -117,7 +118,11 @@ impl Spatial {
         let (centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let table = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
-                let pieces: Vec<String> = table.pieces().iter().map(|name| (*name).into()).collect();
+                let ends = table.extent()[1] / factor;
+                let sizes = ["size_1", "size_2", "size_3"].into_iter().zip(ends.iter().copied().map(short));
+                let with_sizes =
+                    |name: &&str| sizes.clone().fold(String::from(*name), |name, (of, x)| name.replace(of, &x));
+                let pieces: Vec<String> = table.pieces().iter().map(with_sizes).collect();
                 let laws = vec![None; pieces.len()];
                 let wall = |(spec, center, side)| Wall { spec, center, side }.scaled(1.0 / factor);
                 let walls = table.solids().into_iter().map(wall).collect();
