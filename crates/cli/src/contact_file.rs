@@ -239,6 +239,9 @@ fn motion(item: &Item, n: usize, problems: &mut Problems) -> Option<Motion> {
 }
 
 fn rough(item: &Item, n: usize, problems: &mut Problems) -> Option<LawEntry> {
+    if scene::is_one_direction(item, problems) {
+        return None;
+    }
     let Value::List(items) = &item.value else {
         problems.add(item.span, format!("rough must be an array of directions, found {}", item.value.kind()));
         return None;

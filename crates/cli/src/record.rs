@@ -109,7 +109,7 @@ pub struct RecordFile<'a> {
 }
 
 impl<'a> RecordFile<'a> {
-    /// Starts a record; it appears under its path when it is finished.
+    /// Starts a record; it appears under its path when its file is finished.
     ///
     /// # Errors
     /// The file cannot be made.
@@ -128,17 +128,17 @@ impl<'a> RecordFile<'a> {
         self.file.write_all(formatted)
     }
 
-    /// Completes the file.
+    /// Completes the file, which is to be finished with others.
     ///
     /// # Errors
     /// The file cannot be written.
-    pub fn finish(mut self) -> io::Result<()> {
+    pub fn complete(mut self) -> io::Result<WholeFile> {
         let header = self.format.header(self.columns, self.rows);
         if header != self.format.header(self.columns, 0) {
             self.file.seek(SeekFrom::Start(0))?;
             self.file.write_all(&header)?;
         }
-        self.file.finish()
+        Ok(self.file)
     }
 }
 

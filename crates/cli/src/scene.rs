@@ -17,8 +17,8 @@ mod tables;
 use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value};
 
 pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
-pub(crate) use law::named as read_law;
 pub use law::{LAWS, Law, LawKind, LawModel};
+pub(crate) use law::{is_one_direction, named as read_law};
 pub use output::{Output, RecordFormat};
 pub use parameters::{Argument, Arguments, Default, Kind, Model, Parameter};
 pub use particle::{INERTIAS, Inertia, Particle};
@@ -123,6 +123,7 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
     let limit = run::read(&mut root, request, problems);
     let output = output::read(root.optional("output"), problems);
     root.finish(problems);
+    problems.learn("at the top of the file, before all sections", &["title", "law", "rough"]);
     Some(Scene {
         source: problems.source().clone(),
         title,

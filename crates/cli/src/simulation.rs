@@ -56,7 +56,7 @@ pub(crate) use summary::host;
 pub(crate) use trail::{PlanarTrail, Trail};
 
 use frame::Frame;
-use harvest::{Harvest, Seen, Totals};
+use harvest::{Harvest, Kept, Seen};
 use look::{Flat, Solid};
 use planar::Planar;
 use recorder::Recorder;
@@ -176,9 +176,9 @@ impl Simulation {
     /// # Errors
     /// A file cannot be written.
     pub fn run(&self, folder: &Path, control: &Control) -> io::Result<Done> {
-        let asked = &self.scene.output.pictures;
+        let drawn = &self.scene.output.pictures;
         let pictures: Vec<&Picture> =
-            PICTURES.iter().filter(|known| asked.iter().any(|picture| picture.0 == known.name)).collect();
+            PICTURES.iter().filter(|known| drawn.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
         let limit = self.limit();
         // as they are now, not as they are after hours
@@ -188,7 +188,7 @@ impl Simulation {
             Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1]),
         }
         .map_err(io::Error::other)?;
-        let kept = Kept { folder, needs: &needs, horizons: &horizons };
+        let asked = Asked { folder, needs: &needs, horizons: &horizons };
         // better now than after hours
         let path = folder.join("summary.json");
         WholeFile::probe(&path)?;
@@ -197,31 +197,29 @@ impl Simulation {
                 WholeFile::probe(&folder.join(name))?;
             }
         }
-        let (material, totals, busy) = match &self.body {
-            Body::Plane(planar) => self.in_plane(planar, &kept, control)?,
-            Body::Space(spatial) => self.in_space(spatial, &kept, control)?,
+        let (kept, busy) = match &self.body {
+            Body::Plane(planar) => self.in_plane(planar, &asked, control)?,
+            Body::Space(spatial) => self.in_space(spatial, &asked, control)?,
         };
         let record = self.scene.output.collisions.map(|format| record::path(folder, format));
         let mut files: Vec<PathBuf> = record.into_iter().collect();
-        for file in pictures.iter().flat_map(|picture| (picture.draw)(&material)) {
+        // none of them has its name before all are there: a run that fails or is ended leaves those of an earlier one alone
+        let mut whole = Vec::from_iter(kept.record);
+        for file in pictures.iter().flat_map(|picture| (picture.draw)(&kept.material)) {
             let path = folder.join(file.name);
-            WholeFile::write(&path, &file.content)?;
+            whole.push(WholeFile::with(&path, &file.content)?);
             files.push(path);
         }
         let written = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned())).collect();
         let listed = Files { read: inputs, written };
-        let summary = Summary::new(&self.scene, self.orbits(), &totals, horizons, listed, busy, control.threads);
-        WholeFile::write(&path, summary.json().as_bytes())?;
+        let summary = Summary::new(&self.scene, self.orbits(), &kept.totals, horizons, listed, busy, control.threads);
+        whole.push(WholeFile::with(&path, summary.json().as_bytes())?);
+        WholeFile::finish(whole)?;
         files.insert(0, path);
         Ok(Done { summary, files })
     }
 
-    fn in_plane(
-        &self,
-        planar: &Planar,
-        kept: &Kept<'_>,
-        control: &Control,
-    ) -> io::Result<(Material, Totals, Duration)> {
+    fn in_plane(&self, planar: &Planar, asked: &Asked<'_>, control: &Control) -> io::Result<(Kept, Duration)> {
         let starts = planar.starts().map_err(io::Error::other)?;
         let lattice = planar.centres.lattice().and_then(|lattice| {
             Lattice::new(&lattice.vectors().iter().map(|v| v / planar.drawn.factor).collect::<Vec<_>>()).ok()
@@ -229,7 +227,7 @@ impl Simulation {
         let seen = Flat::new(planar, &*starts);
         let crowded = AtomicBool::new(false);
         let format = self.format(lattice.is_some());
-        let mut harvest = self.harvest(kept, format.as_ref(), lattice, &seen, &crowded)?;
+        let mut harvest = self.harvest(asked, format.as_ref(), lattice, &seen, &crowded)?;
         let work = Work {
             pieces: &planar.pieces,
             frame: planar.frame(),
@@ -245,11 +243,11 @@ impl Simulation {
         })?;
         harvest.clouds.merge(counts);
         let draws_walls = harvest.draws_paths();
-        let (mut material, totals) = harvest.finish()?;
+        let mut kept = harvest.finish()?;
         if draws_walls {
-            self.draw_walls(planar, &mut material);
+            self.draw_walls(planar, &mut kept.material);
         }
-        Ok((material, totals, busy))
+        Ok((kept, busy))
     }
 
     /// Adds to the material of pictures the walls as drawn, and the lines around the region of centres and the unit cell.
@@ -266,17 +264,12 @@ impl Simulation {
         }
     }
 
-    fn in_space(
-        &self,
-        spatial: &Spatial,
-        kept: &Kept<'_>,
-        control: &Control,
-    ) -> io::Result<(Material, Totals, Duration)> {
+    fn in_space(&self, spatial: &Spatial, asked: &Asked<'_>, control: &Control) -> io::Result<(Kept, Duration)> {
         let starts = spatial.starts().map_err(io::Error::other)?;
         let seen = Solid::new(spatial, &*starts);
         let crowded = AtomicBool::new(false);
         let format = self.format(false);
-        let mut harvest = self.harvest(kept, format.as_ref(), None, &seen, &crowded)?;
+        let mut harvest = self.harvest(asked, format.as_ref(), None, &seen, &crowded)?;
         let frame = Frame { shift: spatial.shift.into(), cell: None };
         let work = Work { frame, ..self.work(&harvest, format.as_ref(), control, &crowded) };
         let launch = |orbit| {
@@ -286,11 +279,11 @@ impl Simulation {
         let (busy, _) = spatial
             .with_engine(|engine| run_all(engine, &launch, None, &work, &mut |results| harvest.take(&results)))?;
         let draws_walls = harvest.draws_paths();
-        let (mut material, totals) = harvest.finish()?;
+        let mut kept = harvest.finish()?;
         if draws_walls {
-            seen.draw(&mut material);
+            seen.draw(&mut kept.material);
         }
-        Ok((material, totals, busy))
+        Ok((kept, busy))
     }
 
     /// How the record is written, if one is asked for.
@@ -301,15 +294,15 @@ impl Simulation {
 
     fn harvest<'a>(
         &self,
-        kept: &Kept<'a>,
+        asked: &Asked<'a>,
         format: Option<&'a (Box<dyn record::Format>, Columns)>,
         lattice: Option<Lattice>,
         seen: &'a dyn Seen,
         crowded: &'a AtomicBool,
     ) -> io::Result<Harvest<'a>> {
-        let path = self.scene.output.collisions.map(|format| record::path(kept.folder, format));
+        let path = self.scene.output.collisions.map(|format| record::path(asked.folder, format));
         let record = format.zip(path).map(|((format, columns), path)| RecordFile::create(&path, &**format, *columns));
-        Ok(Harvest::new(record.transpose()?, kept.needs, lattice, self.orbits(), seen, kept.horizons, crowded))
+        Ok(Harvest::new(record.transpose()?, asked.needs, lattice, self.orbits(), seen, asked.horizons, crowded))
     }
 
     /// Most collisions and the longest time of an orbit.
@@ -347,8 +340,8 @@ impl Simulation {
     }
 }
 
-/// What is kept of a run, and where.
-struct Kept<'a> {
+/// What is asked for of a run, and where.
+struct Asked<'a> {
     folder: &'a Path,
     needs: &'a [Needs],
     horizons: &'a Horizons,

@@ -1,7 +1,7 @@
-//! Files that appear whole or not at all.
+//! Files that appear whole or not at all, and together.
 
 use std::ffi::{OsStr, OsString};
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{SyncSender, sync_channel};
@@ -37,9 +37,12 @@ pub fn exit(status: i32) -> ! {
 #[derive(Debug)]
 pub struct WholeFile {
     path: PathBuf,
-    temporary: PathBuf,
-    /// `None` once finished.
+    /// `None` once it has its own name.
+    temporary: Option<PathBuf>,
+    /// `None` once all of it is written.
     file: Option<BufWriter<File>>,
+    /// Keeps the lock, by which others know that somebody writes here, until the file has its own name.
+    locked: File,
     /// Bytes of the portion at hand, and what brings portions to disk if there has been one.
     portion: usize,
     carrier: Option<Carrier>,
@@ -82,9 +85,12 @@ impl WholeFile {
             let what = format!("{} is a folder, not a file", name.display());
             return Err(io::Error::new(io::ErrorKind::IsADirectory, what));
         }
+        sweep(folder, name);
         let (temporary, file) = temporary(folder, name)?;
-        let file = BufWriter::with_capacity(1 << 16, file);
-        Ok(Self { path: path.into(), temporary, file: Some(file), portion: 0, carrier: None })
+        let mut whole =
+            Self { path: path.into(), temporary: Some(temporary), file: None, locked: file, portion: 0, carrier: None };
+        whole.file = Some(BufWriter::with_capacity(1 << 16, whole.locked.try_clone()?));
+        Ok(whole)
     }
 
     /// Tells before the work whether a file can be made there, and leaves nothing behind.
@@ -95,47 +101,89 @@ impl WholeFile {
         Self::create(path).map(drop)
     }
 
-    /// Writes a whole file at once.
+    /// A file with this content, to be finished with others.
     ///
     /// # Errors
     /// It cannot be made or written.
-    pub fn write(path: &Path, content: &[u8]) -> io::Result<()> {
+    pub fn with(path: &Path, content: &[u8]) -> io::Result<Self> {
         let mut file = Self::create(path)?;
         file.write_all(content)?;
-        file.finish()
+        Ok(file)
     }
 
-    /// Brings the file to disk and gives it its name.
+    /// Brings files to disk and then gives them their names, in this order: one that cannot be written leaves nothing of any.
     ///
     /// # Errors
-    /// It cannot be written or renamed.
-    pub fn finish(mut self) -> io::Result<()> {
-        if let Some(file) = self.file.take() {
-            let written = file.into_inner().map_err(io::IntoInnerError::into_error);
-            let carried = self.carrier.take().map_or(Ok(()), Carrier::finish);
-            let written = written.and_then(|file| carried.and_then(|()| file.sync_all()));
-            let done = written.and_then(|()| fs::rename(&self.temporary, &self.path));
-            if done.is_err() {
-                // The write's own error says more than that of cleaning up after it.
-                let _ = fs::remove_file(&self.temporary);
-            }
-            self.forget();
-            done?;
+    /// One cannot be written or renamed.
+    pub fn finish(mut files: Vec<Self>) -> io::Result<()> {
+        files.iter_mut().try_for_each(Self::settle)?;
+        // held to the end: the program is not ended between two names
+        let mut temporary = temporary_files();
+        let named = files.iter_mut().try_for_each(|file| file.rename(&mut temporary));
+        // what has no name is dropped, which takes it off the list
+        drop(temporary);
+        named
+    }
+
+    /// Brings the file to disk.
+    fn settle(&mut self) -> io::Result<()> {
+        let Some(file) = self.file.take() else { return Ok(()) };
+        let written = file.into_inner().map_err(io::IntoInnerError::into_error);
+        let carried = self.carrier.take().map_or(Ok(()), Carrier::finish);
+        written.and_then(|file| carried.and_then(|()| file.sync_all()))
+    }
+
+    /// Gives the file its own name, under which it is no temporary one any more.
+    fn rename(&mut self, files: &mut Vec<PathBuf>) -> io::Result<()> {
+        if let Some(temporary) = &self.temporary {
+            fs::rename(temporary, &self.path)?;
+            forget(files, temporary);
+            self.temporary = None;
         }
         Ok(())
     }
 
-    /// Takes the temporary file off the list: it is gone.
-    fn forget(&self) {
-        let mut files = temporary_files();
-        // only one: where it has its own name by now, another file may already be begun under this one
-        if let Some(at) = files.iter().position(|file| *file == self.temporary) {
-            files.swap_remove(at);
-        }
-    }
-
     fn inner(&mut self) -> io::Result<&mut BufWriter<File>> {
         self.file.as_mut().ok_or_else(|| io::Error::other("the file is finished"))
+    }
+}
+
+/// Takes a temporary file off the list: it is gone.
+fn forget(files: &mut Vec<PathBuf>, temporary: &Path) {
+    // only one: where it has its own name by now, another file may already be begun under this one
+    if let Some(at) = files.iter().position(|file| file == temporary) {
+        files.swap_remove(at);
+    }
+}
+
+/// Temporary files of this name are called so, between these two a number of a process and one of its own.
+fn hidden(name: &OsStr) -> OsString {
+    let mut hidden = OsString::from(".");
+    hidden.push(name);
+    hidden.push(".");
+    hidden
+}
+
+const PARTIAL: &str = ".partial";
+
+/// Removes what killed programs have left of a file of this name. What somebody still writes is locked, and where there are no
+/// locks all stays.
+fn sweep(folder: &Path, name: &OsStr) {
+    let hidden = hidden(name);
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let between = |name: &OsStr| {
+            let rest = name.as_encoded_bytes().strip_prefix(hidden.as_encoded_bytes())?;
+            let (process, number) = str::from_utf8(rest.strip_suffix(PARTIAL.as_bytes())?).ok()?.split_once('-')?;
+            Some((process.parse::<u32>().ok()?, number.parse::<u64>().ok()?))
+        };
+        if between(&entry.file_name()).is_some()
+            && entry.file_type().is_ok_and(|kind| kind.is_file())
+            && let Ok(file) = File::options().write(true).open(entry.path())
+            && file.try_lock().is_ok()
+        {
+            // who cannot remove it writes all the same
+            let _ = fs::remove_file(entry.path());
+        }
     }
 }
 
@@ -146,18 +194,21 @@ fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
     let mut number = 0_u64;
     let mut files = temporary_files();
     loop {
-        let mut hidden = OsString::from(".");
-        hidden.push(name);
-        hidden.push(format!(".{process}-{number}.partial"));
+        let mut hidden = hidden(name);
+        hidden.push(format!("{process}-{number}{PARTIAL}"));
         let path = folder.join(hidden);
         match File::create_new(&path) {
-            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             made => {
                 let file = made?;
-                files.push(path.clone());
-                return Ok((path, file));
+                // Somebody who sweeps may have found it before it was locked; without locks nobody does.
+                if !matches!(file.try_lock(), Err(TryLockError::WouldBlock)) && path.exists() {
+                    files.push(path.clone());
+                    return Ok((path, file));
+                }
             }
         }
+        number += 1;
     }
 }
 
@@ -195,8 +246,10 @@ impl Drop for WholeFile {
             // Without writing what is still in the buffer; nobody is left to hear of an error.
             let _ = file.into_parts();
             let _ = self.carrier.take().map(Carrier::finish);
-            let _ = fs::remove_file(&self.temporary);
-            self.forget();
+        }
+        if let Some(temporary) = self.temporary.take() {
+            let _ = fs::remove_file(&temporary);
+            forget(&mut temporary_files(), &temporary);
         }
     }
 }
@@ -214,11 +267,11 @@ mod tests {
         assert!(!path.exists());
         drop(file);
         assert_eq!(fs::read_dir(path.parent().unwrap()).unwrap().count(), 0);
-        WholeFile::write(&path, b"abc").unwrap();
+        WholeFile::finish(vec![WholeFile::with(&path, b"abc").unwrap()]).unwrap();
         let mut file = WholeFile::create(&path).unwrap();
         file.write_all(b"other").unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"abc");
-        file.finish().unwrap();
+        WholeFile::finish(vec![file]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"other");
         assert_eq!(fs::read_dir(path.parent().unwrap()).unwrap().count(), 1);
         fs::remove_dir_all(folder).unwrap();
@@ -228,15 +281,51 @@ mod tests {
     fn two_that_write_one_file_do_not_tear_it() {
         let folder = std::env::temp_dir().join(format!("billiards-torn-{}", std::process::id()));
         let path = folder.join("x.txt");
-        // one that was killed leaves its part behind
-        std::mem::forget(WholeFile::create(&path).unwrap());
         let [mut one, mut other] = [(); 2].map(|()| WholeFile::create(&path).unwrap());
         one.write_all(b"of the first").unwrap();
         other.write_all(b"other").unwrap();
-        one.finish().unwrap();
+        WholeFile::finish(vec![one]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"of the first");
-        other.finish().unwrap();
+        WholeFile::finish(vec![other]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"other");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn files_appear_together_or_not_at_all() {
+        let folder = std::env::temp_dir().join(format!("billiards-together-{}", std::process::id()));
+        let [first, second] = ["a.txt", "b.txt"].map(|name| folder.join(name));
+        let both = || [&first, &second].map(|path| WholeFile::with(path, b"new").unwrap()).into();
+        WholeFile::finish(both()).unwrap();
+        assert_eq!([&first, &second].map(|path| fs::read(path).unwrap()), [b"new", b"new"]);
+        // the disk of this one is full
+        let full = File::options().write(true).open("/dev/full");
+        if let Ok(full) = full {
+            fs::write(&first, b"old").unwrap();
+            let mut files: Vec<WholeFile> = both();
+            files[1].file = Some(BufWriter::new(full));
+            files[1].write_all(b"lost").unwrap();
+            assert_eq!(WholeFile::finish(files).unwrap_err().kind(), io::ErrorKind::StorageFull);
+            assert_eq!(fs::read(&first).unwrap(), b"old");
+        }
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn what_a_killed_program_has_left_is_removed_and_nothing_else() {
+        let folder = std::env::temp_dir().join(format!("billiards-swept-{}", std::process::id()));
+        let path = folder.join("x.txt");
+        let written = WholeFile::with(&path, b"by another one").unwrap();
+        let others = [".x.txt.partial", ".x.txt.1-2.part", ".x.txt.y-0.partial", ".y.txt.1-0.partial"];
+        for name in others.iter().chain(&[".x.txt.4000000-0.partial"]) {
+            fs::write(folder.join(name), b"left").unwrap();
+        }
+        WholeFile::probe(&path).unwrap();
+        assert_eq!(others.map(|name| folder.join(name).exists()), [true; 4]);
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 5);
+        WholeFile::finish(vec![written]).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"by another one");
         fs::remove_dir_all(folder).unwrap();
     }
 

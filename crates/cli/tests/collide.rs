@@ -194,6 +194,28 @@ fn rough_directions_may_stand_as_a_law() {
 }
 
 #[test]
+fn spins_beyond_space_are_told_by_their_entries() {
+    let unit = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]);
+    let body = |x: f64| json!({ "mass": 1, "position": [x, 0, 0, 0], "S": unit });
+    // of body 1, axis 1 turns towards axis 2, and axis 3 towards axis 4 twice as fast
+    let spin = json!([[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 0, -2], [0, 0, 2, 0]]);
+    let contact = json!({
+        "dim": 4, "law": "specular", "contact_point": [0, 0, 0, 0], "normal": [1, 0, 0, 0], "bodies": [body(0.0), body(0.0)],
+        "pre": [{ "v": [-1, 0, 0, 0], "w": spin }, { "v": [0, 0, 0, 0], "w": vec![vec![0; 4]; 4] }],
+    });
+    let (_, out, err) = collide_text("entries", &contact.to_string(), &[]);
+    assert!(out.contains("(1, 0, 0, 0, 0, 2)"), "{out}{err}");
+    assert!(
+        out.contains("rows and columns 21, 31, 32, 41, 42, 43 of the matrix; 21 turns axis 1 towards axis 2"),
+        "{out}"
+    );
+    let (_, out, _) = collide_text("entries", &contact.to_string(), &["--json"]);
+    let found: Value = serde_json::from_str(&out).unwrap();
+    let angular = &found["momenta_before"]["angular"];
+    assert!(distance(angular, &json!([2, 0, 0, 0, 0, 4])) < 1e-14, "{angular}");
+}
+
+#[test]
 fn a_law_without_friction_needs_no_inertia_to_speak_of() {
     let slim = TOML.replace("\"1/2\"", "1e-20").replace("v = [0, -1]", "v = [1, -1.5]");
     for law in ["\"specular\"", "{ name = \"restitution\", normal = 1, tangential = -1 }"] {
@@ -244,6 +266,15 @@ fn each_mistake_has_status_2_and_its_own_message() {
             "[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
             "9:11: error: the inertia is not symmetric",
         ),
+        (
+            "unsymmetric S",
+            SPATIAL,
+            "inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "S = [[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
+            "9:5: error: S, the second moments, is not symmetric",
+        ),
+        ("one direction", SPATIAL, "[[1, 0, 0]]", "[1, 0, 0]", "help: write [[1, 0, 0]]"),
+        ("law 3", TOML, "\"no-slip\"", "3", "error: a law is a string or a table, not an integer"),
         (
             "indefinite",
             SPATIAL,

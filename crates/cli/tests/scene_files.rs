@@ -234,12 +234,28 @@ fn mistakes_of_few_words_are_told_the_mend() {
         (NAMED, "name = \"stadium\"", "", "name = \"stadium\""),
         (NAMED, "law   = \"no-slip\"", "", "law = \"no-slip\""),
         (BOUNDARY, "line_to = [1, -1]", "curve_to = [1, -1]", "line_to = [1, 0]"),
+        (NAMED, "\"no-slip\"", "3", "\"no-slip\", or { name = \"restitution\""),
+        (NAMED, "\"no-slip\"", "[\"no-slip\"]", "\"no-slip\", or { name = \"restitution\""),
+        (NAMED, "\"no-slip\"", "{ name = \"specular\", foo = 1 }", "known keys: name, rough"),
+        (NAMED, "law   = \"no-slip\"", "rough = [1, 0]", "write [[1, 0]]"),
+        (SPATIAL, "[[1, 2, -3]]", "[1, \"2\", -3]", "write [[1, \"2\", -3]]"),
+        (NAMED, "sqrt(2)/4", "log(2)", "write ln(x)"),
+        (NAMED, "sqrt(2)/4", "sqroot(2)", "known: sqrt, abs"),
+        (NAMED, "sqrt(2)/4", "two", "atan2, pi"),
+        (BOUNDARY, "1+0.2*cos(5*t)", "1+0.2*cos(5*x)", "atan2, pi, t"),
+        (BOUNDARY, "circle =", "sphere =", "say dimension = 3 in [table]"),
+        (BOUNDARY, "circle =", "mesh =", "say dimension = 3 in [table]"),
+        (SPATIAL, "name = \"box\"", "boundary = [{ circle = {} }]", "say dimension = 2 in [table]"),
     ] {
         assert!(valid.contains(old), "{old}");
         let source = Source::new("x.toml", &valid.replacen(old, new, 1));
         let errors = Scene::parse(&source, &Request::default()).unwrap_err();
         let mends = |error: &Diagnostic| error.help.as_ref().is_some_and(|help| help.contains(mend));
         assert!(errors.iter().any(mends), "{new}: {mend} expected in {errors:?}");
+        assert!(
+            errors.iter().all(|error| error.help.as_deref() != Some("known keys: name, rough, name")),
+            "{errors:?}"
+        );
     }
 }
 
@@ -358,6 +374,9 @@ fn one_slip_gives_one_error() {
         (SPATIAL, "dimension = 3", "dimensions = 3"),
         (SPATIAL, "dimension = 3", "dimension = true"),
         (SPATIAL, "dimension = 3", "dimension = 4"),
+        (SPATIAL, "[[1, 2, -3]]", "[1, 2, -3]"),
+        (BOUNDARY, "circle =", "sphere ="),
+        (SQUARE, "name = \"square\"", "circle = { center = [0, 0], radius = 1 }"),
     ] {
         let errors = errors_of(valid, old, new);
         assert_eq!(errors.len(), 1, "{new}: {errors:?}");
@@ -513,6 +532,18 @@ fn a_key_in_the_wrong_place_is_sent_to_its_own() {
         // parameters of tables may have the names of other keys, and sections need not be there
         (NAMED.replace("title =", "radius = 0.1\ntitle ="), "radius", "\"radius\" goes under [table] or [particle]"),
         (format!("radius = 0.1\n{SQUARE}"), "radius", "\"radius\" goes under [particle]"),
+        (format!("seed = 1\n{SQUARE}"), "seed", "\"seed\" goes under [ensemble]"),
+        (format!("{SQUARE}count = 1\n"), "count", "\"count\" goes under [ensemble]"),
+        (format!("{SQUARE}sample = \"grid\"\n"), "sample", "\"sample\" goes under [ensemble]"),
+        (format!("{SQUARE}speed = 1\n"), "speed", "\"speed\" goes under [ensemble]"),
+        (format!("laws = {{ 0 = \"specular\" }}\n{SQUARE}"), "laws", "\"laws\" goes under [table]"),
+        (format!("circle = {{ radius = 1 }}\n{SQUARE}"), "circle", "\"circle\" goes under [[table.boundary]]"),
+        (format!("{NAMED}title = \"x\"\n"), "title", "\"title\" goes at the top of the file, before all sections"),
+        (
+            NAMED.replace("[table]", "[table]\nlaw = \"specular\""),
+            "law",
+            "\"law\" goes at the top of the file, before all sections",
+        ),
         (format!("pictures = []\n{SQUARE}"), "pictures", "\"pictures\" goes under [output]"),
         (
             format!("radius = 0.1\n{}", SQUARE.replace("square", "stadium")),

@@ -114,6 +114,58 @@ fn areas_within_formulas_of_limited_smoothness_are_right_to_rounding() {
     }
 }
 
+/// What `check` prints of a scene.
+fn checked(name: &str, scene: &str) -> String {
+    let path = std::env::temp_dir().join(format!("billiards-scenes-{}-{name}.toml", std::process::id()));
+    fs::write(&path, scene).unwrap();
+    let output = billiards().arg("check").arg(&path).output().unwrap();
+    fs::remove_file(path).unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).unwrap()
+}
+
+#[test]
+fn what_is_told_of_a_table_is_in_numbers_and_plain_words() {
+    let start = "[[orbit]]\nposition = [0.25, 0.5, 0.25]\nvelocity = [0.6, 0.8, 0.1]\n";
+    let cuboid = format!("law = \"specular\"\n[table]\ndimension = 3\nname = \"box\"\nsize = [1, 2.5, 0.75]\n{start}");
+    let told = checked("box", &cuboid);
+    for wall in ["x1 = 0\n", "x1 = 1\n", "x2 = 2.5\n", "x3 = 0.75\n"] {
+        assert!(told.contains(wall), "{wall} expected in {told}");
+    }
+    let room = "law = \"specular\"\n[table]\ndimension = 3\n[[table.boundary]]\nsphere = { center = [0, 0, 0], radius = 2 }\n\
+                [[table.boundary]]\nshape = { name = \"cuboid\", size = [0.1, 0.1, 0.1] }\n";
+    let told = checked("around", &format!("{room}{start}"));
+    let engine = told.lines().find(|line| line.contains("engine")).unwrap();
+    assert!(engine.contains("Around<Sphere, ") && !engine.contains('\''), "{engine}");
+}
+
+#[test]
+fn the_largest_disk_of_a_lattice_lies_in_the_unit_cell() {
+    let start = "[[orbit]]\nposition = [0.5, 0.01]\nvelocity = [0.6, 0.8]\n";
+    for (name, table) in [
+        ("lorentz", "name = \"lorentz\"\nradius = 0.3\n"),
+        ("sinai-torus", "name = \"sinai-torus\"\nradius = 0.25\n"),
+        (
+            "skew",
+            "lattice = [[1, 0], [3.5, 1]]\n[[table.boundary]]\n\
+             circle = { center = [0, 0], radius = 0.3, domain = \"outside\" }\n",
+        ),
+    ] {
+        let told = checked(name, &format!("law = \"specular\"\n[table]\n{table}{start}"));
+        let center = told.split("there about (").nth(1).unwrap().split(')').next().unwrap();
+        let [x, y] = {
+            let mut numbers = center.split(", ").map(|x| x.parse::<f64>().unwrap());
+            [(); 2].map(|()| numbers.next().unwrap())
+        };
+        let [across, up] = match name {
+            "lorentz" => [x - y / libm::sqrt(3.0), 2.0 * y / libm::sqrt(3.0)],
+            "skew" => [x - 3.5 * y, y],
+            _ => [x, y],
+        };
+        assert!((-1e-5..1.0).contains(&across) && (-1e-5..1.0).contains(&up), "{name}: {center}");
+    }
+}
+
 #[test]
 fn the_mean_free_time_is_that_of_the_law() {
     // of a Lorentz gas πA/P, where the centre keeps its speed, and 4A/P where all velocities mix

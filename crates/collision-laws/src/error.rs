@@ -36,8 +36,10 @@ pub enum Error {
     #[error("the normal of the contact plane has no direction: its length is zero")]
     NoNormal,
     /// An inertia tensor or second-moment matrix that differs from its transpose.
-    #[error("the inertia is not symmetric: an entry differs from its mirror image by {defect:?}")]
+    #[error("{quantity} is not symmetric: an entry differs from its mirror image by {defect:?}")]
     InertiaNotSymmetric {
+        /// Which of the two, in words.
+        quantity: &'static str,
         /// Largest `|Aᵢⱼ − Aⱼᵢ|`.
         defect: f64,
     },

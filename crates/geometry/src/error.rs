@@ -116,7 +116,7 @@ pub enum Error {
         at: [f64; 2],
     },
     /// A formula that does not bound a table.
-    #[error("the curve of the formula must {must}; it does not near {}", about(at))]
+    #[error("the curve of the formula must {must}; this fails near {}", about(at))]
     Curve {
         /// What the curve must do.
         must: &'static str,
@@ -137,7 +137,7 @@ pub enum Error {
         gap: f64,
     },
     /// Two pieces that cross.
-    #[error("pieces {first} and {second} cross near ({}, {})", at[0], at[1])]
+    #[error("pieces {first} and {second} cross near {}", about(at))]
     Crossing {
         /// The one.
         first: usize,
@@ -163,7 +163,7 @@ pub enum Error {
         piece: usize,
     },
     /// A stretch there and back with the table on neither side.
-    #[error("piece {piece} runs there and back near ({}, {}), where the table lies on neither side of it", at[0], at[1])]
+    #[error("piece {piece} runs there and back near {}, where the table lies on neither side of it", about(at))]
     Spike {
         /// The piece.
         piece: usize,
@@ -191,7 +191,7 @@ pub enum Error {
         length: f64,
     },
     /// A curve that crosses itself.
-    #[error("piece {piece} crosses itself near ({}, {})", at[0], at[1])]
+    #[error("piece {piece} crosses itself near {}", about(at))]
     SelfCrossing {
         /// The piece.
         piece: usize,
@@ -245,7 +245,10 @@ pub enum Error {
         largest: f64,
     },
     /// A radius at which the region of centres changes its form, so that rounding decides about it.
-    #[error("a disk of radius {radius} just touches several walls at once near ({}, {}); a radius a little smaller or greater decides whether it passes", at[0], at[1])]
+    #[error(
+        "a disk of radius {radius} just touches several walls at once near {}; a radius a little smaller or greater decides whether it passes",
+        about(at)
+    )]
     Undecided {
         /// The radius asked for.
         radius: f64,
@@ -282,9 +285,12 @@ pub enum Error {
         /// What it must be.
         must: &'static str,
     },
-    /// A table that extends to infinity where a bounded one is needed.
-    #[error("the table is unbounded: it has no uniform distribution")]
-    Unbounded,
+    /// Walls or a table that extend to infinity where something is to be uniform on them.
+    #[error("{what} is infinite: nothing is uniform on it")]
+    Unbounded {
+        /// The length or area, in words.
+        what: &'static str,
+    },
     /// Walls that do not bound a table together.
     #[error(
         "nothing is left of the walls, or too little to draw from: no point of one was found on the table's side of all others"
@@ -336,10 +342,11 @@ fn into_nowhere(starts: bool, gap: f64) -> String {
     }
 }
 
-/// A point to six digits.
+/// A point to six digits; a coordinate that is nothing beside the other one is 0.
 fn about(at: &[f64; 2]) -> String {
-    let [x, y] = at.map(six_digits);
-    format!("({x:?}, {y:?})")
+    let size = at[0].abs().max(at[1].abs());
+    let [x, y] = at.map(|x| if x.abs() < 1e-12 * size { 0.0 } else { six_digits(x) }).map(|x| format!("{x:?}"));
+    format!("({}, {})", x.trim_end_matches(".0"), y.trim_end_matches(".0"))
 }
 
 fn six_digits(x: f64) -> f64 {

@@ -38,7 +38,7 @@ impl<'a> Interior<'a> {
     pub fn of(table: &'a Table) -> Result<Interior<'a>, Error> {
         let area = table.area();
         if !(area > 0.0 && area.is_finite()) {
-            return Err(Error::Unbounded);
+            return Err(Error::Unbounded { what: "the area of the table" });
         }
         let extent = table.extent();
         let size = extent.max - extent.min;
@@ -96,7 +96,7 @@ impl<'a> Perimeter<'a> {
     pub fn of(table: &'a Table) -> Result<Perimeter<'a>, Error> {
         let length = table.perimeter();
         if !length.is_finite() {
-            return Err(Error::Unbounded);
+            return Err(Error::Unbounded { what: "the length of the walls" });
         }
         Ok(Perimeter { table, offsets: table.arc_length_offsets(), length })
     }
@@ -173,8 +173,8 @@ mod tests {
     #[test]
     fn infinite_tables_have_no_uniform_distribution() {
         for table in [tables::strip(1.0).unwrap(), tables::wedge(1.0).unwrap()] {
-            assert_eq!(Interior::of(&table).unwrap_err(), Error::Unbounded);
-            assert_eq!(Perimeter::of(&table).unwrap_err(), Error::Unbounded);
+            assert_eq!(Interior::of(&table).unwrap_err(), Error::Unbounded { what: "the area of the table" });
+            assert_eq!(Perimeter::of(&table).unwrap_err(), Error::Unbounded { what: "the length of the walls" });
         }
     }
 }

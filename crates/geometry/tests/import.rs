@@ -242,6 +242,38 @@ fn an_outline_whose_parts_cancel_crosses_itself() {
 }
 
 #[test]
+fn an_open_outline_is_closed_where_it_is_filled_and_refused_elsewhere() {
+    let open = "d='M0 0H2V2'";
+    for filled in [
+        format!("<path {open}/>"),
+        format!("<path fill='red' {open}/>"),
+        format!("<g fill='none'><path style='fill:blue' {open}/></g>"),
+        // closed it is, filled or not
+        "<path fill='none' d='M0 0H2V2Z'/>".into(),
+        "<path fill='none' d='M0 0H2V2L0 0'/>".into(),
+        "<polygon fill='none' points='0 0 2 0 2 2'/>".into(),
+        "<polyline points='0 0 2 0 2 2'/>".into(),
+    ] {
+        let t = table(&filled);
+        assert!(t.pieces().len() == 3 && t.area() == 2.0, "{filled}");
+    }
+    for hollow in [
+        format!("<path fill='none' {open}/>"),
+        format!("<path style='stroke:#000;fill:none' {open}/>"),
+        format!("<g fill='none'><path fill='inherit' {open}/></g>"),
+        "<path fill='none' d='M0 0H2V2ZM5 5H7V7'/>".into(),
+        "<polyline fill='none' points='0 0 2 0 2 2'/>".into(),
+    ] {
+        let (place, what) = problem(&hollow);
+        assert!(place.starts_with("line 2, <"), "{place}");
+        assert!(
+            what.starts_with("the outline is open and nothing fills it: close it (a path with Z)"),
+            "{hollow}: {what}"
+        );
+    }
+}
+
+#[test]
 fn mistakes_are_named_with_line_and_element() {
     let (place, what) = problem("<g>\n<path d='M0 0L1'/></g>");
     assert_eq!(place, "line 3, <path>");

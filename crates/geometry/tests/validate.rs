@@ -30,6 +30,14 @@ fn check(loops: impl IntoIterator<Item = Vec<Box<dyn Piece>>>) -> Result<(), Err
 }
 
 #[test]
+fn places_are_told_in_few_digits() {
+    let crossing = |at| Error::Crossing { first: 0, second: 1, at }.to_string();
+    assert_eq!(crossing([2.0, -4.898_587_196_589_413e-16]), "pieces 0 and 1 cross near (2, 0)");
+    assert_eq!(crossing([1.0 / 3.0, -2e-7]), "pieces 0 and 1 cross near (0.333333, -2e-7)");
+    assert_eq!(crossing([1e-150, -10.0]), "pieces 0 and 1 cross near (0, -10)");
+}
+
+#[test]
 fn tables_of_every_kind_are_valid() {
     let big = || square(0.0, 0.0, 4.0, true);
     assert_eq!(check([big()]), Ok(()));

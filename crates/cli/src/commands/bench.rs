@@ -1,7 +1,7 @@
 //! `billiards bench`: what accuracy costs on this machine.
 
 use std::io::{self, IsTerminal, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -146,10 +146,12 @@ impl Keep {
     }
 
     fn write(&self, contents: &[String]) -> Result<(), Failure> {
+        let mut files = vec![];
         for (path, content) in self.paths.iter().zip(contents) {
-            WholeFile::write(path, content.as_bytes()).map_err(|error| unwritable(path, &error))?;
+            files.push(WholeFile::with(path, content.as_bytes()).map_err(|error| unwritable(path, &error))?);
         }
-        Ok(())
+        let folder = self.paths.first().and_then(|path| path.parent()).unwrap_or(Path::new("."));
+        WholeFile::finish(files).map_err(|error| unwritable(folder, &error))
     }
 }
 

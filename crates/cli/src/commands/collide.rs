@@ -326,7 +326,7 @@ impl Outcome {
             format!("no, it breaks: {}", broken.join(", "))
         };
         writeln!(out, "{:<width$}{verdict}", "strict law", width = widths[0])?;
-        writeln!(out, "\n* about the contact point{}", self.planes())?;
+        writeln!(out, "\n* about the contact point{}", self.entries())?;
         match self.fixed {
             [true, _] => writeln!(out, "Body 1 is fixed: it takes up momentum and does not move."),
             [_, true] => writeln!(out, "Body 2 is fixed: it takes up momentum and does not move."),
@@ -340,13 +340,16 @@ impl Outcome {
         if n <= 3 { w.to_vec() } else { (0..n).flat_map(|i| (0..i).map(move |j| w[i * n + j])).collect() }
     }
 
-    /// Which planes of axes the numbers of a spin belong to.
-    fn planes(&self) -> String {
+    /// Which entries of its matrix the numbers of a spin are.
+    fn entries(&self) -> String {
         if self.dimension <= 3 {
             return String::new();
         }
-        let planes: Vec<_> = (1..=self.dimension).flat_map(|i| (1..i).map(move |j| format!("{i}{j}"))).collect();
-        format!("; spins and angular momenta in the planes {}", planes.join(", "))
+        let entries: Vec<_> = (1..=self.dimension).flat_map(|i| (1..i).map(move |j| format!("{i}{j}"))).collect();
+        let entries = entries.join(", ");
+        format!(
+            "\n  spins and angular momenta: rows and columns {entries} of the matrix; 21 turns axis 1 towards axis 2"
+        )
     }
 }
 

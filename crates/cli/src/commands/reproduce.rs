@@ -184,15 +184,17 @@ struct Files {
     claims: Option<String>,
 }
 
-/// The pictures, then the claims, then the page that shows them.
+/// The pictures, the claims, and the page that shows them: all or none.
 fn write(results: &Results, effort: Effort, folder: &Path, files: &Files) -> io::Result<()> {
     let Results { drawn, measured, .. } = results;
+    let mut whole = vec![];
     for Drawn { figure, svg, .. } in drawn {
-        WholeFile::write(&folder.join(format!("{}.svg", figure.name)), svg.as_bytes())?;
+        whole.push(WholeFile::with(&folder.join(format!("{}.svg", figure.name)), svg.as_bytes())?);
     }
     if let Some(claims) = &files.claims {
         let json = format!("{:#}\n", page::claims_json(measured));
-        WholeFile::write(&folder.join(claims), json.as_bytes())?;
+        whole.push(WholeFile::with(&folder.join(claims), json.as_bytes())?);
     }
-    WholeFile::write(&folder.join(&files.page), page::html(drawn, measured, effort).as_bytes())
+    whole.push(WholeFile::with(&folder.join(&files.page), page::html(drawn, measured, effort).as_bytes())?);
+    WholeFile::finish(whole)
 }

@@ -116,7 +116,7 @@ impl fmt::Display for Diagnostic {
 pub struct Problems {
     source: Source,
     found: Vec<(Span, Diagnostic)>,
-    /// The tables read, and which keys each may have.
+    /// Places of the file, and which keys may stand there.
     homes: Vec<(String, Vec<String>)>,
     /// Which errors are keys in a table that has none such, and the keys.
     strays: Vec<(usize, String)>,
@@ -143,13 +143,13 @@ impl Problems {
         self.found.push((span, self.source.diagnostic(span, what).with_help(help)));
     }
 
-    /// Records that a table may have these keys.
-    pub(super) fn learn(&mut self, table: &str, keys: &[&str]) {
-        self.homes.push((table.into(), keys.iter().map(|&key| key.into()).collect()));
+    /// Records that these keys may stand in this place: "under [run]".
+    pub(crate) fn learn(&mut self, place: impl Into<String>, keys: &[&str]) {
+        self.homes.push((place.into(), keys.iter().map(|&key| key.into()).collect()));
     }
 
-    /// Records a key that its table may not have; the help is for one that no other table has either.
-    pub(super) fn add_stray(&mut self, span: Span, key: &str, what: impl Into<String>, help: impl Into<String>) {
+    /// Records a key that its table may not have; the help is for one that no other place has either.
+    pub(crate) fn add_stray(&mut self, span: Span, key: &str, what: impl Into<String>, help: impl Into<String>) {
         self.strays.push((self.found.len(), key.into()));
         self.add_with_help(span, what, help);
     }
@@ -162,16 +162,15 @@ impl Problems {
     /// The errors in the order of the file.
     pub fn into_diagnostics(mut self) -> Vec<Diagnostic> {
         for (index, key) in &self.strays {
-            // only what has a header of its own: a curve or an edge is no place to send a key to
-            let headed = self.homes.iter().filter(|(table, keys)| table.starts_with('[') && keys.contains(key));
-            let mut tables: Vec<&str> = vec![];
-            for (table, _) in headed {
-                if !tables.contains(&table.as_str()) {
-                    tables.push(table);
+            let mut places: Vec<&str> = vec![];
+            for (place, _) in self.homes.iter().filter(|(_, keys)| keys.contains(key)) {
+                if !places.contains(&place.as_str()) {
+                    places.push(place);
                 }
             }
-            if !tables.is_empty() {
-                self.found[*index].1.help = Some(format!("\"{key}\" goes under {}", tables.join(" or ")));
+            if !places.is_empty() {
+                let places = places.join(" or ").replace(" or under ", " or ");
+                self.found[*index].1.help = Some(format!("\"{key}\" goes {places}"));
             }
         }
         self.found.sort_by_key(|(span, _)| span.start);

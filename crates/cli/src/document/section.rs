@@ -51,7 +51,9 @@ impl<'a> Section<'a> {
 
     /// The value of a key that may be absent.
     pub fn optional(&mut self, key: &'a str) -> Option<&'a Item> {
-        self.known.push(key);
+        if !self.known.contains(&key) {
+            self.known.push(key);
+        }
         self.entries.iter().find(|(k, _)| k.value == key).map(|(_, item)| item)
     }
 
@@ -125,15 +127,15 @@ impl<'a> Section<'a> {
                     mended.push(near);
                     format!("did you mean \"{near}\"?")
                 }
-                None if strict => {
-                    problems.add_stray(key.span, &key.value, what, format!("known keys: {}", self.known.join(", ")));
-                    continue;
-                }
+                None if strict => format!("known keys: {}", self.known.join(", ")),
                 None => continue,
             };
-            problems.add_with_help(key.span, what, help);
+            problems.add_stray(key.span, &key.value, what, help);
         }
-        problems.learn(&self.name, &self.known);
+        // only what has a header of its own: a curve or an edge is no place to send a key to
+        if self.name.starts_with('[') {
+            problems.learn(format!("under {}", self.name), &self.known);
+        }
         for Missing { keys, what, help } in self.missing {
             if keys.iter().any(|key| mended.contains(key)) {
                 continue;

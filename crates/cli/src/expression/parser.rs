@@ -189,11 +189,12 @@ impl<'a> Parser<'a> {
         }
         let known = Function::ALL.iter().map(|f| f.0).chain(["atan2", "pi"]).chain(self.variables.iter().copied());
         let error = Error::new(column, format!("unknown name \"{name}\""));
-        Err(match spelling::closest(name, known) {
+        if let Some((_, here)) = FROM_ELSEWHERE.iter().find(|other| other.0 == name) {
+            return Err(error.with_help(format!("write {here}")));
+        }
+        Err(match spelling::closest(name, known.clone()) {
             Some(near) => error.with_help(format!("did you mean \"{near}\"?")),
-            None if name == "e" => error.with_help("write exp(1)"),
-            None if self.variables.is_empty() => error,
-            None => error.with_help(format!("the variables here are {}", self.variables.join(", "))),
+            None => error.with_help(format!("known: {}", known.collect::<Vec<_>>().join(", "))),
         })
     }
 
@@ -282,6 +283,10 @@ impl<'a> Parser<'a> {
         }
     }
 }
+
+/// What other languages call what is written differently here.
+const FROM_ELSEWHERE: [(&str, &str); 5] =
+    [("e", "exp(1)"), ("log", "ln(x)"), ("log10", "ln(x)/ln(10)"), ("log2", "ln(x)/ln(2)"), ("pow", "x^y")];
 
 /// Precedence of the unary minus: above products, below powers.
 const NEGATE: u8 = 3;

@@ -100,6 +100,9 @@ impl Axis {
 /// Room that axes need beside the frame: left, below.
 pub const MARGIN: [f64; 2] = [31.0, 25.0];
 
+/// Width of a digit in DejaVu Serif, in units of the size of the face.
+const WIDEST_DIGIT: f64 = 0.64;
+
 /// White on the right of the frame.
 pub(super) const BESIDE: f64 = 3.0;
 
@@ -117,8 +120,8 @@ pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
         svg.line([at, top], [at, top + TICK], hair);
         // A minus sign should not push its digit off the tick.
         let shift = if name.starts_with('\u{2212}') { -0.22 * NUMBER } else { 0.0 };
-        // the last number may reach as far beyond the frame as the page does
-        let half = 0.25 * NUMBER * name.chars().count() as f64;
+        // the last number may reach as far beyond the frame as the page does, in the widest of the usual serif faces
+        let half = 0.5 * WIDEST_DIGIT * NUMBER * name.chars().count() as f64;
         let middle = (at + shift).min(right + BESIDE - half);
         svg.text([middle, bottom + 0.75 * NUMBER + 3.0], NUMBER, Anchor::Middle, name);
     }
@@ -190,6 +193,7 @@ fn minus(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Window;
     use super::*;
 
     #[test]
@@ -203,6 +207,19 @@ mod tests {
             let found = ticks(low, high, 5);
             assert!((2..=12).contains(&found.len()), "{found:?}");
         }
+    }
+
+    #[test]
+    fn the_last_number_is_on_the_page_in_a_wide_face_too() {
+        let (frame, page) = (100.0, 100.0 + 31.0 + BESIDE);
+        let view = View::fit(Window { low: [0.0, 0.0], high: [2000.0, 1000.0] }, [31.0, 3.0], frame, 50.0);
+        let label = || Label::indexed("s", "");
+        let mut svg = Svg::new(page, 80.0);
+        draw(&mut svg, &view, &Axis::between(0.0, 2000.0, 4, label()), &Axis::between(0.0, 1000.0, 4, label()));
+        let text = svg.to_string();
+        let last = text.split("<text x=\"").find(|part| part.contains(">2000<")).unwrap();
+        let middle: f64 = last.split('"').next().unwrap().parse().unwrap();
+        assert!(middle + 2.0 * 0.64 * NUMBER < page + 0.01, "{last}");
     }
 
     #[test]

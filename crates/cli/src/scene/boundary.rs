@@ -212,14 +212,27 @@ const DOMAINS: [(&str, Domain); 2] = [("inside", Domain::Inside), ("outside", Do
 const PLANAR: &[&str] = &["loop", "chain", "circle", "ellipse", "line", "ray", "curve", "shape", "outline"];
 const SPATIAL: &[&str] = &["sphere", "plane", "shape", "mesh"];
 
+/// The kinds of walls in a dimension.
+pub(super) fn kinds(dimension: usize) -> &'static [&'static str] {
+    if dimension == 2 { PLANAR } else { SPATIAL }
+}
+
 pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Entry> {
     let mut section = Section::new(item, "[[table.boundary]]", problems)?;
     let law = law::at_most_one(&mut section, dimension, problems);
-    let found = if dimension == 2 {
-        section.one_of(PLANAR, "circle = { center = [0, 0], radius = 1 }", problems)
+    let (other, example) = if dimension == 2 {
+        (3, "circle = { center = [0, 0], radius = 1 }")
     } else {
-        section.one_of(SPATIAL, "sphere = { center = [0, 0, 0], radius = 1 }", problems)
+        (2, "sphere = { center = [0, 0, 0], radius = 1 }")
     };
+    let keys: Vec<_> = section.others().map(|(key, _)| key).collect();
+    let wall_in = |dimension| keys.iter().find(|key| kinds(dimension).contains(&&key.value[..]));
+    if let (None, Some(key)) = (wall_in(dimension), wall_in(other)) {
+        let what = format!("a \"{}\" is a wall of tables in {other} dimensions", key.value);
+        problems.add_with_help(key.span, what, format!("say dimension = {other} in [table]"));
+        return None;
+    }
+    let found = section.one_of(kinds(dimension), example, problems);
     let border = found.and_then(|(key, item)| match key {
         "outline" => text(item, "write for instance \"room.svg\"", problems).map(|file| Border::Outline { file }),
         _ => border(key, Section::new(item, key, problems)?, dimension, problems),

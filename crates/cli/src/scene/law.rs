@@ -153,6 +153,11 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
         }
         return kind;
     }
+    let Value::Table(_) = item.value else {
+        let help = "write for instance \"no-slip\", or { name = \"restitution\", normal = 0.9, tangential = 0 }";
+        problems.add_with_help(item.span, format!("a law is a string or a table, not {}", item.value.kind()), help);
+        return None;
+    };
     let mut section = Section::new(item, "law", problems)?;
     if let Some(("rough", directions)) = section.at_most_one_of(&["name", "rough"], problems) {
         let kind = rough(directions, dimension, problems);
@@ -219,7 +224,25 @@ fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> 
     None
 }
 
+/// Records that a list of rough directions is a list of numbers, one direction as it seems.
+pub(crate) fn is_one_direction(item: &Item, problems: &mut Problems) -> bool {
+    let is_number = |item: &Item| matches!(item.value, Value::Integer(_) | Value::Float(_) | Value::Text(_));
+    let is_one = matches!(&item.value, Value::List(items) if !items.is_empty() && items.iter().all(is_number));
+    if is_one {
+        let written = problems.source().slice(item.span).split_whitespace().collect::<Vec<_>>().join(" ");
+        problems.add_with_help(
+            item.span,
+            "rough is a list of directions, not one direction",
+            format!("write [{written}]"),
+        );
+    }
+    is_one
+}
+
 fn rough(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
+    if is_one_direction(item, problems) {
+        return None;
+    }
     let items = list(item, "rough", problems)?;
     let read: Vec<_> = items.iter().map(|item| direction(item, dimension, problems)).collect();
     if items.len() >= dimension {

@@ -56,6 +56,8 @@ pub const SAMPLES: &[(&str, &str)] = &[
 ];
 
 pub(super) fn read(root: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Starts> {
+    problems.learn("under [[orbit]]", &["position", "velocity", "spin"]);
+    problems.learn("under [ensemble]", &["count", "seed", "sample", "speed"]);
     let example =
         if dimension == 2 { "[0, 0] and velocity = [0.6, 0.8]" } else { "[0, 0, 0] and velocity = [0.6, 0, 0.8]" };
     match root.one_of(&["orbit", "ensemble"], &format!("[[orbit]] with position = {example}"), problems)? {

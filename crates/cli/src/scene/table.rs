@@ -90,6 +90,17 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     section.optional("dimension");
     let lattice = section.optional("lattice").map_or(Some(Vec::new()), |item| lattice(item, dimension, problems));
     let laws = section.optional("laws").map_or(Some(Vec::new()), |item| laws(item, dimension, problems));
+    let kinds = boundary::kinds(dimension);
+    problems.learn("under [[table.boundary]]", kinds);
+    let keys: Vec<_> = section.others().map(|(key, _)| key).collect();
+    let (walls, others): (Vec<_>, Vec<_>) = keys.into_iter().partition(|key| kinds.contains(&&key.value[..]));
+    // walls in place of their list
+    if !walls.is_empty() && !others.iter().any(|key| ["name", "boundary"].contains(&&key.value[..])) {
+        for key in walls {
+            problems.add_stray(key.span, &key.value, format!("unknown key \"{}\" in [table]", key.value), "");
+        }
+        return None;
+    }
     let found = section.one_of(&["name", "boundary"], "name = \"stadium\"", problems);
     let shape = match found {
         Some(("name", item)) => {

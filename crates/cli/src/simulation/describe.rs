@@ -3,7 +3,7 @@
 use std::fmt;
 
 use billiards::Stop;
-use billiards::geometry::{self, Figure, Piece, Vector2, Walls, WithWalls};
+use billiards::geometry::{self, Figure, Lattice, Piece, Vector2, Walls, WithWalls};
 use serde::Serialize;
 
 use super::engine::{Engine, Until, Watch};
@@ -184,8 +184,8 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
     let disk = walls.largest_disk;
     // along a ridge the distance is stationary: the centre is known to half the digits that the radius has
     let clean = |x: f64| if x.abs() < 1e-8 * disk.radius { 0.0 } else { x / factor };
-    description.largest_disk =
-        finite(disk.radius).map(|radius| (radius / factor, [disk.center.x, disk.center.y].map(clean)));
+    let center = table.lattice().map_or(disk.center, |lattice| in_unit_cell(lattice, &disk.center));
+    description.largest_disk = finite(disk.radius).map(|radius| (radius / factor, [center.x, center.y].map(clean)));
     let centres = if scene.particle.radius.value > 0.0 {
         let centres = planar.centres.describe();
         description.centres = Some(region(&centres, factor));
@@ -211,6 +211,11 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
             })
             .collect()
     });
+}
+
+/// The copy of a point in the unit cell; at the far edge, within half the digits, it is that at the near one.
+fn in_unit_cell(lattice: &Lattice, point: &Vector2<f64>) -> Vector2<f64> {
+    point - lattice.translation(lattice.coordinates(point).map(|x| libm::floor(x + 1e-8)))
 }
 
 fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
@@ -361,8 +366,8 @@ fn plain(name: &str) -> String {
     for part in name.split_inclusive(['<', '>', ',', ' ']) {
         plain += part.rsplit("::").next().unwrap_or(part);
     }
-    // the dimension says nothing new
-    ["<2>", "<3>", "<2, 0>", "<2, 1>", "<3, 0>", "<3, 1>", "<3, 2>"]
+    // lifetimes and the dimension say nothing
+    ["<'_>", "'_, ", "<2>", "<3>", "<2, 0>", "<2, 1>", "<3, 0>", "<3, 1>", "<3, 2>"]
         .iter()
         .fold(plain, |name, dimension| name.replace(dimension, ""))
 }
@@ -376,6 +381,8 @@ mod tests {
         assert_eq!(plain("geometry::walls::capsule::Capsule"), "Capsule");
         assert_eq!(plain("a::Both<b::c::Cuboid<2>, d::Scatterer<2>>"), "Both<Cuboid, Scatterer>");
         assert_eq!(plain("a::Slab<2, 1>"), "Slab");
+        assert_eq!(plain("a::Around<b::Sphere<3>, c::ByLane<d::Obstacles<'_>>>"), "Around<Sphere, ByLane<Obstacles>>");
+        assert_eq!(plain("a::Few<'_, b::Arc>"), "Few<Arc>");
     }
 
     #[test]

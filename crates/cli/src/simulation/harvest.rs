@@ -15,6 +15,7 @@ use super::results::{Ended, Results};
 use super::work::Extent;
 use crate::picture::{self, Material, Needs, Reduced};
 use crate::record::RecordFile;
+use crate::whole_file::WholeFile;
 
 /// Most orbits that a picture shows as lines.
 const MOST_PATHS: u64 = 200;
@@ -34,6 +35,16 @@ pub(crate) struct Totals {
     pub(crate) drift: f64,
     /// How many orbits ended for which reason.
     pub(crate) stops: BTreeMap<&'static str, u64>,
+}
+
+/// What is kept once all orbits are run.
+pub(crate) struct Kept {
+    /// What pictures are drawn from.
+    pub(crate) material: Material,
+    /// The totals.
+    pub(crate) totals: Totals,
+    /// The record, not yet under its name.
+    pub(crate) record: Option<WholeFile>,
 }
 
 /// Takes results in the order of the orbits and keeps what is asked for.
@@ -179,20 +190,18 @@ impl<'a> Harvest<'a> {
         }
     }
 
-    /// What pictures are drawn from (except for the walls), and the totals; completes the record.
+    /// All that is kept, except for the walls in pictures.
     ///
     /// # Errors
     /// The record cannot be written.
-    pub(crate) fn finish(self) -> io::Result<(Material, Totals)> {
-        if let Some(record) = self.record {
-            record.finish()?;
-        }
+    pub(crate) fn finish(self) -> io::Result<Kept> {
+        let record = self.record.map(RecordFile::complete).transpose()?;
         let material = Material {
             paths: self.paths.map(Paths::into_paths).unwrap_or_default(),
             velocities: self.clouds.velocities,
             reduced: self.clouds.reduced,
             ..Material::default()
         };
-        Ok((material, self.totals))
+        Ok(Kept { material, totals: self.totals, record })
     }
 }

@@ -56,6 +56,9 @@ impl Planar {
         // an ensemble that cannot be drawn is found out before anything is written
         let problem = planar.starts().err();
         match (problem, &planar.starts) {
+            (Some(billiards::Error::Table(error)), Starts::Ensemble(ensemble)) => {
+                Err(vec![start::undrawable(scene, ensemble, &error)])
+            }
             (Some(error), Starts::Ensemble(ensemble)) => {
                 Err(vec![scene.source.diagnostic(ensemble.span, error.to_string())])
             }

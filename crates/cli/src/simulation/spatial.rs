@@ -14,6 +14,7 @@ use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
 use super::wires::Wall;
+use super::words::short;
 use crate::document::Diagnostic;
 use crate::scene::{self, Arguments, LawKind, Scene, TableShape};
 
@@ -117,7 +118,11 @@ impl Spatial {
         let (centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let table = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
-                let pieces: Vec<String> = table.pieces().iter().map(|name| (*name).into()).collect();
+                let ends = table.extent()[1] / factor;
+                let sizes = ["size_1", "size_2", "size_3"].into_iter().zip(ends.iter().copied().map(short));
+                let with_sizes =
+                    |name: &&str| sizes.clone().fold(String::from(*name), |name, (of, x)| name.replace(of, &x));
+                let pieces: Vec<String> = table.pieces().iter().map(with_sizes).collect();
                 let laws = vec![None; pieces.len()];
                 let wall = |(spec, center, side)| Wall { spec, center, side }.scaled(1.0 / factor);
                 let walls = table.solids().into_iter().map(wall).collect();
@@ -148,7 +153,6 @@ impl Spatial {
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
         if let Starts::Ensemble(ensemble) = &starts {
-            let wrong = |what: String| vec![scene.source.diagnostic(ensemble.span, what)];
             if ensemble.sample.value == "grid" {
                 let what = "in space, the sample is \"canonical\"";
                 return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
@@ -156,7 +160,7 @@ impl Spatial {
             if let Space::Room(room) = &centres {
                 room.surface().map_err(|error| match error {
                     Error::Vanished if drawn(&walls).surface().is_ok() => vec![room::no_place(scene)],
-                    other => wrong(other.to_string()),
+                    other => vec![start::undrawable(scene, ensemble, &other)],
                 })?;
             }
         }

@@ -1,6 +1,6 @@
 //! Starts of orbits, checked against the table.
 
-use billiards::geometry::{Lattice, Table, Vector2};
+use billiards::geometry::{self, Lattice, Table, Vector2};
 
 use crate::document::{Diagnostic, Span, spell};
 use crate::scene::{Ensemble, Orbit, Scene};
@@ -55,6 +55,17 @@ impl<const N: usize, const S: usize> Starts<N, S> {
 
 /// The start of an orbit, by its number.
 pub(crate) type ByNumber<'a, const N: usize, const S: usize> = Box<dyn Fn(u64) -> Start<N, S> + Sync + 'a>;
+
+/// That an ensemble cannot be drawn from the walls, and the mend where there is no end of them.
+pub(crate) fn undrawable(scene: &Scene, ensemble: &Ensemble, error: &geometry::Error) -> Diagnostic {
+    let diagnostic = scene.source.diagnostic(ensemble.span, error.to_string());
+    match error {
+        geometry::Error::Unbounded { .. } => {
+            diagnostic.with_help("give the starts one by one: [[orbit]] with position and velocity")
+        }
+        _ => diagnostic,
+    }
+}
 
 /// Scales a start given by its numbers.
 pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64) -> Start<N, S> {

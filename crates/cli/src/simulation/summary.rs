@@ -66,7 +66,7 @@ pub struct Summary {
     pub host: String,
     /// When the run ended, UTC.
     pub date: String,
-    /// The command line.
+    /// The command line, as a shell reads it.
     pub command: String,
 }
 
@@ -133,7 +133,7 @@ impl Summary {
             threads,
             host: host(),
             date: date(SystemTime::now()),
-            command: std::env::args_os().map(|word| word.to_string_lossy().into_owned()).collect::<Vec<_>>().join(" "),
+            command: std::env::args_os().map(|word| quoted(&word.to_string_lossy())).collect::<Vec<_>>().join(" "),
         }
     }
 
@@ -150,6 +150,16 @@ impl Summary {
     pub fn json(&self) -> String {
         // A summary has nothing that JSON cannot hold.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+}
+
+/// A word as a POSIX shell reads it.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "_@%+=:,./-".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.into()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
     }
 }
 
@@ -180,6 +190,13 @@ fn date(moment: SystemTime) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_are_quoted_where_a_shell_would_read_them_otherwise() {
+        assert_eq!(["out/a-b_1.toml", "1e6", "--law=no-slip"].map(quoted), ["out/a-b_1.toml", "1e6", "--law=no-slip"]);
+        assert_eq!(["", "a b", "$x", "~", "caf\u{e9}"].map(quoted), ["''", "'a b'", "'$x'", "'~'", "'caf\u{e9}'"]);
+        assert_eq!(quoted("sp ace'q\".toml"), r#"'sp ace'\''q".toml'"#);
+    }
 
     #[test]
     fn dates_are_civil() {

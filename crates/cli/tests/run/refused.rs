@@ -338,6 +338,28 @@ fn advice_names_what_the_scene_has_and_works_when_followed() {
             "write a number between 1e-150 and 1e150",
         ),
         ("name = \"circle\"\nradius = true".into(), "4:10", "expected a number", "write for instance 0.5"),
+        ("name = \"strip\"".into(), "4:1", "the length of the walls is infinite", "one by one: [[orbit]]"),
+        ("name = \"wedge\"\nangle = 1".into(), "5:1", "the length of the walls is infinite", "one by one: [[orbit]]"),
+        (
+            format!("dimension = 3\n{}", entry("plane = { through = [0, 0, 0], normal = [0, 0, 1] }")),
+            "6:1",
+            "the area of the walls is infinite",
+            "one by one: [[orbit]]",
+        ),
+        (
+            entry(
+                "ellipse = { center = [0, 0], semi_axes = [2, 1] }\n[[table.boundary]]\ncircle = { center = [2, 0], radius = 0.5, domain = \"outside\" }",
+            ),
+            "6:10",
+            "pieces 0 and 1 cross near (1.78475, ",
+            "may touch but not cross",
+        ),
+        (
+            entry("curve = { implicit = \"(x^2+y^2-1)*((x-4)^2+y^2-1)\", within = [[-2, -2], [6, 2]] }"),
+            "4:22",
+            "must be the only one in its box; this fails near (",
+            "draw the box `within` closer",
+        ),
     ] {
         let output = folder.run(&scene(&table), &[]);
         let told = String::from_utf8(output.stderr).unwrap();

@@ -248,6 +248,39 @@ fn pictures_are_well_formed_and_dense_ones_come_as_pixels_too() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_run_that_cannot_write_all_its_files_leaves_those_of_an_earlier_one() {
+    let folder = Folder::new("all-or-none");
+    let scene = format!("{SQUARE}pictures = [\"orbit\", \"velocity-portrait\"]\n");
+    folder.done(&scene, &[]);
+    let names = ["collisions.csv", "orbit.svg", "velocity-portrait.svg", "summary.json"];
+    let kept = || names.map(|name| folder.read(&format!("out/{name}")));
+    let earlier = kept();
+    fs::write(folder.0.join("other.toml"), scene.replace("[0.5, 0.25]", "[-0.5, 0.25]")).unwrap();
+    // no file may be longer than a thousand bytes or two: the record is not, and the portrait is
+    let line = "trap '' XFSZ; ulimit -f 2; exec \"$0\" run other.toml --out out";
+    let binary = assert_cmd::cargo::cargo_bin("billiards");
+    let mut shell = std::process::Command::new("sh");
+    let output = shell.current_dir(&folder.0).args(["-c", line]).arg(binary).output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(1) && told.starts_with("error: out: File too large"), "{told}");
+    assert_eq!(kept(), earlier);
+    assert_eq!(fs::read_dir(folder.0.join("out")).unwrap().count(), names.len());
+}
+
+#[test]
+fn the_command_of_a_summary_can_be_given_to_a_shell() {
+    let folder = Folder::new("command");
+    let name = "sp ace'q.toml";
+    fs::write(folder.0.join(name), SQUARE).unwrap();
+    let mut command = Command::cargo_bin("billiards").unwrap();
+    let arguments = ["run", name, "--out", "out", "-n", "2"];
+    assert!(command.current_dir(&folder.0).args(arguments).output().unwrap().status.success());
+    let command = folder.summary("out")["command"].as_str().unwrap().to_owned();
+    assert!(command.ends_with(r" run 'sp ace'\''q.toml' --out out -n 2"), "{command}");
+}
+
 #[test]
 fn a_summary_names_the_files_of_its_run() {
     let folder = Folder::new("files");

@@ -63,11 +63,11 @@ impl<const N: usize> RigidBody<N> {
                 (SMatrix::identity(), SMatrix::repeat(moment))
             }
             Inertia::Tensor(tensor) => {
-                let (axes, frame) = eigenframe(symmetric(&tensor)?);
+                let (axes, frame) = eigenframe(symmetric("the inertia", &tensor)?);
                 (frame, SMatrix::from_fn(|i, j| if i == j { 0.0 } else { axes[3 - i - j] }))
             }
             Inertia::SecondMoments(s) => {
-                let (axes, frame) = eigenframe(symmetric(&s)?);
+                let (axes, frame) = eigenframe(symmetric("S, the second moments,", &s)?);
                 let smallest = axes.min();
                 // flat bodies have a zero, which the rounding of S and of its eigenvalues may make negative
                 if smallest < -4.0 * N as f64 * f64::EPSILON * axes.amax() {
@@ -112,14 +112,17 @@ fn planes<const N: usize>() -> impl Iterator<Item = (usize, usize)> {
     (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
 }
 
-/// `a`, if it is finite and symmetric up to rounding.
-pub(super) fn symmetric<const N: usize>(a: &SMatrix<f64, N, N>) -> Result<SMatrix<f64, N, N>, Error> {
+/// `a`, called so in messages, if it is finite and symmetric up to rounding.
+pub(super) fn symmetric<const N: usize>(
+    quantity: &'static str,
+    a: &SMatrix<f64, N, N>,
+) -> Result<SMatrix<f64, N, N>, Error> {
     if a.iter().any(|x| !x.is_finite()) {
-        return Err(Error::NotFinite { quantity: "the inertia" });
+        return Err(Error::NotFinite { quantity });
     }
     let defect = (a - a.transpose()).amax();
     if defect > 4.0 * f64::EPSILON * a.amax() {
-        return Err(Error::InertiaNotSymmetric { defect });
+        return Err(Error::InertiaNotSymmetric { quantity, defect });
     }
     Ok(a * 0.5 + a.transpose() * 0.5) // halved first: the sum may overflow
 }
@@ -176,7 +179,9 @@ mod tests {
             Error::InertiaForm { form: "a moment of inertia", expected: 2, dimension: 3 }
         );
         tensor[(0, 1)] = 0.5;
-        assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotSymmetric { defect: 0.5 });
+        assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotSymmetric { quantity: "the inertia", defect: 0.5 });
+        let skew = RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::new(1.0, 0.5, 0.0, 1.0))).unwrap_err();
+        assert!(skew.to_string().starts_with("S, the second moments, is not symmetric"), "{skew}");
         tensor = Matrix3::from_diagonal(&[1.0, -2.0, 1.0].into());
         assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotPositive { smallest: -2.0 });
         let rod = Matrix3::from_diagonal(&[1.0, 0.0, 0.0].into());

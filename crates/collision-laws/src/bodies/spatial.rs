@@ -25,7 +25,7 @@ impl Spatial {
     pub fn new(mass: f64, tensor: Matrix3<f64>) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let principal = RigidBody::<3>::new(mass, Inertia::Tensor(tensor))?;
-        Ok(Self { mass, tensor: symmetric(&tensor)?, inverse: principal.inverse_tensor() })
+        Ok(Self { mass, tensor: symmetric("the inertia", &tensor)?, inverse: principal.inverse_tensor() })
     }
 
     /// The mass `m`.

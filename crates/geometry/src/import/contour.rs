@@ -137,10 +137,13 @@ impl Pen {
             self.at = to;
         }
     }
+    /// Whether the path is where it started, within rounding.
+    pub(super) fn is_home(&self) -> bool {
+        (self.at - self.start).amax() <= 4.0 * slack(self.at.iter().chain(self.start.iter()).copied())
+    }
     /// The closed path; `None` where there is no edge.
     pub(super) fn close(mut self) -> Option<Form> {
-        let gap = (self.at - self.start).amax();
-        if gap > 4.0 * slack(self.at.iter().chain(self.start.iter()).copied()) {
+        if !self.is_home() {
             self.draw(Edge::Line, self.start);
         } else if let Some(last) = self.edges.last_mut() {
             last.1 = self.start;

@@ -16,14 +16,15 @@ use roxmltree::{Document, Node, ParsingOptions};
 /// The outlines of an SVG drawing, as pieces of a table.
 ///
 /// Read are `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse`, with the transformations of elements and
-/// groups, as attributes; open outlines are closed by a straight edge, as filling does. Hidden elements, texts, images and elements of
-/// other namespaces are left out. Colours, fill rules, clips and the view box mean nothing here: lengths are user units, and absolute
+/// groups, as attributes; open outlines are closed by a straight edge where they are filled, as filling does. Hidden elements, texts, images and elements of
+/// other namespaces are left out. Colours (but for `fill="none"` of an open outline), fill rules, clips and the view box mean nothing here: lengths are user units, and absolute
 /// units (`mm`, `in`, …) are converted at 96 per inch. The x₂ axis of a table points up, that of a drawing down: `y` becomes `−y`, so
 /// that both look the same. Bézier curves become arcs within `tolerance` times the greatest coordinate ([`TOLERANCE`](super::TOLERANCE)
 /// is a good one).
 ///
 /// # Errors
-/// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for a `use`, which
+/// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for an open outline that
+/// is not filled, for a `use`, which
 /// should be expanded by the drawing program, and for styles that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a
 /// drawing without outlines; [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
 pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
@@ -43,8 +44,8 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     root.descendants().filter(is_own).try_for_each(|node| rules_nothing(&node))?;
     let mut outlines = vec![];
     // depth does not overflow a stack of our own
-    let mut open = vec![(root, Affine::FLIP, true)];
-    while let Some((node, outer, is_visible)) = open.pop() {
+    let mut open = vec![(root, Affine::FLIP, true, true)];
+    while let Some((node, outer, is_visible, is_filled)) = open.pop() {
         let name = node.tag_name().name();
         if !GROUPS.contains(&name) && !DRAWN.contains(&name)
             || style::value(&node, "display").as_deref() == Some("none")
@@ -62,6 +63,10 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
             None | Some("inherit") => is_visible,
             Some(visibility) => visibility == "visible",
         };
+        let is_filled = match style::value(&node, "fill").as_deref() {
+            None | Some("inherit") => is_filled,
+            Some(fill) => fill != "none",
+        };
         let here =
             outer.after(&affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| place(&node).fail(e))?);
         if GROUPS.contains(&name) {
@@ -74,12 +79,13 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
                 "switch" => children.filter(is_for_all).take(1).collect(),
                 _ => children.collect(),
             };
-            open.extend(children.into_iter().rev().map(|child| (child, here, is_visible)));
+            open.extend(children.into_iter().rev().map(|child| (child, here, is_visible, is_filled)));
         } else if is_visible {
             outlines.extend(element(name, &node)?.into_iter().map(|drawn| Outline {
                 place: place(&node),
                 drawn,
                 here,
+                is_filled,
             }));
         }
     }
@@ -182,7 +188,11 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
         "polygon" | "polyline" => {
             let points = path::points(node.attribute("points").unwrap_or("")).map_err(|e| place(node).fail(e))?;
             let Some((first, rest)) = points.split_first() else { return Ok(vec![]) };
-            vec![Drawn::Path(Subpath { start: *first, edges: rest.iter().map(|&p| Draw::Line(p)).collect() })]
+            vec![Drawn::Path(Subpath {
+                start: *first,
+                edges: rest.iter().map(|&p| Draw::Line(p)).collect(),
+                closed: name == "polygon",
+            })]
         }
         "circle" | "ellipse" => {
             let center = v(length(node, "cx", 0.0)?, length(node, "cy", 0.0)?);
@@ -233,7 +243,7 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
                 ]
             };
             let start = if rx == 0.0 || ry == 0.0 { v(x, y) } else { v(x + rx, y) };
-            vec![Drawn::Path(Subpath { start, edges })]
+            vec![Drawn::Path(Subpath { start, edges, closed: true })]
         }
         "line" => return fail("a straight line bounds nothing: an outline must enclose an area".into()),
         _ => {
@@ -249,6 +259,7 @@ struct Outline {
     place: Place,
     drawn: Drawn,
     here: Affine,
+    is_filled: bool,
 }
 
 impl Outline {
@@ -294,6 +305,11 @@ impl Outline {
                         }
                     }
                     from = draw.end();
+                }
+                if !path.closed && !self.is_filled && !pen.is_home() {
+                    let problem = "the outline is open and nothing fills it: close it (a path with Z), or give it a fill, \
+                                   which closes it by a straight edge";
+                    return Err(self.place.fail(problem));
                 }
                 pen.close()
             }

@@ -98,6 +98,8 @@ impl<'a> Scanner<'a> {
 pub(super) struct Subpath {
     pub(super) start: Vector2<f64>,
     pub(super) edges: Vec<Draw>,
+    /// Whether it says that it is closed.
+    pub(super) closed: bool,
 }
 
 /// An edge of a path.
@@ -159,7 +161,7 @@ pub(super) fn parse(text: &str) -> Result<Vec<Subpath>, String> {
         let draw = match command.to_ascii_uppercase() {
             b'M' => {
                 at = point(&mut scanner)?;
-                parts.push(Subpath { start: at, edges: vec![] });
+                parts.push(Subpath { start: at, edges: vec![], closed: false });
                 // further points are lines
                 command = if relative { b'l' } else { b'L' };
                 (cubic, quadratic) = (None, None);
@@ -167,8 +169,11 @@ pub(super) fn parse(text: &str) -> Result<Vec<Subpath>, String> {
             }
             b'Z' => {
                 // what follows a closed part starts where that did
-                at = parts.last().map_or(at, |part| part.start);
-                parts.push(Subpath { start: at, edges: vec![] });
+                if let Some(part) = parts.last_mut() {
+                    part.closed = true;
+                    at = part.start;
+                }
+                parts.push(Subpath { start: at, edges: vec![], closed: false });
                 (cubic, quadratic) = (None, None);
                 continue;
             }

@@ -44,7 +44,7 @@ impl Solid {
                         let about = self.closest(&bound.center);
                         Kind::Disk { about, radius: bound.radius }
                     }
-                    (_, None) => return Err(Error::Unbounded),
+                    (_, None) => return Err(Error::Unbounded { what: "the area of the walls" }),
                 },
                 Body::Parallel(parallel) => {
                     let [low, high] = parallel.extent();
