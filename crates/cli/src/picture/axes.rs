@@ -100,7 +100,7 @@ impl Axis {
 /// Room that axes need beside the frame: left, below.
 pub const MARGIN: [f64; 2] = [31.0, 25.0];
 
-/// Width of a digit in DejaVu Serif, in units of the size of the face.
+/// Width of a digit in `DejaVu` Serif, in units of the size of the face.
 const WIDEST_DIGIT: f64 = 0.64;
 
 /// White on the right of the frame.
