@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 
 use super::Failure;
 use crate::args;
@@ -54,7 +54,10 @@ fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnc
             while !over.load(Ordering::Relaxed) {
                 thread::park_timeout(GLANCE);
                 if begun.elapsed() > PATIENCE {
-                    bar.get_or_insert_with(|| progress_bar(simulation.steps())).set_position(control.steps_done());
+                    let (steps, done) = (simulation.steps(), control.steps_done());
+                    let bar = bar.get_or_insert_with(|| progress_bar(steps));
+                    bar.set_position(done);
+                    bar.set_message(outlook(begun.elapsed(), done, steps));
                 }
             }
             if let Some(bar) = bar {
@@ -81,8 +84,18 @@ impl Drop for Over<'_> {
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {eta} to go; Ctrl-C keeps what is done");
+    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {msg}; Ctrl-C keeps what is done");
     ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// How long the rest takes if it goes on as it went; when all orbits are run, what is done then.
+fn outlook(elapsed: Duration, done: u64, steps: u64) -> String {
+    if done >= steps {
+        return "horizons, pictures, files".into();
+    }
+    let seconds = elapsed.as_secs_f64() * ((steps - done) as f64 / done.max(1) as f64);
+    // in the largest units: no more is known
+    format!("{:#} to go", HumanDuration(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)))
 }
 
 /// A short summary, and what was written.
@@ -102,4 +115,20 @@ fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Wr
     writeln!(out, "  digits      {}", summary.horizon.in_words(summary.orbits))?;
     let names = done.files.iter().filter_map(|file| file.file_name()).map(|name| name.to_string_lossy());
     writeln!(out, "  written     {}: {}", folder.display(), names.collect::<Vec<_>>().join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rest_takes_as_long_as_what_is_done_took() {
+        let after = |seconds: u64, done, steps| outlook(Duration::from_secs(seconds), done, steps);
+        assert_eq!(after(1, 1, 20), "19s to go");
+        assert_eq!(after(2, 1 << 32, 1 << 33), "2s to go");
+        assert_eq!(after(3600, 10, 20), "60m to go");
+        assert_eq!(after(9, 20, 20), "horizons, pictures, files");
+        // nothing is done yet, and there is no end of it
+        assert!(after(1, 0, u64::MAX).ends_with("y to go"));
+    }
 }
