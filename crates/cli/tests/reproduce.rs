@@ -20,7 +20,7 @@ fn reproduce(words: &[&str], out: &Path) -> assert_cmd::assert::Assert {
 }
 
 #[test]
-fn every_figure_is_well_formed_and_the_same_every_time() {
+fn every_figure_is_well_formed_the_same_every_time_and_that_of_the_gallery() {
     for figure in figures::all() {
         let once = (figure.draw)(Effort::Quick).unwrap_or_else(|e| panic!("{}: {e}", figure.name)).to_string();
         let options = roxmltree::ParsingOptions { nodes_limit: u32::MAX, ..Default::default() };
@@ -32,6 +32,9 @@ fn every_figure_is_well_formed_and_the_same_every_time() {
         assert!(drawn.all(|part| !part.contains("NaN")), "{}", figure.name);
         let twice = (figure.draw)(Effort::Quick).unwrap().to_string();
         assert!(once == twice, "{}", figure.name);
+        let gallery = format!("{}/../../docs/gallery/{}.svg", env!("CARGO_MANIFEST_DIR"), figure.name);
+        let kept = fs::read_to_string(gallery).unwrap();
+        assert!(once == kept, "{}: draw the gallery anew, as docs/GALLERY.md says", figure.name);
     }
 }
 
