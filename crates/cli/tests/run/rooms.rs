@@ -177,7 +177,7 @@ fn rooms_that_cannot_be_filled_are_refused() {
     let shape = "shape = { name = \"cylinder\", radius = 2, height = 3, center = [5, 0, -1], domain = \"inside\" }";
     let sphere = "sphere = { center = [5.5, 0, -1], radius = 0.5, domain = \"outside\" }";
     for (radius, this, instead, place, what) in [
-        (0.0, shape, tilted, "11:1", "the table is unbounded"),
+        (0.0, shape, tilted, "11:1", "the area of the walls is infinite: nothing is uniform on it"),
         (0.0, sphere, "sphere = { center = [0, 0, 0], radius = 0.5 }", "11:1", "nothing is left of the walls"),
         (
             1.5,
