@@ -6,9 +6,12 @@ use billiards::BallLaw;
 use billiards::collision_laws::laws::NoSlip;
 use billiards::geometry::{Line, Piece, Vector2, WallHit};
 use billiards::laws::{Disk, Specular};
+use std::sync::LazyLock;
 
 /// γ² of the disk whose no-slip collisions are checked.
 pub(crate) const GAMMA_SQUARED: f64 = 0.5;
+/// Made once: its coefficients are searched for.
+static NO_SLIP: LazyLock<Disk> = LazyLock::new(|| Disk::new(&NoSlip, libm::sqrt(GAMMA_SQUARED)));
 /// A hit steeper than this is away from grazing.
 pub(crate) const STEEP: f64 = 0.25;
 /// Within so many ulp of the size two answers are right: twice what counts as a corner.
@@ -190,7 +193,7 @@ impl Errors {
         velocities[0].1 = [spin];
         velocities[1].1 = [spin];
         Specular.collide(&hit, &mut velocities[0].0, &mut velocities[0].1);
-        Disk::new(&NoSlip, gamma).collide(&hit, &mut velocities[1].0, &mut velocities[1].1);
+        NO_SLIP.collide(&hit, &mut velocities[1].0, &mut velocities[1].1);
         // the normal of a curved wall turns by κ times the error of the position, that of a straight one with its vertices
         let piece = subject.pieces[number];
         let unit = f64::EPSILON.max(piece.curvature(&hit.point.into()).abs() * ulp).max(ulp / piece.length());

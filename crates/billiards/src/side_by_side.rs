@@ -310,6 +310,11 @@ where
     type Output = ();
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) {
-        self.all(Twin::of(zero));
+        // on a CPU without vectors that we know, two groups of one are enough: it has not more than 16 registers
+        if const { F::LANES > 1 } {
+            self.all(Twin::of(zero));
+        } else {
+            self.all(zero);
+        }
     }
 }

@@ -3,7 +3,9 @@ use crate::{Kernel, Lane, Mask, Task};
 use core::any::Any;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
-use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
+#[cfg(target_arch = "x86_64")]
+use pulp::NullaryFnOnce;
+use pulp::{Arch, Simd, WithSimd};
 
 /// As many numbers as a vector register of the instruction set `S` holds, aligned like `A`.
 ///
@@ -240,7 +242,9 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
 /// Runs a task compiled for the best instruction set of this CPU, still one number at a time: the three-operand
 /// instructions of AVX save moves, and no bit of a result changes.
 pub fn vectorized<T: Task>(task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
     struct Run<T>(T);
+    #[cfg(target_arch = "x86_64")]
     impl<T: Task> NullaryFnOnce for Run<T> {
         type Output = T::Output;
         #[inline(always)]
@@ -253,7 +257,8 @@ pub fn vectorized<T: Task>(task: T) -> T::Output {
     if let Some(avx2) = pulp::x86::V3::try_new() {
         return avx2.vectorize(Run(task));
     }
-    Arch::new().dispatch(Run(task))
+    // elsewhere the instructions for one number are those that every CPU has
+    task.run()
 }
 
 /// The name of the instruction set that [`dispatch`] uses on this CPU, and its number of lanes.

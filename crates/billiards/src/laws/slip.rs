@@ -71,9 +71,11 @@ impl Reflection {
     /// Push and pull for a length of `u`.
     #[inline(always)]
     fn of_length<F: Lane>(&self, length: F) -> [[F; 2]; 2] {
-        let push = self.direction.map(|u| length * u);
+        // no closures: in a build without optimisation they would be functions of their own, for another instruction set
+        let [spin, tangent] = self.direction;
+        let push = [length * spin, length * tangent];
         let factor = length.same(2.0) / (push[0] * push[0] + push[1] * push[1]);
-        [push, push.map(|u| u * factor)]
+        [push, [push[0] * factor, push[1] * factor]]
     }
 }
 
