@@ -33,7 +33,7 @@ pub enum Error {
         value: f64,
     },
     /// A length \[L\] outside its range.
-    #[error("{name} must be {must}, not {value}")]
+    #[error("{name} must be {must}, not {}", short(*value))]
     Length {
         /// Its name.
         name: &'static str,
@@ -351,6 +351,11 @@ fn about(at: &[f64; 2]) -> String {
 
 fn six_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+/// A number with an exponent where it would be a row of zeros.
+fn short(x: f64) -> String {
+    format!("{x:?}").trim_end_matches(".0").into()
 }
 
 /// What is wrong with a radius.

@@ -57,11 +57,22 @@ const MOST_TRANSLATES: f64 = 1e6;
 /// shorter piece; no corner that anybody means is this flat.
 pub(crate) const SMOOTH: f64 = 1e-9;
 
+/// Squares of lengths must be numbers, and so must what comes of them: the greatest finite coordinate tells.
+fn has_squares(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
+    let coordinates = pieces.iter().map(|piece| piece.extent()).flat_map(|e| [e.min.x, e.min.y, e.max.x, e.max.y]);
+    let value = coordinates.map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max);
+    if value == 0.0 || (1e-150..=1e150).contains(&value) {
+        return Ok(());
+    }
+    Err(Error::Length { name: "the greatest coordinate of the boundary", must: "between 1e-150 and 1e150", value })
+}
+
 impl Table {
     /// The table bounded by the given pieces.
     ///
     /// # Errors
-    /// [`Error::Empty`] without pieces, [`Error::Open`] where a piece ends and no other starts, or the other way round.
+    /// [`Error::Empty`] without pieces, [`Error::Length`] if the greatest coordinate is beyond 10¹⁵⁰ or less than 10⁻¹⁵⁰, since squares
+    /// would be no numbers any more, [`Error::Open`] where a piece ends and no other starts, or the other way round.
     pub fn new(pieces: Vec<Box<dyn Piece>>) -> Result<Table, Error> {
         Table::periodic(pieces, None)
     }
@@ -75,6 +86,7 @@ impl Table {
         if pieces.is_empty() {
             return Err(Error::Empty);
         }
+        has_squares(&pieces)?;
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let cell = lattice.map(FundamentalCell::at_origin);
         let lattice = cell.as_ref().map(FundamentalCell::lattice);

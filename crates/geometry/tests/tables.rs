@@ -496,3 +496,18 @@ fn nothing_is_built_about_a_center_that_is_no_place() {
         refused(walls::Capsule::new(at, 1.0, 1.0, [0; 4]).err());
     }
 }
+
+#[test]
+fn tables_whose_squares_are_no_numbers_are_refused() {
+    for size in [1e-150, 1e150] {
+        tables::circle(size).unwrap();
+        tables::stadium(0.5 * size, 0.5 * size).unwrap();
+    }
+    for size in [1e-151, 1e151, 1e-300, 1e300] {
+        let error = tables::circle(size).unwrap_err();
+        assert!(matches!(error, Error::Length { .. }), "{error}");
+        assert!(error.to_string().ends_with(&format!("between 1e-150 and 1e150, not {size:?}")), "{error}");
+    }
+    // infinite lines through the origin have no size
+    tables::wedge(1.0).unwrap();
+}
