@@ -163,6 +163,20 @@ fn every_kink_is_a_corner_wherever_the_turn_ends() {
     std::thread::scope(|scope| curves.chunks(100).for_each(|some| _ = scope.spawn(|| some.iter().for_each(check))));
 }
 
+/// About an inflection, the waves that cancel are rounded each for itself; the arc had been given up, and with it all twelve.
+#[test]
+fn arcs_on_which_waves_cancel_are_graphs() {
+    let wave = |amount: f64, count: f64, phase: f64, kinks: bool| Wave { amount, count, phase, kinks };
+    let waves = vec![
+        wave(-0.111_763_568_381_164_66, 6.0, 2.044_079_833_764_161_7, true),
+        wave(-0.118_534_244_628_376_8, 5.0, 1.855_034_997_953_579_6, false),
+        wave(0.141_943_361_409_374_27, 1.0, 1.231_795_386_045_701_2, false),
+    ];
+    let pieces = Polar::new(Vector2::zeros(), Sum(waves), true).unwrap().pieces();
+    let counts: Vec<_> = pieces.iter().map(|piece| piece.graphs().unwrap().len()).collect();
+    assert!(counts.len() == 12 && counts.iter().all(|count| *count <= 512), "{counts:?}");
+}
+
 fn clover() -> Clover {
     Clover { radius: 1.0, amount: 0.2, leaves: 5 }
 }
