@@ -2,12 +2,13 @@
 use crate::{
     Error,
     billiard::{BallLaw, Billiard},
-    energy::EnergyKeeper,
-    observe::Observer,
+    energy::{EnergyKeeper, Keeping},
+    observe::{LaneObserver, Observer},
     orbit::Orbit,
     run::{Limit, run},
+    side_by_side::{Finished, run_side_by_side},
     stop::Outcome,
-    track::Track,
+    track::{Track, Tracking},
 };
 use geometry::{Walls, WithWalls, tables::SpatialTable};
 
@@ -66,6 +67,54 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
         O: Observer<3, 3, K, T>,
     {
         self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
+    }
+
+    /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
+    ///
+    /// ```
+    /// use billiards::{CanonicalSpatial, Conserved, Orbit, Spatial, Starts, geometry::tables, laws::RoughBall};
+    ///
+    /// let ball = Spatial { table: tables::ball(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    /// let canonical = CanonicalSpatial::new(&ball.table, 1.0, 7).unwrap();
+    /// let mut orbits = (0..100).map(|i| canonical.start(i).orbit(()));
+    /// let mut energies = vec![];
+    /// ball.run_side_by_side(&mut orbits, 1000, &mut (), &mut |finished| {
+    ///     let orbit: Orbit<f64, 3, 3, Conserved<f64, 3>> = finished.orbit;
+    ///     energies.push(orbit.velocity.iter().chain(&orbit.spin).map(|v| v * v).sum::<f64>());
+    /// });
+    /// assert!(energies.len() == 100 && energies.iter().all(|energy| (energy - 1.0).abs() < 1e-14));
+    /// # Ok::<(), billiards::geometry::Error>(())
+    /// ```
+    pub fn run_side_by_side<K: Keeping<3, 3>, T: Tracking<3, 3>, O: LaneObserver<3, 3, K, T>>(
+        &self,
+        orbits: &mut dyn Iterator<Item = Orbit<f64, 3, 3, K, T>>,
+        collisions: u64,
+        observer: &mut O,
+        finished: &mut dyn FnMut(Finished<3, 3, K, T>),
+    ) {
+        self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, observer, finished });
+    }
+}
+
+struct ManyOn<'a, L, K, T, O> {
+    law: &'a L,
+    orbits: &'a mut dyn Iterator<Item = Orbit<f64, 3, 3, K, T>>,
+    collisions: u64,
+    observer: &'a mut O,
+    finished: &'a mut dyn FnMut(Finished<3, 3, K, T>),
+}
+
+impl<L, K, T, O> WithWalls<3> for ManyOn<'_, L, K, T, O>
+where
+    L: BallLaw<3, 3>,
+    K: Keeping<3, 3>,
+    T: Tracking<3, 3>,
+    O: LaneObserver<3, 3, K, T>,
+{
+    type Output = ();
+    fn run<W: Walls<3>>(self, walls: &W) {
+        let billiard = Billiard { walls, law: self.law };
+        run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
     }
 }
 

@@ -5,9 +5,7 @@ use super::super::law::Law;
 use super::super::state::{State, first};
 use super::{End, Entry, Method, always, in_steps};
 use crate::simulation::{PlanarLaw, SpatialLaw};
-use billiards::geometry::tables::SpatialTable;
-use billiards::geometry::{Walls, WithWalls};
-use billiards::{Billiard, Conserved, EnergyKeeper, Finished, Orbit, Planar, Stop, run_side_by_side};
+use billiards::{Conserved, EnergyKeeper, Finished, Orbit, Planar, Spatial, Stop};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact, side by side",
@@ -19,7 +17,7 @@ pub(super) const ENTRY: Entry = Entry {
 fn build(case: &Case, law: Law) -> Box<dyn Method> {
     match &case.space {
         Space::Plane(table) => Box::new(Plane { billiard: Planar { table: table.clone(), law: law.planar() } }),
-        Space::Room(table) => Box::new(Room { table: table.clone(), law: law.spatial() }),
+        Space::Room(table) => Box::new(Room { billiard: Spatial { table: table.clone(), law: law.spatial() } }),
     }
 }
 
@@ -29,8 +27,7 @@ struct Plane {
 }
 
 struct Room {
-    table: SpatialTable,
-    law: SpatialLaw,
+    billiard: Spatial<SpatialLaw>,
 }
 
 /// An orbit with its energy.
@@ -86,34 +83,14 @@ impl Method for Plane {
 impl Method for Room {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
         follow(start, stops, look, |orbit, collisions, finished| {
-            let starts = &mut std::iter::once(orbit);
-            self.table.with_walls(On { law: &self.law, starts, collisions, finished });
+            self.billiard.run_side_by_side(&mut std::iter::once(orbit), collisions, &mut (), finished);
         })
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
         let mut made = 0;
-        let on = On {
-            law: &self.law,
-            starts: &mut many(starts),
-            collisions: share(starts, collisions),
-            finished: &mut |f| made += f.outcome.collisions,
-        };
-        self.table.with_walls(on);
+        let mut finished = |f: Finished<3, 3, Conserved<f64, 3>, ()>| made += f.outcome.collisions;
+        let each = share(starts, collisions);
+        self.billiard.run_side_by_side(&mut many(starts), each, &mut (), &mut finished);
         made
-    }
-}
-
-struct On<'a> {
-    law: &'a SpatialLaw,
-    starts: &'a mut dyn Iterator<Item = Kept<3, 3>>,
-    collisions: u64,
-    finished: &'a mut dyn FnMut(Finished<3, 3, Conserved<f64, 3>, ()>),
-}
-
-impl WithWalls<3> for On<'_> {
-    type Output = ();
-    fn run<W: Walls<3>>(self, walls: &W) {
-        let billiard = Billiard { walls, law: self.law };
-        run_side_by_side(&billiard, self.starts, self.collisions, &mut (), self.finished);
     }
 }
