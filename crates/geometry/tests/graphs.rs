@@ -172,9 +172,39 @@ fn arcs_on_which_waves_cancel_are_graphs() {
         wave(-0.118_534_244_628_376_8, 5.0, 1.855_034_997_953_579_6, false),
         wave(0.141_943_361_409_374_27, 1.0, 1.231_795_386_045_701_2, false),
     ];
-    let pieces = Polar::new(Vector2::zeros(), Sum(waves), true).unwrap().pieces();
-    let counts: Vec<_> = pieces.iter().map(|piece| piece.graphs().unwrap().len()).collect();
+    let formula = Sum(waves);
+    let table = Table::new(Polar::new(Vector2::zeros(), formula.clone(), true).unwrap().pieces()).unwrap();
+    let counts: Vec<_> = table.pieces().iter().map(|piece| piece.graphs().unwrap().len()).collect();
     assert!(counts.len() == 12 && counts.iter().all(|count| *count <= 512), "{counts:?}");
+    let mut random = Random(8);
+    let (mut farthest, mut askew) = (0.0_f64, 0.0_f64);
+    for _ in 0..20_000 {
+        let point = Vector2::new(random.between(-0.4, 0.4), random.between(-0.4, 0.4));
+        let (sin, cos) = libm::sincos(random.between(-PI, PI));
+        let hit = table.with_walls(First(Line { point, velocity: Vector2::new(cos, sin) })).unwrap();
+        let distance = hit.point.norm();
+        let [r, slope] = exactly(&formula, libm::atan2(hit.point.y, hit.point.x));
+        farthest = farthest.max((distance - r).abs());
+        let radial = hit.point / distance;
+        let normal = (Vector2::new(-radial.y, radial.x) * slope - radial * r).normalize();
+        askew = askew.max((hit.normal - normal).norm());
+    }
+    // as far as the formula itself is off: sines and cosines of up to 40 radians, and their derivatives
+    assert!(farthest <= 8.0 * f64::EPSILON && askew <= 48.0 * f64::EPSILON, "{farthest:e} {askew:e}");
+}
+
+/// `r` and `r′` without the rounding of `kφ + p`.
+fn exactly(formula: &Sum, angle: f64) -> [f64; 2] {
+    formula.0.iter().fold([1.0, 0.0], |[r, slope], &Wave { amount, count, phase, kinks }| {
+        let turned = count * angle;
+        let sum = turned + phase;
+        let rest = count.mul_add(angle, -turned)
+            + if turned.abs() < phase.abs() { phase - sum + turned } else { turned - sum + phase };
+        let (sin, cos) = libm::sincos(sum);
+        let (sin, cos) = (sin + rest * cos, cos - rest * sin);
+        let signed = if kinks { amount * cos.signum() } else { amount };
+        [r + signed * cos, slope - signed * count * sin]
+    })
 }
 
 fn clover() -> Clover {

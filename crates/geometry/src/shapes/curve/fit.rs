@@ -14,12 +14,11 @@ const SAMPLES: usize = 2 * DEGREE + 4;
 /// few functions are wrong by.
 const AGREE: f64 = 8.0 * f64::EPSILON;
 
-/// How many times as much a rough curve may be wrong by.
-const ROUGH: f64 = 8.0;
+/// How many times as much a rough curve may be wrong by: the least that will do.
+const ROUGH: [f64; 3] = [4.0, 8.0, 16.0];
 
-/// What terms of higher degree may be where all that polynomials leave of the inclines is noise, in units of its root mean square; and
-/// what the last terms may be as well about inflections of a rough curve, where waves cancel that are rounded one by one.
-const NOISE: [f64; 2] = [0.6, 1.0];
+/// What terms of higher degree may be where all that polynomials leave of the inclines is noise, in units of its root mean square.
+const NOISE: f64 = 0.6;
 
 /// Greatest incline of a graph over its chord.
 const STEEP: f64 = 0.5;
@@ -31,7 +30,8 @@ const PART: f64 = 0.8;
 /// bound, as that of |x|^2.5, stretches become shorter towards the place and long again beyond.
 const LEAST: f64 = 1.0 / 70_368_744_177_664.0; // 2⁻⁴⁶
 
-/// Graphs of one curve of which rough ones are a small part, if it is as smooth as they say: a hundred are usual.
+/// So many graphs of one curve are many: a hundred are usual. If a fourth of them is enough where a formula may be wrong by more, they
+/// follow its rounding, and not its bends.
 const MANY: usize = 512;
 
 /// Most graphs of one curve; one that needs more is rough.
@@ -71,7 +71,7 @@ pub fn graphs(
     vertices: [Vector2<f64>; 2],
     size: f64,
 ) -> Option<Vec<Graph>> {
-    Cut { curve, size, rounding: 1.0, noise: [0.0, NOISE[0]] }.all([start, end], vertices)
+    Cut { curve, size, rounding: 1.0, noise: 0.0 }.all([start, end], vertices)
 }
 
 /// The same, or else rough ones: of formulas that are themselves wrong by more than usual, as with a dozen waves, which multiply the
@@ -82,10 +82,10 @@ pub(crate) fn rough_graphs(
     vertices: [Vector2<f64>; 2],
     size: f64,
 ) -> Option<Vec<Graph>> {
-    let rough = || Cut { curve, size, rounding: ROUGH, noise: [NOISE[1]; 2] }.all([start, end], vertices);
+    let cut = |rounding: f64| Cut { curve, size, rounding, noise: NOISE }.all([start, end], vertices);
     match graphs(curve, [start, end], vertices, size) {
-        Some(graphs) if graphs.len() <= MANY => Some(graphs),
-        many => rough().or(many),
+        Some(many) if many.len() > MANY => Some(cut(ROUGH[0]).filter(|few| few.len() < many.len() / 4).unwrap_or(many)),
+        graphs => graphs.or_else(|| ROUGH.into_iter().find_map(cut)),
     }
 }
 
@@ -100,8 +100,9 @@ struct Cut<'a, C> {
     size: f64,
     /// How many times the usual rounding is allowed.
     rounding: f64,
-    /// How much of the noise the last terms and the next may be.
-    noise: [f64; 2],
+    /// [`NOISE`], if the last terms may be noise as the next may: about inflections of a rough curve, where waves cancel that are rounded
+    /// one by one.
+    noise: f64,
 }
 
 /// Why a stretch is no graph.
@@ -187,10 +188,7 @@ impl<C: Parametric> Cut<'_, C> {
         };
         let [left, noise] = left_out(&samples, &heights);
         let small = self.rounding * f64::EPSILON * (0.5 + 0.25 * turning);
-        if !(samples.iter().all(agrees)
-            && rest <= small + self.noise[0] * noise
-            && left <= small + self.noise[1] * noise)
-        {
+        if !(samples.iter().all(agrees) && rest <= small + self.noise * noise && left <= small + NOISE * noise) {
             return Err(Refused::Long);
         }
         if let Some(a) = inflection(&heights) {
