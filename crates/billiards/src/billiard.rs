@@ -149,7 +149,11 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         if self.walls.rounds_normals() {
             orbit.keeper.straighten(&mut orbit.velocity, hit, &arrived);
         }
-        orbit.keeper.leave(&mut orbit.velocity, hit, &arrived);
+        if reverses && self.walls.are_parallel() {
+            orbit.keeper.leave_along(&mut orbit.velocity, &mut orbit.spin, hit, &arrived);
+        } else {
+            orbit.keeper.leave(&mut orbit.velocity, hit, &arrived);
+        }
         if self.law.is_strict() {
             return !slow.lt((normal_speed * hit.inverse).abs());
         }

@@ -39,6 +39,9 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     }
     /// Sees what `arrived` at a collision, and may correct the velocity that leaves it.
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>);
+    /// The same as [`leave`](EnergyKeeper::leave) under a strict law [between parallel walls](geometry::Walls::are_parallel), where what is
+    /// along the normal is never rounded: for what is not, of velocity and spin.
+    fn leave_along(&mut self, velocity: &mut [F; N], spin: &mut [F; S], hit: &WallHit<F, N>, arrived: &Arrived<F>);
     /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
     fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F>) {}
     /// The same as [`leave`](EnergyKeeper::leave) for the components of velocities along the normal, which comes first, and the
@@ -126,6 +129,8 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
     #[inline(always)]
     fn leave(&mut self, _: &mut [F; N], _: &WallHit<F, N>, _: &Arrived<F>) {}
     #[inline(always)]
+    fn leave_along(&mut self, _: &mut [F; N], _: &mut [F; S], _: &WallHit<F, N>, _: &Arrived<F>) {}
+    #[inline(always)]
     fn leave_in_frame(&mut self, _: &mut [F; N], _: &mut [F; S], _: F) {}
 }
 
@@ -211,6 +216,30 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.is_due() {
             self.restore(velocity, hit, arrived);
+        }
+    }
+    /// The spin has the axes of the velocity, or else all of it is along the walls.
+    #[inline(always)]
+    fn leave_along(&mut self, velocity: &mut [F; N], spin: &mut [F; S], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
+        if self.is_due() {
+            let [zero, one] = [arrived.owed.same(0.0), arrived.owed.same(1.0)];
+            let along = |i: usize| one - hit.normal[i] * hit.normal[i];
+            let of_spin = |i: usize| if S == N { along(i) } else { one };
+            let mut square = zero;
+            for i in 0..N {
+                square = square + velocity[i] * velocity[i] * along(i);
+            }
+            for i in 0..S {
+                square = square + spin[i] * spin[i] * of_spin(i);
+            }
+            let much = self.little.lt(square);
+            let growth = much.select(arrived.owed * 0.5 / much.select(square, one), zero);
+            for i in 0..N {
+                velocity[i] = velocity[i] + velocity[i] * (growth * along(i));
+            }
+            for i in 0..S {
+                spin[i] = spin[i] + spin[i] * (growth * of_spin(i));
+            }
         }
     }
     /// With the unit vector `u = ι n`, `v − 2 (v·u) u/|u|²` is `v − 2 (v·u) u` less `2 (v·u) (1 − |u|²) u`.

@@ -34,6 +34,12 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         }
     }
     #[inline(always)]
+    fn leave_along(&mut self, velocity: &mut [F; N], spin: &mut [F; S], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
+        if self.strict {
+            self.conserved.leave_along(velocity, spin, hit, arrived);
+        }
+    }
+    #[inline(always)]
     fn straighten(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.strict {
             EnergyKeeper::<F, N, S>::straighten(&mut self.conserved, velocity, hit, arrived);

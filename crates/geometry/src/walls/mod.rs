@@ -164,6 +164,12 @@ pub trait Walls<const N: usize>: Sync {
         false
     }
 
+    /// Whether every normal is a unit vector along the same axis: what a strict law leaves of velocity and spin along the normal, or
+    /// reverses, is never rounded then.
+    fn are_parallel(&self) -> bool {
+        false
+    }
+
     /// The first hit of one path.
     fn hit(&self, path: &Line<N>) -> Option<Hit<N>> {
         let hit = self.first_hit::<f64>(&path.point.into(), &path.velocity.into());
@@ -189,6 +195,10 @@ impl<W: Walls<N>, const N: usize> Walls<N> for &W {
 
     fn is_along_axes(&self) -> bool {
         (**self).is_along_axes()
+    }
+
+    fn are_parallel(&self) -> bool {
+        (**self).are_parallel()
     }
 }
 

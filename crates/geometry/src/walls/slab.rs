@@ -26,6 +26,14 @@ impl<const N: usize, const AXIS: usize> Slab<N, AXIS> {
 }
 
 impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
+    fn is_along_axes(&self) -> bool {
+        true
+    }
+
+    fn are_parallel(&self) -> bool {
+        true
+    }
+
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let zero = v[0].same(0.0);
