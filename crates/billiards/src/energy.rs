@@ -3,9 +3,9 @@
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
 //! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions [`Conserved`] computes the energy with an
 //! error of about 2⁻⁷⁵ and hands what is missing to the **normal** component of the outgoing velocity, from where the law took it
-//! (to the velocity as a whole where it grazes the wall). It takes the energy with which the orbit arrived, which is known before the
-//! law is: the next flight need not wait for the sum. The error of the energy is then that of [`BEAT`] collisions and one at most,
-//! and the work that of a fraction of one.
+//! (to the velocity as a whole where it grazes the wall; between parallel planes to velocity and spin along them). It takes the energy
+//! with which the orbit arrived, which is known before the law is: the next flight need not wait for the sum. The error of the energy is
+//! then that of [`BEAT`] collisions and one at most, and the work that of a fraction of one.
 use crate::{in_lanes::InLanes, recurring::Recurring};
 use geometry::WallHit;
 use lanes::{Double, Lane, Mask};
