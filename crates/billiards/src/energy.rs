@@ -234,6 +234,8 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             }
             let much = self.little.lt(square);
             let growth = much.select(arrived.owed * 0.5 / much.select(square, one), zero);
+            // what next to nothing is along the walls of, has been lost across them, if at all: by a law that does round there
+            self.restore(velocity, hit, &Arrived { owed: much.select(zero, arrived.owed), ..*arrived });
             for i in 0..N {
                 velocity[i] = velocity[i] + velocity[i] * (growth * along(i));
             }

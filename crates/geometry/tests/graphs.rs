@@ -156,6 +156,9 @@ fn every_kink_is_a_corner_wherever_the_turn_ends() {
         let pieces = Polar::new(Vector2::zeros(), Sum(waves.clone()), true).unwrap().pieces();
         let table = Table::new(pieces).unwrap();
         assert_eq!((table.pieces().len(), table.corners().len()), (12, 12), "{waves:?}");
+        // hundreds follow bends, thousands had followed the rounding of a formula
+        let most = table.pieces().iter().map(|piece| piece.graphs().unwrap().len()).max();
+        assert!(most <= Some(512), "{most:?} {waves:?}");
         // a normal from the other side of a kink had made pieces of negative length
         table.offset(0.27).unwrap();
     };
