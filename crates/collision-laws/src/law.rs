@@ -41,6 +41,13 @@ pub trait CollisionLaw<const N: usize> {
     fn pushes(&self, _: &Contact<N>) -> Roughness<N> {
         Roughness::Rough
     }
+
+    /// Whether it is strict at every contact, as each [`StrictLaw`] is: then the normal component of the contact velocity is always turned
+    /// around and the energy kept, and whoever applies the law may hold what it rounds to that. No unless a law says so.
+    #[inline]
+    fn is_strict(&self) -> bool {
+        false
+    }
 }
 
 /// A law that only chooses rough directions. Every strict law is a [`CollisionLaw`].
@@ -73,6 +80,11 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> CollisionLaw<N> for L {
     #[inline]
     fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
         self.roughness(contact)
+    }
+
+    #[inline]
+    fn is_strict(&self) -> bool {
+        true
     }
 }
 

@@ -69,6 +69,11 @@ impl<const N: usize, P: Deref<Target: CollisionLaw<N>>> CollisionLaw<N> for Thro
     fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
         self.0.pushes(contact)
     }
+
+    #[inline]
+    fn is_strict(&self) -> bool {
+        self.0.is_strict()
+    }
 }
 
 impl<P> fmt::Debug for Through<P> {

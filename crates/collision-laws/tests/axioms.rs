@@ -88,6 +88,7 @@ fn is_strict<A: Body<N>, B: Body<N>, L: CollisionLaw<N>, const N: usize>(
     roughness: &Roughness<N>,
     samples: Samples,
 ) {
+    assert!(law.is_strict());
     let condition = condition(pair);
     let report = check::law(pair, law, samples);
     for (axiom, defect) in report.broken(0.0) {
@@ -185,6 +186,7 @@ fn restitution_loses_energy<const N: usize>(scene: &Scene<N>, normal: f64, tange
     let energy = broken.report.defect(Axiom::Energy).expect("energy is never vacuous");
     assert_abs_diff_eq!(energy, expected, epsilon = bound);
     assert_eq!(broken.strict.is_some(), expected <= bound);
+    assert_eq!(CollisionLaw::<N>::is_strict(&law), expected == 0.0);
 }
 
 /// Tries `claim` on 64 random inputs, always the same.

@@ -4,7 +4,7 @@ use approx::assert_abs_diff_eq;
 use collision_laws::{
     AnyLaw, CollisionLaw, Contact, DiskLaw, Fixed, Pair, Roughness, StrictLaw, Twist,
     bodies::Ball,
-    laws::{NoSlip, Restitution, RoughPlane, Specular},
+    laws::{NoSlip, PerSurface, Restitution, RoughPlane, Specular},
 };
 use nalgebra::{Matrix3, SVector, Vector2, Vector3};
 use proptest::prelude::*;
@@ -153,6 +153,13 @@ fn restitution_of_modulus_one_is_strict() {
     let map = |normal, tangential| Restitution::new(normal, tangential).unwrap().disk_map(0.7);
     assert_eq!(map(1.0, 1.0), NoSlip.disk_map(0.7));
     assert_eq!(map(1.0, -1.0), Specular.disk_map(0.7));
+    for (normal, tangential, strict) in [(1.0, 1.0, true), (1.0, -1.0, true), (1.0, 0.5, false), (0.5, -1.0, false)] {
+        let law = AnyLaw::<3>::new(Restitution::new(normal, tangential).unwrap());
+        let mixed = |other: AnyLaw<3>| PerSurface::new(law.clone()).with(3, other);
+        assert_eq!(law.is_strict(), strict, "{normal} {tangential}");
+        assert_eq!(mixed(AnyLaw::new(NoSlip)).is_strict(), strict, "{normal} {tangential}");
+        assert!(!mixed(AnyLaw::new(Restitution::new(0.9, 1.0).unwrap())).is_strict(), "{normal} {tangential}");
+    }
 }
 
 #[test]

@@ -20,6 +20,8 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 /// depend on how many lanes a CPU has. [`Disk`](super::Disk), [`Specular`](super::Specular) and [`RoughBall`](super::RoughBall) are the fast
 /// ways of the laws that they cover.
 ///
+/// Of a law that [is strict](CollisionLaw::is_strict) the engine knows what rounding may not change, as of those.
+///
 /// The contact velocity of a spinning ball is `u = v − (1/γ) W × ν` with the scaled spin `W = γ R ω`, so it is right to about
 /// `ε/γ` of the speed. In the limit γ → 0 of a point (γ < 2⁻²⁶ here) the slip is measured in the units of the spin: the
 /// tangential parts of `u` and of the impulse are `γ u` and `p/γ`. Strict laws and restitution do not notice such a change of
@@ -53,6 +55,8 @@ pub struct Custom<L, const N: usize> {
     centre: f64,
     /// What a scaled spin counts in the slip: 1/γ as much.
     rim: f64,
+    /// Whether the law is strict at every contact.
+    strict: bool,
 }
 
 impl<L: CollisionLaw<2>> Custom<L, 2> {
@@ -76,12 +80,16 @@ impl<L: CollisionLaw<3>> Custom<L, 3> {
 }
 
 impl<L, const N: usize> Custom<L, N> {
-    fn new(law: L, gamma: f64) -> Result<Self, Error> {
+    fn new(law: L, gamma: f64) -> Result<Self, Error>
+    where
+        L: CollisionLaw<N>,
+    {
         if !(gamma.is_finite() && gamma >= 0.0) {
             return Err(Error::Ball { quantity: "γ", must: "finite and not negative", value: gamma });
         }
         let (centre, rim) = if gamma < LEAST_GAMMA { (gamma, 1.0) } else { (1.0, 1.0 / gamma) };
-        Ok(Custom { law, mass: 1.0, radius: 0.0, gamma, centre, rim })
+        let strict = law.is_strict();
+        Ok(Custom { law, mass: 1.0, radius: 0.0, gamma, centre, rim, strict })
     }
 
     /// The same for a ball of mass `mass` \[M\]: impulses are that much larger.
@@ -203,6 +211,10 @@ impl<L: CollisionLaw<2> + Sync> BallLaw<2, 1> for Custom<L, 2> {
         add(velocity, &kicks);
         add(spin, &turns);
     }
+    #[inline(always)]
+    fn is_strict(&self) -> bool {
+        self.strict
+    }
 }
 
 impl<L: CollisionLaw<3> + Sync> BallLaw<3, 3> for Custom<L, 3> {
@@ -220,5 +232,9 @@ impl<L: CollisionLaw<3> + Sync> BallLaw<3, 3> for Custom<L, 3> {
         }
         add(velocity, &kicks);
         add(spin, &turns);
+    }
+    #[inline(always)]
+    fn is_strict(&self) -> bool {
+        self.strict
     }
 }

@@ -9,12 +9,18 @@ use lanes::{Lane, stored};
 
 /// The disk laws of the pieces, by their numbers; pieces beyond the list have the last law of it.
 #[derive(Clone, Debug)]
-pub struct PerPiece(Vec<Disk>);
+pub struct PerPiece {
+    laws: Vec<Disk>,
+    /// Whether each of them is.
+    strict: bool,
+}
 
 impl PerPiece {
     /// One law per piece; at least one.
     pub fn new(first: Disk, others: impl IntoIterator<Item = Disk>) -> PerPiece {
-        PerPiece(core::iter::once(first).chain(others).collect())
+        let laws: Vec<Disk> = core::iter::once(first).chain(others).collect();
+        let strict = laws.iter().all(BallLaw::is_strict);
+        PerPiece { laws, strict }
     }
 }
 
@@ -23,7 +29,7 @@ impl PerPiece {
     #[inline(always)]
     fn at<'a, F: Lane>(&'a self, hit: &WallHit<F, 2>) -> impl Fn(usize) -> &'a Disk + use<'a, F> {
         let [pieces] = stored(&[hit.piece]);
-        move |lane| &self.0[number(pieces[lane]).min(self.0.len() - 1)]
+        move |lane| &self.laws[number(pieces[lane]).min(self.laws.len() - 1)]
     }
 }
 
@@ -38,7 +44,8 @@ impl BallLaw<2, 1> for PerPiece {
         let laws = self.at(hit);
         in_frame(Coefficients::by_lane(hit.time, |lane| &laws(lane).in_frame), velocity, spin);
     }
+    #[inline(always)]
     fn is_strict(&self) -> bool {
-        self.0.iter().all(BallLaw::is_strict)
+        self.strict
     }
 }

@@ -146,7 +146,10 @@ impl BallLaw<3, 3> for SpatialLaw {
     }
     #[inline(always)]
     fn is_strict(&self) -> bool {
-        !matches!(self, SpatialLaw::Any(_))
+        match self {
+            SpatialLaw::Specular | SpatialLaw::Rough(_) => true,
+            SpatialLaw::Any(law) => law.is_strict(),
+        }
     }
     fn mirror(&self) -> Option<Mirror> {
         matches!(self, SpatialLaw::Specular).then(Mirror::specular)

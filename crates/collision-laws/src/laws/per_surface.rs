@@ -70,6 +70,10 @@ impl<const N: usize, L: CollisionLaw<N>> CollisionLaw<N> for PerSurface<L> {
     fn pushes(&self, contact: &Contact<N>) -> Roughness<N> {
         self.on(contact.surface).pushes(contact)
     }
+
+    fn is_strict(&self) -> bool {
+        self.elsewhere.is_strict() && self.own.iter().all(|(_, law)| law.is_strict())
+    }
 }
 
 #[cfg(test)]

@@ -99,6 +99,11 @@ impl<const N: usize> CollisionLaw<N> for Restitution {
     fn pushes(&self, _: &Contact<N>) -> Roughness<N> {
         if self.pushes_tangentially() { Roughness::Rough } else { Roughness::Smooth }
     }
+
+    #[inline]
+    fn is_strict(&self) -> bool {
+        self.normal == 1.0 && self.tangential.abs() == 1.0
+    }
 }
 
 impl DiskLaw for Restitution {
