@@ -22,7 +22,7 @@ fn ready(table: Result<Table, billiards::geometry::Error>) -> Ready {
     let table = table.expect("sizes of a table");
     let canonical = Canonical::new(&table, 1.0, 1).expect("a finite table");
     let starts = (0..ORBITS).map(|i| canonical.start(i)).collect();
-    (Planar { table: table.clone(), law: Disk::new(&NoSlip, 0.5_f64.sqrt()) }, starts)
+    (Planar { table: table.clone(), law: Disk::new(&NoSlip, 0.5_f64.sqrt()).unwrap() }, starts)
 }
 
 fn orbit(start: &Start<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>> {

@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     ]);
 
     // a uniform ball that does not slip; where it starts is drawn uniformly from all walls
-    let law = RoughBall::no_slip(0.4_f64.sqrt());
+    let law = RoughBall::no_slip(0.4_f64.sqrt())?;
     let billiard = Billiard { walls: &ByLane(&room), law: &law };
     let canonical = CanonicalSpatial::new(room.surface()?, 1.0, 1)?;
     // one flight of each of 20 000 orbits, after five collisions

@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     boundary.extend(pieces(&obstacle, &Isometry2::new(Vector2::new(0.25, -0.125), 0.5), Side::Outside)?);
     let table = Table::new(boundary)?;
 
-    let billiard = Planar { table: table.clone(), law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+    let billiard = Planar { table: table.clone(), law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
     let canonical = Canonical::new(&table, 1.0, 1)?;
     // one flight of each of 20 000 orbits, after five collisions
     let paths = Ensemble::of(20_000).run(FreePath::new, |i, paths| {

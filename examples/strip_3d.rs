@@ -4,16 +4,13 @@
 //! region of diameter at most √(7/2) √((1 − s²)/v3² − 1) at unit speed and unit distance of the planes, with s the spin
 //! about the normal, which never changes. Reference: Cox and Feres, *No-slip billiards in dimension two*, §3.2, made sharp.
 use billiards::{
-    Collision, Collisions, Conserved, Orbit, Spatial,
-    geometry::{Error, tables},
-    laws::RoughBall,
-    observe::Watch,
+    Collision, Collisions, Conserved, Error, Orbit, Spatial, geometry::tables, laws::RoughBall, observe::Watch,
 };
 use std::ops::ControlFlow;
 
 /// The diameter of the contact points of a thousand collisions.
 fn diameter(velocity: [f64; 3], spin: [f64; 3]) -> Result<f64, Error> {
-    let slab = Spatial { table: tables::slab(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    let slab = Spatial { table: tables::slab(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt())? };
     let mut orbit = Orbit::<_, 3, 3, Conserved<_, 3>>::new([0.0; 3], velocity, spin, ());
     let mut contacts = vec![];
     let mut watch = Watch::new(|c: &Collision<'_, 3, 3, _, _>| {

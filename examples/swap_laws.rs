@@ -4,9 +4,9 @@
 //! travels |v1/v2| per collision for ever; no-slip, it never leaves an interval of width √3 √(1/v2² − 1) at unit speed.
 //! Reference: Broomhead and Gutkin, *The dynamics of billiards with no-slip collisions* (1993), with the constant corrected.
 use billiards::{
-    BallLaw, Collision, Collisions, Conserved, Orbit, Planar,
+    BallLaw, Collision, Collisions, Conserved, Error, Orbit, Planar,
     collision_laws::laws::{NoSlip, Specular},
-    geometry::{Error, Table, tables},
+    geometry::{Table, tables},
     laws::Disk,
     observe::Watch,
 };
@@ -29,8 +29,8 @@ fn width(table: &Table, law: impl BallLaw<2, 1>) -> f64 {
 fn main() -> Result<(), Error> {
     let strip = tables::strip(1.0)?;
     let gamma = 0.5_f64.sqrt(); // a uniform disk
-    let specular = width(&strip, Disk::new(&Specular, gamma));
-    let no_slip = width(&strip, Disk::new(&NoSlip, gamma));
+    let specular = width(&strip, Disk::new(&Specular, gamma)?);
+    let no_slip = width(&strip, Disk::new(&NoSlip, gamma)?);
     let bound = 3.0_f64.sqrt() * (1.0 / (0.8 * 0.8) - 1.0_f64).sqrt();
     println!("100 000 collisions: specular {specular:.1}, no-slip {no_slip:.9}, bound {bound:.9}");
 

@@ -14,7 +14,7 @@ use billiards::{Canonical, CanonicalSpatial};
 const GAMMA: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
 fn laws() -> [Disk; 2] {
-    [Disk::new(&NoSlip, GAMMA), Disk::new(&Specular, GAMMA)]
+    [Disk::new(&NoSlip, GAMMA).unwrap(), Disk::new(&Specular, GAMMA).unwrap()]
 }
 
 /// The place, velocity, spin and time after so many collisions, and how the run ended.
@@ -60,7 +60,7 @@ fn every_planar_table_scaled_by_a_power_of_two_gives_the_same_bits() {
 
 #[test]
 fn every_table_in_space_scaled_by_a_power_of_two_gives_the_same_bits() {
-    let law = RoughBall::no_slip(0.4_f64.sqrt());
+    let law = RoughBall::no_slip(0.4_f64.sqrt()).unwrap();
     for entry in tables::all().iter().filter(|entry| entry.dimension() == 3) {
         let values = entry.typical();
         let table = entry.spatial(&values).unwrap();

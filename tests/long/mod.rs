@@ -28,10 +28,10 @@ pub(crate) struct Case {
 }
 
 fn specular() -> Disk {
-    Disk::new(&Specular, GAMMA)
+    Disk::new(&Specular, GAMMA).unwrap()
 }
 fn no_slip() -> Disk {
-    Disk::new(&NoSlip, GAMMA)
+    Disk::new(&NoSlip, GAMMA).unwrap()
 }
 
 /// A number in [0, 1) that looks random, different for each orbit and each `k`.

@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 /// γ² of the disk whose no-slip collisions are checked.
 pub(crate) const GAMMA_SQUARED: f64 = 0.5;
 /// Made once: its coefficients are searched for.
-static NO_SLIP: LazyLock<Disk> = LazyLock::new(|| Disk::new(&NoSlip, libm::sqrt(GAMMA_SQUARED)));
+static NO_SLIP: LazyLock<Disk> = LazyLock::new(|| Disk::new(&NoSlip, libm::sqrt(GAMMA_SQUARED)).unwrap());
 /// A hit steeper than this is away from grazing.
 pub(crate) const STEEP: f64 = 0.25;
 /// Within so many ulp of the size two answers are right: twice what counts as a corner.

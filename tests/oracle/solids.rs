@@ -109,10 +109,10 @@ impl Errors {
         let spin = [0.375, -0.25, 0.5].map(|w| w * speed);
         let gamma = libm::sqrt(GAMMA_SQUARED);
         let rough = [0.5, -0.75, 0.25];
-        let along = RoughBall::along(gamma, rough.into());
+        let along = RoughBall::along(gamma, rough.into()).unwrap();
         let after = [
             collided(&Specular, &hit, path, spin),
-            collided(&RoughBall::no_slip(gamma), &hit, path, spin),
+            collided(&RoughBall::no_slip(gamma).unwrap(), &hit, path, spin),
             collided(&along, &hit, path, spin),
         ];
         let roughness = [Roughness::None, Roughness::All, Roughness::Along(vector(rough))];

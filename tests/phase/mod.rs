@@ -13,7 +13,7 @@ use number::{Vector, add, big, cross, dot, left, norm, root, scale, small, vecto
 
 /// The laws, by name, each with the γ at which no-slip is the same.
 pub(crate) fn laws() -> [(&'static str, Disk, f64); 2] {
-    [("no-slip", Disk::new(&NoSlip, GAMMA), GAMMA), ("specular", Disk::new(&Specular, GAMMA), 0.0)]
+    [("no-slip", Disk::new(&NoSlip, GAMMA).unwrap(), GAMMA), ("specular", Disk::new(&Specular, GAMMA).unwrap(), 0.0)]
 }
 
 /// `a b` as complex numbers.

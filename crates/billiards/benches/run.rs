@@ -42,7 +42,10 @@ fn orbit(start: &Start<2, 1>) -> Orbit<f64, 2, 1, Conserved<f64, 2>> {
 }
 
 fn tables_and_laws(criterion: &mut Criterion) {
-    let laws = [("specular", Disk::new(&Specular, 0.5_f64.sqrt())), ("no-slip", Disk::new(&NoSlip, 0.5_f64.sqrt()))];
+    let laws = [
+        ("specular", Disk::new(&Specular, 0.5_f64.sqrt()).unwrap()),
+        ("no-slip", Disk::new(&NoSlip, 0.5_f64.sqrt()).unwrap()),
+    ];
     for (law_name, law) in laws {
         let mut group = criterion.benchmark_group(law_name);
         group.throughput(Throughput::Elements(ORBITS * LONG)).sample_size(20);
@@ -93,7 +96,7 @@ fn many_sides(criterion: &mut Criterion) {
             let canonical = Canonical::new(&table, 1.0, 1).expect("a finite table");
             (0..ORBITS).map(|i| canonical.start(i)).collect()
         };
-        let billiard = Planar { table, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+        let billiard = Planar { table, law: Disk::new(&NoSlip, 0.5_f64.sqrt()).unwrap() };
         group.bench_function(format!("{sides} sides, one by one"), |b| {
             b.iter(|| {
                 let one = |s: &Start<2, 1>| billiard.run(&mut orbit(s), &Collisions(COLLISIONS), &mut ()).collisions;
@@ -164,7 +167,7 @@ fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2
     group.throughput(Throughput::Elements(ORBITS * COLLISIONS)).sample_size(20);
     let canonical = Canonical::new(table, 1.0, 1).expect("a finite table");
     let starts: Vec<Start<2, 1>> = (0..ORBITS).map(|i| canonical.start(i)).collect();
-    let billiard = Billiard { walls, law: &Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+    let billiard = Billiard { walls, law: &Disk::new(&NoSlip, 0.5_f64.sqrt()).unwrap() };
     group.bench_function(format!("{name}, one by one"), |b| {
         b.iter(|| {
             let one = |s: &Start<2, 1>| run(&billiard, &mut orbit(s), &Collisions(COLLISIONS), &mut ()).collisions;

@@ -249,7 +249,7 @@ fn of_tables(no_slip: Disk) {
     let spatial = CanonicalSpatial::new(&cube_table, 1.0, 1).expect("a finite table");
     let balls: Vec<Start<3, 3>> =
         (0..ORBITS).map(|i| spatial.start(i)).map(|s| (s.position, s.velocity, s.spin)).collect();
-    let (square, ball) = (square(), RoughBall::no_slip(0.4_f64.sqrt()));
+    let (square, ball) = (square(), RoughBall::no_slip(0.4_f64.sqrt()).unwrap());
     let (square, cube) = (on::<_, _, 2, 1>(&square, &no_slip), on::<_, _, 3, 3>(&cube, &ball));
     let square_starts = disks(&tables::square(1.0).expect("a table"));
     let name = "third dimension: a cube in place of a square";
@@ -269,7 +269,7 @@ fn of_tables(no_slip: Disk) {
 
 fn main() {
     println!("| what | how | without | with |\n|---|---|---|---|");
-    let no_slip = Disk::new(&NoSlip, 0.5_f64.sqrt());
+    let no_slip = Disk::new(&NoSlip, 0.5_f64.sqrt()).unwrap();
     of_orbits(no_slip);
     of_tables(no_slip);
 }

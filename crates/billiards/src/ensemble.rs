@@ -14,7 +14,7 @@ use rayon::prelude::*;
 /// use billiards::{Canonical, Collisions, Conserved, Ensemble, Orbit, Planar, Starts, laws::Disk};
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::FreePath};
 ///
-/// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+/// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let canonical = Canonical::new(&square.table, 1.0, 1)?;
 /// let paths = Ensemble::of(1000).run(FreePath::new, |i, paths| {
 ///     let start = canonical.start(i);

@@ -1,5 +1,6 @@
 //! What can be wrong with what a user asks for.
 use crate::Stop;
+use collision_laws::DiskMap;
 use thiserror::Error;
 
 /// Why something cannot be built or computed.
@@ -18,6 +19,16 @@ pub enum Error {
         must: &'static str,
         /// What it is.
         value: f64,
+    },
+    /// A law for a disk that does not come from an impulse at the contact.
+    #[error(
+        "the law is no impulse at the contact of a disk with γ = {gamma}: with each change of the tangential velocity the scaled spin must change by −1/γ times that, which {map:?} does not do"
+    )]
+    NoContactImpulse {
+        /// What the law does to the disk.
+        map: DiskMap,
+        /// The disk's mass distribution parameter.
+        gamma: f64,
     },
     /// A speed that is not positive and finite.
     #[error("the speed must be positive and finite, not {speed}")]

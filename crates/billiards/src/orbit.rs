@@ -19,7 +19,7 @@ use lanes::Lane;
 /// let mut point = Orbit::<f64, 2, 0>::new([0.0, 0.5], [1.0, -1.0], [], ());
 /// run(&Billiard { walls: &strip, law: &Specular }, &mut point, &Collisions(3), &mut ());
 /// assert_eq!((point.position, point.velocity), ([2.5, 0.0], [1.0, 1.0]));
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 ///
 /// `K` keeps the energy, `T` tracks what grows along the path; both are `()` where nobody asks.
@@ -63,12 +63,12 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
     /// use billiards::{Collisions, Conserved, Orbit, Planar, laws::Disk};
     /// use billiards::{collision_laws::laws::NoSlip, geometry::tables};
     ///
-    /// let stadium = Planar { table: tables::stadium(1.0, 1.0)?, law: Disk::new(&NoSlip, 0.7) };
+    /// let stadium = Planar { table: tables::stadium(1.0, 1.0)?, law: Disk::new(&NoSlip, 0.7)? };
     /// let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>> = Orbit::new([0.1, 0.2], [0.6, 0.8], [0.5], ());
     /// stadium.run(&mut orbit, &Collisions(1_000_003), &mut ());
     /// let ([v1, v2], [w]) = orbit.restored();
     /// assert!((v1 * v1 + v2 * v2 + w * w - 1.25).abs() <= 2.0 * f64::EPSILON);
-    /// # Ok::<(), billiards::geometry::Error>(())
+    /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn restored(&self) -> ([f64; N], [f64; S]) {
         let (mut velocity, mut spin) = (self.velocity, self.spin);
@@ -97,7 +97,7 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T: Timed> Orbit
     /// strip.run(&mut orbit, &Time(2.25), &mut ());
     /// assert_eq!((orbit.position, orbit.track.0.value()), ([1.5, 0.0], 1.5)); // the next wall is hit at 2.5
     /// assert_eq!(orbit.position_at(2.25), [2.25, 0.75]);
-    /// # Ok::<(), billiards::geometry::Error>(())
+    /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn position_at(&self, time: f64) -> [f64; N] {
         let (velocity, _) = self.restored();

@@ -68,12 +68,12 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// use billiards::{collision_laws::laws::NoSlip, geometry::tables};
     ///
     /// // a uniform disk (γ² = 1/2) in the strip 0 < x₂ < 1, starting downwards at an angle
-    /// let strip = Planar { table: tables::strip(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+    /// let strip = Planar { table: tables::strip(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
     /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.0, 0.5], [0.6, -0.8], [0.0], Clock::new(0.0));
     /// let outcome = strip.run(&mut orbit, &Collisions(1000), &mut ());
     /// assert_eq!(outcome.stop, Stop::Finished);
     /// assert!(orbit.position[0].abs() < 3.0); // a thousand bounces later it is still near: no-slip orbits are bounded
-    /// # Ok::<(), billiards::geometry::Error>(())
+    /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn run<K, T, O>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>, limit: &impl Limit<T>, observer: &mut O) -> Outcome
     where

@@ -166,7 +166,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// use billiards::{Planar, ReducedState, laws::Disk};
     /// use billiards::{collision_laws::laws::NoSlip, geometry::tables};
     ///
-    /// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 1.0) };
+    /// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 1.0)? };
     /// let start = ReducedState { piece: 0, s: 0.5, v0: 0.0, vt: -0.25, speed: 1.0 }; // to the right
     /// let next = square.map(&start)?;
     /// assert_eq!((next.piece, next.v0, next.vt), (2, 0.25, 0.0)); // straight back, spinning

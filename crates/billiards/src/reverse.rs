@@ -16,7 +16,7 @@ use lanes::Lane;
 /// use billiards::{collision_laws::laws::NoSlip, geometry::{WallHit, tables}};
 /// use std::ops::ControlFlow;
 ///
-/// let stadium = Planar { table: tables::stadium(1.0, 1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+/// let stadium = Planar { table: tables::stadium(1.0, 1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new([0.1, 0.2], [0.6, 0.3], [0.4], ());
 /// let (mut last, mut there) = (None::<WallHit<f64, 2>>, [0.0; 2]);
 /// let mut watch = Watch::new(|c: &Collision<'_, 2, 1, _, _>| {
@@ -31,7 +31,7 @@ use lanes::Lane;
 /// stadium.run(&mut orbit, &Collisions(9), &mut ());
 /// let [x1, x2] = orbit.position;
 /// assert!((x1 - there[0]).abs() + (x2 - there[1]).abs() < 1e-9);
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 pub fn reverse<L, F, const N: usize, const S: usize, K, T>(
     law: &L,

@@ -296,7 +296,7 @@ mod tests {
 
     #[test]
     fn flights_grow_longer_where_a_law_takes_from_the_normal_velocity() {
-        let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), 1.0);
+        let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), 1.0).expect("a γ in range");
         let strip = Planar { table: tables::strip(1.0).unwrap(), law };
         let mut orbit = Orbit::<_, 2, 1, (), _>::new([0.0, 0.5], [0.25, -1.0], [0.0], Clock::new(0.0));
         strip.run(&mut orbit, &Collisions(4), &mut ());
@@ -306,7 +306,8 @@ mod tests {
 
     #[test]
     fn under_the_specular_law_a_disk_slides_along_a_strip_and_keeps_its_spin() {
-        let strip = Planar { table: tables::strip(1.0).unwrap(), law: Disk::new(&Specular, 0.5) };
+        let strip =
+            Planar { table: tables::strip(1.0).unwrap(), law: Disk::new(&Specular, 0.5).expect("a γ in range") };
         let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.0, 0.5], [0.25, -1.0], [0.3], Clock::new(0.0));
         strip.run(&mut orbit, &Collisions(4), &mut ());
         assert_eq!((orbit.position, orbit.velocity, orbit.spin), ([0.875, 1.0], [0.25, -1.0], [0.3]));

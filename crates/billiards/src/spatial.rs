@@ -52,13 +52,13 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     /// use billiards::geometry::tables;
     ///
     /// // a uniform ball (γ² = 2/5) between two parallel planes never gets far
-    /// let slab = Spatial { table: tables::slab(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    /// let slab = Spatial { table: tables::slab(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt())? };
     /// let (velocity, spin) = ([0.3, -0.2, -0.8], [0.1, 0.4, 0.2]);
     /// let mut orbit = Orbit::<_, 3, 3, Conserved<_, 3>, _>::new([0.0, 0.0, 0.5], velocity, spin, Clock::new(0.0));
     /// let outcome = slab.run(&mut orbit, &Collisions(1000), &mut ());
     /// assert_eq!(outcome.stop, Stop::Finished);
     /// assert!(orbit.position[0].abs() + orbit.position[1].abs() < 3.0);
-    /// # Ok::<(), billiards::geometry::Error>(())
+    /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn run<K, T, O>(&self, orbit: &mut Orbit<f64, 3, 3, K, T>, limit: &impl Limit<T>, observer: &mut O) -> Outcome
     where
@@ -74,7 +74,7 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     /// ```
     /// use billiards::{CanonicalSpatial, Conserved, Orbit, Spatial, Starts, geometry::tables, laws::RoughBall};
     ///
-    /// let ball = Spatial { table: tables::ball(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    /// let ball = Spatial { table: tables::ball(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt())? };
     /// let canonical = CanonicalSpatial::new(&ball.table, 1.0, 7).unwrap();
     /// let mut orbits = (0..100).map(|i| canonical.start(i).orbit(()));
     /// let mut energies = vec![];
@@ -83,7 +83,7 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     ///     energies.push(orbit.velocity.iter().chain(&orbit.spin).map(|v| v * v).sum::<f64>());
     /// });
     /// assert!(energies.len() == 100 && energies.iter().all(|energy| (energy - 1.0).abs() < 1e-14));
-    /// # Ok::<(), billiards::geometry::Error>(())
+    /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn run_side_by_side<K: Keeping<3, 3>, T: Tracking<3, 3>, O: LaneObserver<3, 3, K, T>>(
         &self,

@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 /// Slows the motion along the normal down, and the slip.
 fn damping() -> Disk {
-    Disk::new(&Restitution::new(0.5, -0.5).unwrap(), 0.5_f64.sqrt())
+    Disk::new(&Restitution::new(0.5, -0.5).unwrap(), 0.5_f64.sqrt()).unwrap()
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn what_creeps_along_a_rounded_solid_grazes_within_some_dozens_of_collisions() {
 
 #[test]
 fn what_has_lost_all_speed_stalls_before_its_squares_vanish() {
-    let law = Disk::new(&Restitution::new(0.5, -0.5).unwrap(), 0.5_f64.sqrt());
+    let law = Disk::new(&Restitution::new(0.5, -0.5).unwrap(), 0.5_f64.sqrt()).unwrap();
     for table in [tables::square(1.0), tables::hexagon(1.0), tables::sinai(1.0, 0.25)] {
         let billiard = Planar { table: table.unwrap(), law };
         let mut orbit: Orbit<f64, 2, 1, (), Clock> = Orbit::new([0.3, 0.6], [0.6, 0.35], [0.2], Clock::new(0.0));
@@ -86,7 +86,7 @@ fn what_has_lost_all_speed_stalls_before_its_squares_vanish() {
 
 #[test]
 fn what_is_left_along_a_wall_grazes_at_once_wherever_it_comes_from() {
-    let law = Disk::new(&Restitution::new(0.0, 0.0).unwrap(), 0.5_f64.sqrt());
+    let law = Disk::new(&Restitution::new(0.0, 0.0).unwrap(), 0.5_f64.sqrt()).unwrap();
     for table in [
         tables::equilateral(1.0),
         tables::polygon(7, 1.0),
@@ -129,7 +129,7 @@ fn nothing_escapes_from_a_closed_table_time_runs_forwards_and_hits_are_where_the
         }
     }
     for (normal, tangential) in [(0.001, 0.5), (1e-6, 0.5), (1e-10, -1.0)] {
-        let law = Disk::new(&Restitution::new(normal, tangential).unwrap(), 0.5_f64.sqrt());
+        let law = Disk::new(&Restitution::new(normal, tangential).unwrap(), 0.5_f64.sqrt()).unwrap();
         for table in [
             tables::equilateral(1.0),
             tables::polygon(20, 1.0),
@@ -154,12 +154,14 @@ fn nothing_escapes_from_a_closed_table_time_runs_forwards_and_hits_are_where_the
 fn spin_that_never_becomes_velocity_makes_nothing_graze() {
     for table in [tables::circle(1.0), tables::square(1.0), tables::stadium(1.0, 1.0), tables::hexagon(1.0)] {
         let billiard =
-            Planar { table: table.unwrap(), law: Disk::new(&billiards::collision_laws::laws::Specular, 0.5) };
+            Planar { table: table.unwrap(), law: Disk::new(&billiards::collision_laws::laws::Specular, 0.5).unwrap() };
         for spin in [1e16, 1e20, 1e90] {
             let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.125, 0.25], [0.6, 0.7], [spin], ());
             assert_eq!(billiard.run(&mut orbit, &Collisions(100), &mut ()).stop, Stop::Finished);
-            let lossy =
-                Planar { table: billiard.table.clone(), law: Disk::new(&Restitution::new(0.9, -1.0).unwrap(), 0.5) };
+            let lossy = Planar {
+                table: billiard.table.clone(),
+                law: Disk::new(&Restitution::new(0.9, -1.0).unwrap(), 0.5).unwrap(),
+            };
             let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.125, 0.25], [0.6, 0.7], [spin], ());
             assert_eq!(lossy.run(&mut orbit, &Collisions(10), &mut ()).stop, Stop::Finished);
         }

@@ -71,12 +71,12 @@ proptest! {
     #[test]
     fn any_law_agrees_with_the_fast_disk(n in normal(), v in vector(), w in vector(), g in gamma(), m in 0.1..9.0_f64) {
         let custom = Custom::disk(NoSlip, g).unwrap().with_mass(m).unwrap().with_radius(0.3).unwrap();
-        agree((&custom, &Disk::new(&NoSlip, g)), g, n, v, w);
+        agree((&custom, &Disk::new(&NoSlip, g).unwrap()), g, n, v, w);
         let custom = Custom::disk(Specular, g).unwrap().with_mass(m).unwrap();
         agree((&custom, &Specular), g, n, v, w);
         let lossy = laws::Restitution::new(0.7, 0.2).unwrap();
-        agree((&Custom::disk(lossy, g).unwrap(), &Disk::new(&lossy, g)), g, n, v, w);
-        agree((&Custom::disk(lossy, g).unwrap().with_scaled_slip(), &Disk::new(&lossy, g)), 0.0, n, v, w);
+        agree((&Custom::disk(lossy, g).unwrap(), &Disk::new(&lossy, g).unwrap()), g, n, v, w);
+        agree((&Custom::disk(lossy, g).unwrap().with_scaled_slip(), &Disk::new(&lossy, g).unwrap()), 0.0, n, v, w);
     }
 
     #[test]
@@ -85,21 +85,21 @@ proptest! {
     ) {
         // a size that does not grow with 1/γ
         let scaled = |law| Custom::ball(law, g).unwrap().with_scaled_slip();
-        agree((&scaled(NoSlip), &RoughBall::no_slip(g)), 0.0, n, v, w);
+        agree((&scaled(NoSlip), &RoughBall::no_slip(g).unwrap()), 0.0, n, v, w);
         let elastic = laws::Restitution::new(1.0, 1.0).unwrap();
         let elastic = Custom::ball(elastic, g).unwrap().with_scaled_slip();
-        agree((&elastic, &RoughBall::no_slip(g)), 0.0, n, v, w);
+        agree((&elastic, &RoughBall::no_slip(g).unwrap()), 0.0, n, v, w);
     }
 
     #[test]
     fn any_law_agrees_with_the_fast_ball(n in normal(), v in vector(), w in vector(), d in normal(), g in gamma()) {
-        agree((&Custom::ball(NoSlip, g).unwrap(), &RoughBall::no_slip(g)), g, n, v, w);
+        agree((&Custom::ball(NoSlip, g).unwrap(), &RoughBall::no_slip(g).unwrap()), g, n, v, w);
         agree((&Custom::ball(Specular, g).unwrap(), &Specular), g, n, v, w);
         // a direction near the normal is determined by its tangential part only within rounding over the length of that
         let cross = Vector3::from(n).normalize().cross(&Vector3::from(d).normalize()).norm();
         prop_assume!(cross > 0.25);
         let custom = Custom::ball(RoughPlane::new(&[d.into()]).unwrap(), g).unwrap();
-        agree((&custom, &RoughBall::along(g, d.into())), g, n, v, w);
+        agree((&custom, &RoughBall::along(g, d.into()).unwrap()), g, n, v, w);
     }
 }
 
@@ -141,7 +141,7 @@ fn a_law_per_surface_is_a_law_per_piece() {
     let mixed = PerSurface::new(Roughness::Smooth).with(1, Roughness::Rough);
     let field = Field::new(move |c: &Contact<2>| *mixed.on(c.surface));
     let custom = Planar { table: table.clone(), law: Custom::disk(field, gamma).unwrap() };
-    let (smooth, rough) = (Disk::new(&Specular, gamma), Disk::new(&NoSlip, gamma));
+    let (smooth, rough) = (Disk::new(&Specular, gamma).unwrap(), Disk::new(&NoSlip, gamma).unwrap());
     let per_piece = Planar { table, law: PerPiece::new(smooth, [rough, smooth]) };
     let start = || Orbit::<_, 2, 1>::new([0.3, 0.4], [0.6, 0.5], [0.2], ());
     let (mut a, mut b) = (start(), start());

@@ -44,7 +44,7 @@ fn energy_is_kept_between_a_round_room_and_an_ellipse() {
         let room = Circle::new(Vector2::zeros(), radius, true).unwrap();
         let ellipse = Ellipse::new(Vector2::new(0.2, 0.0), [0.5, 0.25], 0.0, false).unwrap();
         let table = Table::new(vec![Box::new(room), Box::new(ellipse)]).unwrap();
-        let billiard = Planar { table, law: Disk::new(&NoSlip, 0.5) };
+        let billiard = Planar { table, law: Disk::new(&NoSlip, 0.5).unwrap() };
         let mut orbit: Disks = Orbit::new([-1.0, 0.1], [0.6, 0.8], [0.3], ());
         let mut drift = EnergyDrift::of(&orbit);
         assert_eq!(billiard.run(&mut orbit, &Collisions(10_000), &mut drift).collisions, 10_000);
@@ -89,21 +89,21 @@ fn energy_is_kept_in_a_circle_under_a_law_of_ones_own() {
 #[test]
 fn energy_is_kept_where_every_collision_grazes() {
     // the square of the normal component is below a thousandth of the energy
-    let drift = drift(Disk::new(&Specular, 0.5), [1.0, 0.001], 0.1);
+    let drift = drift(Disk::new(&Specular, 0.5).unwrap(), [1.0, 0.001], 0.1);
     assert!(drift < 1e-14, "{drift:e}");
 }
 
 #[test]
 fn energy_wanders_little_where_nearly_all_of_it_is_spin() {
     // what the spin rounds is a thousand times what so slow a velocity can make up for at once
-    let drift = drift(Disk::new(&NoSlip, 1e-3), [1e-3, 1e-4], 1.0);
+    let drift = drift(Disk::new(&NoSlip, 1e-3).unwrap(), [1e-3, 1e-4], 1.0);
     assert!(drift < 1e-12, "{drift:e}");
 }
 
 #[test]
 fn energy_that_a_law_takes_is_not_given_back() {
     for (normal, tangential) in [(0.9, -1.0), (0.9, 0.25), (1.0 - 1e-6, -1.0)] {
-        let law = Disk::new(&Restitution::new(normal, tangential).unwrap(), 1.0);
+        let law = Disk::new(&Restitution::new(normal, tangential).unwrap(), 1.0).unwrap();
         for table in [tables::strip(1.0).unwrap(), tables::circle(1.0).unwrap(), tables::ellipse([2.0, 1.0]).unwrap()] {
             let billiard = Planar { table, law };
             let (x, v, w) = ([0.1, 0.2], [0.3, 0.9], [0.5]);
@@ -123,7 +123,7 @@ fn energy_that_a_law_takes_is_not_given_back() {
 
 #[test]
 fn a_particle_that_has_lost_its_speed_has_not_escaped() {
-    let law = Disk::new(&Restitution::new(0.5, 0.0).unwrap(), 1.0);
+    let law = Disk::new(&Restitution::new(0.5, 0.0).unwrap(), 1.0).unwrap();
     for table in [tables::square(1.0).unwrap(), tables::circle(2.0).unwrap(), tables::ellipse([2.0, 1.0]).unwrap()] {
         let billiard = Planar { table, law };
         let start = || Orbit::<f64, 2, 1>::new([0.5, 0.25], [0.6, 0.8], [0.0], ());
@@ -140,7 +140,7 @@ fn a_particle_that_has_lost_its_speed_has_not_escaped() {
 /// twenty times as far as now.
 #[test]
 fn between_parallel_planes_nothing_along_the_normal_is_ever_rounded() {
-    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: RoughBall::no_slip(0.4_f64.sqrt()).unwrap() };
     let start = |k: u32| {
         let turn = f64::from(k);
         let (velocity, spin) = ([0.3 * libm::cos(turn), 0.4, -0.11], [0.1, libm::sin(turn), 0.7]);

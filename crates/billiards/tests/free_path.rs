@@ -83,8 +83,8 @@ fn the_mean_free_time_is_four_areas_over_the_perimeter() {
         assert!((time - 4.0 * table.area() / table.perimeter()).abs() < 1e-14 * time);
         for (law, n, paths) in [
             ("specular", 5, planar(&table, Specular, 5)),
-            ("no-slip", 0, planar(&table, Disk::new(&NoSlip, FRAC_1_SQRT_2), 0)),
-            ("no-slip", 5, planar(&table, Disk::new(&NoSlip, FRAC_1_SQRT_2), 5)),
+            ("no-slip", 0, planar(&table, Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap(), 0)),
+            ("no-slip", 5, planar(&table, Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap(), 5)),
         ] {
             close(&format!("time, {name}, {law}, after {n}"), paths.time(), time);
             close(&format!("length, {name}, {law}, after {n}"), paths.length(), length);
@@ -96,7 +96,7 @@ fn the_mean_free_time_is_four_areas_over_the_perimeter() {
 fn in_space_it_is_fifteen_pi_eighths_of_volume_over_surface() {
     for table in [tables::cuboid([1.0, 2.0, 0.5]).unwrap(), tables::ball(1.5).unwrap()] {
         let ratio = table.volume() / table.surface_area();
-        let rough = RoughBall::no_slip(0.4_f64.sqrt());
+        let rough = RoughBall::no_slip(0.4_f64.sqrt()).unwrap();
         for (law, paths) in [("specular", spatial(&table, Specular, 3)), ("no-slip", spatial(&table, rough, 3))] {
             close(&format!("time, {}, {law}", table.name()), paths.time(), 15.0 * PI / 8.0 * ratio);
             close(&format!("length, {}, {law}", table.name()), paths.length(), 4.0 * ratio);
@@ -249,7 +249,7 @@ fn in_any_room_the_mean_flight_is_four_volumes_over_the_surface() {
     for (name, room, volume, area) in rooms() {
         let surface = room.surface().unwrap_or_else(|error| panic!("{name}: {error}"));
         let canonical = CanonicalSpatial::new(&surface, 1.0, 5).unwrap();
-        let law = RoughBall::no_slip(0.4_f64.sqrt());
+        let law = RoughBall::no_slip(0.4_f64.sqrt()).unwrap();
         let billiard = Billiard { walls: &ByLane(&room), law: &law };
         for n in [0, 3] {
             let paths: FreePath<3, 3> = Ensemble::of(ORBITS).run(FreePath::new, |i, paths| {

@@ -33,7 +33,7 @@ fn horizon(table: &Table, law: &Disk, start: Start<2, 1>, size: f64, collisions:
 }
 
 fn laws() -> [Disk; 2] {
-    [Disk::new(&NoSlip, FRAC_1_SQRT_2), Disk::new(&Specular, FRAC_1_SQRT_2)]
+    [Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap(), Disk::new(&Specular, FRAC_1_SQRT_2).unwrap()]
 }
 
 /// Starts in every table used here, off the scatterer.
@@ -209,7 +209,7 @@ fn the_rounding_of_a_large_radius_or_a_far_centre_counts() {
         Piece, Vector2,
         shapes::{Arc, Segment},
     };
-    let law = Disk::new(&Specular, FRAC_1_SQRT_2);
+    let law = Disk::new(&Specular, FRAC_1_SQRT_2).unwrap();
     let error = |radius: f64| {
         // a unit square whose floor is a flat arc
         let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Vector2::from);
@@ -242,7 +242,7 @@ fn in_space_the_curvature_of_walls_counts() {
             exact
         }
     }
-    let law = RoughBall::no_slip(0.4_f64.sqrt());
+    let law = RoughBall::no_slip(0.4_f64.sqrt()).unwrap();
     let start = Start { position: [0.1, 0.2, 0.3], velocity: [0.5, 0.4, 0.6], spin: [0.1, 0.2, 0.3] };
     for table in [tables::slab(1.0).unwrap(), tables::ball(1.0).unwrap()] {
         let billiard = Spatial { table, law };

@@ -22,7 +22,7 @@ fn number(v: &Value) -> f64 {
     v.as_str().unwrap().parse().unwrap()
 }
 fn no_slip(gamma_squared: f64) -> Disk {
-    Disk::new(&NoSlip, gamma_squared.sqrt())
+    Disk::new(&NoSlip, gamma_squared.sqrt()).unwrap()
 }
 fn orbit(x: [f64; 2], v: [f64; 2], v0: f64) -> Orbit<f64, 2, 1, Conserved<f64, 2>> {
     Orbit::new(x, v, [v0], ())
@@ -115,7 +115,7 @@ fn a_period_and_a_first_return_are_counted_over_several_runs() {
 
 #[test]
 fn energy_drift_is_the_energy_that_is_missing() {
-    let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), FRAC_1_SQRT_2);
+    let law = Disk::new(&Restitution::new(0.5, -1.0).unwrap(), FRAC_1_SQRT_2).unwrap();
     let strip = Planar { table: tables::strip(1.0).unwrap(), law };
     let mut falling = Orbit::<_, 2, 1>::new([0.0, 0.5], [0.0, -1.0], [0.0], ());
     let mut drift = EnergyDrift::of(&falling);
@@ -202,7 +202,7 @@ fn drifts_of_an_invariant_are_their_largest_and_their_root_mean_square() {
 #[test]
 fn conserved_quantities_are_found_conserved() {
     // |angular momentum about the apex| of a wedge, under every strict law
-    for law in [no_slip(0.5), Disk::new(&Specular, 0.5)] {
+    for law in [no_slip(0.5), Disk::new(&Specular, 0.5).unwrap()] {
         let wedge = Planar { table: tables::wedge(1.0).unwrap(), law };
         let mut momentum = Invariant::new(|c: &Collision<'_, 2, 1, _, _>| {
             let ([x1, x2], [v1, v2]) = (c.orbit.position, c.orbit.velocity);
@@ -408,7 +408,7 @@ fn a_path_from_beyond_a_wall_by_rounding_comes_no_nearer_to_a_point_than_it_is()
 
 #[test]
 fn a_time_that_is_no_number_is_over_at_once() {
-    let billiard = Planar { table: tables::square(1.0).unwrap(), law: Disk::new(&NoSlip, 0.7) };
+    let billiard = Planar { table: tables::square(1.0).unwrap(), law: Disk::new(&NoSlip, 0.7).unwrap() };
     let mut orbit: Orbit<f64, 2, 1, (), Clock> = Orbit::new([0.5, 0.5], [0.6, 0.8], [0.0], Clock::new(0.0));
     let outcome = billiard.run(&mut orbit, &Time(f64::NAN), &mut ());
     assert_eq!((outcome.stop, outcome.collisions), (Stop::Finished, 0));

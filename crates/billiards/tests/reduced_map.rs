@@ -100,13 +100,14 @@ fn inverts<L: BallLaw<2, 1>>(name: &str, billiard: &Planar<L>) {
 fn time_reversal_inverts_the_billiard_map() {
     for (name, table) in tables() {
         inverts(name, &Planar { table: table.clone(), law: Specular });
-        inverts(name, &Planar { table, law: Disk::new(&NoSlip, FRAC_1_SQRT_2) });
+        inverts(name, &Planar { table, law: Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap() });
     }
 }
 
 #[test]
 fn time_reversal_is_an_involution() {
-    let billiard = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&NoSlip, FRAC_1_SQRT_2) };
+    let billiard =
+        Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap() };
     for state in states(&billiard.table, 100) {
         let twice = billiard.reverse(&billiard.reverse(&state).unwrap()).unwrap();
         // vₙ = √(1 − v₀² − vₜ²) is lost near grazing, but v₀ and vₜ are not
@@ -171,7 +172,7 @@ fn keeps_measure<L: BallLaw<2, 1>>(name: &str, billiard: &Planar<L>) {
 fn specular_and_no_slip_keep_the_canonical_measure_on_every_table() {
     for (name, table) in tables() {
         keeps_measure(name, &Planar { table: table.clone(), law: Specular });
-        keeps_measure(name, &Planar { table, law: Disk::new(&NoSlip, FRAC_1_SQRT_2) });
+        keeps_measure(name, &Planar { table, law: Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap() });
     }
 }
 
@@ -194,7 +195,7 @@ fn a_state_and_its_orbit_are_the_same_point() {
 #[test]
 fn a_reversed_orbit_retraces_its_path() {
     use billiards::{Collision, Collisions, Conserved, observe::Watch};
-    let billiard = Planar { table: tables::sinai(1.0, 0.25).unwrap(), law: Disk::new(&NoSlip, FRAC_1_SQRT_2) };
+    let billiard = Planar { table: tables::sinai(1.0, 0.25).unwrap(), law: Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap() };
     let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new([0.1, 0.2], [0.6, 0.5], [-0.3], ());
     let (mut path, mut last) = (vec![], None::<WallHit<f64, 2>>);
     let mut watch = Watch::new(|c: &Collision<'_, 2, 1, _, _>| {
@@ -294,7 +295,7 @@ fn arc_length_on_a_closed_curve_is_taken_modulo_its_length() {
 fn a_law_that_does_not_undo_itself_has_no_inverse() {
     let table = tables::stadium(1.0, 1.0).unwrap();
     let state = states(&table, 1)[0];
-    let lossy = Disk::new(&Restitution::new(0.9, 0.5).unwrap(), FRAC_1_SQRT_2);
+    let lossy = Disk::new(&Restitution::new(0.9, 0.5).unwrap(), FRAC_1_SQRT_2).unwrap();
     let billiard = Planar { table: table.clone(), law: lossy };
     let next = billiard.map(&state).unwrap();
     assert!(matches!(billiard.inverse(&next), Err(Error::Irreversible { defect }) if defect > 0.01));

@@ -98,8 +98,8 @@ fn every_reference_trajectory_is_reproduced() {
         let lattice =
             table.lattice().cloned().unwrap_or_else(|| Lattice::new(&[geometry::Vector2::new(1e9, 0.0)]).unwrap());
         let law = match reference["law"].as_str().unwrap() {
-            "noslip" => Disk::new(&NoSlip, gamma),
-            _ => Disk::new(&Specular, gamma),
+            "noslip" => Disk::new(&NoSlip, gamma).unwrap(),
+            _ => Disk::new(&Specular, gamma).unwrap(),
         };
         let billiard = Planar { table, law: PerPiece::new(law, []) };
         let (x, v): ([f64; 3], [f64; 3]) = (vector(&reference["initial"]["x"]), vector(&reference["initial"]["v"]));

@@ -71,7 +71,7 @@ fn agree_from(name: &str, billiard: &Planar<Disk>, orbits: &[Disks]) -> Vec<Ende
 
 #[test]
 fn orbits_on_a_circle_that_go_on_are_where_they_would_be_at_once() {
-    let billiard = Planar { table: tables::circle(1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)) };
+    let billiard = Planar { table: tables::circle(1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)).unwrap() };
     let at_once: Vec<Disks> = starts(&billiard.table, 20).iter().map(|start| start.orbit(Clock::new(0.0))).collect();
     let mut in_parts = at_once.clone();
     for _ in 0..1000 {
@@ -92,7 +92,7 @@ fn orbits_on_a_circle_that_go_on_are_where_they_would_be_at_once() {
 
 #[test]
 fn lanes_have_the_bits_of_single_orbits() {
-    let no_slip = || Disk::new(&NoSlip, libm::sqrt(0.5));
+    let no_slip = || Disk::new(&NoSlip, libm::sqrt(0.5)).unwrap();
     agree("stadium", tables::stadium(1.0, 1.0), no_slip());
     agree("square", tables::square(1.0), no_slip());
     agree("hexagon", tables::hexagon(1.0), no_slip());
@@ -200,13 +200,14 @@ fn walls_and_laws_of_your_own_run_in_two_vectors_of_as_many_lanes_as_there_are()
 
 #[test]
 fn orbits_that_end_early_leave_their_lane() {
-    let ended = agree("wedge", tables::wedge(1.0), Disk::new(&Specular, 1.0));
+    let ended = agree("wedge", tables::wedge(1.0), Disk::new(&Specular, 1.0).unwrap());
     assert!(ended.iter().all(|f| f.outcome.stop == Stop::Escaped)); // specular wedges are left after finitely many hits
 }
 
 #[test]
 fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
-    let billiard = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)) };
+    let billiard =
+        Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)).unwrap() };
     let starts = starts(&billiard.table, 70);
     // some have gone ahead on their own, by numbers of collisions that are no beats of the energy keeper
     let mut orbits: Vec<Disks> = starts.iter().map(|start| start.orbit(Clock::new(0.0))).collect();
@@ -227,7 +228,7 @@ fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
 
 #[test]
 fn a_first_orbit_without_a_future_holds_nobody_up() {
-    let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0).unwrap() };
     let away: Disks = Start { position: [0.0, 2.0], velocity: [0.1, 1.0], spin: [0.0] }.orbit(Clock::new(0.0));
     let mut ended: Vec<Ended> = vec![];
     billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut (), &mut |f| ended.push(f));
@@ -253,7 +254,7 @@ fn under_laws_that_lose_energy_an_orbit_is_as_flat_as_it_leaves() {
     let strip = Slab::<2, 1>::new(0.0, 1.0, [0, 1]).unwrap();
     let circle = Sphere::new(Vector2::zeros(), 1.0, 0).unwrap();
     for ((normal, tangential), velocity, expected) in ways {
-        let law = &Disk::new(&Restitution::new(normal, tangential).unwrap(), 0.7);
+        let law = &Disk::new(&Restitution::new(normal, tangential).unwrap(), 0.7).unwrap();
         ends_alike(0.5, velocity, expected, &Billiard { walls: &square, law });
         ends_alike(0.5, velocity, expected, &Rolling::new(&strip, law));
         ends_alike(0.0, velocity, expected, &Rolling::new(&circle, law));
@@ -262,7 +263,7 @@ fn under_laws_that_lose_energy_an_orbit_is_as_flat_as_it_leaves() {
 
 #[test]
 fn between_straight_walls_speeds_whose_squares_are_no_numbers_are_as_good_as_others() {
-    let billiard = Planar { table: tables::hexagon(1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)) };
+    let billiard = Planar { table: tables::hexagon(1.0).unwrap(), law: Disk::new(&NoSlip, libm::sqrt(0.5)).unwrap() };
     let start = |unit: f64| Orbit::<_, 2, 1, (), ()>::new([0.1, 0.2], [0.6 * unit, 0.3 * unit], [0.4 * unit], ());
     let mut expected = start(1.0);
     billiard.run(&mut expected, &Collisions(500), &mut ());
@@ -276,7 +277,7 @@ fn between_straight_walls_speeds_whose_squares_are_no_numbers_are_as_good_as_oth
 
 #[test]
 fn an_orbit_that_ends_between_beats_leaves_its_lane_to_another() {
-    let square = Planar { table: tables::square(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    let square = Planar { table: tables::square(1.0).unwrap(), law: Disk::new(&Specular, 1.0).unwrap() };
     // after one collision in a corner
     let short = Start { position: [0.5, 0.5], velocity: [0.75, 0.25], spin: [0.0] };
     for at in [0, 1, 7, 40, 69] {
@@ -294,7 +295,7 @@ fn an_orbit_that_ends_between_beats_leaves_its_lane_to_another() {
     // disks in the open plane, between which most orbits stay for a few collisions and some for many
     let disk = |x: f64, y: f64| Box::new(Circle::new([x, y].into(), 1.0, false).unwrap()) as Box<dyn Piece>;
     let table = Table::new(vec![disk(0.0, 0.0), disk(2.1, 0.0), disk(1.05, 1.8187)]).unwrap();
-    let billiard = Planar { law: Disk::new(&Specular, 1.0), table };
+    let billiard = Planar { law: Disk::new(&Specular, 1.0).unwrap(), table };
     let canonical = Canonical::new(&billiard.table, 1.0, 3).unwrap();
     let mut ended: Vec<Ended> = vec![];
     let mut orbits = (0..2000).map(|i| canonical.start(i).orbit(Clock::new(0.0)));
@@ -310,7 +311,7 @@ fn an_orbit_that_ends_between_beats_leaves_its_lane_to_another() {
 
 #[test]
 fn orbits_without_a_last_collision_run_until_they_end() {
-    let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0) };
+    let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0).unwrap() };
     let inwards = |k: u32| Start { position: [0.1, 1.0 + 0.01 * f64::from(k)], velocity: [0.3, -1.0], spin: [0.0] };
     for most in [u64::MAX, u64::MAX - 1, u64::MAX - 5] {
         let mut orbits = (0..70).map(|k| inwards(k).orbit(Clock::new(0.0)));
@@ -391,7 +392,7 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
         assert!(diary.pages == alone);
         assert!(portraits.merged().unwrap().points() == portrait.points(), "in the order of the starts");
     }
-    let law = &Disk::new(&Specular, 1.0);
+    let law = &Disk::new(&Specular, 1.0).unwrap();
     // where orbits finish, hit corners, graze, escape and stay for ever
     for table in [tables::stadium(1.0, 1.0), tables::square(1.0), tables::wedge(1.0), tables::mushroom(1.0, 0.5, 0.75)]
     {
@@ -408,7 +409,7 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
 #[test]
 fn what_is_seen_of_each_orbit_in_two_runs_is_merged_in_their_order() {
     let table = tables::stadium(1.0, 1.0).unwrap();
-    let billiard = Billiard { walls: &pieces(&table), law: &Disk::new(&Specular, 1.0) };
+    let billiard = Billiard { walls: &pieces(&table), law: &Disk::new(&Specular, 1.0).unwrap() };
     let starts = starts(&table, 50);
     let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
     let seen = || (Diary::default(), EachOrbit::new(portrait));
@@ -430,7 +431,7 @@ fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
         let disk = Circle::new(Vector2::new(center, center), 0.25, false).unwrap();
         let lattice = Lattice::new(&[Vector2::new(1.0, 0.0), second.into()]).unwrap();
         let table = Table::periodic(vec![Box::new(disk)], Some(lattice.clone())).unwrap();
-        (Planar { table, law: Disk::new(&NoSlip, 0.7) }, Arc::new(lattice))
+        (Planar { table, law: Disk::new(&NoSlip, 0.7).unwrap() }, Arc::new(lattice))
     };
     // exact translations of places in the middle of a cell
     let places = [[0.0, 0.0], [0.0, 1.0], [7.0, -2.0]];
@@ -470,7 +471,7 @@ fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
 fn every_track_grows_side_by_side_as_it_does_alone() {
     let table = tables::sinai_torus(0.25, 1.0).unwrap();
     let lattice = Arc::new(table.lattice().unwrap().clone());
-    let billiard = Planar { table, law: Disk::new(&NoSlip, 0.7) };
+    let billiard = Planar { table, law: Disk::new(&NoSlip, 0.7).unwrap() };
     let canonical = Canonical::new(&billiard.table, 1.0, 3).unwrap();
     let track = || (Clock::new(0.0), (Angle::new(0.5), Cell::new(lattice.clone(), 0.0)));
     let orbit = |i| -> Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks> { canonical.start(i).orbit(track()) };

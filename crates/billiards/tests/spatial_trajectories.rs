@@ -111,12 +111,12 @@ fn every_reference_trajectory_in_space_is_reproduced() {
             "k0" => (compare(&Spatial { table: table.clone(), law: Specular }, &reference), AnyLaw::new(Specular)),
             "k1" => {
                 let rough = Vector3::from(vector(&reference["rough"]));
-                let law = RoughBall::along(gamma, rough);
+                let law = RoughBall::along(gamma, rough).unwrap();
                 let same = AnyLaw::new(laws::RoughPlane::new(&[rough]).unwrap());
                 (compare(&Spatial { table: table.clone(), law }, &reference), same)
             }
             _ => {
-                let law = RoughBall::no_slip(gamma);
+                let law = RoughBall::no_slip(gamma).unwrap();
                 (compare(&Spatial { table: table.clone(), law }, &reference), AnyLaw::new(laws::NoSlip))
             }
         };
@@ -127,7 +127,7 @@ fn every_reference_trajectory_in_space_is_reproduced() {
 
 #[test]
 fn the_spin_about_the_normal_never_changes() {
-    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: RoughBall::no_slip(0.4_f64.sqrt()) };
+    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: RoughBall::no_slip(0.4_f64.sqrt()).unwrap() };
     let mut watch = Watch::new(|c: &Collision<'_, 3, 3, _, _>| {
         assert_eq!(c.orbit.spin[2], 0.25);
         ControlFlow::Continue(())

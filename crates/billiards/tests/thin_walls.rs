@@ -60,7 +60,7 @@ fn distance(table: &Table, a: &ReducedState, b: &ReducedState) -> f64 {
 fn the_billiard_map_and_its_inverse_know_both_faces_of_a_thin_wall() {
     for wall in WALLS {
         let table = table(wall);
-        let rough = Planar { table: table.clone(), law: Disk::new(&NoSlip, FRAC_1_SQRT_2) };
+        let rough = Planar { table: table.clone(), law: Disk::new(&NoSlip, FRAC_1_SQRT_2).unwrap() };
         let smooth = Planar { table, law: Specular };
         let table = &smooth.table;
         let length = table.pieces()[1].length();

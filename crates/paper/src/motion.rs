@@ -27,7 +27,10 @@ pub(crate) fn specular<E: core::fmt::Debug>(table: Result<Table, E>) -> Billiard
 
 /// The tables of the claims have constant parameters within their ranges.
 fn with_law<E: core::fmt::Debug>(table: Result<Table, E>, law: &impl DiskLaw, gamma_squared: f64) -> Billiard {
-    Planar { table: table.expect("a table with parameters in range"), law: Disk::new(law, libm::sqrt(gamma_squared)) }
+    Planar {
+        table: table.expect("a table with parameters in range"),
+        law: Disk::new(law, libm::sqrt(gamma_squared)).expect("a γ in range"),
+    }
 }
 
 /// Where a disk is and how it moves: `(x₀, x₁, x₂)` and its derivative.

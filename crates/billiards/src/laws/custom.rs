@@ -1,4 +1,5 @@
 //! Any law of [`collision_laws`], yours included, for a ball against a fixed wall.
+use super::checked_gamma;
 use crate::{Error, billiard::BallLaw};
 use collision_laws::{CollisionLaw, Contact, Delassus};
 use geometry::{WallHit, walls::number};
@@ -41,7 +42,7 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 /// let (mut velocity, mut spin) = ([0.25, -1.0], [0.5]);
 /// law.collide(&hit, &mut velocity, &mut spin);
 /// let (mut same_velocity, mut same_spin) = ([0.25, -1.0], [0.5]);
-/// Disk::new(&NoSlip, 0.5_f64.sqrt()).collide(&hit, &mut same_velocity, &mut same_spin);
+/// Disk::new(&NoSlip, 0.5_f64.sqrt())?.collide(&hit, &mut same_velocity, &mut same_spin);
 /// assert!((velocity[0] - same_velocity[0]).abs() < 1e-15 && (spin[0] - same_spin[0]).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -84,9 +85,7 @@ impl<L, const N: usize> Custom<L, N> {
     where
         L: CollisionLaw<N>,
     {
-        if !(gamma.is_finite() && gamma >= 0.0) {
-            return Err(Error::Ball { quantity: "γ", must: "finite and not negative", value: gamma });
-        }
+        let gamma = checked_gamma(gamma)?;
         let (centre, rim) = if gamma < LEAST_GAMMA { (gamma, 1.0) } else { (1.0, 1.0 / gamma) };
         let strict = law.is_strict();
         Ok(Custom { law, mass: 1.0, radius: 0.0, gamma, centre, rim, strict })

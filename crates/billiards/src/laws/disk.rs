@@ -1,6 +1,6 @@
 //! Laws that are one constant matrix for a disk: no-slip, specular, restitution.
-use super::{Mirror, coefficients::Coefficients, gamma_or_nan, slip::Slip};
-use crate::billiard::BallLaw;
+use super::{Mirror, checked_gamma, coefficients::Coefficients, slip::Slip};
+use crate::{Error, billiard::BallLaw};
 use collision_laws::{DiskLaw, DiskMap};
 use geometry::WallHit;
 use lanes::{Lane, Mask};
@@ -20,19 +20,25 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// `law` for a disk with mass distribution parameter γ, which is finite and not negative: with any other the velocities become NaN
-    /// in the first collision in which the slip counts, and where debug assertions are on, it is refused.
+    /// `law` for a disk with mass distribution parameter γ.
     ///
     /// Its [map](DiskLaw::disk_map) must be one of impulses at the contact: with each change of the tangential velocity,
     /// the scaled spin changes by −1/γ times that. Each way to run an orbit uses the entries of the map that suit it, so any other
-    /// map would be a different law on different tables; where debug assertions are on, that is refused.
-    pub fn new(law: &impl DiskLaw, gamma: f64) -> Disk {
-        debug_assert!(gamma.is_finite() && gamma >= 0.0, "γ must be finite and not negative, not {gamma}");
-        let gamma = gamma_or_nan(gamma);
+    /// map would be a different law on different tables.
+    ///
+    /// It takes some milliseconds: of a strict law's coefficients those digits are looked for that keep the energy best.
+    ///
+    /// # Errors
+    /// [`Error::Ball`] unless γ is finite and not negative; [`Error::NoContactImpulse`] of a law whose map is not one of impulses at
+    /// the contact, within 10⁻⁹ of its entries.
+    pub fn new(law: &impl DiskLaw, gamma: f64) -> Result<Disk, Error> {
+        let gamma = checked_gamma(gamma)?;
         let map = law.disk_map(gamma);
-        debug_assert!(acts_at_the_contact(&map, gamma), "{map:?} for γ = {gamma} is no impulse at the contact");
+        if !acts_at_the_contact(&map, gamma) {
+            return Err(Error::NoContactImpulse { map, gamma });
+        }
         let Slip { push, pull, reflects } = Slip::of(&map, gamma);
-        Disk {
+        Ok(Disk {
             in_plane: Coefficients([push[0], push[1], pull[0], pull[1], map.normal - 1.0]),
             in_frame: Coefficients([
                 map.spin_spin,
@@ -43,7 +49,7 @@ impl Disk {
             ]),
             mirror: Mirror::of(&map, gamma, reflects),
             smooth: pull == [0.0; 2],
-        }
+        })
     }
 }
 
@@ -151,10 +157,10 @@ mod tests {
     fn a_law_without_slip_moves_a_disk_as_its_matrix_does() {
         let bounces = Restitution::new(0.7, -1.0).expect("coefficients");
         for (law, smooth) in [
-            (Disk::new(&Specular, 0.6), true),
-            (Disk::new(&bounces, 3.0), true),
-            (Disk::new(&NoSlip, 0.6), false),
-            (Disk::new(&Restitution::new(0.7, 1.0).expect("coefficients"), 0.6), false),
+            (Disk::new(&Specular, 0.6).unwrap(), true),
+            (Disk::new(&bounces, 3.0).unwrap(), true),
+            (Disk::new(&NoSlip, 0.6).unwrap(), false),
+            (Disk::new(&Restitution::new(0.7, 1.0).expect("coefficients"), 0.6).unwrap(), false),
         ] {
             assert_eq!(law.smooth, smooth, "{law:?}");
             let hit = WallHit { normal: [0.7, -1.1], inverse: 1.0 / libm::hypot(0.7, 1.1), ..WallHit::never([0.0; 2]) };
@@ -169,9 +175,9 @@ mod tests {
     #[test]
     fn along_an_axis_a_law_does_the_same_to_the_last_bit() {
         for law in [
-            Disk::new(&Specular, 0.6),
-            Disk::new(&NoSlip, 0.6),
-            Disk::new(&Restitution::new(0.7, 0.4).expect("coefficients"), 0.3),
+            Disk::new(&Specular, 0.6).unwrap(),
+            Disk::new(&NoSlip, 0.6).unwrap(),
+            Disk::new(&Restitution::new(0.7, 0.4).expect("coefficients"), 0.3).unwrap(),
         ] {
             for normal in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [-0.0, 1.0]] {
                 let hit = WallHit { normal, inverse: 1.0, ..WallHit::never([0.0; 2]) };
@@ -185,8 +191,6 @@ mod tests {
     }
 
     #[test]
-    #[cfg(debug_assertions)]
-    #[should_panic(expected = "is no impulse at the contact")]
     fn a_map_of_impulses_elsewhere_is_refused() {
         // both reversed: no push at the rim does that
         struct Elsewhere;
@@ -200,6 +204,20 @@ mod tests {
                 DiskMap { spin_spin: -1.0, spin_tangent: 0.0, tangent_spin: 0.0, tangent_tangent: -1.0, normal: -1.0 }
             }
         }
-        let _ = Disk::new(&Elsewhere, 0.5);
+        let error = Disk::new(&Elsewhere, 0.5).unwrap_err();
+        assert!(matches!(error, Error::NoContactImpulse { gamma: 0.5, .. }), "{error}");
+    }
+
+    #[test]
+    fn every_gamma_that_is_one_has_its_laws() {
+        let lossy = Restitution::new(0.7, 0.4).expect("coefficients");
+        for gamma in [0.0, 5e-324, 1e-200, 1e-9, 0.3, 1.0, 7.0, 1e9, 1e154, 1e200, f64::MAX] {
+            assert!(Disk::new(&Specular, gamma).is_ok() && Disk::new(&lossy, gamma).is_ok(), "{gamma:e}");
+            assert!(Disk::new(&NoSlip, gamma).is_ok_and(|disk| disk.is_strict()), "{gamma:e}");
+        }
+        for none in [-0.5, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            let error = Disk::new(&NoSlip, none).unwrap_err();
+            assert!(matches!(error, Error::Ball { quantity: "γ", .. }), "{error}");
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Strict laws of a ball in space: specular, no-slip, and the rough directions between.
-use super::gamma_or_nan;
-use crate::billiard::BallLaw;
+use super::checked_gamma;
+use crate::{Error, billiard::BallLaw};
 use geometry::WallHit;
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
@@ -32,22 +32,28 @@ enum Rough {
 const MOST_GAMMA: f64 = (1_u128 << 100) as f64;
 
 impl RoughBall {
-    /// No-slip: both tangential directions are rough. γ is finite and not negative: with any other the velocities become NaN, and where
-    /// debug assertions are on, it is refused.
-    pub fn no_slip(gamma: f64) -> RoughBall {
-        debug_assert!(gamma.is_finite() && gamma >= 0.0, "γ must be finite and not negative, not {gamma}");
-        let gamma = gamma_or_nan(gamma);
-        let gamma = if gamma > MOST_GAMMA { MOST_GAMMA } else { gamma };
-        RoughBall { gamma, factor: 2.0 / (1.0 + gamma * gamma), rough: Rough::All }
+    /// No-slip: both tangential directions are rough.
+    ///
+    /// # Errors
+    /// [`Error::Ball`] unless γ is finite and not negative.
+    pub fn no_slip(gamma: f64) -> Result<RoughBall, Error> {
+        let gamma = checked_gamma(gamma)?.min(MOST_GAMMA);
+        Ok(RoughBall { gamma, factor: 2.0 / (1.0 + gamma * gamma), rough: Rough::All })
     }
 
     /// Rough along the tangential part of `direction` alone (k = 1), which may have any finite length; smooth where the direction is
     /// normal to the wall, and everywhere if it is zero.
-    pub fn along(gamma: f64, direction: Vector3<f64>) -> RoughBall {
+    ///
+    /// # Errors
+    /// [`Error::Ball`] unless γ is finite and not negative and the direction finite.
+    pub fn along(gamma: f64, direction: Vector3<f64>) -> Result<RoughBall, Error> {
+        if let Some(&value) = direction.iter().find(|x| !x.is_finite()) {
+            return Err(Error::Ball { quantity: "rough direction", must: "finite", value });
+        }
         // by a power of two, which rounds nothing: neither its square nor the slip's part along it over- or underflows
         let (_, exponent) = libm::frexp(direction.amax());
         let direction = direction.map(|x| libm::ldexp(x, -exponent));
-        RoughBall { rough: Rough::Along(direction.into()), ..RoughBall::no_slip(gamma) }
+        Ok(RoughBall { rough: Rough::Along(direction.into()), ..RoughBall::no_slip(gamma)? })
     }
 }
 
@@ -108,7 +114,7 @@ mod tests {
         let hit = WallHit { normal: [0.0, 0.0, 1.0], inverse: 1.0, ..WallHit::never([0.0; 3]) };
         for gamma in [1e20, 1e140, 1e154, 1e155, f64::MAX] {
             let (mut v, mut w) = ([0.3, -0.4, -0.7], [0.2, 0.5, -0.1]);
-            RoughBall::no_slip(gamma).collide(&hit, &mut v, &mut w);
+            RoughBall::no_slip(gamma).unwrap().collide(&hit, &mut v, &mut w);
             let expected = [-0.3, 0.4, 0.7, 0.2, 0.5, -0.1];
             for (found, expected) in v.iter().chain(&w).zip(expected) {
                 assert!((found - expected).abs() < 1e-15, "{gamma:e}: {v:?} {w:?}");
@@ -121,7 +127,7 @@ mod tests {
         let normal = Vector3::new(1.0, 2.0, -3.0).normalize();
         let hit = WallHit { normal: normal.into(), inverse: 1.0, ..WallHit::never([0.0; 3]) };
         for off in [1e-8, 1e-11, 1e-13, 3e-15, 1e-15, 0.0] {
-            let law = RoughBall::along(0.6, Vector3::new(1.0, 2.0 - 7.0 * off, off - 3.0));
+            let law = RoughBall::along(0.6, Vector3::new(1.0, 2.0 - 7.0 * off, off - 3.0)).unwrap();
             let (before, spin) = (Vector3::new(2.0, 1.5, 0.5), Vector3::new(0.1, 0.2, 0.3));
             let (mut v, mut w) = (before.into(), spin.into());
             law.collide(&hit, &mut v, &mut w);
@@ -129,6 +135,18 @@ mod tests {
             let energy = v.norm_squared() + w.norm_squared();
             assert!((energy - before.norm_squared() - spin.norm_squared()).abs() < 1e-14, "{off:e}: {energy}");
             assert!((normal.dot(&v) + normal.dot(&before)).abs() < 1e-15, "{off:e}: {v:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_gamma_or_no_direction_is_refused() {
+        for none in [-0.5, f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            assert!(matches!(RoughBall::no_slip(none), Err(Error::Ball { quantity: "γ", .. })), "{none}");
+            assert!(matches!(RoughBall::along(none, Vector3::x()), Err(Error::Ball { quantity: "γ", .. })), "{none}");
+        }
+        for none in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+            let refused = RoughBall::along(0.5, Vector3::new(1.0, none, 0.0)).unwrap_err();
+            assert!(matches!(refused, Error::Ball { quantity: "rough direction", .. }), "{refused}");
         }
     }
 
@@ -141,13 +159,13 @@ mod tests {
             (v, w)
         };
         let direction = Vector3::new(0.25, -0.75, 1.5);
-        let once = after(RoughBall::along(0.6, direction));
+        let once = after(RoughBall::along(0.6, direction).unwrap());
         for power in [-1000, -570, -1, 1, 530, 1000] {
             let length = libm::ldexp(1.0, power);
-            assert_eq!(after(RoughBall::along(0.6, direction * length)), once, "2^{power}");
+            assert_eq!(after(RoughBall::along(0.6, direction * length).unwrap()), once, "2^{power}");
         }
-        let smooth = after(RoughBall::along(0.6, Vector3::zeros()));
+        let smooth = after(RoughBall::along(0.6, Vector3::zeros()).unwrap());
         assert_eq!(smooth.1, [0.2, 0.5, -0.1]);
-        assert_eq!(after(RoughBall::along(0.6, Vector3::new(0.6, 0.0, 0.8) * 1e-200)), smooth);
+        assert_eq!(after(RoughBall::along(0.6, Vector3::new(0.6, 0.0, 0.8) * 1e-200).unwrap()), smooth);
     }
 }

@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 /// use billiards::{Canonical, Collisions, Conserved, Orbit, Planar, Starts, laws::Disk};
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::{EachOrbit, FreePath}};
 ///
-/// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+/// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let canonical = Canonical::new(&square.table, 1.0, 1)?;
 /// let mut paths = EachOrbit::new(|_, orbit: &Orbit<f64, 2, 1, Conserved<f64, 2>>| {
 ///     let mut path = FreePath::new();

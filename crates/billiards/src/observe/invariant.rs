@@ -10,7 +10,7 @@ use core::{fmt, ops::ControlFlow};
 /// use billiards::{collision_laws::laws::Specular, geometry::tables, observe::Invariant};
 ///
 /// // angular momentum about the centre of a circle
-/// let circle = Planar { table: tables::circle(1.0)?, law: Disk::new(&Specular, 0.5_f64.sqrt()) };
+/// let circle = Planar { table: tables::circle(1.0)?, law: Disk::new(&Specular, 0.5_f64.sqrt())? };
 /// let mut momentum = Invariant::new(|c: &Collision<'_, 2, 1, _, _>| {
 ///     let ([x1, x2], [v1, v2]) = (c.orbit.position, c.orbit.velocity);
 ///     x1 * v2 - x2 * v1
@@ -18,7 +18,7 @@ use core::{fmt, ops::ControlFlow};
 /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new([0.1, 0.2], [0.6, 0.3], [0.4], ());
 /// circle.run(&mut orbit, &Collisions(10_000), &mut momentum);
 /// assert!(momentum.largest_drift() < 1e-12);
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 #[derive(Clone)]
 pub struct Invariant<F> {

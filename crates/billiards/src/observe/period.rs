@@ -16,13 +16,13 @@ use lanes::Double;
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::Period};
 ///
 /// // in an equilateral triangle every orbit of a uniform disk has period 4 or 6, or a divisor of them
-/// let triangle = Planar { table: tables::equilateral(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+/// let triangle = Planar { table: tables::equilateral(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new([0.45, 0.2], [0.6, 0.3], [0.4], ());
 /// let mut period = Period::new(1e-12, 1.0);
 /// assert_eq!(triangle.run(&mut orbit, &Collisions(100), &mut period).stop, Stop::Observer);
 /// let found = period.found().expect("the run was stopped");
 /// assert!(found.period == 4 || found.period == 6);
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Period {

@@ -52,7 +52,7 @@ pub struct SpatialRow {
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::{PlanarRow, Record}};
 /// use std::ops::ControlFlow;
 ///
-/// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 1.0) };
+/// let square = Planar { table: tables::square(1.0)?, law: Disk::new(&NoSlip, 1.0)? };
 /// let track = (Clock::new(0.0), Angle::new(0.0));
 /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.5, 0.5], [0.25, -1.0], [0.5], track);
 /// let mut rows = vec![];
@@ -64,7 +64,7 @@ pub struct SpatialRow {
 /// let first = rows[0];
 /// assert_eq!((first.t, first.x, first.x0), (0.5, [0.625, 0.0], 0.25));
 /// assert_eq!((first.piece, first.v0, first.v), (0, -0.25, [-0.5, 1.0]));
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 pub struct Record<F>(F);
 

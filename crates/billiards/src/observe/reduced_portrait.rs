@@ -11,14 +11,14 @@ use geometry::Table;
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::ReducedPortrait};
 ///
 /// let table = tables::stadium(1.0, 1.0)?;
-/// let stadium = Planar { table: table.clone(), law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+/// let stadium = Planar { table: table.clone(), law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new([0.1, 0.2], [0.6, 0.3], [0.4], ());
 /// let mut portrait = ReducedPortrait::new(&table, vec![]);
 /// stadium.run(&mut orbit, &Collisions(100), &mut portrait);
 /// // points of the solid torus of the paper, arc length along the whole boundary first
 /// let torus: Vec<[f64; 3]> = portrait.states().iter().map(|state| state.coordinates(&table)).collect();
 /// assert!(torus.iter().all(|[s, ..]| (0.0..=table.perimeter()).contains(s)));
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct ReducedPortrait<'a, E> {

@@ -13,14 +13,14 @@ use core::ops::ControlFlow;
 /// use billiards::{Collisions, Conserved, Orbit, Planar, laws::Disk};
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::{Density, VelocityPortrait}};
 ///
-/// let hexagon = Planar { table: tables::hexagon(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt()) };
+/// let hexagon = Planar { table: tables::hexagon(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>>::new([0.1, 0.2], [0.6, 0.3], [0.4], ());
 /// let mut portrait = (VelocityPortrait::new(vec![]), VelocityPortrait::new(Density::disk(256)));
 /// hexagon.run(&mut orbit, &Collisions(1000), &mut portrait);
 /// let (points, density) = (portrait.0.into_points(), portrait.1.into_points());
 /// assert!(points.iter().all(|[v0, vt]| v0 * v0 + vt * vt < 1.0));
 /// assert_eq!(density.total(), 1000);
-/// # Ok::<(), billiards::geometry::Error>(())
+/// # Ok::<(), billiards::Error>(())
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct VelocityPortrait<E>(E);

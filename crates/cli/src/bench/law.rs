@@ -25,14 +25,14 @@ impl Law {
 
     pub(crate) fn planar(self) -> PlanarLaw {
         PlanarLaw::Uniform(match self {
-            Law::NoSlip => Disk::new(&strict::NoSlip, libm::sqrt(0.5)),
-            Law::Specular => Disk::new(&strict::Specular, libm::sqrt(0.5)),
+            Law::NoSlip => Disk::new(&strict::NoSlip, libm::sqrt(0.5)).expect("a γ in range"),
+            Law::Specular => Disk::new(&strict::Specular, libm::sqrt(0.5)).expect("a γ in range"),
         })
     }
 
     pub(crate) fn spatial(self) -> SpatialLaw {
         match self {
-            Law::NoSlip => SpatialLaw::Rough(RoughBall::no_slip(libm::sqrt(0.4))),
+            Law::NoSlip => SpatialLaw::Rough(RoughBall::no_slip(libm::sqrt(0.4)).expect("a γ in range")),
             Law::Specular => SpatialLaw::Specular,
         }
     }

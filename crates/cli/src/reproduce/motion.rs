@@ -61,7 +61,7 @@ pub(super) fn no_slip(table: Table) -> Planar<Disk> {
 
 /// A disk with the given `γ` without slip on a table.
 pub(super) fn no_slip_with(table: Table, gamma: f64) -> Planar<Disk> {
-    Planar { table, law: Disk::new(&NoSlip, gamma) }
+    Planar { table, law: Disk::new(&NoSlip, gamma).expect("a γ in range") }
 }
 
 /// Follows an orbit for so many collisions, from `x = (x₀, x₁, x₂)` with velocity `v`.

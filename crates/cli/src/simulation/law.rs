@@ -52,26 +52,32 @@ impl BallLaw<2, 1> for PlanarLaw {
 
 impl PlanarLaw {
     /// The laws of numbered pieces for a disk with γ.
-    pub(crate) fn new<'a>(pieces: impl IntoIterator<Item = (&'a LawKind, &'a dyn Piece)>, gamma: f64) -> PlanarLaw {
+    ///
+    /// # Errors
+    /// A parameter of a law is wrong.
+    pub(crate) fn new<'a>(
+        pieces: impl IntoIterator<Item = (&'a LawKind, &'a dyn Piece)>,
+        gamma: f64,
+    ) -> Result<PlanarLaw, String> {
         let kinds: Vec<Simple> = pieces.into_iter().map(|(kind, piece)| Simple::of(kind, piece)).collect();
         // it takes milliseconds to find the digits of a law: once for each, not for each piece
         let mut known: Vec<(Simple, Disk)> = vec![];
         let mut disk = |kind: &Simple| {
             if let Some((_, disk)) = known.iter().find(|(other, _)| other == kind) {
-                return *disk;
+                return Ok(*disk);
             }
-            let disk = kind.disk(gamma);
+            let disk = kind.disk(gamma)?;
             known.push((*kind, disk));
-            disk
+            Ok::<_, String>(disk)
         };
-        match &kinds[..] {
-            [] => PlanarLaw::Uniform(disk(&Simple::Specular)),
-            [first, rest @ ..] if rest.iter().all(|kind| kind == first) => PlanarLaw::Uniform(disk(first)),
+        Ok(match &kinds[..] {
+            [] => PlanarLaw::Uniform(disk(&Simple::Specular)?),
+            [first, rest @ ..] if rest.iter().all(|kind| kind == first) => PlanarLaw::Uniform(disk(first)?),
             [first, rest @ ..] => {
-                let first = disk(first);
-                PlanarLaw::PerPiece(PerPiece::new(first, rest.iter().map(disk)))
+                let first = disk(first)?;
+                PlanarLaw::PerPiece(PerPiece::new(first, rest.iter().map(disk).collect::<Result<Vec<_>, _>>()?))
             }
-        }
+        })
     }
 }
 
@@ -99,16 +105,15 @@ impl Simple {
         }
     }
 
-    fn disk(&self, gamma: f64) -> Disk {
-        match *self {
+    fn disk(&self, gamma: f64) -> Result<Disk, String> {
+        let disk = match *self {
             Simple::Specular => Disk::new(&Specular, gamma),
             Simple::NoSlip => Disk::new(&NoSlip, gamma),
-            Simple::Restitution { normal, tangential } => match Restitution::new(normal, tangential) {
-                Ok(law) => Disk::new(&law, gamma),
-                // the scene has checked both coefficients
-                Err(_) => Disk::new(&Specular, gamma),
-            },
-        }
+            Simple::Restitution { normal, tangential } => {
+                Disk::new(&Restitution::new(normal, tangential).map_err(|error| error.to_string())?, gamma)
+            }
+        };
+        disk.map_err(|error| error.to_string())
     }
 }
 
@@ -163,13 +168,16 @@ impl SpatialLaw {
     /// A parameter of a law is wrong.
     pub(crate) fn new(walls: &[&LawKind], gamma: f64) -> Result<SpatialLaw, String> {
         let first = walls.first().copied().unwrap_or(&LawKind::Specular);
+        let rough = |ball: Result<RoughBall, _>| {
+            ball.map(SpatialLaw::Rough).map_err(|error: billiards::Error| error.to_string())
+        };
         if walls.iter().all(|kind| *kind == first) {
             match first {
                 LawKind::Specular => return Ok(SpatialLaw::Specular),
-                LawKind::NoSlip => return Ok(SpatialLaw::Rough(RoughBall::no_slip(gamma))),
+                LawKind::NoSlip => return rough(RoughBall::no_slip(gamma)),
                 LawKind::Rough(directions) => match &directions[..] {
                     [] => return Ok(SpatialLaw::Specular),
-                    [one] => return Ok(SpatialLaw::Rough(RoughBall::along(gamma, space(one)))),
+                    [one] => return rough(RoughBall::along(gamma, space(one))),
                     _ => {}
                 },
                 _ => {}

@@ -45,7 +45,8 @@ impl Planar {
         };
         let strict = pieces.iter().all(|piece| is_strict(kind(*piece)));
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
-        let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma);
+        let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma)
+            .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
                 start::planar(scene, (&centres, &pieces), orbit, drawn.factor)

@@ -54,7 +54,10 @@ impl<K> Observer<3, 3, K, Clock> for Contacts {
 }
 
 fn contacts(velocity: [f64; 3], spin: [f64; 3], collisions: usize) -> Vec<Contact> {
-    let slab = Spatial { table: tables::slab(1.0).expect("a slab"), law: RoughBall::no_slip(libm::sqrt(BALL)) };
+    let slab = Spatial {
+        table: tables::slab(1.0).expect("a slab"),
+        law: RoughBall::no_slip(libm::sqrt(BALL)).expect("a γ in range"),
+    };
     let mut orbit = Orbit::<_, 3, 3, Conserved<_, 3>, _>::new([0.0, 0.0, 0.5], velocity, spin, Clock::new(0.0));
     let mut contacts = Contacts { time: 0.0, spin, turned: [0.0; 3], all: Vec::with_capacity(collisions) };
     slab.run(&mut orbit, &Collisions(collisions as u64), &mut contacts);

@@ -59,7 +59,7 @@ fn on(
     let collisions = if effort == Effort::Quick { 1000 } else { 100_000 };
     let mut tally = Tally::default();
     for gamma_squared in gammas {
-        let law = PlanarLaw::Uniform(Disk::new(&NoSlip, libm::sqrt(*gamma_squared)));
+        let law = PlanarLaw::Uniform(Disk::new(&NoSlip, libm::sqrt(*gamma_squared))?);
         let starts: Vec<_> = directions(8).map(|angle| start([0.1, 0.2], angle)).collect();
         let trial = Trial { table: &table, law: law.clone(), collisions, open: false };
         let mut part = trial.run(&starts);
