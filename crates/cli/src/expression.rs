@@ -4,6 +4,7 @@
 //! (an operator stack), so no input can exhaust the call stack; a parsed expression is a list of nodes, each of which
 //! refers only to earlier ones, so evaluation and differentiation are single passes.
 
+mod constant;
 mod curve;
 mod derivative;
 mod domain;
@@ -17,6 +18,7 @@ use std::fmt;
 pub use curve::{ImplicitCurve, PolarCurve};
 pub use program::Program;
 
+use constant::{Constant, Literal};
 use number::Number;
 use parser::{Parser, tokens};
 
@@ -158,7 +160,8 @@ impl Expression {
         if let Some((i, _)) = text.chars().enumerate().nth(MAX_CHARACTERS) {
             return Err(Error::new(i + 1, format!("expression is longer than {MAX_CHARACTERS} characters")));
         }
-        Parser::new(variables).parse(&tokens(text)?)?.folded()
+        let (formula, literals) = Parser::new(variables).parse(&tokens(text)?)?;
+        formula.folded(&literals)
     }
 
     /// The value at a point, one number per variable; NaN or infinite where the formula has no finite real value.
@@ -172,9 +175,17 @@ impl Expression {
 
     /// The same formula with numbers in place of its parts without variables, every step of which is checked.
     ///
-    /// Evaluated in numbers or in intervals, a formula then has the same constants: `x^(4/2)` is a square to both.
-    fn folded(mut self) -> Result<Self, Error> {
+    /// Evaluated in numbers or in intervals, a formula then has the same constants: `x^(4/2)` is a square to both. They are computed
+    /// in more digits and rounded to doubles at their ends.
+    fn folded(mut self, literals: &[(usize, Literal<'_>)]) -> Result<Self, Error> {
         let mut values = vec![f64::NAN; self.nodes.len()];
+        let mut constants: Vec<Option<Constant>> = vec![None; self.nodes.len()];
+        // a number that stands alone is the double that it reads as
+        for &(i, literal) in literals.iter().filter(|_| self.nodes.len() > 1) {
+            if let Node::Constant(value) = self.nodes[i] {
+                constants[i] = Some(Constant::of(literal, value));
+            }
+        }
         for (i, &column) in self.columns.iter().enumerate() {
             let node = self.nodes[i].without_root_of_square(&self.nodes);
             let known = |a: usize| matches!(self.nodes[a], Node::Constant(_));
@@ -186,7 +197,16 @@ impl Expression {
             };
             self.nodes[i] = node;
             if constant {
-                let value: f64 = node.apply(&values, &[]);
+                let mut value: f64 = node.apply(&values, &[]);
+                if !value.is_finite() {
+                    return Err(node.complaint(&values, column));
+                }
+                if !matches!(node, Node::Constant(_)) {
+                    let operand = |a: usize| constants[a].clone().unwrap_or_else(|| Constant::from(values[a]));
+                    let constant = Constant::of_node(node, operand, value);
+                    value = constant.value();
+                    constants[i] = Some(constant);
+                }
                 if !value.is_finite() {
                     return Err(node.complaint(&values, column));
                 }
@@ -252,6 +272,10 @@ impl Node {
             Self::Unary(Function::Acos, a) => {
                 (format!("acos of {}, which is outside [-1, 1]", values[a]), "its argument must lie between -1 and 1")
             }
+            Self::Unary(Function::Tan, _) => (
+                "tan of an odd multiple of pi/2, which has none".into(),
+                "its argument must not be an odd multiple of pi/2",
+            ),
             Self::Binary(Operation::Divide, _, b) if values[b] == 0.0 => {
                 ("division by zero".into(), "the divisor must not be 0")
             }
@@ -400,7 +424,7 @@ mod tests {
         #[test]
         fn no_mixture_of_tokens_makes_the_parser_panic(
             tokens in proptest::collection::vec(
-                proptest::sample::select(vec!["1", "2.5", "pi", "t", "+", "-", "*", "/", "^", "(", ")", ",", "sin(", "atan2(", "ln(", "sqrt", " "]), 0..40),
+                proptest::sample::select(vec!["1", "2.5", "pi", "t", "+", "-", "*", "/", "^", "(", ")", ",", "sin(", "tan(", "acos(", "exp(", "atan2(", "ln(", "sqrt", "1e300", "5e-324", " "]), 0..40),
         ) {
             let text = tokens.concat();
             if let Ok(x) = value(&text) {

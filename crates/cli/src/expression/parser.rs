@@ -1,12 +1,12 @@
 //! From the text of a formula to its nodes.
 
-use super::{Error, Expression, Function, MAX_LEVELS, Node, Operation, TOO_LARGE};
+use super::{Error, Expression, Function, MAX_LEVELS, Node, Operation, TOO_LARGE, constant::Literal};
 use crate::spelling;
 
 /// A lexical token.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Token<'a> {
-    Number(f64),
+    Number(f64, &'a str),
     Name(&'a str),
     Symbol(char),
 }
@@ -25,7 +25,7 @@ pub(super) fn tokens(text: &str) -> Result<Vec<(Token<'_>, usize)>, Error> {
             if !x.is_finite() {
                 return Err(Error::new(column, format!("{literal} is too large for a double")).with_help(TOO_LARGE));
             }
-            tokens.push((Token::Number(x), column));
+            tokens.push((Token::Number(x, literal), column));
             literal.len()
         } else if c.is_ascii_alphabetic() || c == '_' {
             let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
@@ -92,6 +92,8 @@ pub(super) struct Parser<'a> {
     variables: &'a [&'a str],
     nodes: Vec<Node>,
     columns: Vec<usize>,
+    /// The nodes that are numbers in the text.
+    literals: Vec<(usize, Literal<'a>)>,
     /// Indices of the nodes that wait for an operator.
     operands: Vec<usize>,
     pending: Vec<(Pending<'a>, usize)>,
@@ -101,19 +103,30 @@ pub(super) struct Parser<'a> {
 impl<'a> Parser<'a> {
     /// For formulas in these variables.
     pub(super) fn new(variables: &'a [&'a str]) -> Self {
-        Self { variables, nodes: vec![], columns: vec![], operands: vec![], pending: vec![], levels: 0 }
+        Self {
+            variables,
+            nodes: vec![],
+            columns: vec![],
+            literals: vec![],
+            operands: vec![],
+            pending: vec![],
+            levels: 0,
+        }
     }
 
-    /// The formula that some tokens are.
-    pub(super) fn parse(mut self, tokens: &[(Token<'a>, usize)]) -> Result<Expression, Error> {
+    /// The formula that some tokens are, and which of its nodes are numbers in the text.
+    pub(super) fn parse(
+        mut self,
+        tokens: &[(Token<'a>, usize)],
+    ) -> Result<(Expression, Vec<(usize, Literal<'a>)>), Error> {
         let mut operand_next = true;
         let mut i = 0;
         while let Some(&(token, column)) = tokens.get(i) {
             i += 1;
             if operand_next {
                 match token {
-                    Token::Number(x) => {
-                        self.push(Node::Constant(x), column);
+                    Token::Number(x, text) => {
+                        self.literal(Literal::Decimal(text), x, column);
                         operand_next = false;
                     }
                     Token::Name(name) if is_function(name) => {
@@ -123,6 +136,10 @@ impl<'a> Parser<'a> {
                         }
                         i += 1;
                         self.open(Some(name), column)?;
+                    }
+                    Token::Name("pi") => {
+                        self.literal(Literal::Pi, core::f64::consts::PI, column);
+                        operand_next = false;
                     }
                     Token::Name(name) => {
                         let node = self.named(name, column)?;
@@ -171,7 +188,12 @@ impl<'a> Parser<'a> {
         if let Some(&(_, column)) = self.pending.last() {
             return Err(Error::new(column, "this parenthesis is never closed").with_help("add \")\""));
         }
-        Ok(Expression { nodes: self.nodes, columns: self.columns })
+        Ok((Expression { nodes: self.nodes, columns: self.columns }, self.literals))
+    }
+
+    fn literal(&mut self, literal: Literal<'a>, value: f64, column: usize) {
+        self.literals.push((self.nodes.len(), literal));
+        self.push(Node::Constant(value), column);
     }
 
     fn push(&mut self, node: Node, column: usize) {
@@ -181,9 +203,6 @@ impl<'a> Parser<'a> {
     }
 
     fn named(&self, name: &str, column: usize) -> Result<Node, Error> {
-        if name == "pi" {
-            return Ok(Node::Constant(core::f64::consts::PI));
-        }
         if let Some(i) = self.variables.iter().position(|v| *v == name) {
             return Ok(Node::Variable(i));
         }
