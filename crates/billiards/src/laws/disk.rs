@@ -9,9 +9,9 @@ use lanes::{Lane, Mask};
 #[derive(Clone, Copy, Debug)]
 pub struct Disk {
     /// In the coordinates of the plane: push and pull of the slip, `−(1 + eₙ)` along the normal.
-    pub(super) in_plane: Coefficients<5>,
+    pub(super) in_plane: Coefficients,
     /// In the frame of the contact: the map as it is.
-    pub(super) in_frame: Coefficients<5>,
+    pub(super) in_frame: Coefficients,
     /// The same for a strict law, which undoes itself.
     mirror: Option<Mirror>,
     /// Whether spin and tangential velocity stay as they are, at each hit alike: a CPU foresees this, and the next flight
@@ -39,14 +39,11 @@ impl Disk {
         }
         let Slip { push, pull, reflects } = Slip::of(&map, gamma);
         Ok(Disk {
-            in_plane: Coefficients([push[0], push[1], pull[0], pull[1], map.normal - 1.0]),
-            in_frame: Coefficients([
-                map.spin_spin,
-                map.spin_tangent,
-                map.tangent_spin,
-                map.tangent_tangent,
+            in_plane: Coefficients([push[0], push[1], pull[0], pull[1]], map.normal - 1.0),
+            in_frame: Coefficients(
+                [map.spin_spin, map.spin_tangent, map.tangent_spin, map.tangent_tangent],
                 map.normal,
-            ]),
+            ),
             mirror: Mirror::of(&map, gamma, reflects),
             smooth: pull == [0.0; 2],
         })
@@ -66,13 +63,8 @@ fn acts_at_the_contact(map: &DiskMap, gamma: f64) -> bool {
 /// With a normal `n` of any length, `t = J n`, `ι = 1/|n|` and the slip's change `δ = p · (v₀, ι v·t)`, the spin changes by
 /// `−u₀ δ` and the velocity by `−(1 + eₙ) ι² (v·n) n − ι u₁ δ t`, with `eₙ` the normal restitution, 1 for a strict law.
 #[inline(always)]
-pub(super) fn in_plane<F: Lane>(
-    law: Coefficients<5, F>,
-    hit: &WallHit<F, 2>,
-    velocity: &mut [F; 2],
-    spin: &mut [F; 1],
-) {
-    let Coefficients([push_spin, push_tangent, pull_spin, pull_tangent, _]) = law;
+pub(super) fn in_plane<F: Lane>(law: Coefficients<F>, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+    let Coefficients([push_spin, push_tangent, pull_spin, pull_tangent], _) = law;
     let [n1, n2] = hit.normal;
     let [v1, v2] = *velocity;
     // t = J n = (−n₂, n₁)
@@ -88,8 +80,8 @@ pub(super) fn in_plane<F: Lane>(
 
 /// What the law does to the velocity along the normal, whatever the slip: all of it where the law is smooth.
 #[inline(always)]
-fn along_normal<F: Lane>(law: Coefficients<5, F>, hit: &WallHit<F, 2>, velocity: &mut [F; 2]) {
-    let Coefficients([.., normal]) = law;
+fn along_normal<F: Lane>(law: Coefficients<F>, hit: &WallHit<F, 2>, velocity: &mut [F; 2]) {
+    let Coefficients(_, normal) = law;
     let [n1, n2] = hit.normal;
     let [v1, v2] = *velocity;
     let along_n = (normal * (v1 * n1 + v2 * n2)) * (hit.inverse * hit.inverse);
@@ -98,8 +90,8 @@ fn along_normal<F: Lane>(law: Coefficients<5, F>, hit: &WallHit<F, 2>, velocity:
 
 /// Applies the law to the normal and tangential components.
 #[inline(always)]
-pub(super) fn in_frame<F: Lane>(law: Coefficients<5, F>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-    let Coefficients([spin_spin, spin_tangent, tangent_spin, tangent_tangent, normal]) = law;
+pub(super) fn in_frame<F: Lane>(law: Coefficients<F>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+    let Coefficients([spin_spin, spin_tangent, tangent_spin, tangent_tangent], normal) = law;
     let [vn, vt] = *velocity;
     let v0 = spin[0];
     spin[0] = spin_spin * v0 + spin_tangent * vt;
@@ -119,7 +111,7 @@ impl BallLaw<2, 1> for Disk {
     #[inline(always)]
     fn collide_along_axis<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
         // as elsewhere, without the products by 0, and those by ±1 made with constants
-        let Coefficients([push_spin, push_tangent, pull_spin, pull_tangent, normal]) = self.in_plane.in_lanes(hit.time);
+        let Coefficients([push_spin, push_tangent, pull_spin, pull_tangent], normal) = self.in_plane.in_lanes(hit.time);
         let ([n1, n2], [v1, v2]) = (hit.normal, *velocity);
         let is_first = n1.same(0.0).lt(n1.abs());
         let [vn, mut vt, sign] = is_first.choose([v1, v2, n1], [v2, v1, -n2]);
