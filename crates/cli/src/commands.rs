@@ -5,6 +5,7 @@ pub mod check;
 pub mod collide;
 pub mod guide;
 pub mod laws;
+mod patience;
 pub mod reproduce;
 pub mod run;
 pub mod tables;

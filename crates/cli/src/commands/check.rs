@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
-use super::Failure;
+use super::{Failure, patience};
 use crate::args;
 use crate::document::{Source, spell};
 use crate::scene::{Request, Scene};
@@ -18,10 +18,12 @@ use crate::simulation::{Description, Region, SameBits, Simulation, plural, point
 pub fn run(arguments: &args::Check, out: &mut impl Write) -> Result<(), Failure> {
     let request = Request { law: arguments.law.clone(), collisions: None, needs_limit: false };
     let source = Source::read(&arguments.scene)?;
-    let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
-    let description = simulation.describe();
-    let same_bits = arguments.same_bits.then(|| simulation.same_bits()).transpose();
-    let same_bits = same_bits.map_err(|error| Failure::Work(error.to_string()))?;
+    let (description, same_bits) = patience::with_spinner("reading and checking the scene", || {
+        let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
+        let same_bits = arguments.same_bits.then(|| simulation.same_bits()).transpose();
+        let same_bits = same_bits.map_err(|error| Failure::Work(error.to_string()))?;
+        Ok::<_, Failure>((simulation.describe(), same_bits))
+    })?;
     if arguments.json {
         let report = Report { description: &description, same_bits };
         let json = serde_json::to_string_pretty(&report).map_err(|error| Failure::Work(error.to_string()))?;

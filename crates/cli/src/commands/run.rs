@@ -1,24 +1,19 @@
 //! `billiards run`: the main job.
 
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 
-use super::Failure;
+use super::{Failure, patience};
 use crate::args;
 use crate::document::{Diagnostic, Source, spell};
 use crate::scene::{Request, Scene};
 use crate::simulation::{Control, Done, Simulation};
-
-/// Work that is done sooner shows no progress.
-const PATIENCE: Duration = Duration::from_secs(1);
-/// Between two looks at how far the work is.
-const GLANCE: Duration = Duration::from_millis(100);
 
 /// Runs a scene and prints what came of it.
 ///
@@ -31,56 +26,21 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
         let what = "the results would go to out/ and the name of this file, which is none for a folder";
         Box::new(Diagnostic::of_file(source.name(), what).with_help("name a folder: --out DIR"))
     })?;
-    let simulation = Simulation::new(Scene::parse(&source, &request)?)?;
+    let simulation = patience::with_spinner("reading and checking the scene", || {
+        Ok::<_, Failure>(Simulation::new(Scene::parse(&source, &request)?)?)
+    })?;
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let control = Arc::new(Control::new(arguments.threads.map_or(cores, usize::from)));
     let flag = Arc::clone(&control);
     super::on_ctrl_c(move || flag.interrupted.store(true, Ordering::Relaxed))?;
-    let done = with_progress(&simulation, &control, || simulation.run(&folder, &control))
+    let steps = simulation.steps();
+    let update = |bar: &ProgressBar, elapsed| {
+        bar.set_position(control.steps_done());
+        bar.set_message(outlook(elapsed, control.steps_done(), steps));
+    };
+    let done = patience::with_bar(|| progress_bar(steps), update, || simulation.run(&folder, &control))
         .map_err(|error| super::unwritable(&folder, &error))?;
     Ok(report(&simulation, &done, &folder, out)?)
-}
-
-/// Does the work, and shows on a terminal how far it is.
-fn with_progress<R>(simulation: &Simulation, control: &Control, work: impl FnOnce() -> R) -> R {
-    if !io::stderr().is_terminal() {
-        return work();
-    }
-    let over = AtomicBool::new(false);
-    thread::scope(|scope| {
-        let bar = scope.spawn(|| {
-            let begun = Instant::now();
-            let mut bar = None;
-            while !over.load(Ordering::Relaxed) {
-                thread::park_timeout(GLANCE);
-                if begun.elapsed() > PATIENCE {
-                    let (steps, done) = (simulation.steps(), control.steps_done());
-                    let bar = bar.get_or_insert_with(|| progress_bar(steps));
-                    bar.set_position(done);
-                    bar.set_message(outlook(begun.elapsed(), done, steps));
-                }
-            }
-            if let Some(bar) = bar {
-                bar.finish_and_clear();
-            }
-        });
-        // also where the work panics: the scope waits for the bar
-        let _over = Over { flag: &over, watcher: bar.thread() };
-        work()
-    })
-}
-
-/// Ends the watch when it is dropped.
-struct Over<'a> {
-    flag: &'a AtomicBool,
-    watcher: &'a thread::Thread,
-}
-
-impl Drop for Over<'_> {
-    fn drop(&mut self) {
-        self.flag.store(true, Ordering::Relaxed);
-        self.watcher.unpark();
-    }
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {

@@ -1,0 +1,66 @@
+//! Work that takes longer than a second shows on a terminal that it goes on.
+
+use std::io::{self, IsTerminal};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// Work that is done sooner shows nothing.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// Between two looks at how far the work is.
+const GLANCE: Duration = Duration::from_millis(100);
+
+/// Does the work, of which nobody knows how far it is, and shows on a terminal what it is about.
+pub(super) fn with_spinner<R>(what: &str, work: impl FnOnce() -> R) -> R {
+    let spinner = || {
+        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed} passed");
+        let style = style.unwrap_or_else(|_| ProgressStyle::default_spinner());
+        ProgressBar::new_spinner().with_style(style).with_message(what.to_owned())
+    };
+    with_bar(spinner, |bar, _| bar.tick(), work)
+}
+
+/// Does the work, and shows on a terminal a bar that is told how long it has taken.
+pub(super) fn with_bar<R>(
+    bar: impl Fn() -> ProgressBar + Sync,
+    update: impl Fn(&ProgressBar, Duration) + Sync,
+    work: impl FnOnce() -> R,
+) -> R {
+    if !io::stderr().is_terminal() {
+        return work();
+    }
+    let over = AtomicBool::new(false);
+    thread::scope(|scope| {
+        let watcher = scope.spawn(|| {
+            let begun = Instant::now();
+            let mut shown = None;
+            while !over.load(Ordering::Relaxed) {
+                thread::park_timeout(GLANCE);
+                if begun.elapsed() > PATIENCE {
+                    update(shown.get_or_insert_with(|| bar().with_elapsed(begun.elapsed())), begun.elapsed());
+                }
+            }
+            if let Some(shown) = shown {
+                shown.finish_and_clear();
+            }
+        });
+        // also where the work panics: the scope waits for the bar
+        let _over = Over { flag: &over, watcher: watcher.thread() };
+        work()
+    })
+}
+
+/// Ends the watch when it is dropped.
+struct Over<'a> {
+    flag: &'a AtomicBool,
+    watcher: &'a thread::Thread,
+}
+
+impl Drop for Over<'_> {
+    fn drop(&mut self) {
+        self.flag.store(true, Ordering::Relaxed);
+        self.watcher.unpark();
+    }
+}
