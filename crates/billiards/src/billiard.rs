@@ -67,6 +67,9 @@ pub struct Billiard<'a, W, L> {
 ///
 /// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
 pub trait Motion<const N: usize, const S: usize> {
+    /// Whether a step is so short that a CPU, which looks ahead over some hundred instructions, comes to the next one of the same
+    /// orbits before the last is done, unless many take turns.
+    const IS_SHORT: bool = false;
     /// What is carried from collision to collision besides the orbit.
     type Carried<F: Lane>: Copy;
     /// What a flight finds out besides the hit.

@@ -172,6 +172,8 @@ fn rounded(normal: f64, [spin, tangential]: [Double; 2], square: Option<Double>)
 }
 
 impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
+    // between round walls more is carried along
+    const IS_SHORT: bool = !W::ROUND;
     type Carried<F: Lane> = Frame<F>;
     type Arrival<F: Lane> = Chord<F>;
 

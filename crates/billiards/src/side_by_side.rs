@@ -65,10 +65,13 @@ struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
     changed: bool,
 }
 
-/// Twins of vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the others.
+/// Twins of vectors in flight at a time: enough that the divisions of one hide behind the arithmetic of the other.
 const TWINS: usize = 2;
+/// The same where [a step is short](Motion::IS_SHORT).
+const MANY_TWINS: usize = 8;
 
-/// Seats side by side, where vectors are widest: of starts that all run equally long, a multiple of so many leaves none empty.
+/// Seats side by side, where vectors are widest: of starts that all run equally long, a multiple of so many leaves none empty. (In
+/// strips, where steps are short, there are four times as many.)
 pub const SEATS: usize = TWINS * MOST_LANES;
 
 /// A twin of vectors of orbits.
@@ -259,13 +262,13 @@ where
         any
     }
 
-    /// All orbits, in lanes like those of `zero`.
+    /// All orbits, in lanes like those of `zero`, so many vectors of them at a time.
     #[inline(always)]
-    fn all<F: Lane>(mut self, zero: F) {
+    fn all<F: Lane, const GROUPS: usize>(mut self, zero: F) {
         let mut next = 0;
         let seat = Seat { index: None, until: 0, since: 0, idle_at: u64::MAX, idle: 0 };
         let nobody = Orbit::all(&self.first, zero);
-        let mut groups: [GroupOf<F, N, S, B, K, T, O>; TWINS] = core::array::from_fn(|_| Group {
+        let mut groups: [GroupOf<F, N, S, B, K, T, O>; GROUPS] = core::array::from_fn(|_| Group {
             orbit: nobody.clone(),
             carried: self.billiard.start(zero),
             view: self.observer.nobody(zero),
@@ -311,10 +314,12 @@ where
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) {
         // on a CPU without vectors that we know, two groups of one are enough: it has not more than 16 registers
-        if const { F::LANES > 1 } {
-            self.all(Twin::of(zero));
+        if const { F::LANES == 1 } {
+            self.all::<F, TWINS>(zero);
+        } else if const { B::IS_SHORT } {
+            self.all::<Twin<F>, MANY_TWINS>(Twin::of(zero));
         } else {
-            self.all(zero);
+            self.all::<Twin<F>, TWINS>(Twin::of(zero));
         }
     }
 }
