@@ -43,7 +43,8 @@ fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
 
 fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<Ended> {
     let billiard = Planar { table: table.unwrap(), law };
-    let starts = starts(&billiard.table, 70);
+    // more than there are seats, in strips too
+    let starts = starts(&billiard.table, 150);
     let orbits: Vec<Disks> = starts.iter().map(|start| start.orbit(Clock::new(0.0))).collect();
     let ended = agree_from(name, &billiard, &orbits);
     // and when they go on
