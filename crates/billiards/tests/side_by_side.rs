@@ -2,7 +2,9 @@
 use billiards::observe::{EachOrbit, LaneObserver, VelocityPortrait, Watch};
 use billiards::{
     Angle, BallLaw, Billiard, Canonical, Cell, Clock, Collision, Collisions, Conserved, Finished, Motion, Orbit,
-    Planar, Rolling, Start, Starts, Stop, Timed, Turned, laws::Disk, run, run_side_by_side,
+    Planar, Rolling, Start, Starts, Stop, Timed, Turned,
+    laws::{Disk, PerPiece},
+    run, run_side_by_side,
 };
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
@@ -41,7 +43,7 @@ fn starts(table: &Table, count: u64) -> Vec<Start<2, 1>> {
     made
 }
 
-fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<Ended> {
+fn agree<L: BallLaw<2, 1>>(name: &str, table: Result<Table, geometry::Error>, law: L) -> Vec<Ended> {
     let billiard = Planar { table: table.unwrap(), law };
     // more than there are seats, in strips too
     let starts = starts(&billiard.table, 150);
@@ -52,7 +54,7 @@ fn agree(name: &str, table: Result<Table, geometry::Error>, law: Disk) -> Vec<En
     ended
 }
 
-fn agree_from(name: &str, billiard: &Planar<Disk>, orbits: &[Disks]) -> Vec<Ended> {
+fn agree_from<L: BallLaw<2, 1>>(name: &str, billiard: &Planar<L>, orbits: &[Disks]) -> Vec<Ended> {
     let mut ended: Vec<Ended> = vec![];
     billiard.run_side_by_side(&mut orbits.iter().copied(), 300, &mut (), &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
@@ -115,6 +117,17 @@ fn lanes_have_the_bits_of_single_orbits() {
     agree("a side in two about two disks", in_square([1.0, 0.0], 0.0, 2), no_slip());
     agree("a disk in a square askew", in_square([0.6, 0.8], 0.5, 1), no_slip());
     agree("two disks in a square askew", in_square([0.6, 0.8], 0.5, 2), no_slip());
+}
+
+#[test]
+fn where_each_piece_has_a_law_of_its_own_each_lane_has_that_of_its_piece() {
+    let gamma = libm::sqrt(0.5);
+    let (rough, smooth) = (Disk::new(&NoSlip, gamma).unwrap(), Disk::new(&Specular, gamma).unwrap());
+    let lossy = Disk::new(&Restitution::new(0.9, 0.5).unwrap(), gamma).unwrap();
+    agree("stadium", tables::stadium(1.0, 1.0), PerPiece::new(rough, [smooth]));
+    agree("square", tables::square(1.0), PerPiece::new(smooth, [rough, smooth, lossy]));
+    agree("strip", tables::strip(1.0), PerPiece::new(smooth, [rough]));
+    agree("mushroom", tables::mushroom(1.0, 0.5, 0.75), PerPiece::new(smooth, [smooth, rough, lossy, rough, smooth]));
 }
 
 /// The square (−1, 1)², turned, around some disks; in the lower side there is a vertex, `corner` below it.
