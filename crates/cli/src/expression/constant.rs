@@ -95,8 +95,8 @@ fn is_rounding(x: &Big, beside: &Big) -> bool {
     size(x) <= size(beside) << ROUNDED
 }
 
-/// A number that is computed from another and has its errors.
-fn of(beside: &Big, x: Big) -> Big {
+/// The number, or 0 where it is no more than rounding of what it was computed from.
+fn without_rounding(x: Big, beside: &Big) -> Big {
     if is_rounding(&x, beside) { Big::ZERO } else { x }
 }
 
@@ -117,7 +117,7 @@ fn function(f: Function, x: &Big) -> Option<Big> {
         Function::Atan => context.atan(repr, None),
     };
     let wave = matches!(f, Function::Sin | Function::Cos | Function::Tan);
-    let found = value(found).map(|y| if wave { of(x, y) } else { y })?;
+    let found = value(found).map(|y| if wave { without_rounding(y, x) } else { y })?;
     let pole = f == Function::Tan && is_rounding(&Big::ONE, &found);
     Some(if pole { Big::INFINITY } else { found })
 }
@@ -127,8 +127,10 @@ fn operation(f: Operation, x: &Big, y: &Big) -> Option<Big> {
     let context = Context::<HalfEven>::new(BITS);
     let larger = || if size(x) < size(y) { y } else { x };
     match f {
-        Operation::Add => value(context.add(x.repr(), y.repr())).map(|sum| of(larger(), sum)),
-        Operation::Subtract => value(context.sub(x.repr(), y.repr())).map(|difference| of(larger(), difference)),
+        Operation::Add => value(context.add(x.repr(), y.repr())).map(|sum| without_rounding(sum, larger())),
+        Operation::Subtract => {
+            value(context.sub(x.repr(), y.repr())).map(|difference| without_rounding(difference, larger()))
+        }
         Operation::Multiply => value(context.mul(x.repr(), y.repr())),
         Operation::Divide => value(context.div(x.repr(), y.repr())),
         Operation::Power => power(x, y),
