@@ -37,7 +37,10 @@ const MOST_FULL: usize = 256;
 impl Density {
     /// A grid of `size[0]` × `size[1]` empty cells (at least one each way) over the window between two corners; cells are
     /// counted from `low` towards `high`, wherever that lies. A point on the edge between two cells belongs to one of them,
-    /// on the edge of the window to the outside perhaps.
+    /// on the edge of the window to the outside perhaps. In a window without width or height, all points are outside.
+    ///
+    /// # Panics
+    /// As `Vec` does, where memory does not hold nine bytes for each cell.
     pub fn new(low: [f64; 2], high: [f64; 2], size: [usize; 2]) -> Self {
         let size = size.map(|n| n.max(1));
         let scale = [0, 1].map(|i| size[i] as f64 / (high[i] - low[i]));
@@ -52,6 +55,9 @@ impl Density {
     }
 
     /// So many empty grids over the same window, at least one.
+    ///
+    /// # Panics
+    /// As [`Density::new`].
     #[must_use]
     pub fn in_layers(self, layers: usize) -> Self {
         let layers = layers.max(1);
@@ -324,6 +330,15 @@ mod tests {
         assert_eq!(grid.counts(0), [1; 1000]);
         grid.extend([[low - 3.0, 0.5], [-low, 0.5], [low + 1001.0 * cell, 0.5], [2.0 * low, 0.5]]);
         assert_eq!((grid.inside(), grid.outside()), (1000, 4));
+    }
+
+    #[test]
+    fn in_a_window_without_width_all_points_are_outside() {
+        for high in [[1.0, 0.0], [0.0, 1.0], [0.0, 0.0], [f64::NAN, 1.0], [f64::INFINITY, 1.0]] {
+            let mut grid = Density::new([0.0; 2], high, [4, 4]);
+            grid.extend([[0.0, 0.0], [0.5, 0.0], [0.0, 0.5], [0.5, 0.5], [f64::NAN, 0.5]]);
+            assert_eq!((grid.inside(), grid.outside()), (0, 5), "{high:?}");
+        }
     }
 
     #[test]
