@@ -37,14 +37,14 @@ pub struct Seam {
 }
 
 impl Seam {
-    /// The seam between two pieces of the line through `vertex` that goes on along `direction`, by their numbers.
-    pub(crate) fn across(vertex: Vector2<f64>, direction: Vector2<f64>, pieces: [usize; 2]) -> Seam {
+    /// The seam at `vertex` between two pieces, by their numbers, of a line that goes on along `direction` (of any length).
+    pub fn across(vertex: Vector2<f64>, direction: Vector2<f64>, pieces: [usize; 2]) -> Seam {
         Seam { normal: direction.into(), at: direction.dot(&vertex), pieces: pieces.map(|p| p as f64) }
     }
 
     /// The seams around an arc from `a` to `b`, counter-clockwise, of a circle that is another piece elsewhere: what lies on the right of
     /// its chord.
-    pub(crate) fn around([a, b]: [Vector2<f64>; 2], pieces: [usize; 2]) -> Seam {
+    pub fn around([a, b]: [Vector2<f64>; 2], pieces: [usize; 2]) -> Seam {
         Seam::across(a, Vector2::new(b.y - a.y, a.x - b.x), pieces)
     }
 }
