@@ -132,7 +132,8 @@ impl Stretch {
                 return Stretch { end, bend, rise: f64::INFINITY };
             }
             let rise = rise(from, end);
-            if safe_way(value, rise) >= 0.5 * (end - from) || end - from <= least {
+            // of a stretch that is no number, no half is short
+            if safe_way(value, rise) >= 0.5 * (end - from) || !(end - from > least) {
                 return Stretch { end, bend, rise };
             }
             end = from + 0.5 * (end - from);
@@ -251,6 +252,23 @@ mod tests {
                 assert!(off < 1e-14 + 1e-14 / gap, "{r} {gap}: {off:e}");
                 assert!(count < 60, "{r} {gap}: {count} evaluations");
             }
+        }
+    }
+
+    #[test]
+    fn nothing_rises_where_times_are_no_numbers() {
+        struct Unknown;
+        impl Smooth for Unknown {
+            fn jet(&self, t: f64) -> [f64; 2] {
+                [t, 1.0]
+            }
+            fn second_derivative(&self, _over: Interval) -> Interval {
+                Interval::ENTIRE
+            }
+        }
+        for (low, high) in [(f64::NAN, 1.0), (-1.0, f64::NAN), (f64::NAN, f64::NAN), (-1.0, f64::INFINITY)] {
+            let root = first_rise(&Unknown, Interval { low, high }, 1e-15);
+            assert!(root.is_none_or(|t| !t.is_nan()), "[{low}, {high}]: {root:?}");
         }
     }
 
