@@ -95,6 +95,42 @@ fn every_shape_keeps_its_promises() {
 }
 
 #[test]
+fn questions_about_nowhere_have_an_end() {
+    /// `r = 2 − |cos φ|`, left whole: nothing bounds its second derivative about the kinks.
+    #[derive(Clone, Debug)]
+    struct Limacons;
+    impl PolarFormula for Limacons {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(angle);
+            [2.0 - cos.abs(), sin.copysign(sin * cos), cos.abs()]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let [sin, cos] = angle.sin_cos();
+            [-cos.abs() + 2.0, sin.union(-sin), Interval::ENTIRE]
+        }
+    }
+    let mut all = pieces(1.0);
+    all.push(("kinks", Box::new(Polar::new(v(0.3, -0.2), Limacons, true).unwrap())));
+    let odd = [0.25, 1e300, f64::MAX, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    for (name, piece) in &all {
+        for (x, y) in odd.iter().flat_map(|x| odd.map(|y| (*x, y))) {
+            for (point, velocity) in [(v(x, 0.1), v(0.5, y)), (v(0.1, x), v(y, y)), (v(x, y), v(0.3, -1.0))] {
+                let path = Line { point, velocity };
+                let time = piece.crossing(&path).time();
+                if point.iter().chain(&velocity).any(|x| x.is_nan()) {
+                    assert!(!time.is_finite(), "{name} is hit from nowhere: {path:?}, {time}");
+                }
+                piece.landing(&path, x);
+                piece.curvature(&point);
+                piece.closest(&point);
+                piece.arc_length_at(&point);
+                piece.point_at(x);
+            }
+        }
+    }
+}
+
+#[test]
 fn powers_of_two_scale_every_answer_to_the_last_bit() {
     for k in [-100, -40, 7, 100] {
         let scale = libm::exp2(f64::from(k));

@@ -27,7 +27,8 @@ fn carlson(mut x: f64, mut y: f64, mut z: f64) -> [f64; 2] {
     loop {
         let [even, weighted] = [(x + y + z) / 3.0, (x + y + 3.0 * z) / 5.0];
         // the series are cut at the sixth order: 3 · 0.0015⁶ is a tenth of rounding
-        if x.max(y).max(z) - x.min(y).min(z) < 0.0015 * even.min(weighted) {
+        // (so it is where something is no number)
+        if !(x.max(y).max(z) - x.min(y).min(z) >= 0.0015 * even.min(weighted)) {
             let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / even);
             let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
             let f = (1.0 + (e2 / 24.0 - 0.1 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / even.sqrt();
