@@ -40,6 +40,14 @@ impl<T: Timed> Limit<T> for Time {
     }
 }
 
+/// Both: whichever comes first.
+impl<T, A: Limit<T>, B: Limit<T>> Limit<T> for (A, B) {
+    #[inline(always)]
+    fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool {
+        self.0.is_beyond(n, track, flight) || self.1.is_beyond(n, track, flight)
+    }
+}
+
 /// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
 #[inline(always)]
 fn moves(time: f64) -> bool {
@@ -94,7 +102,9 @@ where
         let stop = loop {
             let (hit, arrival) = billiard.flight(orbit, &carried);
             if limit.is_beyond(n + 1, &orbit.track, hit.time) {
-                break Stop::Finished;
+                // what hits nothing is beyond all time, and may end here
+                let is_over = hit.time < f64::INFINITY || limit.is_beyond(n + 1, &orbit.track, 0.0);
+                break if is_over { Stop::Finished } else { Stop::Escaped };
             }
             if hit.corner | !moves(hit.time) {
                 if !(hit.time < f64::INFINITY) {
@@ -124,7 +134,10 @@ where
         billiard.settle(orbit, &carried);
         *at = orbit.clone();
         let stop = match stop {
-            Stop::Escaped => billiard.without_hit(at.position, at.velocity),
+            Stop::Escaped => match billiard.without_hit(at.position, at.velocity) {
+                Stop::Escaped if limit.is_beyond(n + 1, &at.track, f64::INFINITY) => Stop::Finished,
+                why => why,
+            },
             Stop::Grazing => without_way(at.velocity),
             other => other,
         };

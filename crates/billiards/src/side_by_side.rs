@@ -175,7 +175,7 @@ where
         self.observer.end(&mut group.view, mask(&idle));
         // an idle lane follows an orbit, which has a future
         let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
-        if let (true, Some(model)) = (idle.contains(&true), model) {
+        if let Some(model) = model {
             let mut orbit = group.orbit.one(model);
             for lane in (0..F::LANES).filter(|lane| idle[*lane]) {
                 self.seat(group, lane, &orbit);
@@ -321,5 +321,70 @@ where
         } else {
             self.all::<Twin<F>, TWINS>(Twin::of(zero));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Billiard, Canonical, Clock, Conserved, Rolling, Starts, Timed, laws::Disk};
+    use collision_laws::laws::NoSlip;
+    use geometry::{
+        Table, tables,
+        walls::{Cuboid, Pieces, Sphere},
+    };
+
+    type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
+
+    /// How the orbits end in lanes like those of `zero`.
+    fn ends<F: Lane>(billiard: &impl Motion<2, 1>, orbits: &[Disks], zero: F) -> Vec<(u64, [u64; 6], Outcome)> {
+        let mut ends = vec![];
+        let mut finished = |Finished { index, orbit, outcome }: Finished<2, 1, Conserved<f64, 2>, Clock>| {
+            let ([x, y], [u, v], [w]) = (orbit.position, orbit.velocity, orbit.spin);
+            ends.push((index, [x, y, u, v, w, orbit.track.time()].map(f64::to_bits), outcome));
+        };
+        let mut rest = orbits[1..].iter().copied();
+        let many = Many {
+            billiard,
+            orbits: &mut rest,
+            upcoming: Some(orbits[0]),
+            first: orbits[0],
+            collisions: 200,
+            observer: &mut (),
+            finished: &mut finished,
+            changed: false,
+        };
+        many.run(zero);
+        ends.sort_by_key(|end| end.0);
+        ends
+    }
+
+    fn have_the_same_bits(table: &Table, billiard: &impl Motion<2, 1>) {
+        let starts = Canonical::new(table, 1.0, 3).unwrap();
+        let orbits: Vec<Disks> = (0..90).map(|k| starts.start(k).orbit(Clock::new(0.0))).collect();
+        let one = 0.0;
+        let (two, four) = (Twin::of(one), Twin::of(Twin::of(one)));
+        let alone = ends(billiard, &orbits, one);
+        assert_eq!(alone.len(), orbits.len());
+        assert_eq!(ends(billiard, &orbits, two), alone);
+        assert_eq!(ends(billiard, &orbits, four), alone);
+        let mut widest = vec![];
+        run_side_by_side(billiard, &mut orbits.iter().copied(), 200, &mut (), &mut |end| widest.push(end));
+        widest.sort_by_key(|end| end.index);
+        for (end, (_, bits, outcome)) in widest.iter().zip(alone) {
+            assert_eq!((end.orbit.position.map(f64::to_bits), end.outcome), ([bits[0], bits[1]], outcome));
+        }
+    }
+
+    #[test]
+    fn orbits_have_the_same_bits_in_lanes_of_any_width() {
+        let law = Disk::new(&NoSlip, libm::sqrt(0.5)).unwrap();
+        let walls = Cuboid::new([0.0; 2], [1.0; 2], [[0, 1], [2, 3]]).unwrap();
+        have_the_same_bits(&tables::square(1.0).unwrap(), &Billiard { walls: &walls, law: &law });
+        let walls = Sphere::new([0.0; 2].into(), 1.0, 0).unwrap();
+        have_the_same_bits(&tables::circle(1.0).unwrap(), &Rolling::new(&walls, &law));
+        let mushroom = tables::mushroom(1.0, 0.5, 0.75).unwrap();
+        let walls = Pieces::new(mushroom.pieces().iter().cloned().enumerate().collect(), mushroom.corners());
+        have_the_same_bits(&mushroom, &Billiard { walls: &walls, law: &law });
     }
 }

@@ -1,7 +1,7 @@
 //! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
 use crate::in_lanes::InLanes;
 use geometry::{Lattice, Vector2, WallHit};
-use lanes::{Double, Lane};
+use lanes::{Double, Lane, MOST_LANES};
 use std::sync::Arc;
 
 /// Something that each flight from one collision to the next adds to.
@@ -211,14 +211,15 @@ impl<F: Lane> Cell<F> {
 impl<F: Lane, const S: usize> Track<F, 2, S> for Cell<F> {
     #[inline(always)]
     fn fly(&mut self, from: &[F; 2], velocity: &[F; 2], _: &[F; S], hit: &WallHit<F, 2>) {
+        let mut steps = [[0.0; MOST_LANES]; 2];
         for lane in 0..F::LANES {
             let lifted = |i: usize| from[i].lane(lane) + velocity[i].lane(lane) * hit.time.lane(lane);
             let moved = Vector2::new(lifted(0) - hit.point[0].lane(lane), lifted(1) - hit.point[1].lane(lane));
             let step = self.lattice.rounded(&moved);
-            for i in 0..2 {
-                let old = self.cell[i];
-                self.cell[i] = old.each(|k| if k == lane { old.lane(k) + step[i] } else { old.lane(k) });
-            }
+            [steps[0][lane], steps[1][lane]] = step;
+        }
+        for (cell, steps) in self.cell.iter_mut().zip(&steps) {
+            *cell = *cell + cell.load(steps);
         }
     }
 }

@@ -11,7 +11,9 @@ use billiards::geometry::{
 };
 use billiards::laws::{Custom, Disk, Specular};
 use billiards::observe::{Collision, Observer};
-use billiards::{Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Planar, Start, Starts, Stop, Timed, run};
+use billiards::{
+    Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Planar, Start, Starts, Stop, Time, Timed, run,
+};
 use core::ops::ControlFlow;
 use std::collections::BTreeMap;
 
@@ -199,6 +201,29 @@ fn who_starts_along_a_focusing_wall_grazes_and_does_not_go_through() {
             assert!((orbit.position[0].hypot(orbit.position[1]) - 1.0).abs() < 1e-15, "{slope:e}");
         }
     }
+}
+
+#[test]
+fn time_does_not_lead_out_of_a_closed_table() {
+    let ends = [Vector2::new(1.0, 0.0), Vector2::new(-1.0, 0.0)];
+    let dome: Vec<Box<dyn Piece>> = vec![
+        Box::new(Arc::new(Vector2::zeros(), ends[0], ends[1], true).unwrap()),
+        Box::new(Segment::new(ends[1], ends[0]).unwrap()),
+    ];
+    let dome = Planar { table: Table::new(dome).unwrap(), law: Specular };
+    let along_the_wall = || Orbit::<f64, 2, 1, (), Clock>::new([0.0, 1.0], [1.0, 0.0], [0.0], Clock::new(0.0));
+    let stop = |time: f64| dome.run(&mut along_the_wall(), &Time(time), &mut ()).stop;
+    assert_eq!([1.0, 1e9].map(stop), [Stop::Grazing; 2]);
+    // what is over is over, whatever lies ahead
+    assert_eq!([-1.0, f64::NAN].map(stop), [Stop::Finished; 2]);
+    let both = |limit| dome.run(&mut along_the_wall(), &limit, &mut ()).stop;
+    assert_eq!(both((Collisions(0), Time(1.0))), Stop::Finished);
+    assert_eq!(both((Collisions(9), Time(f64::INFINITY))), Stop::Grazing);
+    // where there is no wall, time ends in the open
+    let post: Box<dyn Piece> = Box::new(Circle::new(Vector2::new(0.0, -1.0), 1.0, false).unwrap());
+    let plane = Planar { table: Table::new(vec![post]).unwrap(), law: Specular };
+    assert_eq!(plane.run(&mut along_the_wall(), &Time(1.0), &mut ()).stop, Stop::Finished);
+    assert_eq!(plane.run(&mut along_the_wall(), &Time(f64::INFINITY), &mut ()).stop, Stop::Escaped);
 }
 
 #[test]

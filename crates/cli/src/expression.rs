@@ -216,11 +216,6 @@ impl Expression {
         }
         Ok(self)
     }
-
-    /// Whether the formula depends on the variable with this index.
-    pub fn depends_on(&self, variable: usize) -> bool {
-        self.nodes.iter().any(|node| matches!(node, Node::Variable(i) if *i == variable))
-    }
 }
 
 /// Evaluates nodes in turn into `values`; the last one's value.

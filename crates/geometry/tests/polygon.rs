@@ -52,6 +52,7 @@ fn eight_at_a_time_equal_one_by_one_bit_for_bit() {
         let sides = rough(n, sizes[k % 4], &mut random);
         let corners: Vec<Vector2<f64>> = sides.iter().map(|s| s.point_at(0.0)).collect();
         let in_order = walls(&sides, &corners, 0..n);
+        let each = in_order.clone().without_tree();
         // every third one, as in a table with several loops; and every second vertex is none
         let mixed = walls(&sides, &corners, (0..n).step_by(3).chain((0..n).filter(|i| i % 3 != 0)));
         let half: Vec<Vector2<f64>> = corners.iter().copied().step_by(2).collect();
@@ -61,6 +62,7 @@ fn eight_at_a_time_equal_one_by_one_bit_for_bit() {
             let expected = brute(&sides, 1, &path);
             hits += usize::from(expected.is_some());
             assert_eq!(bits(in_order.hit(&path)), bits(expected), "{n} sides, {path:?}");
+            assert_eq!(bits(each.hit(&path)), bits(expected), "{n} sides without a tree, {path:?}");
             assert_eq!(bits(mixed.hit(&path)), bits(expected), "{n} sides in another order, {path:?}");
             let expected = brute(&sides, 2, &path);
             assert_eq!(bits(smooth.hit(&path)), bits(expected), "{n} sides, every second vertex smooth, {path:?}");

@@ -110,10 +110,13 @@ impl<S: Simd, A: Copy + Debug> Lane for Wide<S, A> {
         }
         numbers
     }
+    // of NaN and another number elsewhere than on x86 these would be NaN, and not the second
+    #[cfg(target_arch = "x86_64")]
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.of(self.simd.max_f64s(self.value, other.value))
     }
+    #[cfg(target_arch = "x86_64")]
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         self.of(self.simd.min_f64s(self.value, other.value))

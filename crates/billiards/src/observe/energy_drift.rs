@@ -1,6 +1,6 @@
 //! How well energy is kept.
 use super::{Collision, Observer};
-use crate::{merge::Merge, orbit::Orbit};
+use crate::{energy::EnergyKeeper, merge::Merge, orbit::Orbit};
 use core::ops::ControlFlow;
 use lanes::{Double, two_prod};
 
@@ -31,9 +31,9 @@ impl Energy {
         Energy { scale, square: square(scale, &orbit.velocity, &orbit.spin) }
     }
 
-    /// By how much of itself it differs from that of an orbit.
-    fn change<K, T, const N: usize, const S: usize>(&self, orbit: &Orbit<f64, N, S, K, T>) -> f64 {
-        let now = square(self.scale, &orbit.velocity, &orbit.spin);
+    /// By how much of itself it differs from that of a state.
+    fn change(&self, velocity: &[f64], spin: &[f64]) -> f64 {
+        let now = square(self.scale, velocity, spin);
         let change = (now.high - self.square.high) + (now.low - self.square.low);
         (change / self.square.high).abs()
     }
@@ -77,7 +77,17 @@ impl EnergyDrift {
 
     /// `|E − E₀| / E₀` of an orbit as it is; 0 before any orbit has begun.
     pub fn now<K, T, const N: usize, const S: usize>(&self, orbit: &Orbit<f64, N, S, K, T>) -> f64 {
-        self.start.map_or(0.0, |start| start.change(orbit))
+        self.start.map_or(0.0, |start| start.change(&orbit.velocity, &orbit.spin))
+    }
+
+    /// Sees the orbit that it follows as it is where its energy is [restored](Orbit::restored).
+    pub fn see_restored<K: EnergyKeeper<f64, N, S>, T, const N: usize, const S: usize>(
+        &mut self,
+        orbit: &Orbit<f64, N, S, K, T>,
+    ) {
+        let (velocity, spin) = orbit.restored();
+        let start = self.start.get_or_insert_with(|| Energy::of(orbit));
+        self.largest = larger(self.largest, start.change(&velocity, &spin));
     }
 }
 
@@ -85,7 +95,7 @@ impl<K, T, const N: usize, const S: usize> Observer<N, S, K, T> for EnergyDrift 
     #[inline]
     fn collision(&mut self, c: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
         let start = self.start.get_or_insert_with(|| Energy::of(c.orbit));
-        self.largest = larger(self.largest, start.change(c.orbit));
+        self.largest = larger(self.largest, start.change(&c.orbit.velocity, &c.orbit.spin));
         ControlFlow::Continue(())
     }
 }

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 
 use billiards::observe::LaneObserver;
 use billiards::{
-    Bounce, Clock, Collision, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Timed, run, run_side_by_side,
+    Bounce, Clock, Collision, Collisions, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Time, Timed,
+    run, run_side_by_side,
 };
 
 use super::event::Event;
@@ -24,7 +25,7 @@ pub(crate) struct Until {
 impl<T: Timed> Limit<T> for Until {
     #[inline(always)]
     fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool {
-        n > self.collisions || track.time() + flight > self.time
+        (Collisions(self.collisions), Time(self.time)).is_beyond(n, track, flight)
     }
 }
 

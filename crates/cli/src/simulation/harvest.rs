@@ -177,7 +177,10 @@ impl<'a> Harvest<'a> {
         totals.orbits += 1;
         totals.collisions += ended.collisions;
         totals.time += ended.time;
-        totals.drift = totals.drift.max(ended.drift);
+        // an energy that is no number has drifted farther than any
+        if ended.drift > totals.drift || ended.drift.is_nan() {
+            totals.drift = ended.drift;
+        }
         *totals.stops.entry(ended.stop.map_or(INTERRUPTED, Stop::name)).or_default() += 1;
         if ended.collisions <= self.legs
             && let Some(paths) = Self::paths_of(&mut self.paths, ended.orbit, self.seen, &mut self.cell)

@@ -5,8 +5,8 @@ use std::sync::atomic::Ordering;
 use std::sync::mpsc::{Receiver, SyncSender};
 use std::time::{Duration, Instant};
 
+use billiards::observe::EnergyDrift;
 use billiards::{Orbit, Stop, Timed};
-use lanes::{Double, two_prod};
 
 use super::desk::Desk;
 use super::engine::{Bare, Engine, Until, Watch, Watched};
@@ -14,7 +14,7 @@ use super::portraits::Portraits;
 use super::results::{Ended, Results};
 use super::scale::Scale;
 use super::trail::Trail;
-use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work, together};
+use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work, batch};
 use crate::picture::{MOST_DOTS, layer};
 
 /// A few orbits on one thread.
@@ -37,7 +37,7 @@ struct Course {
     orbit: u64,
     stop: Option<Stop>,
     collisions: u64,
-    drift: f64,
+    drift: EnergyDrift,
 }
 
 /// An orbit that nobody watches any more.
@@ -79,10 +79,10 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         let scale = launch.scale;
         let end = scale.time_in(self.work.time);
         let watched = if index < watch.orbits { watch.collisions } else { 0 };
-        let energy = Energy::of(&launch.orbit.velocity, &launch.orbit.spin);
+        let mut drift = EnergyDrift::of(&launch.orbit);
         let mut orbit = Running::Watched(launch.orbit);
         let mut shown = 0;
-        let (mut n, mut drift, mut steps) = (0, 0.0_f64, 0);
+        let (mut n, mut steps) = (0, 0);
         let stop = loop {
             let begun = Instant::now();
             let until = Until { collisions: BLOCK.min(most - n), time: end };
@@ -112,7 +112,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                 Running::Bare(orbit) => self.engine.bare(orbit, until),
             };
             n += outcome.collisions;
-            drift = drift.max(energy.drift_to(orbit.restored()));
+            orbit.seen_by(&mut drift);
             let now = progress_of(n, most).max(progress_of_time(orbit.time(), end));
             progress.fetch_add(now - steps, Ordering::Relaxed);
             steps = now;
@@ -145,18 +145,18 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     /// Runs orbits that nobody watches, from the given one, in blocks as they would be run one by one.
     fn run_side_by_side(&mut self, first: u64, launches: &[Launch<N, S, T>]) {
         let Work { collisions: most, progress, interrupted, .. } = *self.work;
-        let energies: Vec<Energy> =
-            launches.iter().map(|launch| Energy::of(&launch.orbit.velocity, &launch.orbit.spin)).collect();
         let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
         let mut orbits: Vec<Bare<N, S>> = launches.iter().map(|launch| bare(&launch.orbit)).collect();
-        let course = |k: usize| Course { orbit: first + k as u64, stop: None, collisions: 0, drift: 0.0 };
-        let mut courses: Vec<Course> = (0..orbits.len()).map(course).collect();
+        let mut courses: Vec<Course> = (first..)
+            .zip(&orbits)
+            .map(|(orbit, start)| Course { orbit, stop: None, collisions: 0, drift: EnergyDrift::of(start) })
+            .collect();
         for mut going in self.in_turn(first, launches.len()) {
             let mut n = 0;
             while !going.is_empty() && !interrupted.load(Ordering::Relaxed) {
                 let begun = Instant::now();
                 let block = BLOCK.min(most - n);
-                for going in going.chunks(together(block)).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
+                for going in going.chunks(batch(block)).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
                     let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
                     let outcomes = match &mut self.portraits {
                         Some(portraits) => {
@@ -169,7 +169,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                         orbits[k] = orbit;
                         let course = &mut courses[k];
                         course.collisions += outcome.collisions;
-                        course.drift = course.drift.max(energies[k].drift_to(orbits[k].restored()));
+                        course.drift.see_restored(&orbits[k]);
                         if outcome.stop != Stop::Finished || course.collisions == most {
                             course.stop = Some(outcome.stop);
                             progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
@@ -216,7 +216,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         let velocity = velocity.map(|v| scale.speed_out(v));
         let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
         let time = if out_of_time { self.work.time } else { scale.time_out(orbit.time()) };
-        let ended = Ended { orbit: index, stop, collisions, time, drift, position, velocity };
+        let ended = Ended { orbit: index, stop, collisions, time, drift: drift.largest(), position, velocity };
         self.results.ends.push((self.results.events.len(), ended));
     }
 
@@ -266,6 +266,13 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
+    fn seen_by(&self, drift: &mut EnergyDrift) {
+        match self {
+            Running::Watched(orbit) => drift.see_restored(orbit),
+            Running::Bare(orbit) => drift.see_restored(orbit),
+        }
+    }
+
     fn restored(&self) -> ([f64; N], [f64; S]) {
         match self {
             Running::Watched(orbit) => orbit.restored(),
@@ -294,6 +301,8 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
             Some(Stop::Corner) => {
                 let (from, along) = (self.position(), self.velocity());
                 let flight = engine.first_hit(&from, &along).time;
+                // past a corner at which it stands there is no wall
+                let flight = if flight < f64::INFINITY { flight } else { 0.0 };
                 core::array::from_fn(|i| from[i] + along[i] * flight)
             }
             _ => self.position(),
@@ -302,27 +311,5 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         let mut velocity = [0.0; 3];
         velocity[..N].copy_from_slice(&v);
         (at, velocity)
-    }
-}
-
-/// `|v|² + |w|²` to twice the usual precision, so that a drift of one rounding is seen as such.
-#[derive(Clone, Copy, Debug)]
-struct Energy(Double);
-
-impl Energy {
-    fn of<const N: usize, const S: usize>(velocity: &[f64; N], spin: &[f64; S]) -> Energy {
-        let mut sum = Double::new(0.0);
-        for x in velocity.iter().chain(spin) {
-            let (square, rest) = two_prod(*x, *x);
-            sum.add(square);
-            sum.add(rest);
-        }
-        Energy(sum)
-    }
-
-    /// The relative deviation of another state.
-    fn drift_to<const N: usize, const S: usize>(&self, (velocity, spin): ([f64; N], [f64; S])) -> f64 {
-        let (now, then) = (Energy::of(&velocity, &spin).0, self.0);
-        (((now.high - then.high) + (now.low - then.low)) / then.high).abs()
     }
 }

@@ -28,6 +28,10 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Keeper<N
         if self.strict { self.conserved.owed(velocity, spin) } else { velocity[0].same(0.0) }
     }
     #[inline(always)]
+    fn rounded_off(&self, owed: F) -> F {
+        EnergyKeeper::<F, N, S>::rounded_off(&self.conserved, owed)
+    }
+    #[inline(always)]
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         if self.strict {
             EnergyKeeper::<F, N, S>::leave(&mut self.conserved, velocity, hit, arrived);

@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
+use billiards::{Angle, BallLaw, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Watched};
 use super::frame::Frame;
 use super::horizon::{self, Horizons};
 use super::keeper::Keeper;
-use super::law::{PlanarLaw, is_strict, keeps_spin};
+use super::law::{PlanarLaw, keeps_spin};
 use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
@@ -43,7 +43,6 @@ impl Planar {
             let own = usize::try_from(piece).ok().and_then(|i| drawn.laws.get(i)).and_then(Option::as_ref);
             own.unwrap_or(&scene.law.kind)
         };
-        let strict = pieces.iter().all(|piece| is_strict(kind(*piece)));
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
         let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma)
             .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
@@ -53,6 +52,7 @@ impl Planar {
             })?),
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
         };
+        let strict = law.is_strict();
         let planar = Planar { drawn, centres, pieces, law, strict, starts };
         // an ensemble that cannot be drawn is found out before anything is written
         let problem = planar.starts().err();

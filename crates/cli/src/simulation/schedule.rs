@@ -93,7 +93,7 @@ impl Drop for Over<'_> {
 fn take(left: &Mutex<JobsLeft>, work: &Work<'_>) -> Option<(Range<u64>, SyncSender<Receiver<Results>>)> {
     let mut left = left.lock().unwrap_or_else(PoisonError::into_inner);
     let JobsLeft { next, queue } = &mut *left;
-    let orbits = work.together(*next);
+    let orbits = work.next_job(*next);
     let (out, results) = sync_channel(BLOCKS);
     let wanted = !orbits.is_empty() && !work.interrupted.load(Ordering::Relaxed);
     if wanted && queue.as_ref().is_some_and(|queue| queue.send(results).is_ok()) {

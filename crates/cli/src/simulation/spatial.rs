@@ -3,13 +3,13 @@
 use billiards::geometry::parry::{Closest, Room, Solid};
 use billiards::geometry::tables::{self, SpatialTable, WallAt};
 use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit, Walls, WithWalls};
-use billiards::{Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
+use billiards::{BallLaw, Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
 use super::engine::{Engine, Watched};
 use super::horizon::{self, Horizons};
 use super::keeper::Keeper;
-use super::law::{SpatialLaw, is_strict, keeps_spin};
+use super::law::{SpatialLaw, keeps_spin};
 use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
@@ -145,7 +145,7 @@ impl Spatial {
         let kinds: Vec<_> = laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind)).collect();
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
         let law = SpatialLaw::new(&kinds, gamma).map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
-        let strict = kinds.iter().all(|kind| is_strict(kind));
+        let strict = law.is_strict();
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => {
                 Starts::Given(start::all(orbits, |orbit| checked(scene, &centres, &shift, orbit, factor))?)

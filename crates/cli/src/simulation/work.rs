@@ -18,9 +18,9 @@ const MOST_TOGETHER: u64 = 1024;
 pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
 /// Fewest and most orbits that one thread takes on to run them side by side, where there are as many for each.
 pub(super) const LEAST_SIDE_BY_SIDE: u64 = 64;
+const MOST_SIDE_BY_SIDE: u64 = 512;
 /// Orbits of so many collisions are shared among threads even where that leaves fewer for each.
 const LONG: u64 = 1 << 13;
-const MOST_SIDE_BY_SIDE: u64 = 512;
 /// The same where they are counted for portraits, and their collisions: each layer of a portrait goes through the cache, and
 /// stays there for as long as its orbits run.
 const MOST_COUNTED: u64 = 1 << 16;
@@ -30,7 +30,7 @@ const GLANCE: u64 = 1 << 18;
 
 /// So many orbits side by side make about as many collisions between two looks at the user, in blocks of this many each: they fill
 /// all seats, again and again.
-pub(super) fn together(block: u64) -> usize {
+pub(super) fn batch(block: u64) -> usize {
     usize::try_from(GLANCE / block.max(1)).unwrap_or(usize::MAX - SEATS).max(1).next_multiple_of(SEATS)
 }
 
@@ -118,7 +118,7 @@ impl Work<'_> {
     }
 
     /// The next few orbits from the given one, for one thread.
-    pub(super) fn together(&self, first: u64) -> Range<u64> {
+    pub(super) fn next_job(&self, first: u64) -> Range<u64> {
         let bare = self.is_bare(&(first..first));
         let end = if bare || self.time < f64::INFINITY { self.orbits } else { self.watched_orbits().min(self.orbits) };
         // as long as points are handed on one by one, nobody waits long for those of others
@@ -165,7 +165,7 @@ mod tests {
             };
             let (mut next, mut sizes) = (0, vec![]);
             while next < orbits {
-                let job = work.together(next);
+                let job = work.next_job(next);
                 sizes.push(job.end - job.start);
                 next = job.end;
             }
@@ -186,9 +186,9 @@ mod tests {
     #[test]
     fn orbits_side_by_side_fill_all_seats() {
         for block in [0, 1, 100, 1000, 4000, BLOCK, 100_000, u64::MAX] {
-            assert_eq!(together(block) % SEATS, 0, "{block}");
+            assert_eq!(batch(block) % SEATS, 0, "{block}");
         }
-        assert_eq!([4000, BLOCK].map(together), [96, 64]);
+        assert_eq!([4000, BLOCK].map(batch), [96, 64]);
     }
 
     #[test]
@@ -228,7 +228,7 @@ mod tests {
             };
             let mut next = 0;
             loop {
-                let job = work.together(next);
+                let job = work.next_job(next);
                 if job.is_empty() {
                     break;
                 }

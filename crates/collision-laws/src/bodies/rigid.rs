@@ -161,7 +161,7 @@ impl<const N: usize> Body<N> for RigidBody<N> {
             k[(j, i)] = k[(i, j)];
         }
         let k = self.frame * k * self.frame.transpose();
-        Delassus::Dense((k + k.transpose()) * 0.5)
+        Delassus::Dense(k * 0.5 + k.transpose() * 0.5) // halved first: the sum may overflow
     }
 }
 

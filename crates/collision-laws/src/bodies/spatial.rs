@@ -61,6 +61,6 @@ impl Body<3> for Spatial {
         for i in 0..3 {
             k[(i, i)] += 1.0 / self.mass;
         }
-        Delassus::Dense((k + k.transpose()) * 0.5)
+        Delassus::Dense(k * 0.5 + k.transpose() * 0.5) // halved first: the sum may overflow
     }
 }

@@ -109,7 +109,7 @@ impl<const N: usize> CollisionLaw<N> for Restitution {
 impl DiskLaw for Restitution {
     fn disk_map(&self, gamma: f64) -> DiskMap {
         let (rough, smooth) = (NoSlip.disk_map(gamma), Specular.disk_map(gamma));
-        let share = 0.5 * (1.0 + self.tangential);
+        let (share, _) = self.shares();
         let between = |a: f64, b: f64| share * a + (1.0 - share) * b;
         DiskMap {
             spin_spin: between(rough.spin_spin, smooth.spin_spin),

@@ -104,7 +104,7 @@ impl Polygon {
         Polygon { sides: ByLane(all), few }
     }
 
-    /// The same sides, each of them asked: the reference for the tree, and a measure of where it pays.
+    /// The same sides, each of them asked, with the same answers: a measure of where a tree pays.
     #[must_use]
     pub fn without_tree(mut self) -> Polygon {
         self.sides.0.tree = None;

@@ -7,7 +7,7 @@ use crate::{
     random::Stream,
     statistics::standard_error_of_share,
 };
-use billiards::geometry::tables;
+use billiards::{geometry::tables, observe::Survival};
 use core::{
     f64::consts::{FRAC_PI_2, PI, TAU},
     ops::ControlFlow,
@@ -74,18 +74,19 @@ fn hits_on_arc(circle: &Billiard, arc: f64, sample: usize, most: usize) -> usize
     hits
 }
 
-/// How many of some orbits are on the arc after 50, 250, 1250 and 6250 hits, as far as `most`.
-fn survivors(arc: f64, gamma_squared: f64, samples: usize, most: usize) -> Vec<(usize, usize)> {
+/// Counts orbits that last for 50, 250, 1250 and 6250 hits, as far as `most`.
+pub(super) fn survival(most: usize) -> Survival {
+    Survival::at([50, 250, 1250, 6250].into_iter().filter(|n| *n <= most as u64))
+}
+
+/// How many of some orbits stay on the arc for how many hits.
+fn survivors(arc: f64, gamma_squared: f64, samples: usize, most: usize) -> Survival {
     let circle = no_slip(tables::circle(1.0), gamma_squared);
-    let mut survivors: Vec<_> = [50, 250, 1250, 6250].map(|n| (n, 0_usize)).into();
-    survivors.retain(|(n, _)| *n <= most);
+    let mut survival = survival(most);
     for sample in 0..samples {
-        let hits = hits_on_arc(&circle, arc, sample, most);
-        for (n, count) in &mut survivors {
-            *count += usize::from(hits >= *n);
-        }
+        survival.add(hits_on_arc(&circle, arc, sample, most) as u64);
     }
-    survivors
+    survival
 }
 
 fn measure(effort: Effort) -> Measurement {
@@ -95,7 +96,7 @@ fn measure(effort: Effort) -> Measurement {
         [("π/2", FRAC_PI_2, UNIFORM), ("3π/4", 0.75 * PI, UNIFORM), ("π/2, γ² = 1", FRAC_PI_2, 1.0)]
     {
         let limit = limit(arc, gamma_squared);
-        for (n, count) in survivors(arc, gamma_squared, samples, most) {
+        for (n, count) in survivors(arc, gamma_squared, samples, most).survivors() {
             let share = count as f64 / samples as f64;
             let (mean, error) = (share * n as f64, n as f64 * standard_error_of_share(limit / n as f64, samples));
             let label = format!("arc {name}: {n} × share still on the arc after {n} hits");
@@ -106,8 +107,8 @@ fn measure(effort: Effort) -> Measurement {
     for (name, arc) in [("1.5π", 1.5 * PI), ("1.95π", 1.95 * PI)] {
         // more orbits stay than on shorter arcs
         let samples = samples / 8;
-        let survivors = survivors(arc, UNIFORM, samples, most);
-        let scaled = |(n, count): (usize, usize)| {
+        let survivors: Vec<_> = survivors(arc, UNIFORM, samples, most).survivors().collect();
+        let scaled = |(n, count): (u64, u64)| {
             let share = count as f64 / samples as f64;
             (n, share * n as f64, n as f64 * standard_error_of_share(share, samples))
         };

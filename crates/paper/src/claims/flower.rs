@@ -1,5 +1,5 @@
 //! The flower.
-use super::arc_survival::limit;
+use super::arc_survival::{limit, survival};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::UNIFORM,
@@ -26,8 +26,7 @@ fn measure(effort: Effort) -> Measurement {
     let (samples, most) = (effort.of(400_000, 8_000_000), effort.of(250, 6250));
     let flower = no_slip(tables::flower(4, 1.25, 2.0), UNIFORM);
     let perimeter = Perimeter::of(&flower.table).expect("a finite boundary");
-    let mut survivors: Vec<_> = [50, 250, 1250, 6250].map(|n| (n, 0_usize)).into();
-    survivors.retain(|(n, _)| *n <= most);
+    let mut survival = survival(most);
     for sample in 0..samples {
         let mut stream = Stream::new(190, sample);
         let at = perimeter.point(stream.uniform());
@@ -39,18 +38,16 @@ fn measure(effort: Effort) -> Measurement {
             hits = bounce.n;
             ControlFlow::Continue(())
         });
-        for (n, count) in &mut survivors {
-            *count += usize::from(hits >= *n);
-        }
+        survival.add(hits as u64);
     }
     // a side of 2 is the chord of a petal
     let limit = limit(2.0 * libm::asin(1.0 / 1.25), UNIFORM);
-    let quantity = |(n, count): (usize, usize)| {
+    let quantity = |(n, count): (u64, u64)| {
         let (share, n) = (count as f64 / samples as f64, n as f64);
         let error = n * standard_error_of_share(limit / n, samples);
         let label = format!("{n} × share still on its petal after {n} hits");
         // hits come in pairs: a correction of relative size 2/n
         Quantity::sampled_near(label, n * share, error, limit, 2.0 / n * limit)
     };
-    Measurement { quantities: survivors.into_iter().map(quantity).collect() }
+    Measurement { quantities: survival.survivors().map(quantity).collect() }
 }
