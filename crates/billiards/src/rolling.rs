@@ -159,7 +159,8 @@ fn rounded(normal: f64, [spin, tangential]: [Double; 2], square: Option<Double>)
     let [w, t] = [spin.high, tangential.high];
     let Some(all) = square else { return [w, t] };
     let lacks = [normal, w, t].iter().fold(all, |all, x| all.plus(-Double::product(*x, *x))).value();
-    let steps = [w, t].map(|x| x.abs().next_up() - x.abs());
+    // what is 0 stays 0
+    let steps = [w, t].map(|x| if x == 0.0 { 0.0 } else { x.abs().next_up() - x.abs() });
     let mut best = (lacks.abs(), [w, t]);
     for (i, j) in [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)] {
         let [by_w, by_t] = [f64::from(i) * steps[0], f64::from(j) * steps[1]];

@@ -1,6 +1,6 @@
 //! The largest disk in a table.
 use crate::{
-    Extent, Figure, Landing, Table,
+    Extent, Figure, Landing, Lattice, Table,
     copies::{Copies, finite_extent},
     nearest::nearest_of,
     plane::slack,
@@ -66,14 +66,26 @@ const PLACES: u32 = 256;
 /// Signed distances from a table's boundary, by a tree.
 struct Field {
     copies: Copies,
+    /// On a lattice, with a corner of a cell about which all translates are known.
+    cell: Option<(Lattice, Vector2<f64>)>,
     /// Arc lengths along curves that may be touched in several places, and where these are, once somebody asks.
     places: Vec<OnceCell<Vec<(f64, Landing)>>>,
 }
 
 impl Field {
-    fn new(copies: Copies) -> Field {
+    /// Of a table, whose box or that of whose unit cell is given.
+    fn new(table: &Table, home: &Extent) -> Field {
+        let copies = Copies::new(table.pieces(), table.shortest(), home, (home.max - home.min).amax());
         let places = copies.order().map(|_| OnceCell::new()).collect();
-        Field { copies, places }
+        let finite = finite_extent(table.pieces());
+        let corner = if finite.is_finite() { (finite.min + finite.max) * 0.5 } else { Vector2::zeros() };
+        Field { copies, cell: table.shortest().map(|lattice| (lattice.clone(), corner)), places }
+    }
+
+    /// The same place in the cell.
+    fn home(&self, point: Vector2<f64>) -> Vector2<f64> {
+        let Some((lattice, corner)) = &self.cell else { return point };
+        point - lattice.translation(lattice.coordinates(&(point - corner)).map(libm::floor))
     }
 
     /// The closest points of all pieces that may come as near as `reach`.
@@ -148,7 +160,7 @@ impl Field {
                     (d > 0.0 && d <= radius + 2.0 * step).then(|| Vector3::new(off.x / d, off.y / d, d))
                 })
                 .collect();
-            let next = center + best_step(&walls, step);
+            let next = self.home(center + best_step(&walls, step));
             let better = self.distance(&next);
             if better > radius {
                 (center, radius) = (next, better);
@@ -204,6 +216,9 @@ impl Table {
             let width = (home.max - home.min).norm();
             if self.shortest().is_none() && self.enclosed_by(&self.chains()) <= slack([width * width]) {
                 return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
+            }
+            if let Some(center) = self.far_across(&home) {
+                return LargestDisk { center, radius: f64::INFINITY };
             }
             return self.largest_disk_in(&home);
         }
@@ -294,7 +309,7 @@ impl Table {
 
     fn largest_disk_in(&self, home: &Extent) -> LargestDisk {
         let sides = home.max - home.min;
-        let field = Field::new(Copies::new(self.pieces(), self.shortest(), home, sides.amax()));
+        let field = Field::new(self, home);
         let square = |middle: Vector2<f64>, half: f64| {
             let distance = field.distance(&middle);
             Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
@@ -333,20 +348,24 @@ impl Table {
                 }
             }
         }
-        let top = field.climb(best.middle, best.half.max(best.distance.abs() * COARSE));
-        // not all translates are known beyond
-        let strays = (0..2).any(|i| (top.center[i] - best.middle[i]).abs() > sides.amax());
-        if strays && self.shortest().is_some() {
-            return LargestDisk { center: best.middle, radius: best.distance };
-        }
-        top
+        field.climb(field.home(best.middle), best.half.max(best.distance.abs() * COARSE))
+    }
+
+    /// A place far from all walls, on a lattice along one vector between finite pieces: on either side of these the table ends, or has no
+    /// end.
+    fn far_across(&self, home: &Extent) -> Option<Vector2<f64>> {
+        let &[along] = self.shortest()?.vectors() else { return None };
+        let across = Vector2::new(-along.y, along.x) * (2.0 * (home.max - home.min).norm() / along.norm());
+        let field = Field::new(self, home);
+        let middle = (home.min + home.max) * 0.5;
+        [middle + across, middle - across].into_iter().find(|far| field.distance(&field.home(*far)) > 0.0)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use crate::{
-        Outline, Piece, Table, Turn, Vector2,
+        Lattice, Outline, Piece, Table, Turn, Vector2,
         shapes::{
             Circle, Ellipse, FullLine, Ray, Segment,
             curve::{Interval, Polar, PolarFormula},
@@ -412,6 +431,48 @@ mod tests {
         // r (1 + √2) = √2 − 1/2
         let radius = (2.0_f64.sqrt() - 0.5) / (1.0 + 2.0_f64.sqrt());
         assert!((of(pieces).largest_disk().radius - radius).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_largest_disk_between_scatterers_on_a_lattice_is_about_its_deepest_hole() {
+        let radius = 0.15;
+        for [[a, b], [c, d]] in [
+            [[1.0, 0.3], [-0.3, 1.0]],
+            [[1.16, 0.36], [-0.33, 1.05]],
+            [[1.1, 0.3], [-0.3, 1.1]],
+            [[1.0, 0.0], [0.5, 0.75_f64.sqrt()]],
+            [[1.0, 0.0], [7.3, 1.0]],
+        ] {
+            for at in [v(0.0, 1.0), v(0.2, 1.0), v(0.0, 0.0), v(-7.0, 3.0), v(1e3, -1e4)] {
+                let scatterer: Vec<Box<dyn Piece>> = vec![Box::new(Circle::new(at, radius, false).unwrap())];
+                let table = Table::periodic(scatterer, Some(Lattice::new(&[v(a, b), v(c, d)]).unwrap())).unwrap();
+                // the circumradius of an acute triangle of shortest vectors
+                let [[u, w], _] = [table.shortest().unwrap().vectors(); 2].map(|vectors| [vectors[0], vectors[1]]);
+                let w = if u.dot(&w) < 0.0 { -w } else { w };
+                let hole = u.norm() * w.norm() * (u - w).norm() / (2.0 * u.perp(&w).abs());
+                let disk = table.largest_disk();
+                assert!(
+                    (disk.radius - (hole - radius)).abs() < 1e-12 * at.amax().max(1.0),
+                    "{a} {b} {c} {d} {at}: {disk:?}, {hole}"
+                );
+                assert!(
+                    (table.signed_distance(&disk.center) - disk.radius).abs() < 1e-12 * at.amax().max(1.0),
+                    "{disk:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn above_a_row_of_walls_there_is_room_for_every_disk() {
+        let row = |piece: Box<dyn Piece>| {
+            Table::periodic(vec![piece], Some(Lattice::new(&[v(2.0, 0.0)]).unwrap())).unwrap().largest_disk()
+        };
+        let floor = Segment::new(v(0.0, 0.0), v(2.0, 0.0)).unwrap();
+        let posts = Circle::new(v(1.0, 3.0), 0.5, false).unwrap();
+        for disk in [row(Box::new(floor)), row(Box::new(posts))] {
+            assert!(disk.radius.is_infinite(), "{disk:?}");
+        }
     }
 
     #[test]
