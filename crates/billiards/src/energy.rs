@@ -142,7 +142,7 @@ impl<const N: usize, const S: usize> Keeping<N, S> for Free {
 ///
 /// From where an orbit lacks more than 10⁻⁶ of that energy, nothing is given back any more: then the law takes it, and the orbit goes on
 /// as with [`Free`]. A law that takes less than that in [`BEAT`] collisions is not told from rounding: it wants [`Free`] from the start.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conserved<F, const N: usize> {
     /// `3·2²⁵` times a power of two not below the speed: adding and subtracting it rounds to 26 bits.
     grid: F,

@@ -36,6 +36,14 @@ pub enum Error {
         /// The speed given.
         speed: f64,
     },
+    /// A velocity or spin that is not finite.
+    #[error("the {quantity} {value:?} must be finite")]
+    NotFinite {
+        /// Which.
+        quantity: &'static str,
+        /// What was given.
+        value: Vec<f64>,
+    },
     /// A start that is not in the table.
     #[error("the position {position:?} does not lie in the table")]
     Outside {
@@ -91,4 +99,10 @@ pub enum Error {
     /// A grid without cells.
     #[error("a grid needs at least one cell in each direction, and fewer than 2^63 in all")]
     Grid,
+}
+
+/// # Errors
+/// [`Error::NotFinite`] unless all components are finite.
+pub(crate) fn finite(quantity: &'static str, value: &[f64]) -> Result<(), Error> {
+    if value.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(Error::NotFinite { quantity, value: value.to_vec() }) }
 }

@@ -163,8 +163,9 @@ impl Horizon {
         loop {
             let hit = billiard.first_hit(&at.position, &at.velocity);
             let time = horizon.time + hit.time;
-            let beyond = horizon.collisions as f64 >= limit[0] || time > limit[1];
-            if beyond || !(hit.time < f64::INFINITY) || hit.corner {
+            // NaN is over at once
+            let within = (horizon.collisions as f64) < limit[0] && time <= limit[1];
+            if !within || !(hit.time < f64::INFINITY) || hit.corner {
                 return horizon;
             }
             let n = (horizon.collisions + 1) as f64;

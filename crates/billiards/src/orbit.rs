@@ -23,7 +23,7 @@ use lanes::Lane;
 /// ```
 ///
 /// `K` keeps the energy, `T` tracks what grows along the path; both are `()` where nobody asks.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
     /// Position of the centre \[L\].
     pub position: [F; N],

@@ -3,12 +3,15 @@ use crate::{
     Error,
     billiard::{BallLaw, Billiard},
     energy::{EnergyKeeper, Keeping},
+    error::finite,
+    horizon::Horizon,
     in_lanes::InLanes,
     observe::{LaneObserver, Observer},
     orbit::Orbit,
     rolling::Rolling,
     run::{Limit, run},
     side_by_side::{Finished, run_side_by_side},
+    start::Start,
     stop::Outcome,
     track::{Track, Tracking},
 };
@@ -35,11 +38,14 @@ impl<L> Planar<L> {
     /// assert_eq!(orbit.position, [0.125, 0.125]);
     /// let in_the_disk = torus.orbit::<(), ()>([0.5, 0.625], [1.0, 0.5], [0.0], ());
     /// assert!(matches!(in_the_disk, Err(Error::Outside { .. })));
+    /// let nowhere = torus.orbit::<(), ()>([0.125, 0.125], [1.0, f64::NAN], [0.0], ());
+    /// assert!(matches!(nowhere, Err(Error::NotFinite { quantity: "velocity", .. })));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::Outside`] unless the position lies in the table, off the boundary.
+    /// [`Error::Outside`] unless the position lies in the table, off the boundary; [`Error::NotFinite`] for a velocity or spin that is not
+    /// finite.
     pub fn orbit<K, T>(
         &self,
         position: [f64; 2],
@@ -55,6 +61,8 @@ impl<L> Planar<L> {
         if !self.table.contains(&at) {
             return Err(Error::Outside { position: position.to_vec() });
         }
+        finite("velocity", &velocity)?;
+        finite("spin", &spin)?;
         Ok(Orbit::new(at.into(), velocity, spin, track))
     }
 }
@@ -107,6 +115,41 @@ impl<L: BallLaw<2, 1>> Planar<L> {
             orbit
         });
         self.table.with_walls(ManyOn { law: &self.law, orbits: &mut orbits, collisions, observer, finished });
+    }
+}
+
+impl<L: BallLaw<2, 1>> Planar<L> {
+    /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
+    /// [`Horizon::of`].
+    ///
+    /// ```
+    /// use billiards::{Planar, Start, geometry::tables, laws::Specular};
+    ///
+    /// let start = Start { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [0.0] };
+    /// let looked_at = [1000.0, f64::INFINITY];
+    /// let stadium = Planar { table: tables::stadium(1.0, 1.0)?, law: Specular }.horizon(start, 4.0, looked_at);
+    /// assert!(stadium.lost && stadium.collisions < 60);
+    /// let square = Planar { table: tables::square(1.0)?, law: Specular }.horizon(start, 1.0, looked_at);
+    /// assert!(!square.lost && square.error < 1e-9);
+    /// # Ok::<(), billiards::Error>(())
+    /// ```
+    pub fn horizon(&self, start: Start<2, 1>, size: f64, limit: [f64; 2]) -> Horizon {
+        self.table.with_walls(HorizonOn { billiard: self, start, size, limit })
+    }
+}
+
+struct HorizonOn<'a, L> {
+    billiard: &'a Planar<L>,
+    start: Start<2, 1>,
+    size: f64,
+    limit: [f64; 2],
+}
+
+impl<L: BallLaw<2, 1>> WithWalls<2> for HorizonOn<'_, L> {
+    type Output = Horizon;
+    fn run<W: Walls<2>>(self, walls: &W) -> Horizon {
+        let Planar { table, law } = self.billiard;
+        Horizon::of(&Billiard { walls, law }, table, self.start, self.size, self.limit)
     }
 }
 

@@ -7,7 +7,7 @@ use lanes::{Double, Lane};
 ///
 /// The velocity of an [orbit](crate::Orbit) is rounded. A run that goes on from there would turn by another angle at each
 /// collision, 10⁻¹⁶ off, so the first run leaves here what it has found from the start.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recurring<F = f64> {
     pub(crate) normal: Double<F>,
     pub(crate) spin: Double<F>,

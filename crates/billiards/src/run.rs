@@ -17,12 +17,12 @@ pub trait Limit<T> {
 }
 
 /// So many collisions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collisions(pub u64);
 
 /// So much time \[T\] since the start. The run ends at the last collision before;
 /// [`position_at`](crate::Orbit::position_at) knows the rest of the way.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time(pub f64);
 
 impl<T> Limit<T> for Collisions {

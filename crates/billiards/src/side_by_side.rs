@@ -11,7 +11,7 @@ use crate::{
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
 
 /// An orbit that has ended.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Finished<const N: usize, const S: usize, K, T> {
     /// Its number, in the order of the starts.
     pub index: u64,

@@ -3,10 +3,13 @@ use crate::{
     Error,
     billiard::{BallLaw, Billiard},
     energy::{EnergyKeeper, Keeping},
+    error::finite,
+    horizon::Horizon,
     observe::{LaneObserver, Observer},
     orbit::Orbit,
     run::{Limit, run},
     side_by_side::{Finished, run_side_by_side},
+    start::Start,
     stop::Outcome,
     track::{Track, Tracking},
 };
@@ -25,7 +28,8 @@ impl<L> Spatial<L> {
     /// The orbit that starts at `position` with `velocity` and scaled `spin`.
     ///
     /// # Errors
-    /// [`Error::Outside`] unless the position lies in the table, off the boundary.
+    /// [`Error::Outside`] unless the position lies in the table, off the boundary; [`Error::NotFinite`] for a velocity or spin that is not
+    /// finite.
     pub fn orbit<K, T>(
         &self,
         position: [f64; 3],
@@ -40,6 +44,8 @@ impl<L> Spatial<L> {
         if !self.table.contains(&position.into()) {
             return Err(Error::Outside { position: position.to_vec() });
         }
+        finite("velocity", &velocity)?;
+        finite("spin", &spin)?;
         Ok(Orbit::new(position, velocity, spin, track))
     }
 }
@@ -93,6 +99,29 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
         finished: &mut dyn FnMut(Finished<3, 3, K, T>),
     ) {
         self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, observer, finished });
+    }
+}
+
+impl<L: BallLaw<3, 3>> Spatial<L> {
+    /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
+    /// [`Horizon::of`].
+    pub fn horizon(&self, start: Start<3, 3>, size: f64, limit: [f64; 2]) -> Horizon {
+        self.table.with_walls(HorizonOn { billiard: self, start, size, limit })
+    }
+}
+
+struct HorizonOn<'a, L> {
+    billiard: &'a Spatial<L>,
+    start: Start<3, 3>,
+    size: f64,
+    limit: [f64; 2],
+}
+
+impl<L: BallLaw<3, 3>> WithWalls<3> for HorizonOn<'_, L> {
+    type Output = Horizon;
+    fn run<W: Walls<3>>(self, walls: &W) -> Horizon {
+        let Spatial { table, law } = self.billiard;
+        Horizon::of(&Billiard { walls, law }, table, self.start, self.size, self.limit)
     }
 }
 

@@ -81,7 +81,7 @@ impl<const N: usize, const S: usize, A: Tracking<N, S>, B: Tracking<N, S>> Track
 }
 
 /// The time since the start \[T\], as a compensated sum: its error does not grow with the number of collisions.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock<F = f64>(pub Double<F>);
 
 impl<F: Lane> Clock<F> {
@@ -136,7 +136,7 @@ impl<const N: usize, const S: usize> Tracking<N, S> for Clock {
 }
 
 /// The scaled spin position `x₀ = γ R θ` of a disk \[L\], not reduced modulo a turn, as a compensated sum.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Angle<F = f64>(pub Double<F>);
 
 impl<F: Lane> Angle<F> {
@@ -194,7 +194,7 @@ impl<const N: usize> Tracking<N, 1> for Angle {
 }
 
 /// The translation accumulated on a lattice, in multiples of its vectors.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Cell<F = f64> {
     lattice: Arc<Lattice>,
     /// Position in the plane = position in the table's cell + `cell` · lattice vectors.

@@ -17,19 +17,9 @@ use geometry::{
     walls::ByLane,
 };
 
-struct With<'a, R>(&'a Disk, &'a dyn Fn(&dyn Bounce<2, 1>) -> R);
-
-impl<R> WithWalls<2> for With<'_, R> {
-    type Output = R;
-    fn run<W: Walls<2>>(self, walls: &W) -> R {
-        (self.1)(&Billiard { walls, law: self.0 })
-    }
-}
-
 fn horizon(table: &Table, law: &Disk, start: Start<2, 1>, size: f64, collisions: u32) -> Horizon {
-    let limit = [f64::from(collisions), f64::INFINITY];
-    let look = |billiard: &dyn Bounce<2, 1>| Horizon::of(billiard, table, start, size, limit);
-    table.with_walls(With(law, &look))
+    let billiard = Planar { table: table.clone(), law: *law };
+    billiard.horizon(start, size, [f64::from(collisions), f64::INFINITY])
 }
 
 fn laws() -> [Disk; 2] {
@@ -227,6 +217,17 @@ fn the_rounding_of_a_large_radius_or_a_far_centre_counts() {
 }
 
 #[test]
+fn a_limit_that_is_no_number_is_over_at_once() {
+    let table = tables::square(1.0).unwrap();
+    let start = Start { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [0.0] };
+    let billiard = Planar { table, law: Specular };
+    for limit in [[f64::NAN, f64::INFINITY], [f64::INFINITY, f64::NAN], [f64::NAN; 2], [0.0, 1.0], [9.0, -1.0]] {
+        assert_eq!(billiard.horizon(start, 1.0, limit).collisions, 0, "{limit:?}");
+    }
+    assert_eq!(billiard.horizon(start, 1.0, [9.0, f64::INFINITY]).collisions, 9);
+}
+
+#[test]
 fn in_space_the_curvature_of_walls_counts() {
     struct Look<'a>(&'a RoughBall, &'a SpatialTable, Start<3, 3>);
     impl WithWalls<3> for Look<'_> {
@@ -248,6 +249,7 @@ fn in_space_the_curvature_of_walls_counts() {
         let billiard = Spatial { table, law };
         let horizon = billiard.table.with_walls(Look(&law, &billiard.table, start));
         assert!(!horizon.lost && horizon.error < 1e-11, "{}: {horizon:?}", billiard.table.name());
+        assert_eq!(billiard.horizon(start, 1.0, [200.0, f64::INFINITY]), horizon);
     }
     // the same ball outside: a scatterer in a box
     let walls = geometry::walls::Around {

@@ -1,5 +1,5 @@
 //! Lanes and single orbits agree to the last bit, early ends included.
-use billiards::observe::{EachOrbit, LaneObserver, VelocityPortrait, Watch};
+use billiards::observe::{Density, EachOrbit, LaneObserver, VelocityPortrait, Watch};
 use billiards::{
     Angle, BallLaw, Billiard, Canonical, Cell, Clock, Collision, Collisions, Conserved, Finished, Motion, Orbit,
     Planar, Rolling, Start, Starts, Stop, Timed, Turned,
@@ -388,20 +388,29 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
     fn sees_all(table: &Table, billiard: &impl Motion<2, 1>) {
         let starts = starts(table, 70);
         let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
-        let mut both = (Diary::default(), EachOrbit::new(portrait));
-        run_side_by_side(billiard, &mut starts.iter().map(orbit), 50, &mut both, &mut |_| {});
-        let (mut diary, portraits) = both;
+        let mut counts = VelocityPortrait::new(Density::disk(20));
+        let mut all = ((Diary::default(), EachOrbit::new(portrait)), &mut counts);
+        run_side_by_side(billiard, &mut starts.iter().map(orbit), 50, &mut all, &mut |_| {});
+        let ((mut diary, portraits), _) = all;
         diary.pages.sort_by_key(|page| page.0); // a stable sort
         let mut alone = vec![];
         let mut portrait = VelocityPortrait::new(vec![]);
+        let mut counts_alone = VelocityPortrait::new(Density::disk(20));
         for (k, start) in starts.iter().enumerate() {
             let look = |c: &Collision<'_, 2, 1, Conserved<f64, 2>, Clock>| {
                 let ([x, y], [v1, v2], [w]) = (c.orbit.position, c.orbit.velocity, c.orbit.spin);
                 alone.push((k as u64, [x, y, c.hit.piece, v1, v2, w].map(f64::to_bits)));
                 ControlFlow::Continue(())
             };
-            run(billiard, &mut orbit(start), &Collisions(50), &mut (Watch::new(look), &mut portrait));
+            run(
+                billiard,
+                &mut orbit(start),
+                &Collisions(50),
+                &mut (Watch::new(look), (&mut portrait, &mut counts_alone)),
+            );
         }
+        assert_eq!(counts.points().total(), diary.pages.len() as u64);
+        assert_eq!(counts.points().counts(0), counts_alone.points().counts(0));
         assert_eq!(diary.pages.len(), alone.len());
         assert!(diary.pages == alone);
         assert!(portraits.merged().unwrap().points() == portrait.points(), "in the order of the starts");

@@ -49,7 +49,7 @@ impl<const N: usize> Roughness<N> {
     /// Like [`spanned_by`](Self::spanned_by), but a direction that adds nothing lowers the rank instead of being an error.
     ///
     /// This is what a law with fixed directions does where one of them happens to be the normal. At most N−1 of the
-    /// directions can count.
+    /// directions can count, and none that is not finite, as a direction away from a point is at this point.
     pub fn of_span<'a>(
         normal: &Unit<SVector<f64, N>>,
         directions: impl IntoIterator<Item = &'a SVector<f64, N>>,
@@ -131,7 +131,7 @@ impl<const N: usize> Basis<N> {
     /// Gram–Schmidt, twice, since one pass leaves an error of ε over the share of length that is left.
     fn add(&mut self, direction: &SVector<f64, N>) -> Added {
         let size = direction.amax();
-        if size == 0.0 {
+        if size == 0.0 || !direction.iter().all(|x| x.is_finite()) {
             return Added::AlongNormal;
         }
         let mut x = direction / size;
@@ -187,6 +187,15 @@ mod tests {
         for scale in [-1000, -300, 300, 1000].map(power) {
             let scaled = directions.map(|d| d * scale);
             assert_eq!(Roughness::of_span(&normal, &scaled), Roughness::of_span(&normal, &directions), "{scale:e}");
+        }
+    }
+
+    #[test]
+    fn a_direction_that_is_none_adds_nothing() {
+        let normal = Vector3::z_axis();
+        for none in [Vector3::zeros(), Vector3::repeat(f64::NAN), Vector3::new(f64::INFINITY, 0.0, 0.0)] {
+            assert_eq!(Roughness::of_span(&normal, &[none]), Roughness::Smooth);
+            assert_eq!(Roughness::of_span(&normal, &[none, Vector3::x()]).rank(), 1);
         }
     }
 

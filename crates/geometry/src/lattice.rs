@@ -2,6 +2,7 @@
 use crate::{
     Error,
     plane::{is_finite, slack},
+    table::has_square,
 };
 use core::iter::successors;
 use nalgebra::{Matrix2, Vector2};
@@ -22,13 +23,19 @@ impl Lattice {
     /// The lattice spanned by one or two vectors \[L\].
     ///
     /// # Errors
-    /// [`Error::Lattice`] unless they are finite and independent.
+    /// [`Error::Lattice`] unless they are finite and independent, [`Error::Length`] unless each has a coordinate between 10⁻¹⁵⁰ and 10¹⁵⁰.
     pub fn new(vectors: &[Vector2<f64>]) -> Result<Lattice, Error> {
         let full = match vectors {
             [a] => Matrix2::from_columns(&[*a, Vector2::new(-a.y, a.x)]),
             [a, b] => Matrix2::from_columns(&[*a, *b]),
             _ => return Err(Error::Lattice),
         };
+        if vectors.iter().all(is_finite) {
+            vectors
+                .iter()
+                .filter(|v| v.amax() > 0.0)
+                .try_for_each(|v| has_square("the greatest coordinate of a lattice vector", v.amax()))?;
+        }
         let coordinates = full.try_inverse().filter(|m| m.iter().all(|x| x.is_finite())).ok_or(Error::Lattice)?;
         Ok(Lattice { vectors: vectors.to_vec(), coordinates })
     }

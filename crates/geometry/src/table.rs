@@ -58,13 +58,18 @@ const MOST_TRANSLATES: f64 = 1e6;
 pub(crate) const SMOOTH: f64 = 1e-9;
 
 /// Squares of lengths must be numbers, and so must what comes of them: the greatest finite coordinate tells.
-fn has_squares(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
+fn have_squares(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
     let coordinates = pieces.iter().map(|piece| piece.extent()).flat_map(|e| [e.min.x, e.min.y, e.max.x, e.max.y]);
     let value = coordinates.map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max);
-    if value == 0.0 || (1e-150..=1e150).contains(&value) {
+    if value == 0.0 { Ok(()) } else { has_square("the greatest coordinate of the boundary", value) }
+}
+
+/// The square of a length must be a number, and so must what comes of it.
+pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
+    if (1e-150..=1e150).contains(&value) {
         return Ok(());
     }
-    Err(Error::Length { name: "the greatest coordinate of the boundary", must: "between 1e-150 and 1e150", value })
+    Err(Error::Length { name, must: "between 1e-150 and 1e150", value })
 }
 
 impl Table {
@@ -86,7 +91,7 @@ impl Table {
         if pieces.is_empty() {
             return Err(Error::Empty);
         }
-        has_squares(&pieces)?;
+        have_squares(&pieces)?;
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let cell = lattice.map(FundamentalCell::at_origin);
         let lattice = cell.as_ref().map(FundamentalCell::lattice);

@@ -3,7 +3,9 @@
 
 use core::f64::consts::PI;
 use geometry::{
-    Error, Figure, Landing, Lattice, Line, Piece, SVector, Table, Vector2, Walls, WithWalls,
+    Boundary, Error, Figure, Landing, Lattice, Line, Outline, Piece, SVector, Table, Vector2, Vector3, WallHit, Walls,
+    WithWalls,
+    parry::{Room, Side, SolidSpec},
     shapes::{Circle, Ellipse, FullLine, Ray},
     tables::{self, Build, Kind, Value, Values},
     walls,
@@ -479,6 +481,57 @@ fn in_space_too_what_is_no_place_is_not_in_the_table() {
     }
 }
 
+/// The first hit of one path.
+struct FirstHit(Line<2>);
+
+impl WithWalls<2> for FirstHit {
+    type Output = WallHit<f64, 2>;
+    fn run<W: Walls<2>>(self, walls: &W) -> WallHit<f64, 2> {
+        walls.first_hit(&self.0.point.into(), &self.0.velocity.into())
+    }
+}
+
+#[test]
+fn whoever_is_nowhere_hits_nothing() {
+    let star = |k: u32| {
+        let angle = f64::from(k) * core::f64::consts::TAU / 200.0;
+        Vector2::new(libm::cos(angle), libm::sin(angle)) * (1.0 + 0.1 * f64::from(k % 2))
+    };
+    let outline = (0..200).fold(Outline::from(star(199)), |o, k| o.line_to(star(k)).unwrap());
+    let disks = |k: usize| {
+        let at = Vector2::new((k % 8) as f64, (k / 8) as f64) * 0.125;
+        Box::new(Circle::new(at, 0.03, false).unwrap()) as Box<dyn Piece>
+    };
+    let torus = Lattice::new(&[Vector2::x(), Vector2::y()]).unwrap();
+    let all = [
+        Table::new(outline.close().unwrap()).unwrap(),
+        tables::flower(30, 1.0, 1.0).unwrap(),
+        Table::new((0..40).map(disks).collect()).unwrap(),
+        Table::periodic((0..40).map(disks).collect(), Some(torus)).unwrap(),
+    ];
+    let odd = [0.25, f64::INFINITY, f64::NEG_INFINITY, f64::NAN];
+    for (x, y) in odd.iter().flat_map(|x| odd.map(|y| (*x, y))) {
+        let nowhere = Vector2::new(x, y);
+        let paths = [(nowhere, Vector2::new(0.6, 0.8)), (Vector2::repeat(0.01), nowhere), (nowhere, nowhere)];
+        for (point, velocity) in paths.into_iter().filter(|(x, v)| !(is_finite(x) && is_finite(v))) {
+            for table in &all {
+                let hit = table.with_walls(FirstHit(Line { point, velocity }));
+                assert!(!(hit.time > 0.0 && hit.time < f64::INFINITY), "{point} {velocity}: {hit:?}");
+            }
+        }
+    }
+    let ball = SolidSpec::Ball { radius: 1.0 }.solid([0.0; 3], Side::Inside).unwrap();
+    let room = Room::new(vec![ball]);
+    for at in odd.into_iter().filter(|x| !x.is_finite()) {
+        let path = Line { point: Vector3::new(at, 0.0, 0.0), velocity: Vector3::y() };
+        assert!(room.first_hit(&path).is_none());
+    }
+}
+
+fn is_finite(v: &Vector2<f64>) -> bool {
+    v.iter().all(|x| x.is_finite())
+}
+
 #[test]
 fn nothing_is_built_about_a_center_that_is_no_place() {
     for at in [Vector2::new(f64::NAN, 0.0), Vector2::new(0.0, f64::INFINITY)] {
@@ -507,6 +560,10 @@ fn tables_whose_squares_are_no_numbers_are_refused() {
         let error = tables::circle(size).unwrap_err();
         assert!(matches!(error, Error::Length { .. }), "{error}");
         assert!(error.to_string().ends_with(&format!("between 1e-150 and 1e150, not {size:?}")), "{error}");
+        let [x, y] = [Vector2::new(size, 0.0), Vector2::new(0.0, size)];
+        for error in [tables::ball(size).err(), Lattice::new(&[x]).err(), Lattice::new(&[y, x]).err()] {
+            assert!(matches!(error, Some(Error::Length { .. })), "{error:?}");
+        }
     }
     // infinite lines through the origin have no size
     tables::wedge(1.0).unwrap();

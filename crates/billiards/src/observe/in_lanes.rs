@@ -45,6 +45,38 @@ impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneOb
     }
 }
 
+/// An observer that is lent.
+impl<const N: usize, const S: usize, K, T, O> LaneObserver<N, S, K, T> for &mut O
+where
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
+    O: LaneObserver<N, S, K, T>,
+{
+    type View<F: Lane> = O::View<F>;
+    fn nobody<F: Lane>(&self, zero: F) -> Self::View<F> {
+        (**self).nobody(zero)
+    }
+    fn begin<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask, index: u64, orbit: &Orbit<f64, N, S, K, T>) {
+        (**self).begin(view, here, index, orbit);
+    }
+    fn end<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask) {
+        (**self).end(view, here);
+    }
+    #[inline(always)]
+    fn collision<F: Lane>(
+        &mut self,
+        view: &mut Self::View<F>,
+        hit: &WallHit<F, N>,
+        orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
+    ) {
+        (**self).collision(view, hit, orbit);
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        (**self).looks()
+    }
+}
+
 /// Two observers see the same runs.
 impl<const N: usize, const S: usize, K, T, A, B> LaneObserver<N, S, K, T> for (A, B)
 where

@@ -155,8 +155,8 @@ impl<const N: usize> BoxTree<N> {
     pub(crate) fn walk<F: Lane>(&self, zero: F, path: &Line<N>, inside: &impl Inside) -> First {
         let mut first = First::NONE;
         let Some(root) = self.levels.len().checked_sub(1) else { return first };
-        // what is not a number is in no box
-        if path.point.iter().chain(path.velocity.iter()).any(|a| a.is_nan()) {
+        // what is not a number is in no box, and what is infinite would be in those that fill a node up
+        if path.point.iter().chain(path.velocity.iter()).any(|a| !a.is_finite()) {
             return first;
         }
         let slab = Slab::new(path, self.size);

@@ -180,11 +180,13 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
                 begun.gather(flown);
                 (flown, moved) = (zero, [zero; 2]);
                 next = [first.first(&start), second.first(&start)];
-                // a path that is back where it was, to the last bit, never hits (Brent's search for cycles)
+                // a path that is back where it was, to the last bit, or nowhere, never hits (Brent's search for cycles)
                 if cells > PATIENCE {
                     let moved =
                         [start[0].lt(mark[0]) | mark[0].lt(start[0]), start[1].lt(mark[1]) | mark[1].lt(start[1])];
-                    flying = flying & (moved[0] | moved[1]);
+                    let never = zero.same(f64::INFINITY);
+                    let is_somewhere = start[0].abs().lt(never) & start[1].abs().lt(never);
+                    flying = flying & (moved[0] | moved[1]) & is_somewhere;
                 }
                 if cells >= PATIENCE && cells.is_power_of_two() {
                     mark = start;

@@ -1,6 +1,6 @@
 //! The inside of a sphere: disk table and ball table.
 use super::{Chord, Homogeneous, Swing, WallHit, Walls};
-use crate::{Error, plane::finite};
+use crate::{Error, plane::finite, table::has_square};
 use lanes::{Double, Lane, Mask, dot, two_sum};
 use nalgebra::SVector;
 
@@ -20,12 +20,14 @@ impl<const N: usize> Sphere<N> {
     /// The ball about `center` \[L\] with a positive radius \[L\].
     ///
     /// # Errors
-    /// [`Error::Radius`] unless the radius is positive and finite, [`Error::Parameter`] for a centre that is not finite.
+    /// [`Error::Radius`] unless the radius is positive and finite, [`Error::Length`] unless it is between 10⁻¹⁵⁰ and 10¹⁵⁰,
+    /// [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
         finite("center", &center)?;
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
+        has_square("the radius", radius)?;
         let square = radius * radius;
         Ok(Sphere {
             center: center.into(),
