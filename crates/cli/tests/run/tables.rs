@@ -83,6 +83,30 @@ fn orbits_on_a_lattice_are_the_same_in_every_basis_and_lie_in_its_own_unit_cell(
 }
 
 #[test]
+fn a_line_along_the_only_vector_of_a_lattice_is_as_long_as_that() {
+    let scene = |walls: [&str; 2]| {
+        format!(
+            "law = \"no-slip\"\n[table]\nlattice = [[2, 1]]\n[[table.boundary]]\n{}\n[[table.boundary]]\n{}\n[ensemble]\ncount = 20\n\
+             [run]\ncollisions = 50\n[output]\ncollisions = \"csv\"\n",
+            walls[0], walls[1]
+        )
+    };
+    let lines =
+        ["line = { through = [0, 0], direction = [1, 0.5] }", "line = { through = [0, 2], direction = [-6, -3] }"];
+    let chains = [
+        "chain = { from = [0, 0], edges = [{ line_to = [2, 1] }] }",
+        "chain = { from = [0, 2], edges = [{ line_to = [-2, 1] }] }",
+    ];
+    let folder = Folder::new("line-on-lattice");
+    // an ensemble is uniform on walls of finite length
+    folder.done(&scene(lines), &[]);
+    let rows = folder.rows();
+    assert_eq!(rows.len(), 1000);
+    folder.done(&scene(chains), &[]);
+    assert!(rows == folder.rows());
+}
+
+#[test]
 fn a_piece_may_have_a_law_of_its_own() {
     let folder = Folder::new("laws");
     let scene = r#"

@@ -87,7 +87,11 @@ impl Collected<'_> {
                 Ellipse::new(self.at(&center.value), [a, b], angle.value, inside(domain)).map(|e| Box::new(e) as _)
             }
             Border::Line { through, direction } => {
-                FullLine::new(self.at(&through.value), unit(&direction.value)).map(|l| Box::new(l) as _)
+                let (through, direction) = (self.at(&through.value), unit(&direction.value));
+                match self.once_around(&direction) {
+                    Some(along) => Segment::new(through, through + along).map(|s| Box::new(s) as _),
+                    None => FullLine::new(through, direction).map(|l| Box::new(l) as _),
+                }
             }
             Border::Ray { from, direction, domain } => {
                 Ray::new(self.at(&from.value), unit(&direction.value), *domain == Side::Left).map(|r| Box::new(r) as _)
@@ -121,6 +125,14 @@ impl Collected<'_> {
         let piece = piece.map_err(|error| self.wrong(entry.span, &error))?;
         self.push(piece, entry.span, law);
         Ok(())
+    }
+
+    /// What a line of this direction is where the plane is identified along it: as long as the one vector of the lattice.
+    fn once_around(&self, direction: &Vector2<f64>) -> Option<Vector2<f64>> {
+        let [vector] = &self.scene.table.lattice[..] else { return None };
+        let vector = plane(&vector.value) * self.factor;
+        let is_along = direction.perp(&vector).abs() <= 4.0 * f64::EPSILON * direction.norm() * vector.norm();
+        is_along.then(|| vector * direction.dot(&vector).signum())
     }
 
     fn curve(&self, curve: &Curve, inside: bool) -> Result<Vec<Box<dyn Piece>>, Error> {
