@@ -210,6 +210,29 @@ fn the_inner_diagonals_of_flat_faces_are_no_edges() {
 }
 
 #[test]
+fn no_place_is_so_far_from_a_solid_that_it_seems_to_lie_inside() {
+    let tetrahedron = TriMesh::new(
+        [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector::from).to_vec(),
+        vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
+    );
+    let tetrahedron: Box<dyn Shape> = Box::new(tetrahedron.unwrap());
+    for (name, shape) in bodies().into_iter().chain([("tetrahedron", tetrahedron)]) {
+        let solid = Solid::new(&*shape, &here(), Side::Inside).unwrap();
+        if !solid.extent().iter().all(|corner| corner.iter().all(|x| x.is_finite())) {
+            continue;
+        }
+        for far in [1e8, 1e10, 1e12, 1e16, 1e100, 1e150] {
+            for direction in [[1.0, 0.0, 0.0], [0.1, -1.0, 0.3], [-0.7, 0.2, 1.0], [1.0, 1.0, 1.0]] {
+                let at = Vector3::from(direction) * far;
+                assert!(!solid.contains(&at), "{name} {at}");
+                let distance = solid.distance(&at);
+                assert!(!(distance >= 0.0), "{name} {at}: {distance}");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_mesh_inside_out_is_turned_round_and_a_mixed_one_is_refused() {
     let (vertices, triangles) = Cuboid::new(Vector::new(1.0, 1.0, 1.0)).to_trimesh();
     let flipped: Vec<[u32; 3]> = triangles.iter().map(|t| [t[0], t[2], t[1]]).collect();

@@ -16,7 +16,7 @@ use super::{
     polytope::Polytope,
 };
 use crate::{
-    Boundary, Error, Hit, Line,
+    Boundary, Error, Extent, Hit, Line,
     plane::{finite, is_finite, slack},
 };
 use convex::Convex;
@@ -26,6 +26,9 @@ use nalgebra::{Isometry3, Vector3};
 use parallel::Parallel;
 use parry3d_f64::shape::{ConvexPolyhedron, Shape, SharedShape, TypedShape};
 use rounded::Rounded;
+
+/// From so many sizes away a side is that of a place beside the boundary: coordinates have a millionth of its size left.
+const FAR: f64 = 1e9;
 
 /// The table inside or outside of a shape in space.
 ///
@@ -168,7 +171,17 @@ impl Solid {
 
     /// Distance from the boundary \[L\], negative outside the table; see [`Solid::closest`].
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
-        self.closest(point).distance
+        let (distance, beside) = (self.closest(point).distance, self.beside(point));
+        if beside == *point { distance } else { distance.abs().copysign(self.closest(&beside).distance) }
+    }
+
+    /// A point on the same side of the boundary and not far from it: from [`FAR`], rounding leaves nothing of its shape.
+    fn beside(&self, point: &Vector3<f64>) -> Vector3<f64> {
+        if point.amax() <= FAR * self.size() {
+            return *point;
+        }
+        let [min, max] = self.extent();
+        Extent { min, max }.beside(point)
     }
 
     /// How far off the boundary \[L\] a point may lie and still count as on it: the rounding of its coordinates and of the walls'.
@@ -187,7 +200,7 @@ impl Solid {
 
     /// Whether a point lies in the table, off the boundary.
     pub fn contains(&self, point: &Vector3<f64>) -> bool {
-        is_finite(point) && self.distance(point) > 0.0
+        is_finite(point) && self.closest(&self.beside(point)).distance > 0.0
     }
 
     /// A box around the boundary: least and greatest coordinates, infinite for a half-space.
