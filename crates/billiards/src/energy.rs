@@ -151,8 +151,10 @@ pub struct Conserved<F, const N: usize> {
     low: F,
     /// A component whose square is below this has next to no energy to correct.
     little: F,
-    /// `½/(|v|² + |w|²)`
+    /// `½/(|v|² + |w|²)`, or 0 where nothing is kept.
     share: F,
+    /// 2, or 0 where nothing is kept.
+    twice: F,
     /// Collisions since the energy was restored, in all lanes alike.
     beat: u32,
     /// Between round walls, what each run after the first goes on with.
@@ -196,7 +198,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         let recurring = Recurring::nothing(square.same(0.0));
         // of speeds so small that their squares vanish nothing is missing, and no part of it infinite
         let share = square.same(0.5) / square.max(square.same(f64::MIN_POSITIVE));
-        Conserved { grid, high, low, little: square * LITTLE, share, beat: 0, recurring }
+        Conserved { grid, high, low, little: square * LITTLE, share, twice: square.same(2.0), beat: 0, recurring }
     }
     #[inline(always)]
     fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F {
@@ -250,9 +252,9 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         let (n, arrival) = (hit.unit_normal(), arrived.normal_speed * hit.inverse);
         // not from a sum near 1, which rounds to even numbers and so on one side more often than on the other
         let lacks = n.iter().fold(arrival.same(1.0), |rest, n| rest - *n * *n);
-        let twice = (arrival + arrival) * lacks;
+        let turned = (arrival * self.twice) * lacks;
         for i in 0..N {
-            velocity[i] = velocity[i] - twice * n[i];
+            velocity[i] = velocity[i] - turned * n[i];
         }
     }
     #[inline(always)]
@@ -273,7 +275,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         EnergyKeeper::<F, N, S>::rounded_off(self, self.missing(velocity, spin)) * (self.share + self.share)
     }
     fn square(&self, lane: usize) -> Option<Double> {
-        Some(Double { high: self.high.lane(lane), low: self.low.lane(lane) })
+        (self.twice.lane(lane) > 0.0).then(|| Double { high: self.high.lane(lane), low: self.low.lane(lane) })
     }
     #[inline(always)]
     fn pass(&mut self) {
@@ -293,6 +295,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             low: self.low.lane(lane),
             little: self.little.lane(lane),
             share: self.share.lane(lane),
+            twice: self.twice.lane(lane),
             beat: self.beat,
             recurring: self.recurring.one(lane),
         }
@@ -304,6 +307,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             low: zero.same(one.low),
             little: zero.same(one.little),
             share: zero.same(one.share),
+            twice: zero.same(one.twice),
             beat: one.beat,
             recurring: Recurring::all(&one.recurring, zero),
         }
@@ -314,6 +318,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
         self.low.put(lane, one.low);
         self.little.put(lane, one.little);
         self.share.put(lane, one.share);
+        self.twice.put(lane, one.twice);
         self.recurring.put(lane, &one.recurring);
     }
     fn wait(&self, one: &Conserved<f64, N>) -> u64 {
@@ -326,6 +331,31 @@ impl<const N: usize, const S: usize> Keeping<N, S> for Conserved<f64, N> {
 }
 
 impl<F: Lane, const N: usize> Conserved<F, N> {
+    /// The same, or one that changes nothing, as [`Free`]: for a law of which no type tells whether it conserves energy.
+    ///
+    /// ```
+    /// use billiards::{Collisions, Conserved, EnergyKeeper, Orbit, Planar, laws::Disk};
+    /// use billiards::{collision_laws::laws::Restitution, geometry::tables};
+    ///
+    /// let law = Disk::new(&Restitution::new(0.999_999_9, 1.0)?, 0.7)?;
+    /// let mut orbit: Orbit<f64, 2, 1, Conserved<f64, 2>> = Orbit::new([0.1, 0.2], [0.6, 0.8], [0.0], ());
+    /// orbit.keeper = orbit.keeper.only_if(false);
+    /// let mut free: Orbit<f64, 2, 1> = Orbit::new([0.1, 0.2], [0.6, 0.8], [0.0], ());
+    /// let billiard = Planar { table: tables::square(1.0)?, law };
+    /// billiard.run(&mut orbit, &Collisions(1000), &mut ());
+    /// billiard.run(&mut free, &Collisions(1000), &mut ());
+    /// assert_eq!((orbit.position, orbit.velocity), (free.position, free.velocity));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn only_if(self, conserves: bool) -> Self {
+        if conserves {
+            return self;
+        }
+        let zero = self.share.same(0.0);
+        Conserved { little: zero.same(f64::INFINITY), share: zero, twice: zero, ..self }
+    }
+
     /// Counts a collision; whether it is time to restore the energy.
     #[inline(always)]
     fn is_due(&mut self) -> bool {

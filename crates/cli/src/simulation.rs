@@ -12,7 +12,6 @@ mod frame;
 mod harvest;
 mod horizon;
 mod job;
-mod keeper;
 mod law;
 mod look;
 mod mesh;

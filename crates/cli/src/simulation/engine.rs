@@ -4,13 +4,12 @@ use std::ops::ControlFlow;
 
 use billiards::observe::LaneObserver;
 use billiards::{
-    Bounce, Clock, Collision, Collisions, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Time, Timed,
-    run, run_side_by_side,
+    Bounce, Clock, Collision, Collisions, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Time,
+    Timed, run, run_side_by_side,
 };
 
 use super::event::Event;
 use super::frame::Frame;
-use super::keeper::Keeper;
 use super::portraits::{Point, Portraits};
 use super::scale::Scale;
 use super::trail::Trail;
@@ -30,9 +29,18 @@ impl<T: Timed> Limit<T> for Until {
 }
 
 /// An orbit of which only the time is tracked.
-pub(crate) type Bare<const N: usize, const S: usize> = Orbit<f64, N, S, Keeper<N>, Clock>;
+pub(crate) type Bare<const N: usize, const S: usize> = Orbit<f64, N, S, Conserved<f64, N>, Clock>;
 /// An orbit that is watched.
-pub(crate) type Watched<const N: usize, const S: usize, T> = Orbit<f64, N, S, Keeper<N>, (Clock, T)>;
+pub(crate) type Watched<const N: usize, const S: usize, T> = Orbit<f64, N, S, Conserved<f64, N>, (Clock, T)>;
+
+/// Keeps the energy of an orbit that starts like this, if its law does.
+pub(crate) fn conserved<const N: usize, const S: usize>(
+    strict: bool,
+    velocity: &[f64; N],
+    spin: &[f64; S],
+) -> Conserved<f64, N> {
+    <Conserved<f64, N> as EnergyKeeper<f64, N, S>>::new(velocity, spin).only_if(strict)
+}
 
 /// Sees every collision of a watched orbit.
 #[derive(Debug)]
@@ -54,9 +62,11 @@ pub(crate) struct Watch<'a, P> {
     pub(crate) frame: Frame<'a>,
 }
 
-impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Keeper<N>, (Clock, T)> for Watch<'_, T::Portraits> {
+impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Conserved<f64, N>, (Clock, T)>
+    for Watch<'_, T::Portraits>
+{
     #[inline(always)]
-    fn collision(&mut self, collision: &Collision<'_, N, S, Keeper<N>, (Clock, T)>) -> ControlFlow<()> {
+    fn collision(&mut self, collision: &Collision<'_, N, S, Conserved<f64, N>, (Clock, T)>) -> ControlFlow<()> {
         if self.events.is_some() {
             let event = self.event(collision);
             self.events.iter_mut().for_each(|events| events.push(event));
@@ -126,7 +136,7 @@ fn side_by_side<B, O, const N: usize, const S: usize>(
 ) -> Vec<Outcome>
 where
     B: Motion<N, S>,
-    O: LaneObserver<N, S, Keeper<N>, Clock>,
+    O: LaneObserver<N, S, Conserved<f64, N>, Clock>,
 {
     let mut outcomes = vec![Outcome { stop: Stop::Finished, collisions: 0 }; orbits.len()];
     let starts = orbits.to_vec();

@@ -6,10 +6,9 @@ use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
 use billiards::{Angle, BallLaw, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
 
 use super::boundary::{self, Drawn};
-use super::engine::{Engine, Watched};
+use super::engine::{Engine, Watched, conserved};
 use super::frame::Frame;
 use super::horizon::{self, Horizons};
-use super::keeper::Keeper;
 use super::law::{PlanarLaw, keeps_spin};
 use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
@@ -114,7 +113,7 @@ impl Planar {
             position: start.position,
             velocity: start.velocity,
             spin: start.spin,
-            keeper: Keeper::for_law(self.strict, &start.velocity, &start.spin),
+            keeper: conserved(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), trail),
         }
     }

@@ -7,11 +7,10 @@ use std::sync::Arc;
 
 use billiards::geometry::WallHit;
 use billiards::observe::LaneObserver;
-use billiards::{Clock, Merge, Orbit};
+use billiards::{Clock, Conserved, Merge, Orbit};
 use lanes::{Lane, Mask};
 
 use super::counter::Counter;
-use super::keeper::Keeper;
 use super::places::Places;
 use super::unrolled::Unrolled;
 use crate::picture::{self, Cloud, Reduced};
@@ -120,7 +119,7 @@ impl Merge for PlanarPortraits {
 
 /// Counts collisions for density portraits.
 pub(crate) trait Portraits<const N: usize, const S: usize>:
-    LaneObserver<N, S, Keeper<N>, Clock> + Merge + Send
+    LaneObserver<N, S, Conserved<f64, N>, Clock> + Merge + Send
 {
     /// By what an orbit is scaled that goes on like this.
     fn unit(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
@@ -170,7 +169,7 @@ impl Portraits<2, 1> for PlanarPortraits {
     }
 }
 
-impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
+impl LaneObserver<2, 1, Conserved<f64, 2>, Clock> for PlanarPortraits {
     type View<F: Lane> = View<F>;
 
     fn nobody<F: Lane>(&self, zero: F) -> View<F> {
@@ -181,7 +180,7 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
         view: &mut View<F>,
         here: F::Mask,
         index: u64,
-        orbit: &Orbit<f64, 2, 1, Keeper<2>, Clock>,
+        orbit: &Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>,
     ) {
         #[allow(clippy::cast_possible_truncation, reason = "the number of one of the orbits side by side")]
         let layers = self.layers(self.orbits[index as usize]);
@@ -198,7 +197,7 @@ impl LaneObserver<2, 1, Keeper<2>, Clock> for PlanarPortraits {
         &mut self,
         view: &mut View<F>,
         hit: &WallHit<F, 2>,
-        orbit: &Orbit<F, 2, 1, Keeper<2, F>, Clock<F>>,
+        orbit: &Orbit<F, 2, 1, Conserved<F, 2>, Clock<F>>,
     ) {
         let velocity = self.velocity(view.unit, &Seen::of(hit, &orbit.velocity, &orbit.spin));
         if let Some(counter) = &mut self.velocities {

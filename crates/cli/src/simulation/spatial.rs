@@ -6,9 +6,8 @@ use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit,
 use billiards::{BallLaw, Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
 
 use super::boundary;
-use super::engine::{Engine, Watched};
+use super::engine::{Engine, Watched, conserved};
 use super::horizon::{self, Horizons};
-use super::keeper::Keeper;
 use super::law::{SpatialLaw, keeps_spin};
 use super::room;
 use super::scale::{Scale, to_unity};
@@ -214,7 +213,7 @@ impl Spatial {
             position: start.position,
             velocity: start.velocity,
             spin: start.spin,
-            keeper: Keeper::for_law(self.strict, &start.velocity, &start.spin),
+            keeper: conserved(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), ()),
         }
     }
