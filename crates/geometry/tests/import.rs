@@ -547,19 +547,16 @@ fn texts_of_stl_keep_all_their_digits() {
 }
 
 #[test]
-fn a_face_of_thousands_of_corners_is_cut_at_once() {
+fn a_face_of_thousands_of_corners_is_cut_into_triangles() {
     // a thin corridor that goes up and down: half of its corners point inwards
     let half = 1500;
     let side = |up: f64| (0..half).map(move |k| Vector3::new(f64::from(k), f64::from(k % 2) * 10.0 + up, 0.0));
     let corners: Vec<_> = side(0.0).chain(side(0.05).collect::<Vec<_>>().into_iter().rev()).collect();
     let vertices = joined(corners.iter().map(|p| format!("v {} {} 0\n", p.x, p.y)));
     let face = joined((1..=corners.len()).map(|k| format!(" {k}")));
-    let began = std::time::Instant::now();
     let SolidSpec::TriMesh { vertices, triangles, .. } = import::obj(&format!("{vertices}f{face}\n")).unwrap() else {
         panic!()
     };
-    // a third of a second; where each ear took the square of their number it had been twenty
-    assert!(began.elapsed().as_secs() < 5, "{:?}", began.elapsed());
     assert_eq!(triangles.len(), corners.len() - 2);
     let area = |t: &[usize; 3]| {
         let [a, b, c] = t.map(|k| Vector3::from(vertices[k]));
