@@ -9,7 +9,7 @@ pub enum Error {
     #[error("the piece has no length: its ends coincide, or its direction is zero")]
     ZeroLength,
     /// A radius that is not positive and finite.
-    #[error("the radius must be positive and finite, not {radius}")]
+    #[error("the radius must be positive and finite, not {}", short(*radius))]
     Radius {
         /// The radius given.
         radius: f64,
@@ -23,7 +23,7 @@ pub enum Error {
         end: f64,
     },
     /// A parameter outside its range.
-    #[error("{name} must be {must}, not {value}")]
+    #[error("{name} must be {must}, not {}", short(*value))]
     Parameter {
         /// Its name.
         name: &'static str,
@@ -237,7 +237,7 @@ pub enum Error {
         size: f64,
     },
     /// A disk that fits nowhere.
-    #[error("a disk of radius {radius} has no room to move in the table; its radius must be less than {largest}")]
+    #[error("a disk of radius {} has no room to move in the table; its radius must be less than {}", short(*radius), short(*largest))]
     NothingLeft {
         /// The radius asked for.
         radius: f64,
@@ -246,7 +246,8 @@ pub enum Error {
     },
     /// A radius at which the region of centres changes its form, so that rounding decides about it.
     #[error(
-        "a disk of radius {radius} just touches several walls at once near {}; a radius a little smaller or greater decides whether it passes",
+        "a disk of radius {} just touches several walls at once near {}; a radius a little smaller or greater decides whether it passes",
+        short(*radius),
         about(at)
     )]
     Undecided {

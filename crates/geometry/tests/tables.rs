@@ -6,7 +6,7 @@ use geometry::{
     Boundary, Error, Figure, Landing, Lattice, Line, Outline, Piece, SVector, Table, Vector2, Vector3, WallHit, Walls,
     WithWalls,
     parry::{Room, Side, SolidSpec},
-    shapes::{Circle, Ellipse, FullLine, Ray},
+    shapes::{Arc, Bump, Circle, Ellipse, FullLine, Ray, Segment},
     tables::{self, Build, Kind, Value, Values},
     walls,
 };
@@ -533,13 +533,20 @@ fn is_finite(v: &Vector2<f64>) -> bool {
 }
 
 #[test]
-fn nothing_is_built_about_a_center_that_is_no_place() {
+fn nothing_is_built_of_points_that_are_no_place() {
     for at in [Vector2::new(f64::NAN, 0.0), Vector2::new(0.0, f64::INFINITY)] {
         let refused = |error: Option<Error>| match error {
             Some(Error::Parameter { must: "finite", .. }) => {}
             other => panic!("{at}: {other:?}"),
         };
         refused(Circle::new(at, 1.0, true).err());
+        refused(Segment::new(at, Vector2::x()).err());
+        refused(Segment::new(Vector2::x(), at).err());
+        refused(Bump::new(at, Vector2::x(), 0.1).err());
+        refused(Arc::new(at, Vector2::x(), Vector2::y(), true).err());
+        refused(Arc::new(Vector2::zeros(), at, Vector2::y(), true).err());
+        refused(Ray::new(Vector2::zeros(), at, true).err());
+        refused(FullLine::new(Vector2::zeros(), at).err());
         refused(FullLine::new(at, Vector2::x()).err());
         refused(Ray::new(at, Vector2::x(), true).err());
         refused(Ellipse::new(at, [1.0, 2.0], 0.0, true).err());

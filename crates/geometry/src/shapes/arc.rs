@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{cross, direction, dot, from, moved, slack},
+    plane::{cross, direction, dot, finite, from, moved, slack},
     shapes::{Circle, Shape},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -61,10 +61,14 @@ impl Arc {
     /// the vertices.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] if `a = b` (use [`Circle`]), [`Error::Radius`] for a vertex at the centre, and
+    /// [`Error::ZeroLength`] if `a = b` (use [`Circle`]), [`Error::Radius`] for a vertex at the centre, [`Error::Parameter`] for a point
+    /// that is not finite, and
     /// [`Error::OffCircle`] if the distances differ by more than 10⁻⁹ of the radius, or the centre would have to move by more than
     /// 10⁻⁶ of it: such data were not meant.
     pub fn new(center: Vector2<f64>, a: Vector2<f64>, b: Vector2<f64>, inside: bool) -> Result<Arc, Error> {
+        finite("center", &center)?;
+        finite("from", &a)?;
+        finite("to", &b)?;
         let (ra, rb) = (libm::hypot(a.x - center.x, a.y - center.y), libm::hypot(b.x - center.x, b.y - center.y));
         let radius = 0.5 * (ra + rb);
         if (ra - rb).abs() > 1e-9 * radius + slack([center.x, center.y]) {

@@ -5,7 +5,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{cross, slack},
+    plane::{cross, finite, slack},
 };
 use nalgebra::Vector2;
 
@@ -35,8 +35,10 @@ impl Bump {
     /// The side from `a` to `b` with a bump of the given height `A` \[L\].
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] if the ends coincide, [`Error::Parameter`] for a height that is not finite.
+    /// [`Error::ZeroLength`] if the ends coincide, [`Error::Parameter`] for ends or a height that are not finite.
     pub fn new(a: Vector2<f64>, b: Vector2<f64>, height: f64) -> Result<Bump, Error> {
+        finite("from", &a)?;
+        finite("to", &b)?;
         let d = b - a;
         let length = libm::hypot(d.x, d.y);
         if !(length > 0.0 && length.is_finite()) {

@@ -25,6 +25,7 @@ impl FullLine {
     /// [`Error::ZeroLength`] if `direction` is zero, [`Error::Parameter`] for a point that is not finite.
     pub fn new(through: Vector2<f64>, direction: Vector2<f64>) -> Result<FullLine, Error> {
         plane::finite("through", &through)?;
+        plane::finite("direction", &direction)?;
         let ([along_x, along_y], _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
         let normal = [-along_y, along_x];
         Ok(FullLine { through: through.into(), normal, behind: Behind::of(slack([through.x, through.y])) })

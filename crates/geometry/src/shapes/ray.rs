@@ -27,6 +27,7 @@ impl Ray {
     /// [`Error::ZeroLength`] if `direction` is zero, [`Error::Parameter`] for a point that is not finite.
     pub fn new(from: Vector2<f64>, direction: Vector2<f64>, left: bool) -> Result<Ray, Error> {
         plane::finite("from", &from)?;
+        plane::finite("direction", &direction)?;
         let (direction, _) = plane::direction([0.0; 2], direction.into()).ok_or(Error::ZeroLength)?;
         Ok(Ray {
             from: from.into(),

@@ -4,7 +4,7 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{along, cross, direction, dot, from, moved, slack},
+    plane::{along, cross, direction, dot, finite, from, moved, slack},
     shapes::Shape,
 };
 use lanes::Lane;
@@ -58,8 +58,10 @@ impl Segment {
     /// The segment from `a` to `b` \[L\].
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] if the ends coincide.
+    /// [`Error::ZeroLength`] if the ends coincide, [`Error::Parameter`] if they are not finite.
     pub fn new(a: Vector2<f64>, b: Vector2<f64>) -> Result<Segment, Error> {
+        finite("from", &a)?;
+        finite("to", &b)?;
         let ([along_x, along_y], length) = direction(a.into(), b.into()).ok_or(Error::ZeroLength)?;
         let normal = [-along_y, along_x];
         let behind = -slack([a.x, a.y, b.x, b.y]);
