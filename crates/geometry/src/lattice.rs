@@ -25,17 +25,18 @@ impl Lattice {
     /// # Errors
     /// [`Error::Lattice`] unless they are finite and independent, [`Error::Length`] unless each has a coordinate between 10⁻¹⁵⁰ and 10¹⁵⁰.
     pub fn new(vectors: &[Vector2<f64>]) -> Result<Lattice, Error> {
+        let sizes = vectors.iter().filter(|vector| is_finite(vector)).map(Vector2::amax).filter(|size| *size > 0.0);
+        sizes.map(|size| has_square("the greatest coordinate of a lattice vector", size)).collect::<Result<(), _>>()?;
+        Lattice::spanned_by(vectors)
+    }
+
+    /// The same, of vectors of any size.
+    fn spanned_by(vectors: &[Vector2<f64>]) -> Result<Lattice, Error> {
         let full = match vectors {
             [a] => Matrix2::from_columns(&[*a, Vector2::new(-a.y, a.x)]),
             [a, b] => Matrix2::from_columns(&[*a, *b]),
             _ => return Err(Error::Lattice),
         };
-        if vectors.iter().all(is_finite) {
-            vectors
-                .iter()
-                .filter(|v| v.amax() > 0.0)
-                .try_for_each(|v| has_square("the greatest coordinate of a lattice vector", v.amax()))?;
-        }
         let coordinates = full.try_inverse().filter(|m| m.iter().all(|x| x.is_finite())).ok_or(Error::Lattice)?;
         Ok(Lattice { vectors: vectors.to_vec(), coordinates })
     }
@@ -72,7 +73,8 @@ impl Lattice {
         }
         // to the last digit what the old ones make of it
         let vectors = of_old.map(|[i, j]| self.translation([i, j]));
-        Lattice::new(&vectors).map_or_else(|_| (self.clone(), [[1.0, 0.0], [0.0, 1.0]]), |lattice| (lattice, of_old))
+        Lattice::spanned_by(&vectors)
+            .map_or_else(|_| (self.clone(), [[1.0, 0.0], [0.0, 1.0]]), |lattice| (lattice, of_old))
     }
 
     /// The functionals that give a point's lattice coordinates.
