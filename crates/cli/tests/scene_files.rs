@@ -514,6 +514,18 @@ fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
 }
 
 #[test]
+fn a_triangle_has_three_corners_as_a_shape_too() {
+    for (n, corners) in [(4, "[0, 0], [1, 0], [1, 1], [0, 1]"), (2, "[0, 0], [1, 0]")] {
+        for rounding in ["", ", rounding = 0.25"] {
+            let shape = format!("shape = {{ name = \"triangle\", points = [{corners}]{rounding} }}");
+            let errors =
+                parse(&SQUARE.replace("name = \"square\"", &format!("boundary = [{{ {shape} }}]"))).expect_err(corners);
+            assert!(errors[0].contains(&format!("expected 3 points, found {n}")), "{errors:?}");
+        }
+    }
+}
+
+#[test]
 fn a_formula_that_is_positive_inside_is_told_to_change_its_sign() {
     let table = |formula: &str| {
         format!("[[table.boundary]]\ncurve = {{ implicit = \"{formula}\", within = [[-2, -2], [2, 2]] }}")
