@@ -526,6 +526,18 @@ fn a_triangle_has_three_corners_as_a_shape_too() {
 }
 
 #[test]
+fn a_polygon_that_crosses_itself_is_told_where_with_a_rounding_too() {
+    for (rounding, expected) in
+        [("", "pieces 0 and 2 cross near (0.5, 0.5)"), (", rounding = 0.05", "crosses itself near (0.5, 0.5)")]
+    {
+        let (what, help) = drawn_wrong(&format!(
+            "[[table.boundary]]\nshape = {{ name = \"polygon\", points = [[0, 0], [1, 1], [1, 0], [0, 1]]{rounding} }}"
+        ));
+        assert!(what.ends_with(expected) && help.contains("touch but not cross"), "{what}; {help}");
+    }
+}
+
+#[test]
 fn a_formula_that_is_positive_inside_is_told_to_change_its_sign() {
     let table = |formula: &str| {
         format!("[[table.boundary]]\ncurve = {{ implicit = \"{formula}\", within = [[-2, -2], [2, 2]] }}")
