@@ -538,6 +538,22 @@ fn a_polygon_that_crosses_itself_is_told_where_with_a_rounding_too() {
 }
 
 #[test]
+fn a_heightfield_is_said_to_need_pieces_at_its_ends_and_has_enough_with_them() {
+    let model = SHAPES.iter().find(|model| model.name == "heightfield").unwrap();
+    assert!(model.summary.starts_with("a graph") && model.summary.contains("its ends need rays"), "{}", model.summary);
+    let field = "[[table.boundary]]\nshape = { name = \"heightfield\", heights = [0, 0.5, 0], size = [2, 1] }\n";
+    let (what, help) = drawn_wrong(field);
+    assert!(what.starts_with("the boundary is open") && help.contains("with a ray"), "{what}; {help}");
+    let rays = "[[table.boundary]]\nray = { from = [1, 0], direction = [1, 0] }\n\
+                [[table.boundary]]\nray = { from = [-1, 0], direction = [-1, 0], domain = \"right\" }\n";
+    for table in [format!("{field}{rays}"), format!("[table]\nlattice = [[2, 0]]\n{field}")] {
+        let orbit = "[[orbit]]\nposition = [0, 2]\nvelocity = [0.25, -1]\n[run]\ncollisions = 1\n";
+        let scene = parse(&format!("law = \"specular\"\n{table}{orbit}")).unwrap();
+        Simulation::new(scene).unwrap_or_else(|e| panic!("{table}: {e:?}"));
+    }
+}
+
+#[test]
 fn a_formula_that_is_positive_inside_is_told_to_change_its_sign() {
     let table = |formula: &str| {
         format!("[[table.boundary]]\ncurve = {{ implicit = \"{formula}\", within = [[-2, -2], [2, 2]] }}")

@@ -49,7 +49,7 @@ pub const SHAPES: &[Model] = &[
     shape(
         "heightfield",
         2,
-        "all points below a graph over -size_1/2 < x < size_1/2, heights in units of size_2",
+        "a graph over -size_1/2 < x < size_1/2, heights in units of size_2; its ends need rays, other pieces or a lattice",
         &[
             CENTER2,
             ANGLE,
