@@ -22,7 +22,7 @@ impl Table {
     ///
     /// Outermost loops run counter-clockwise and holes clockwise, unless the table is [unbounded](Table::unbounded). A closed curve
     /// that is one piece says itself on which side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a million are
-    /// checked in about a microsecond each.
+    /// checked in about a microsecond each. Of what loops have in common with the table on neither side, [`Table::joined`] is free.
     ///
     /// # Errors
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
