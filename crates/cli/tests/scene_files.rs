@@ -554,6 +554,37 @@ fn a_heightfield_is_said_to_need_pieces_at_its_ends_and_has_enough_with_them() {
 }
 
 #[test]
+fn entries_may_stand_on_one_another() {
+    let square = "[[table.boundary]]\nshape = { name = \"cuboid\", size = [4, 4], domain = \"inside\" }\n";
+    let desk = "[[table.boundary]]\nloop = { from = [-0.5, -2], edges = [{ line_to = [-0.5, -1] }, { line_to = [0.5, -1] }, \
+                { line_to = [0.5, -2] }, { line_to = [-0.5, -2] }] }\nlaw = \"specular\"\n";
+    let cuboid = |x: f64, size: f64| {
+        format!("[[table.boundary]]\nshape = {{ name = \"cuboid\", size = [{size}, 1], center = [{x}, 0] }}\n")
+    };
+    let scene = |table: &str, position: &str, laws: &str| {
+        let law = "law = \"no-slip\"\n[table]\n";
+        let orbit = format!("[[orbit]]\nposition = {position}\nvelocity = [0.6, 0.8]\n[run]\ncollisions = 1\n");
+        Simulation::new(parse(&format!("{law}{laws}{table}{orbit}")).unwrap())
+    };
+    for table in [
+        format!("{square}{desk}"),
+        format!("{square}{}{}", cuboid(0.35, 0.7), cuboid(1.1, 0.8)),
+        format!("{}{}", cuboid(0.35, 0.7), cuboid(1.1, 0.8)),
+    ] {
+        scene(&table, "[-1, -1]", "").unwrap_or_else(|e| panic!("{table}: {e:?}"));
+    }
+    let both = format!("{square}{desk}");
+    let wrong = |errors: Vec<Diagnostic>| errors[0].what.clone();
+    let inside = scene(&both, "[0, -1.5]", "").expect_err("in the desk");
+    assert!(wrong(inside).contains("outside the table"));
+    // the floor is two pieces, of which the desk has three; what has a law keeps it
+    let law = |piece: usize| scene(&both, "[-1, -1]", &format!("laws = {{ {piece} = \"specular\" }}\n"));
+    assert!((0..5).all(|piece| law(piece).is_ok()));
+    assert!((5..8).all(|piece| wrong(law(piece).expect_err("a law")).contains("has a law of its own")));
+    assert!(wrong(law(8).expect_err("no piece")).contains("the table has 8"));
+}
+
+#[test]
 fn a_formula_that_is_positive_inside_is_told_to_change_its_sign() {
     let table = |formula: &str| {
         format!("[[table.boundary]]\ncurve = {{ implicit = \"{formula}\", within = [[-2, -2], [2, 2]] }}")
