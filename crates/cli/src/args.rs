@@ -96,13 +96,13 @@ pub struct Run {
     #[arg(long, value_name = "LAW")]
     pub law: Option<LawKind>,
     /// Collisions per orbit, in place of the scene's limit
-    #[arg(short = 'n', long, value_name = "N", value_parser = collisions)]
+    #[arg(short = 'n', long, value_name = "N", value_parser = collisions, allow_negative_numbers = true)]
     pub collisions: Option<u64>,
     /// Folder for everything that is written [default: out/ and the scene file's name]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
     /// Threads for many orbits [default: all processors]
-    #[arg(long, value_name = "T", value_parser = threads)]
+    #[arg(long, value_name = "T", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<NonZeroUsize>,
 }
 
@@ -278,6 +278,19 @@ mod tests {
         assert_eq!(threads("1024").map(NonZeroUsize::get), Ok(1024));
         for text in ["0", "1025", "18446744073709551615", "-1", "two", ""] {
             assert!(threads(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_negative_number_is_told_what_the_option_takes() {
+        for (option, number, takes) in [
+            ("-n", "-5", "from 1 to 1e12"),
+            ("--collisions", "-1e3", "from 1 to 1e12"),
+            ("--threads", "-2", "from 1 to 1024"),
+        ] {
+            let error = Cli::try_parse_from(["billiards", "run", "x.toml", option, number]).expect_err(number);
+            let told = error.to_string();
+            assert!(told.contains(&format!("invalid value '{number}'")) && told.contains(takes), "{told}");
         }
     }
 

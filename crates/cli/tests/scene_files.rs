@@ -514,6 +514,77 @@ fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
 }
 
 #[test]
+fn a_triangle_has_three_corners_as_a_shape_too() {
+    for (n, corners) in [(4, "[0, 0], [1, 0], [1, 1], [0, 1]"), (2, "[0, 0], [1, 0]")] {
+        for rounding in ["", ", rounding = 0.25"] {
+            let shape = format!("shape = {{ name = \"triangle\", points = [{corners}]{rounding} }}");
+            let errors =
+                parse(&SQUARE.replace("name = \"square\"", &format!("boundary = [{{ {shape} }}]"))).expect_err(corners);
+            assert!(errors[0].contains(&format!("expected 3 points, found {n}")), "{errors:?}");
+        }
+    }
+}
+
+#[test]
+fn a_polygon_that_crosses_itself_is_told_where_with_a_rounding_too() {
+    for (rounding, expected) in
+        [("", "pieces 0 and 2 cross near (0.5, 0.5)"), (", rounding = 0.05", "crosses itself near (0.5, 0.5)")]
+    {
+        let (what, help) = drawn_wrong(&format!(
+            "[[table.boundary]]\nshape = {{ name = \"polygon\", points = [[0, 0], [1, 1], [1, 0], [0, 1]]{rounding} }}"
+        ));
+        assert!(what.ends_with(expected) && help.contains("touch but not cross"), "{what}; {help}");
+    }
+}
+
+#[test]
+fn a_heightfield_is_said_to_need_pieces_at_its_ends_and_has_enough_with_them() {
+    let model = SHAPES.iter().find(|model| model.name == "heightfield").unwrap();
+    assert!(model.summary.starts_with("a graph") && model.summary.contains("its ends need rays"), "{}", model.summary);
+    let field = "[[table.boundary]]\nshape = { name = \"heightfield\", heights = [0, 0.5, 0], size = [2, 1] }\n";
+    let (what, help) = drawn_wrong(field);
+    assert!(what.starts_with("the boundary is open") && help.contains("with a ray"), "{what}; {help}");
+    let rays = "[[table.boundary]]\nray = { from = [1, 0], direction = [1, 0] }\n\
+                [[table.boundary]]\nray = { from = [-1, 0], direction = [-1, 0], domain = \"right\" }\n";
+    for table in [format!("{field}{rays}"), format!("[table]\nlattice = [[2, 0]]\n{field}")] {
+        let orbit = "[[orbit]]\nposition = [0, 2]\nvelocity = [0.25, -1]\n[run]\ncollisions = 1\n";
+        let scene = parse(&format!("law = \"specular\"\n{table}{orbit}")).unwrap();
+        Simulation::new(scene).unwrap_or_else(|e| panic!("{table}: {e:?}"));
+    }
+}
+
+#[test]
+fn entries_may_stand_on_one_another() {
+    let square = "[[table.boundary]]\nshape = { name = \"cuboid\", size = [4, 4], domain = \"inside\" }\n";
+    let desk = "[[table.boundary]]\nloop = { from = [-0.5, -2], edges = [{ line_to = [-0.5, -1] }, { line_to = [0.5, -1] }, \
+                { line_to = [0.5, -2] }, { line_to = [-0.5, -2] }] }\nlaw = \"specular\"\n";
+    let cuboid = |x: f64, size: f64| {
+        format!("[[table.boundary]]\nshape = {{ name = \"cuboid\", size = [{size}, 1], center = [{x}, 0] }}\n")
+    };
+    let scene = |table: &str, position: &str, laws: &str| {
+        let law = "law = \"no-slip\"\n[table]\n";
+        let orbit = format!("[[orbit]]\nposition = {position}\nvelocity = [0.6, 0.8]\n[run]\ncollisions = 1\n");
+        Simulation::new(parse(&format!("{law}{laws}{table}{orbit}")).unwrap())
+    };
+    for table in [
+        format!("{square}{desk}"),
+        format!("{square}{}{}", cuboid(0.35, 0.7), cuboid(1.1, 0.8)),
+        format!("{}{}", cuboid(0.35, 0.7), cuboid(1.1, 0.8)),
+    ] {
+        scene(&table, "[-1, -1]", "").unwrap_or_else(|e| panic!("{table}: {e:?}"));
+    }
+    let both = format!("{square}{desk}");
+    let wrong = |errors: Vec<Diagnostic>| errors[0].what.clone();
+    let inside = scene(&both, "[0, -1.5]", "").expect_err("in the desk");
+    assert!(wrong(inside).contains("outside the table"));
+    // the floor is two pieces, of which the desk has three; what has a law keeps it
+    let law = |piece: usize| scene(&both, "[-1, -1]", &format!("laws = {{ {piece} = \"specular\" }}\n"));
+    assert!((0..5).all(|piece| law(piece).is_ok()));
+    assert!((5..8).all(|piece| wrong(law(piece).expect_err("a law")).contains("has a law of its own")));
+    assert!(wrong(law(8).expect_err("no piece")).contains("the table has 8"));
+}
+
+#[test]
 fn a_formula_that_is_positive_inside_is_told_to_change_its_sign() {
     let table = |formula: &str| {
         format!("[[table.boundary]]\ncurve = {{ implicit = \"{formula}\", within = [[-2, -2], [2, 2]] }}")

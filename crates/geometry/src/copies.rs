@@ -1,5 +1,5 @@
 //! Pieces with all translates that matter, and a tree to find them by place.
-use crate::{BoxTree, Extent, Lattice, Piece, lattice::multiples, shapes::Translated};
+use crate::{BoxTree, Extent, Lattice, Piece, lattice::multiples, nearest::nearest_of, shapes::Translated};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -92,6 +92,19 @@ impl Copies {
             libm::hypot(foot.x - point.x, foot.y - point.y)
         };
         self.tree.nearest(point, bound, distance)
+    }
+
+    /// The distance from the boundary, negative outside the table.
+    pub(crate) fn signed_distance(&self, point: &Vector2<f64>) -> f64 {
+        let Some((d, _)) = self.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
+        let mut near = vec![];
+        self.search(|e| e.distance(point) <= d * (1.0 + 1e-12), |i| near.push(i));
+        let pieces = near.iter().map(|&i| {
+            let copy = &self.all[i];
+            (copy.number, &*copy.piece)
+        });
+        let behind = nearest_of(pieces, point).is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) < 0.0);
+        if behind { -d } else { d }
     }
 }
 

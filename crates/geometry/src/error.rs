@@ -198,6 +198,12 @@ pub enum Error {
         /// About where.
         at: [f64; 2],
     },
+    /// The outline of a shape that crosses itself, so that it has no inside which others could be united with.
+    #[error("the outline of the shape crosses itself near {}", about(at))]
+    CrossedOutline {
+        /// About where.
+        at: [f64; 2],
+    },
     /// An infinite piece where translates of it would fill the plane.
     #[error("piece {piece} is infinite: on a lattice, only lines along a single lattice vector may be")]
     InfiniteOnLattice {

@@ -2,7 +2,6 @@
 use crate::{
     Extent, Figure, Landing, Lattice, Table,
     copies::{Copies, finite_extent},
-    nearest::nearest_of,
     plane::slack,
     shapes::curve::rising_root_near,
 };
@@ -128,23 +127,10 @@ impl Field {
         feet
     }
 
-    /// The distance from the boundary, negative outside the table.
-    fn distance(&self, point: &Vector2<f64>) -> f64 {
-        let Some((d, _)) = self.copies.nearest(point, f64::INFINITY) else { return f64::NEG_INFINITY };
-        let mut near = vec![];
-        self.copies.search(|e| e.distance(point) <= d * (1.0 + 1e-12), |i| near.push(i));
-        let pieces = near.iter().map(|&i| {
-            let copy = self.copies.get(i).0;
-            (copy.number, &*copy.piece)
-        });
-        let behind = nearest_of(pieces, point).is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) < 0.0);
-        if behind { -d } else { d }
-    }
-
     /// Climbs from a point to the nearest local maximum of the distance: where three walls, or two opposite ones, are
     /// equally far.
     fn climb(&self, mut center: Vector2<f64>, start: f64) -> LargestDisk {
-        let mut radius = self.distance(&center);
+        let mut radius = self.copies.signed_distance(&center);
         let mut step = start;
         // each failure halves the step twice; quadratic convergence needs far fewer than this
         for _ in 0..200 {
@@ -161,7 +147,7 @@ impl Field {
                 })
                 .collect();
             let next = self.home(center + best_step(&walls, step));
-            let better = self.distance(&next);
+            let better = self.copies.signed_distance(&next);
             if better > radius {
                 (center, radius) = (next, better);
                 step *= 2.0;
@@ -311,7 +297,7 @@ impl Table {
         let sides = home.max - home.min;
         let field = Field::new(self, home);
         let square = |middle: Vector2<f64>, half: f64| {
-            let distance = field.distance(&middle);
+            let distance = field.copies.signed_distance(&middle);
             Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
         };
         // squares as wide as the box is narrow, but not too many
@@ -358,7 +344,7 @@ impl Table {
         let across = Vector2::new(-along.y, along.x) * (2.0 * (home.max - home.min).norm() / along.norm());
         let field = Field::new(self, home);
         let middle = (home.min + home.max) * 0.5;
-        [middle + across, middle - across].into_iter().find(|far| field.distance(&field.home(*far)) > 0.0)
+        [middle + across, middle - across].into_iter().find(|far| field.copies.signed_distance(&field.home(*far)) > 0.0)
     }
 }
 

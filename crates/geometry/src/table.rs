@@ -2,6 +2,7 @@
 mod cell;
 mod container;
 mod fastest;
+mod joined;
 mod sides;
 mod two_sided;
 

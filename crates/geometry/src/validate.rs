@@ -22,7 +22,7 @@ impl Table {
     ///
     /// Outermost loops run counter-clockwise and holes clockwise, unless the table is [unbounded](Table::unbounded). A closed curve
     /// that is one piece says itself on which side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a million are
-    /// checked in about a microsecond each.
+    /// checked in about a microsecond each. Of what loops have in common with the table on neither side, [`Table::joined`] is free.
     ///
     /// # Errors
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
@@ -211,17 +211,18 @@ impl Table {
     }
 }
 
-/// Whether a closed outline crosses itself. Such a one may enclose as much area on its left as on its right, and is not flat.
-pub(crate) fn crosses_itself(outline: Vec<Box<dyn Piece>>) -> bool {
-    let Ok(table) = Table::new(outline) else { return false };
+/// About where a closed outline crosses itself, if it does. Such a one may enclose as much area on its left as on its right, and is not
+/// flat.
+pub(crate) fn crosses_itself(outline: Vec<Box<dyn Piece>>) -> Option<[f64; 2]> {
+    let table = Table::new(outline).ok()?;
     match table.validate() {
-        Err(Error::SelfCrossing { .. }) => true,
-        Err(Error::Crossing { first, second, .. }) => {
+        Err(Error::SelfCrossing { at, .. }) => Some(at),
+        Err(Error::Crossing { first, second, at }) => {
             let [a, b] = [first, second].map(|i| &*table.pieces()[i]);
             // what runs twice along one stretch does not cross
-            meetings(a, b).iter().all(|m| m.kind != MeetingKind::Overlap)
+            meetings(a, b).iter().all(|m| m.kind != MeetingKind::Overlap).then_some(at)
         }
-        _ => false,
+        _ => None,
     }
 }
 

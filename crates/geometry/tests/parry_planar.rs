@@ -600,3 +600,17 @@ fn the_pieces_serve_the_fast_walls_of_a_table() {
     let capsule = table(&Capsule::new(Vector::new(-1.0, 0.0), Vector::new(1.0, 0.0), 1.0), Side::Inside);
     assert_eq!(capsule.with_walls(Count), 1000);
 }
+
+#[test]
+fn a_polygon_in_a_union_that_crosses_itself_is_told_where() {
+    for corners in [[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]], [[0.0, 0.0], [1.0, 1.0], [1.0, 0.5], [0.0, 0.5]]]
+    {
+        for side in [Side::Inside, Side::Outside] {
+            let error = rounded(&corners, true, 0.05).pieces(side).unwrap_err();
+            assert!(matches!(error, Error::CrossedOutline { at: [0.5, 0.5] }), "{error:?}");
+        }
+    }
+    // one that touches itself is none
+    let pinched = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.0], [0.0, 2.0]];
+    assert!(rounded(&pinched, true, 0.05).pieces(Side::Inside).is_ok());
+}

@@ -18,6 +18,7 @@ const TO: Parameter = Parameter::required("to", Kind::Point);
 const HEIGHT: Parameter = Parameter::required("height", Kind::Length);
 const NORMAL: Parameter = Parameter::required("normal", Kind::Direction);
 const TRIANGLES: Parameter = Parameter::required("triangles", Kind::Triples);
+const CORNERS: Parameter = Parameter::required("points", Kind::Points { least: 3, most: 3 });
 
 const fn points(least: usize) -> Parameter {
     Parameter::required("points", Kind::Points { least, most: usize::MAX })
@@ -34,7 +35,7 @@ pub const SHAPES: &[Model] = &[
     shape("cuboid", 2, "a rectangle", &[CENTER2, ANGLE, Parameter::required("size", Kind::Lengths(2)), ROUNDING]),
     shape("capsule", 2, "all points within a radius of a segment", &[CENTER2, ANGLE, FROM, TO, RADIUS]),
     shape("segment", 2, "a straight wall with two sides", &[CENTER2, ANGLE, FROM, TO]),
-    shape("triangle", 2, "a triangle", &[CENTER2, ANGLE, points(3), ROUNDING]),
+    shape("triangle", 2, "a triangle", &[CENTER2, ANGLE, CORNERS, ROUNDING]),
     shape("convex-polygon", 2, "a convex polygon, by its corners in order", &[CENTER2, ANGLE, points(3), ROUNDING]),
     shape("polygon", 2, "any simple polygon, by its corners in order", &[CENTER2, ANGLE, points(3), ROUNDING]),
     shape("polyline", 2, "an open chain of segments, a wall with two sides", &[CENTER2, ANGLE, points(2), ROUNDING]),
@@ -48,7 +49,7 @@ pub const SHAPES: &[Model] = &[
     shape(
         "heightfield",
         2,
-        "all points below a graph over -size_1/2 < x < size_1/2, heights in units of size_2",
+        "a graph over -size_1/2 < x < size_1/2, heights in units of size_2; its ends need rays, other pieces or a lattice",
         &[
             CENTER2,
             ANGLE,
@@ -174,13 +175,16 @@ fn planar(name: &str, arguments: &Arguments) -> ShapeSpec {
         }
         ("capsule", _) => ShapeSpec::Capsule { a: from, b: to, radius: arguments.number("radius") },
         ("segment", _) => ShapeSpec::Segment { a: from, b: to },
-        ("triangle", false) if corners.len() == 3 => {
-            ShapeSpec::Triangle { vertices: [corners[0], corners[1], corners[2]] }
+        ("triangle", round) => {
+            let vertices = [0, 1, 2].map(|i| corners.get(i).copied().unwrap_or_default());
+            if round {
+                ShapeSpec::RoundTriangle { vertices, border_radius: rounding }
+            } else {
+                ShapeSpec::Triangle { vertices }
+            }
         }
-        ("triangle" | "convex-polygon", false) => ShapeSpec::ConvexPolygon { vertices: corners },
-        ("triangle" | "convex-polygon", true) => {
-            ShapeSpec::RoundConvexPolygon { vertices: corners, border_radius: rounding }
-        }
+        ("convex-polygon", false) => ShapeSpec::ConvexPolygon { vertices: corners },
+        ("convex-polygon", true) => ShapeSpec::RoundConvexPolygon { vertices: corners, border_radius: rounding },
         ("polygon" | "polyline", round) => {
             let closed = name == "polygon";
             if round { rounded(corners, closed, rounding) } else { ShapeSpec::Polyline { vertices: corners, closed } }

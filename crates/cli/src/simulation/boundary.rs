@@ -38,7 +38,14 @@ pub(crate) fn draw(scene: &Scene) -> Result<Drawn, Vec<Diagnostic>> {
         TableShape::Named { model, arguments, span } => named(scene, model.name, arguments, *span, factor)?,
         TableShape::Boundary(entries) => explicit(scene, entries, factor)?,
     };
-    if let Err(error) = drawn.table.validate() {
+    let mut checked = drawn.table.validate();
+    if matches!(checked, Err(Error::Spike { .. }))
+        && let Some(joined) = drawn.joined()
+    {
+        drawn = joined;
+        checked = drawn.table.validate();
+    }
+    if let Err(error) = checked {
         return Err(vec![drawn.complaint(scene, &error)]);
     }
     own_laws(scene, &mut drawn.laws).map_err(|diagnostic| vec![*diagnostic])?;
@@ -64,6 +71,14 @@ pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<()
 }
 
 impl Drawn {
+    /// The same without what entries have in common where it bounds nothing.
+    fn joined(&self) -> Option<Drawn> {
+        let (table, origins) = self.table.joined()?;
+        let spans = origins.iter().map(|&piece| self.spans[piece]).collect();
+        let laws = origins.iter().map(|&piece| self.laws[piece].clone()).collect();
+        Some(Drawn { table, spans, laws, factor: self.factor })
+    }
+
     /// An error of the geometry as one about the scene.
     pub(crate) fn complaint(&self, scene: &Scene, error: &Error) -> Diagnostic {
         about(scene, &self.spans, self.factor, error)

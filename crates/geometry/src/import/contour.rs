@@ -183,7 +183,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         let far = width < 1e-3 * size;
         let flat = area.is_nan() || area.abs() <= width * slack([size]);
         // one that crosses itself is told so, with the place, where the table is validated
-        if flat && (far || !crosses_itself(contour.pieces(false)?)) {
+        if flat && (far || crosses_itself(contour.pieces(false)?).is_none()) {
             let problem = if far {
                 "the outline is so far from the origin that its coordinates are rounded to less than its size: move it nearer"
             } else {

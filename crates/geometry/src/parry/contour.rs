@@ -274,7 +274,7 @@ fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
         let width = Extent::of(own.iter().copied());
         let flat = area(&own).abs() <= slack([width.size()]) * (width.max - width.min).amax();
         // one that crosses itself is told so, with the place, where the table is validated
-        if flat && !crosses_itself(sides(&own).iter().map(piece_of).collect::<Result<_, _>>()?) {
+        if flat && crosses_itself(sides(&own).iter().map(piece_of).collect::<Result<_, _>>()?).is_none() {
             let why = "a closed part of it encloses no area: for a wall without thickness, list its vertices once, from tip to tip";
             return Err(Error::Shape { shape: "polyline", why });
         }

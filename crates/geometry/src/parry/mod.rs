@@ -29,6 +29,7 @@ mod spec;
 mod traced;
 mod union;
 
+pub(crate) use contour::piece_of;
 pub use curve::DistancePiece;
 pub use parry2d_f64;
 pub use parry3d_f64;

@@ -89,7 +89,8 @@ pub enum ShapeSpec {
         /// Triples of numbers of vertices, in either sense.
         triangles: Vec<[usize; 3]>,
     },
-    /// `heightfield`: everything below a graph over `−scale₁/2 … scale₁/2`.
+    /// `heightfield`: a graph over `−scale₁/2 … scale₁/2`, with its inside below. It is an open chain, which other pieces or a lattice lead
+    /// on.
     HeightField {
         /// Heights at equal distances, multiplied by `scale₂`.
         heights: Vec<f64>,

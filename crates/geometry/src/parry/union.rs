@@ -7,6 +7,7 @@ use super::contour::{Contour, piece_of};
 use crate::{
     Error, Extent, Figure, Piece,
     plane::{cross, is_finite},
+    validate::crosses_itself,
 };
 use core::f64::consts::PI;
 use nalgebra::Vector2;
@@ -50,6 +51,7 @@ impl Vertices {
 pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
     let mut parts = vec![];
     for (member, contour) in members.iter().enumerate() {
+        is_simple(contour)?;
         let figures = contour.figures.iter().map(|f| (*f, true));
         let screens = contour.screens.iter().map(|&ends| (Figure::Segment { ends }, false));
         for (figure, solid) in figures.chain(screens) {
@@ -81,6 +83,16 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
         }
     }
     Ok(Contour { name: "compound", figures, screens })
+}
+
+/// Fails where an outline crosses itself: which side of it is its inside then changes from side to side.
+fn is_simple(contour: &Contour) -> Result<(), Error> {
+    // what has arcs is a shape with a border around it, which is convex
+    if !contour.figures.iter().all(|figure| matches!(figure, Figure::Segment { .. })) {
+        return Ok(());
+    }
+    let outline = contour.figures.iter().map(piece_of).collect::<Result<_, _>>()?;
+    crosses_itself(outline).map_or(Ok(()), |at| Err(Error::CrossedOutline { at }))
 }
 
 /// The straight line or the circle that carries a figure.

@@ -22,6 +22,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Spike { piece, at } => Error::Spike { piece, at: at.map(back) },
         Error::Collapsed { piece, area } => Error::Collapsed { piece, area: back(back(area)) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
+        Error::CrossedOutline { at } => Error::CrossedOutline { at: at.map(back) },
         Error::Bend { distance, at } => Error::Bend { distance: back(distance), at: at.map(back) },
         Error::RoughPiece { piece, at } => Error::RoughPiece { piece, at: at.map(back) },
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
@@ -108,6 +109,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         }
         Error::Crossing { .. } => "pieces may touch but not cross: move one of them, or make one loop of both",
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
+        Error::CrossedOutline { .. } => "list its corners in order around it: sides may touch but not cross",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
         Error::PolarJump { .. } => {

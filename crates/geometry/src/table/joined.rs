@@ -1,0 +1,255 @@
+//! Boundaries that stand on one another, as a box on a floor does, made one.
+use super::Table;
+use crate::{
+    BoxTree, Extent, Figure, Landing, MeetingKind, Piece,
+    copies::{Copies, Translate, finite_extent},
+    intersect::direction_at,
+    meetings,
+    parry::piece_of,
+    plane::{GOLDEN, is_finite, key, slack},
+};
+use nalgebra::Vector2;
+use std::{
+    collections::{BTreeMap, HashSet},
+    sync::Arc,
+};
+
+/// Part of a piece, from one place along it to another, between which it meets no other piece.
+struct Part {
+    from: Vector2<f64>,
+    to: Vector2<f64>,
+    /// A point within, and the normal there.
+    within: Landing,
+    /// Whether it lies on a piece of another loop, which has the table on the other side.
+    is_double: bool,
+    /// Whether it bounds nothing.
+    is_idle: bool,
+}
+
+/// Arc length along a piece, and the point there.
+type Place = (f64, Vector2<f64>);
+
+/// The parts of those pieces that coincide with others, by number.
+type Parts = BTreeMap<usize, Vec<Part>>;
+
+impl Table {
+    /// The same table without what loops have in common where it lies on neither side, and for each piece the number of that which it is,
+    /// or is part of, here; `None` where there is nothing of the kind.
+    ///
+    /// A box that stands on a floor shares a stretch with it that bounds nothing: no path comes there. [`Table::validate`] calls it a
+    /// [spike](crate::Error::Spike). Without it both are one boundary, of pieces that end where the stretch does. One loop that runs there and back is left as it is, and so are curves by formulas.
+    ///
+    /// ```
+    /// use geometry::{Outline, Table, Vector2};
+    /// let v = Vector2::new;
+    /// let room = Outline::from(v(0.0, 0.0)).line_to(v(4.0, 0.0))?.line_to(v(4.0, 4.0))?.line_to(v(0.0, 4.0))?.line_to(v(0.0, 0.0))?;
+    /// let desk = Outline::from(v(1.0, 0.0)).line_to(v(1.0, 1.0))?.line_to(v(3.0, 1.0))?.line_to(v(3.0, 0.0))?.line_to(v(1.0, 0.0))?;
+    /// let both = Table::new(room.close()?.into_iter().chain(desk.close()?).collect())?;
+    /// assert!(both.validate().is_err());
+    /// let (joined, origins) = both.joined().expect("a stretch in common");
+    /// joined.validate()?;
+    /// assert_eq!((joined.area(), origins), (14.0, vec![0, 0, 1, 2, 3, 4, 5, 6]));
+    /// # Ok::<(), geometry::Error>(())
+    /// ```
+    pub fn joined(&self) -> Option<(Table, Vec<usize>)> {
+        let size = self.pieces.iter().map(|piece| piece.extent().size()).fold(0.0, f64::max);
+        let size = if size > 0.0 { size } else { 1.0 };
+        let near = 4.0 * slack([size]);
+        let mut parts = self.parts_in_common(size, near);
+        // on which side the table lies there is told by all other walls
+        let (others, _) = self.without(&parts, near, |part| part.is_double)?;
+        let others = Copies::new(others.pieces(), others.shortest(), &finite_extent(&self.pieces), near);
+        for part in parts.values_mut().flatten().filter(|part| part.is_double) {
+            let Landing { point, normal } = part.within;
+            // not straight ahead of the tip of a cusp, the sides of which would both be seen edge on
+            let aside = point + normal * (0.5 * others.signed_distance(&point).abs());
+            part.is_idle = others.signed_distance(&aside) < 0.0;
+        }
+        if !parts.values().flatten().any(|part| part.is_idle) {
+            return None;
+        }
+        self.without(&parts, near, |part| part.is_idle)
+    }
+
+    /// The parts of all straight and circular pieces that run along one of another loop.
+    fn parts_in_common(&self, size: f64, near: f64) -> Parts {
+        let loops = drawn_loops(&self.pieces);
+        let copies = Copies::new(&self.pieces, self.shortest(), &finite_extent(&self.pieces), near);
+        let mut parts = Parts::new();
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let (mut cuts, mut others): (Vec<Place>, Vec<&Arc<dyn Piece>>) = (vec![], vec![]);
+            let own = piece.extent();
+            let visit = |index: usize| {
+                let (Translate { number, cell, piece: other, .. }, _) = copies.get(index);
+                let is_home = *cell == [0.0; 2];
+                if (*number == i && is_home) || [piece, other].iter().any(|p| p.figure() == Figure::Other) {
+                    return;
+                }
+                let found = meetings(&**piece, &**other);
+                cuts.extend(found.iter().map(|m| (m.at[0], m.point)));
+                let against = |p: &Vector2<f64>| direction_at(&**piece, p).dot(&direction_at(&**other, p)) < 0.0;
+                let is_another = loops[i] != loops[*number] || !is_home;
+                if is_another && found.iter().any(|m| m.kind == MeetingKind::Overlap && against(&m.point)) {
+                    others.push(other);
+                }
+            };
+            copies.search(|e| e.meets(&own, near), visit);
+            if others.is_empty() {
+                continue;
+            }
+            let between = |w: &[Place]| {
+                let within = piece.landing_at(well_between([w[0].0, w[1].0], size));
+                let off = |other: &Arc<dyn Piece>| (other.closest(&within.point).point - within.point).amax();
+                let is_double = others.iter().any(|other| off(other) <= near);
+                Part { from: w[0].1, to: w[1].1, within, is_double, is_idle: false }
+            };
+            parts.insert(i, stops(&**piece, cuts, near).windows(2).map(between).collect());
+        }
+        parts
+    }
+
+    /// The table without some of the parts, and for each piece its number here; `None` where that is none.
+    fn without(&self, parts: &Parts, near: f64, left_out: impl Fn(&Part) -> bool) -> Option<(Table, Vec<usize>)> {
+        let removed = parts.values().flatten().filter(|part| left_out(part));
+        let vertices = Vertices::new(removed.flat_map(|part| [part.from, part.to]), near);
+        let (mut pieces, mut origins): (Vec<Box<dyn Piece>>, Vec<usize>) = (vec![], vec![]);
+        for (i, piece) in self.pieces.iter().enumerate() {
+            let shortened = parts.get(&i).filter(|parts| parts.iter().any(&left_out));
+            let kept = match shortened {
+                Some(parts) => runs(parts, piece.ends().is_none(), &left_out).into_iter().map(Some).collect(),
+                None => vec![piece.ends()],
+            };
+            for ends in kept {
+                let snapped = ends.map(|ends| ends.map(|end| vertices.snap(end)));
+                if shortened.is_none() && snapped == ends {
+                    pieces.push(Box::new(piece.clone()));
+                    origins.push(i);
+                } else if let Some(ends) = snapped.filter(|[a, b]| a != b) {
+                    pieces.push(piece_of(&with_ends(piece.figure(), ends)).ok()?);
+                    origins.push(i);
+                }
+            }
+        }
+        let table = Table::periodic(pieces, self.lattice().cloned()).ok()?;
+        Some((Table { unbounded: self.unbounded, ..table }, origins))
+    }
+}
+
+/// For each piece the number of the loop in which it was drawn: pieces follow one another until one ends where a loop began. (Of a box in
+/// the corner of a room, both of which begin there, the box is none that the walls lead into.)
+fn drawn_loops(pieces: &[Arc<dyn Piece>]) -> Vec<usize> {
+    let ends: Vec<_> = pieces.iter().map(Piece::ends).collect();
+    let mut begun = HashSet::new();
+    let mut head = 0;
+    let number = |i: usize| {
+        let own = head;
+        if own == i {
+            begun.extend(ends[i].map(|[a, _]| key(a)));
+        }
+        let next = ends.get(i + 1).copied().flatten();
+        let goes_on =
+            ends[i].zip(next).is_some_and(|([_, b], [a, _])| a == b && is_finite(&b) && !begun.contains(&key(b)));
+        if !goes_on {
+            head = i + 1;
+        }
+        own
+    };
+    (0..pieces.len()).map(number).collect()
+}
+
+/// The ends of a piece and the places where it is cut, in order, none of them within rounding of another; around a closed one, back to the
+/// first.
+fn stops(piece: &dyn Piece, mut cuts: Vec<Place>, near: f64) -> Vec<Place> {
+    cuts.sort_by(|(s, _), (t, _)| s.total_cmp(t));
+    let length = piece.length();
+    let [first, last] = match (piece.ends(), cuts.first()) {
+        (Some([a, b]), _) => {
+            let to = if length.is_finite() { length } else { 0.0 };
+            [
+                (if is_finite(&a) { 0.0 } else { f64::NEG_INFINITY }, a),
+                (if is_finite(&b) { to } else { f64::INFINITY }, b),
+            ]
+        }
+        (None, Some(&(s, point))) => [(s, point), (s + length, point)],
+        (None, None) => return vec![],
+    };
+    let mut stops = vec![first];
+    for cut in cuts {
+        if cut.0 > stops[stops.len() - 1].0 + near && cut.0 < last.0 - near {
+            stops.push(cut);
+        }
+    }
+    stops.push(last);
+    stops
+}
+
+/// An arc length between two others, where nothing is special; where one is infinite, as far from the other as the table is large.
+fn well_between([from, to]: [f64; 2], size: f64) -> f64 {
+    match (from.is_finite(), to.is_finite()) {
+        (true, true) => from + GOLDEN * (to - from),
+        (true, false) => from + GOLDEN * size,
+        (false, true) => to - GOLDEN * size,
+        (false, false) => GOLDEN * size,
+    }
+}
+
+/// The ends of what is kept between parts that are left out; a closed piece goes on where it began.
+fn runs(parts: &[Part], is_closed: bool, left_out: impl Fn(&Part) -> bool) -> Vec<[Vector2<f64>; 2]> {
+    let first = if is_closed { parts.iter().position(&left_out).unwrap_or(0) } else { 0 };
+    let mut runs: Vec<[Vector2<f64>; 2]> = vec![];
+    let mut goes_on = false;
+    for part in parts[first..].iter().chain(&parts[..first]) {
+        match runs.last_mut().filter(|_| goes_on) {
+            _ if left_out(part) => {}
+            Some(run) => run[1] = part.to,
+            None => runs.push([part.from, part.to]),
+        }
+        goes_on = !left_out(part);
+    }
+    runs
+}
+
+/// Part of a figure, between two points of it.
+fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
+    let straight = |toward: Vector2<f64>| match ends.map(|end| is_finite(&end)) {
+        [true, true] => Figure::Segment { ends },
+        [true, false] => Figure::Ray { from: ends[0], direction: toward, left: true },
+        [false, true] => Figure::Ray { from: ends[1], direction: -toward, left: false },
+        [false, false] => figure,
+    };
+    match figure {
+        Figure::Segment { .. } => Figure::Segment { ends },
+        Figure::Ray { direction, left, .. } => straight(if left { direction } else { -direction }),
+        Figure::Line { direction, .. } => straight(direction),
+        Figure::Arc { center, radius, inside, .. } | Figure::Circle { center, radius, inside } => {
+            Figure::Arc { center, radius, ends, inside }
+        }
+        Figure::Other => Figure::Other,
+    }
+}
+
+/// Points where parts that are left out end, so that the pieces that are joined there have the same one.
+struct Vertices {
+    points: Vec<Vector2<f64>>,
+    tree: BoxTree,
+    near: f64,
+}
+
+impl Vertices {
+    fn new(points: impl Iterator<Item = Vector2<f64>>, near: f64) -> Vertices {
+        let points: Vec<Vector2<f64>> = points.filter(is_finite).collect();
+        let tree = BoxTree::new(points.iter().map(|&p| Extent { min: p, max: p }));
+        Vertices { points, tree, near }
+    }
+
+    /// The first of the points that are equal to this one but for rounding, or else this one.
+    fn snap(&self, point: Vector2<f64>) -> Vector2<f64> {
+        let here = Extent { min: point, max: point };
+        let mut first = None;
+        if is_finite(&point) {
+            self.tree
+                .search(|e| e.meets(&here, self.near), |k| first = Some(first.map_or(k, |known: usize| known.min(k))));
+        }
+        first.map_or(point, |k| self.points[k])
+    }
+}
