@@ -24,6 +24,10 @@ pub trait Smooth {
 /// The marching steps allowed. Paths need about three; only one that creeps along a curve within rounding needs many.
 const STEPS: usize = 20_000;
 
+/// Of steps beyond the first of these, each one after as many as the second looks for sharper bounds though the next sharper ones are no
+/// better: just behind a cusp what is right for a long stretch is far from what is right for one as long as the way from the cusp.
+const DOGGED: [usize; 2] = [32, 4];
+
 /// A step is at least this part of the whole range. What it might skip is a touch of depth `c τ²/2`, and that is less
 /// than rounding: 2⁻⁶⁰ of what `h` varies by.
 const LEAST_STEP: f64 = 1.0 / 1_073_741_824.0; // 2⁻³⁰
@@ -58,7 +62,8 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
     // up to where h is certainly not positive
     let mut sure = t;
     let mut on = Stretch::new(here[0], [t, over.high], second, rise, least);
-    for _ in 0..STEPS {
+    for count in 0..STEPS {
+        let dogged = count >= DOGGED[0] && count % DOGGED[1] == 0;
         let [value, slope] = here;
         if value.is_nan() || slope.is_nan() {
             return None;
@@ -74,7 +79,7 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
             let near = t + (4.0 * step).max(0.125 * (on.end - t));
             let sharp = second(t, near);
             let farther = safe_step(value, slope, sharp.high);
-            if farther == 0.0 || (farther < 1.25 * step && is_bounded(on.bend)) {
+            if !dogged && (farther == 0.0 || (farther < 1.25 * step && is_bounded(on.bend))) {
                 break;
             }
             on = Stretch { end: near, bend: sharp, ..on };
