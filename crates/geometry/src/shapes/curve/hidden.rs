@@ -15,10 +15,17 @@ const MOST: usize = 4096;
 /// a thousandth.
 const NEAR: f64 = 1e-6;
 
-/// So many times as far around it a bend that merely has no bound turns more than twice as much, if it is that of a power above 1.17.
+/// So far from a kink as this many times [`NEAR`], the slopes on either side are what they are near by.
 const AROUND: f64 = 64.0;
 
-/// What turns by less (radians) over [`NEAR`] turns by rounding.
+/// They differ there by less than this part of what the slope jumps by; by more at a cusp or where a bend merely has no bound, as those
+/// of powers below 0.91 and above 1.06, and along the flank of a step.
+const STEADY: f64 = 0.15;
+
+/// Parts of a part of which the one where the slope changes most is looked at more closely: there may be a whole wave in it.
+const FIRST: u32 = 16;
+
+/// What the slope, in units of the radius, jumps by at least: less may be rounding.
 const ROUNDING: f64 = 1e-4;
 
 /// Parts are cut here, not in the middle: at halves and quarters of a turn formulas have their kinks, and there perhaps no slope.
@@ -43,21 +50,64 @@ fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]
 
 /// About where the first kink is, if there is one; `sectors` are those of a turn, with `r` and its derivatives in each.
 pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]) -> Option<f64> {
-    let direction = |angle: f64| {
+    let slope = |angle: f64| {
         let [r, slope, _] = formula.jet(angle);
-        libm::atan2(slope, r)
+        slope / r
     };
-    let turning = |low: f64, high: f64| (direction(high) - direction(low)).abs();
+    let change = |low: f64, high: f64| (slope(high) - slope(low)).abs();
     unbounded(formula, sectors).into_iter().find_map(|part| {
         // the kink may be an end of it
         let room = 0.5 * part.width().max(NEAR);
-        let (mut low, mut high) = (part.low - room, part.high + room);
+        let (mut low, width) = (part.low - room, (part.width() + 2.0 * room) / f64::from(FIRST));
+        let starts = (0..FIRST).map(|k| low + f64::from(k) * width);
+        let sharpest = starts.max_by(|a, b| change(*a, a + width).total_cmp(&change(*b, b + width)));
+        low = sharpest.unwrap_or(low);
+        let mut high = low + width;
         while high - low > 2.0 * NEAR {
             let middle = low + CUT * (high - low);
-            if turning(low, middle) > turning(middle, high) { high = middle } else { low = middle }
+            if change(low, middle) > change(middle, high) { high = middle } else { low = middle }
         }
         let angle = 0.5 * (low + high);
-        let [here, around] = [NEAR, AROUND * NEAR].map(|far| turning(angle - far, angle + far));
-        (here > ROUNDING && here > 0.5 * around).then_some(angle)
+        let here = change(angle - NEAR, angle + NEAR);
+        let beside = [-NEAR, NEAR].map(|far| change(angle + far, angle + AROUND * far));
+        (here > ROUNDING && beside.iter().all(|beside| *beside < STEADY * here)).then_some(angle)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::{FRAC_PI_2, PI};
+
+    /// `r = 2 + (1 − sin² φ)ᵖ`
+    #[derive(Debug)]
+    struct Power(f64);
+
+    impl PolarFormula for Power {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(angle);
+            let (base, p) = (1.0 - sin * sin, self.0);
+            [2.0 + libm::pow(base, p), -2.0 * p * libm::pow(base, p - 1.0) * sin * cos, f64::NAN]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let [sin, cos] = angle.sin_cos();
+            let (base, p) = (-sin.square() + 1.0, self.0);
+            let slope = base.powf((p - 1.0).into()) * sin * cos * (-2.0 * p);
+            let second = base.powf((p - 1.0).into()) * (sin.square() + -cos.square()) * (2.0 * p)
+                + base.powf((p - 2.0).into()) * (sin * cos).square() * (4.0 * p * (p - 1.0));
+            [base.powf(p.into()) + 2.0, slope, second]
+        }
+    }
+
+    #[test]
+    fn of_powers_of_the_same_formula_the_one_with_a_kink_is_told() {
+        let sector = |k: u32| Interval::new(f64::from(k) * PI / 512.0, f64::from(k + 1) * PI / 512.0);
+        for (p, has_kink) in [(0.25, false), (0.5, true), (0.7, false), (1.5, false), (2.0, false)] {
+            let formula = Power(p);
+            let sectors: Vec<_> = (0..1024).map(|k| (sector(k), formula.jet_over(sector(k)))).collect();
+            let found = kink(&formula, &sectors);
+            assert_eq!(found.is_some(), has_kink, "{p}: {found:?}");
+            assert!(found.is_none_or(|angle| (angle - FRAC_PI_2).abs() < 1e-5), "{p}: {found:?}");
+        }
+    }
 }

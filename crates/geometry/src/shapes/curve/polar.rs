@@ -375,6 +375,11 @@ impl<F: PolarFormula> Smooth for Sweep<'_, F> {
         (r * sin - slope * cos * self.sense) * (self.side * self.speed)
     }
 
+    fn value(&self, over: Interval) -> Interval {
+        let [r, ..] = self.over(over);
+        (r * over.cos() * -self.speed + self.moment) * self.side
+    }
+
     fn second_derivative(&self, over: Interval) -> Interval {
         let [r, slope, second] = self.over(over);
         let [sin, cos] = over.sin_cos();
