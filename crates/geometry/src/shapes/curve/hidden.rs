@@ -31,10 +31,18 @@ const ROUNDING: f64 = 1e-4;
 /// Parts are cut here, not in the middle: at halves and quarters of a turn formulas have their kinks, and there perhaps no slope.
 const CUT: f64 = 0.47;
 
-/// The parts of a turn in which the second derivative has no bound.
+/// The parts of a turn in which the second derivative has no bound; none of a formula that gives no bounds at all, even on the shortest
+/// parts, so that it must be taken as it is.
 fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]) -> Vec<Interval> {
     let is_bounded = |[.., second]: &[Interval; 3]| second.magnitude().is_finite();
     let mut parts: Vec<_> = sectors.iter().filter(|(_, jet)| !is_bounded(jet)).map(|(sector, _)| *sector).collect();
+    let tells = |sector: &Interval| {
+        let low = sector.low + CUT * sector.width();
+        is_bounded(&formula.jet_over(Interval { low, high: low + NEAR }))
+    };
+    if !sectors.iter().any(|(sector, _)| tells(sector)) {
+        return vec![];
+    }
     for _ in 0..HALVINGS {
         if parts.len() > MOST {
             break;

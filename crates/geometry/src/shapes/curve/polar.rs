@@ -143,23 +143,23 @@ impl<F: PolarFormula> Polar<F> {
         let rough = (0..SECTORS).zip(&jets).filter(|(_, jet)| !calm(jet));
         let calm_over = |part: Interval| calm(&formula.jet_over(part));
         let told = kinks(rough.map(|(k, _)| sector(k)), calm_over, MOST_PARTS).map(|kinks| (kinks, 1));
-        let hidden = if told.is_none() { hidden::kink(&formula, &sectors) } else { None };
+        // a curve that is cut at its kinks is not asked for normals there
+        let undirected = || table.parameters().find(|angle| formula.jet(*angle)[1].is_nan());
+        if let Some(angle) = table.endless().or_else(|| if told.is_none() { undirected() } else { None }) {
+            return Err(Error::PolarSlope { angle });
+        }
         let finer = |n: u32| {
             let part = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS * n));
             let parts = (0..SECTORS * n).map(|k| Interval::new(part(k), part(k + 1)));
             kinks(parts, calm_over, FINER_PARTS).filter(|kinks| !kinks.is_empty()).map(|kinks| (kinks, n))
         };
+        let hidden = if told.is_none() { hidden::kink(&formula, &sectors) } else { None };
         let told = match hidden {
             Some(angle) => Some(FINER.into_iter().find_map(finer).ok_or(Error::PolarKink { angle })?),
             None => told,
         };
         let fineness = told.as_ref().map_or(1, |(_, n)| *n);
         let kinks = told.map(|(kinks, _)| kinks);
-        // a curve that is cut at its kinks is not asked for normals there
-        let undirected = || table.parameters().find(|angle| formula.jet(*angle)[1].is_nan());
-        if let Some(angle) = table.endless().or_else(|| if kinks.is_none() { undirected() } else { None }) {
-            return Err(Error::PolarSlope { angle });
-        }
         Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), kinks, fineness, table, area, extent })
     }
 
