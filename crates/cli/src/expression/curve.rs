@@ -291,7 +291,12 @@ mod tests {
             ("2+0.1*sqrt(1-sin(t)^2)*sin(3*t)", 0.5 * PI),
         ] {
             let found = polar(text);
-            assert!(matches!(found, Err(Error::PolarKink { angle }) if (angle - at).abs() < 1e-4), "{text}: {found:?}");
+            // where a place that is looked at lies so near that rounding leaves no slope, that is told
+            let is_told = matches!(
+                found,
+                Err(Error::PolarKink { angle } | Error::PolarSlope { angle }) if (angle - at).abs() < 1e-4
+            );
+            assert!(is_told, "{text}: {:?}", found.err());
         }
         // what only looks like one stays whole
         for text in
