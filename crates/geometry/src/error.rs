@@ -79,6 +79,12 @@ pub enum Error {
         /// About where, in radians.
         angle: f64,
     },
+    /// A formula for a radius with a kink where the bounds on its second derivative do not tell it from what is around it.
+    #[error("r(φ) has a kink near φ = {angle:.4} that cannot be told from what is around it")]
+    PolarKink {
+        /// About where, in radians.
+        angle: f64,
+    },
     /// A formula with so many waves that nobody waits for the first hit.
     #[error("the curve winds to and fro thousands of times, more often than can be tabulated")]
     Winding,

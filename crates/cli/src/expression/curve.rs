@@ -264,11 +264,82 @@ mod tests {
             "2+0.1*atan(1e6*sin(t))",
             "2-0.3*sqrt(abs(sin(t-1)))",
             "2-0.3*abs(sin(t-1))^(1/3)",
-            "2+0.1*asin(sin(t))",
             "2+0.1*sin(3*t)*atan2(sin(t),2+cos(t))",
         ] {
             let found = Polar::new(Vector2::zeros(), PolarCurve::new(&Expression::parse(text, &["t"]).unwrap()), true);
             assert!(found.is_ok(), "{text}: {found:?}");
+        }
+    }
+
+    fn polar(text: &str) -> Result<Polar<PolarCurve>, Error> {
+        Polar::new(Vector2::zeros(), PolarCurve::new(&Expression::parse(text, &["t"]).unwrap()), true)
+    }
+
+    #[test]
+    fn kinks_that_are_not_written_as_abs_are_cut_at_or_refused() {
+        for text in ["2+0.5*(cos(t)^2)^0.5", "2+0.1*(cos(t)^4)^0.25", "2+0.1*exp((cos(t)^2)^0.5-1)"] {
+            let arcs = polar(text).unwrap().pieces();
+            let ends: Vec<_> = arcs.iter().filter_map(|arc| arc.ends()).flatten().collect();
+            assert_eq!(ends.len(), 4, "{text}");
+            assert!(ends.iter().all(|end| end.x.abs() < 1e-14), "{text}: {ends:?}");
+        }
+        for (text, at) in [
+            ("2+0.1*asin(sin(t))", 0.5 * PI),
+            ("2+0.1*acos(cos(t-1))", 1.0),
+            ("2+0.1*sqrt(1-sin(t)^2)", 0.5 * PI),
+            ("2+0.1*(1+cos(t))^0.5", PI),
+            ("2+0.1*sqrt(1-sin(t)^2)*sin(3*t)", 0.5 * PI),
+        ] {
+            let found = polar(text);
+            // where a place that is looked at lies so near that rounding leaves no slope, that is told
+            let is_told = matches!(
+                found,
+                Err(Error::PolarKink { angle } | Error::PolarSlope { angle }) if (angle - at).abs() < 1e-4
+            );
+            assert!(is_told, "{text}: {:?}", found.err());
+        }
+        // what only looks like one stays whole
+        for text in
+            ["2+0.1*(cos(t)^2)^1.5", "2+0.1*(1+cos(t-1))^1.5", "2+0.2*atan(1/cos(t)^2)", "2+0.1*(1-sin(t)^2)^1.5"]
+        {
+            let pieces = polar(text).unwrap().pieces();
+            assert!(pieces.len() == 1 && pieces[0].ends().is_none(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_curve_is_cut_at_each_of_up_to_two_thousand_kinks_or_refused() {
+        for (text, count) in [
+            ("2+0.01*abs(cos(160*t))", 320),
+            ("2+0.01*abs(cos(170*t))", 340),
+            ("2+0.01*abs(cos(200*t))", 400),
+            ("2+0.001*abs(cos(1000*t+0.1))", 2000),
+            ("2+0.1*abs(sin(t-1))+0.01*cos(300*t)", 2),
+        ] {
+            assert_eq!(polar(text).unwrap().pieces().len(), count, "{text}");
+        }
+        let found = polar("2+0.0001*abs(cos(2500*t))");
+        assert!(matches!(found, Err(Error::PolarKink { .. })), "{:?}", found.err());
+    }
+
+    #[test]
+    fn paths_by_cusps_and_quotients_end_on_the_curve() {
+        for text in [
+            "1+0.3*abs(cos(t))^0.9",
+            "2+0.5*(cos(t)^2)^0.5",
+            "2+0.2*atan(1/cos(t)^2)",
+            "2+0.3*(((1+cos(5*t+0.3))/2)^2)^0.5",
+            "2+0.01*cos(300*t)+0.1*abs(sin(t-1))",
+        ] {
+            let r = Expression::parse(text, &["t"]).unwrap();
+            let pieces = polar(text).unwrap().pieces();
+            for path in fan(Vector2::new(-0.5, 0.02)) {
+                let time = pieces.iter().map(|piece| piece.crossing(&path).time()).fold(f64::INFINITY, f64::min);
+                let p = path.at(time);
+                let radius = r.evaluate(&[libm::atan2(p.y, p.x)]);
+                // near a cusp the radius turns a rounded angle into the root of it
+                assert!((p.norm() - radius).abs() < 1e-7, "{text} {path:?} {p}");
+            }
         }
     }
 

@@ -226,7 +226,7 @@ fn what_a_formula_lacks_is_told_with_the_place_and_the_mend() {
             "a disk of radius 0.2: piece 0 has a kink near (",
             "write kinks with abs",
         ),
-        ("polar = \"2+0.1*asin(sin(t))\"", 0.2, "5:10", "piece 0 has a kink near (", "write kinks with abs"),
+        ("polar = \"2+0.1*asin(sin(t))\"", 0.0, "3:19", "r(φ) has a kink near φ = 1.5708", "write kinks with abs"),
         ("polar = \"1+0.3*abs(cos(t))^0.9\"", 0.1, "5:10", "piece 0 has a kink near (", "take radius = 0"),
         ("polar = \"1+0.1*abs(cos(3*t))^0.5\"", 0.03, "5:10", "piece 0 has a kink near (", "take radius = 0"),
         ("polar = \"1+0.3*abs(cos(t))^1.1\"", 0.02, "5:10", "piece 0 has a kink near (", "take radius = 0"),

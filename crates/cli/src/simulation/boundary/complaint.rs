@@ -140,6 +140,10 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
              curvatures without bound, and an implicit formula has no kinks"
         }
         Error::Bend { .. } => "take another radius, or a formula with a curvature that has a bound",
+        Error::PolarKink { .. } => {
+            "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and beside them nothing else that is \
+             rough"
+        }
         Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",
         Error::Orientation { .. } => {
             "list the vertices in the opposite order, or exchange inside and outside; in the open plane an obstacle is a shape or a \

@@ -4,6 +4,9 @@ use super::{Interval, PolarFormula, kinks::places};
 /// So far around a place a jump is told from a slope without bound (radians): a thousand times the width to which places are known.
 const NEAR: f64 = 4096.0 * f64::EPSILON;
 
+/// Most parts of one width that may be doubtful: two about each of 2000 places.
+const MOST: usize = 4096;
+
 /// The angles on both sides of the first jump of `r(φ)` by more than `rounding`. `sectors` are those looked at, with `r` and its
 /// derivatives in each.
 pub(super) fn jump<F: PolarFormula>(
@@ -25,5 +28,5 @@ pub(super) fn jump<F: PolarFormula>(
         here > rounding && around.iter().all(|(a, b)| here > 0.5 * change(*a, *b).abs())
     };
     let unsteady = sectors.iter().filter(|(sector, [_, slope, _])| !steady(*sector, *slope)).map(|(sector, _)| *sector);
-    places(unsteady, |part| steady(part, formula.jet_over(part)[1]), true)?.into_iter().find(jumps)
+    places(unsteady, |part| steady(part, formula.jet_over(part)[1]), true, MOST)?.into_iter().find(jumps)
 }

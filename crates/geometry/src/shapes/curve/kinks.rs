@@ -4,20 +4,17 @@ use super::Interval;
 /// Parts so narrow (radians) are places: what lies between them is rounding.
 const NARROW: f64 = 4.0 * f64::EPSILON;
 
-/// Most parts of one width that are not calm: two about each of 2000 kinks. A formula with more varies everywhere, and would be halved
-/// without end.
-const MOST: usize = 4096;
-
-/// Where, within rounding, some parts of a turn are not `calm`, in rising order. `None` where there are too many such places, or
-/// where a part is calm in halves, though not as a whole, and nothing `may_hide`.
+/// Where, within rounding, some parts of a turn are not `calm`, in rising order. `None` where more than `most` parts of one width are
+/// not, or where a part is calm in halves, though not as a whole, and nothing `may_hide`.
 pub(super) fn places(
     parts: impl Iterator<Item = Interval>,
     calm: impl Fn(Interval) -> bool,
     may_hide: bool,
+    most: usize,
 ) -> Option<Vec<Interval>> {
     let mut parts: Vec<_> = parts.filter(|part| !calm(*part)).collect();
     while parts.iter().any(|part| part.width() > NARROW) {
-        if parts.len() > MOST {
+        if parts.len() > most {
             return None;
         }
         let mut narrower = vec![];
@@ -40,10 +37,14 @@ pub(super) fn places(
 }
 
 /// The kinks in some parts of a turn, in rising order: parts that are not `calm`, however narrow. `None` where a part is not calm for another
-/// reason: something hides there, or a bend grows without end.
-pub(super) fn kinks(parts: impl Iterator<Item = Interval>, calm: impl Fn(Interval) -> bool) -> Option<Vec<Interval>> {
+/// reason: something hides there, or a bend grows without end; or where there are too many.
+pub(super) fn kinks(
+    parts: impl Iterator<Item = Interval>,
+    calm: impl Fn(Interval) -> bool,
+    most: usize,
+) -> Option<Vec<Interval>> {
     // what is calm in halves but not as a whole is no kink
-    let places = places(parts, calm, false)?;
+    let places = places(parts, calm, false, most)?;
     let mut found: Vec<Interval> = vec![];
     for part in places {
         match found.last_mut() {
@@ -59,6 +60,9 @@ mod tests {
     use super::*;
     use core::cell::Cell;
 
+    /// Two parts about each of 2000 kinks.
+    const MOST: usize = 4096;
+
     fn parts() -> impl Iterator<Item = Interval> {
         (0..64).map(|k| Interval::new(f64::from(k) / 8.0, f64::from(k + 1) / 8.0))
     }
@@ -66,7 +70,7 @@ mod tests {
     #[test]
     fn kinks_are_found_within_rounding_also_between_parts() {
         let places = [0.0, 0.3, 2.5, 7.77];
-        let found = kinks(parts(), |part| !places.iter().any(|x| part.contains(*x))).unwrap();
+        let found = kinks(parts(), |part| !places.iter().any(|x| part.contains(*x)), MOST).unwrap();
         assert_eq!(found.len(), places.len());
         for (found, x) in found.iter().zip(places) {
             assert!(found.contains(x) && found.width() <= 4.0 * NARROW, "{found:?}");
@@ -78,7 +82,7 @@ mod tests {
         let spike = Interval::new(2.2, 2.2 + 1e-6);
         // calm are parts that do not know of the spike, and those of it that are short
         let calm = |part: Interval| part.high < spike.low || part.low > spike.high || part.width() < 1e-8;
-        assert_eq!(kinks(parts(), calm), None);
+        assert_eq!(kinks(parts(), calm, MOST), None);
     }
 
     #[test]
@@ -88,11 +92,11 @@ mod tests {
             looked.set(looked.get() + 1);
             part
         };
-        let rough = kinks(parts(), |part| count(part).high < 1.0 || part.low > 3.0);
+        let rough = kinks(parts(), |part| count(part).high < 1.0 || part.low > 3.0, MOST);
         assert!(rough.is_none() && looked.get() < 4 * MOST, "{looked:?}");
         let places: Vec<f64> = (0..2000).map(|k| 0.004 * f64::from(k)).collect();
         let near = |part: Interval| places[places.partition_point(|x| *x < part.low).min(1999)];
-        let found = kinks(parts(), |part| !part.contains(near(part))).unwrap();
+        let found = kinks(parts(), |part| !part.contains(near(part)), MOST).unwrap();
         assert_eq!(found.len(), places.len());
     }
 
@@ -100,6 +104,6 @@ mod tests {
     fn a_bend_without_bound_is_no_kink() {
         // a second derivative like x^(-1/2) varies on every scale
         let calm = |part: Interval| 1.0 / part.low.sqrt() - 1.0 / part.high.sqrt() <= 0.25;
-        assert_eq!(kinks(parts(), calm), None);
+        assert_eq!(kinks(parts(), calm, MOST), None);
     }
 }

@@ -3,7 +3,8 @@
 //! A path crosses a curve where `h` rises through 0. Wherever `h'' ≤ c`, the parabola `h + h' τ + c τ²/2` lies above
 //! the function, so that its root `τ = (√(h'² − 2 c h) − h')/c` comes before the function's: marching from root to root
 //! cannot step over one. As soon as the bounds on `h''` prove that `h` rises steadily to its root, Newton's method
-//! finishes. Six or seven evaluations are typical. Where `h''` has no bound, as about a kink, bounds on `h'` lead past it.
+//! finishes. Six or seven evaluations are typical. Where `h''` has no bound, as about a kink, bounds on `h'` lead past it, and where that
+//! has none, as about a cusp, those on `h`.
 use super::{Interval, rising_root};
 
 /// A function of one real variable that is twice differentiable, with an enclosure of its second derivative.
@@ -19,10 +20,19 @@ pub trait Smooth {
     fn first_derivative(&self, _over: Interval) -> Interval {
         Interval::ENTIRE
     }
+
+    /// An interval that contains the values everywhere in `over`. It is asked for only where neither derivative has a bound.
+    fn value(&self, _over: Interval) -> Interval {
+        Interval::ENTIRE
+    }
 }
 
 /// The marching steps allowed. Paths need about three; only one that creeps along a curve within rounding needs many.
 const STEPS: usize = 20_000;
+
+/// Of steps beyond the first of these, each one after as many as the second looks for sharper bounds though the next sharper ones are no
+/// better: just behind a cusp what is right for a long stretch is far from what is right for one as long as the way from the cusp.
+const DOGGED: [usize; 2] = [32, 4];
 
 /// A step is at least this part of the whole range. What it might skip is a touch of depth `c τ²/2`, and that is less
 /// than rounding: 2⁻⁶⁰ of what `h` varies by.
@@ -52,17 +62,21 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
     let signed = |over: Interval| if sign < 0.0 { -over } else { over };
     let second = |from: f64, to: f64| signed(h.second_derivative(Interval { low: from, high: to }));
     let rise = |from: f64, to: f64| signed(h.first_derivative(Interval { low: from, high: to })).high;
+    let below = |from: f64, to: f64| signed(h.value(Interval { low: from, high: to })).high < 0.0;
     let least = LEAST_STEP * (over.high - over.low);
     let mut t = over.low;
     let mut here = here.map(|a| sign * a);
     // up to where h is certainly not positive
     let mut sure = t;
-    let mut on = Stretch::new(here[0], [t, over.high], second, rise, least);
-    for _ in 0..STEPS {
+    let mut on = Stretch::new(here[0], [t, over.high], second, rise, below, least);
+    for count in 0..STEPS {
+        let dogged = count >= DOGGED[0] && count % DOGGED[1] == 0;
         let [value, slope] = here;
-        if value.is_nan() || slope.is_nan() {
+        if value.is_nan() {
             return None;
         }
+        // at a place a formula may say 0/0
+        let slope = if slope.is_nan() { 0.0 } else { slope };
         if value >= 0.0 && slope > 0.0 {
             // only a least step can have gone too far by more than rounding
             return Some(if sure < t { rising_root(jet, [sure, t]) } else { t });
@@ -74,7 +88,7 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
             let near = t + (4.0 * step).max(0.125 * (on.end - t));
             let sharp = second(t, near);
             let farther = safe_step(value, slope, sharp.high);
-            if farther == 0.0 || (farther < 1.25 * step && is_bounded(on.bend)) {
+            if !dogged && (farther == 0.0 || (farther < 1.25 * step && is_bounded(on.bend))) {
                 break;
             }
             on = Stretch { end: near, bend: sharp, ..on };
@@ -93,7 +107,7 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
         here = jet(t);
         if t >= on.end {
             let end = (t + 4.0 * (step.min(over.high - t)).max(least)).min(over.high);
-            on = Stretch::new(here[0], [t, end], second, rise, least);
+            on = Stretch::new(here[0], [t, end], second, rise, below, least);
         }
     }
     Some(t)
@@ -123,6 +137,7 @@ impl Stretch {
         [from, to]: [f64; 2],
         second: impl Fn(f64, f64) -> Interval,
         rise: impl Fn(f64, f64) -> f64,
+        below: impl Fn(f64, f64) -> bool,
         least: f64,
     ) -> Stretch {
         let mut end = to;
@@ -132,6 +147,8 @@ impl Stretch {
                 return Stretch { end, bend, rise: f64::INFINITY };
             }
             let rise = rise(from, end);
+            // where it certainly is below 0, it need not be known how it rises
+            let rise = if rise == f64::INFINITY && below(from, end) { 0.0 } else { rise };
             // of a stretch that is no number, no half is short
             if safe_way(value, rise) >= 0.5 * (end - from) || !(end - from > least) {
                 return Stretch { end, bend, rise };

@@ -10,6 +10,7 @@
 mod arc_length;
 mod fit;
 mod graph;
+mod hidden;
 mod implicit;
 mod interval;
 mod jump;

@@ -1,6 +1,6 @@
 //! A closed curve given as a radius for every direction.
 use super::{
-    ArcLength, Graph, Interval, Parametric, PolarArc, Smooth, first_rise, graphs, jump::jump, kinks::kinks,
+    ArcLength, Graph, Interval, Parametric, PolarArc, Smooth, first_rise, graphs, hidden, jump::jump, kinks::kinks,
     seeds::seeds,
 };
 use crate::{
@@ -67,6 +67,8 @@ pub struct Polar<F> {
     ranges: Ranges,
     /// Where nothing else can hide between points of the curve, its kinks.
     kinks: Option<Vec<Interval>>,
+    /// As many times more points of an arc tell what is there as its waves are shorter than others.
+    fineness: u32,
     table: ArcLength,
     area: f64,
     extent: Extent,
@@ -74,6 +76,17 @@ pub struct Polar<F> {
 
 /// Sectors in which `r > 0` must be provable.
 const SECTORS: u32 = 4096;
+
+/// Most parts of one width that kinks are looked for in: two about each of 2000 kinks. A formula with more varies everywhere, and would
+/// be halved without end.
+const MOST_PARTS: usize = 4096;
+
+/// Parts of a sector in which kinks are looked for that are there, but where sectors are too wide for what is between them: 16 for the
+/// waves of 2000 kinks, 64 for kinks beside what is narrow.
+const FINER: [u32; 3] = [4, 16, 64];
+
+/// Most parts then: in waves so short the rounding of angles makes eight parts about each of 2000 kinks doubtful.
+const FINER_PARTS: usize = 16_384;
 
 /// What the angle 2π may be off by in a formula (radians): some ulp.
 const SEAM: f64 = 16.0 * f64::EPSILON;
@@ -84,7 +97,7 @@ impl<F: PolarFormula> Polar<F> {
     /// # Errors
     /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
     /// (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′` is not a number, so that the curve has
-    /// no length or no normal, [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
+    /// no length or no normal, [`Error::PolarKink`] at a kink where the bounds on `r″` do not tell it, [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         finite("center", &center)?;
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
@@ -128,13 +141,26 @@ impl<F: PolarFormula> Polar<F> {
         let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
         let calm = |[.., second]: &[Interval; 3]| second.width() <= varies;
         let rough = (0..SECTORS).zip(&jets).filter(|(_, jet)| !calm(jet));
-        let kinks = kinks(rough.map(|(k, _)| sector(k)), |part| calm(&formula.jet_over(part)));
+        let calm_over = |part: Interval| calm(&formula.jet_over(part));
+        let told = kinks(rough.map(|(k, _)| sector(k)), calm_over, MOST_PARTS).map(|kinks| (kinks, 1));
         // a curve that is cut at its kinks is not asked for normals there
         let undirected = || table.parameters().find(|angle| formula.jet(*angle)[1].is_nan());
-        if let Some(angle) = table.endless().or_else(|| if kinks.is_none() { undirected() } else { None }) {
+        if let Some(angle) = table.endless().or_else(|| if told.is_none() { undirected() } else { None }) {
             return Err(Error::PolarSlope { angle });
         }
-        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), kinks, table, area, extent })
+        let finer = |n: u32| {
+            let part = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS * n));
+            let parts = (0..SECTORS * n).map(|k| Interval::new(part(k), part(k + 1)));
+            kinks(parts, calm_over, FINER_PARTS).filter(|kinks| !kinks.is_empty()).map(|kinks| (kinks, n))
+        };
+        let hidden = if told.is_none() { hidden::kink(&formula, &sectors) } else { None };
+        let told = match hidden {
+            Some(angle) => Some(FINER.into_iter().find_map(finer).ok_or(Error::PolarKink { angle })?),
+            None => told,
+        };
+        let fineness = told.as_ref().map_or(1, |(_, n)| *n);
+        let kinks = told.map(|(kinks, _)| kinks);
+        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), kinks, fineness, table, area, extent })
     }
 
     /// The curve as pieces of a table: itself if it is smooth, or else the arcs between its kinks, in the order of traversal.
@@ -181,6 +207,11 @@ impl<F: PolarFormula> Polar<F> {
     /// The formula.
     pub fn formula(&self) -> &F {
         &self.formula
+    }
+
+    /// As many times more points of an arc tell what is there as its waves are shorter than others.
+    pub(super) fn fineness(&self) -> u32 {
+        self.fineness
     }
 
     /// Whether the table lies inside.
@@ -342,6 +373,11 @@ impl<F: PolarFormula> Smooth for Sweep<'_, F> {
         let [r, slope, _] = self.over(over);
         let [sin, cos] = over.sin_cos();
         (r * sin - slope * cos * self.sense) * (self.side * self.speed)
+    }
+
+    fn value(&self, over: Interval) -> Interval {
+        let [r, ..] = self.over(over);
+        (r * over.cos() * -self.speed + self.moment) * self.side
     }
 
     fn second_derivative(&self, over: Interval) -> Interval {
