@@ -97,7 +97,8 @@ impl<F: PolarFormula> Polar<F> {
     /// # Errors
     /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
     /// (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′` is not a number, so that the curve has
-    /// no length or no normal, [`Error::PolarKink`] at a kink where the bounds on `r″` do not tell it, [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
+    /// no length or no normal, [`Error::PolarKink`] at a kink where the bounds on `r″` do not tell it, [`Error::Winding`] for thousands of
+    /// waves, and [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         finite("center", &center)?;
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
