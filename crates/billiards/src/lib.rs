@@ -14,7 +14,8 @@
 //! * [`Ensemble`] and [`Starts`]: many orbits on the canonical measure, the same whatever the number of threads.
 //!
 //! What laws, walls, tracks and observers of your own take from other crates comes with this one, in the versions that it uses:
-//! [`collision_laws`], [`geometry`], [`lanes`] and [`nalgebra`].
+//! [`collision_laws`], [`geometry`], [`lanes`] and [`nalgebra`]. (Four names are there twice: [`Planar`], [`Spatial`] are not the bodies
+//! [`collision_laws::bodies::Planar`], [`collision_laws::bodies::Spatial`], nor [`Collision`], [`Error`] those of [`collision_laws`].)
 //!
 //! Each combination of law, keeper, track and observer is compiled for every kind of walls: in a crate with many of them,
 //! `opt-level = 0` under `[profile.dev]`, and 2 under `[profile.dev.package."*"]`, makes seconds of minutes.

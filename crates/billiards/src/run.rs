@@ -10,7 +10,7 @@ use crate::{
 use core::ops::ControlFlow;
 use lanes::Task;
 
-/// How long an orbit runs.
+/// How long an orbit runs: a number of [`Collisions`], a [`Time`], or a pair of limits.
 pub trait Limit<T> {
     /// Whether collision number `n` (from 1), `flight` after the last one, is beyond the limit.
     fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool;
@@ -20,7 +20,7 @@ pub trait Limit<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collisions(pub u64);
 
-/// So much time \[T\] since the start. The run ends at the last collision before;
+/// So much time \[T\] since the start, as a [`Clock`](crate::Clock) tracks it. The run ends at the last collision before;
 /// [`position_at`](crate::Orbit::position_at) knows the rest of the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time(pub f64);

@@ -38,6 +38,7 @@ mod random;
 mod sample;
 pub mod shapes;
 mod sight;
+mod spokes;
 mod surface;
 mod table;
 pub mod tables;

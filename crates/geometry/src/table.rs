@@ -4,6 +4,7 @@ mod container;
 mod fastest;
 mod joined;
 mod sides;
+mod succession;
 mod two_sided;
 
 use crate::{
@@ -12,17 +13,15 @@ use crate::{
     enclosed_area,
     lattice::multiples,
     nearest::nearest_of,
-    plane::{is_finite, key},
+    plane::is_finite,
     walls::{Pieces, Polygon},
 };
 pub use cell::FundamentalCell;
 use container::Enclosed;
 use nalgebra::Vector2;
-use std::{
-    cell::LazyCell,
-    collections::HashSet,
-    sync::{Arc, OnceLock},
-};
+use std::sync::{Arc, OnceLock};
+pub(crate) use succession::SMOOTH;
+use succession::Succession;
 
 /// A planar table: numbered boundary pieces, each traversed with the table on its left.
 ///
@@ -51,12 +50,6 @@ pub struct Table {
 /// Most translates of pieces on a lattice. Tables that are meant need some tens; in a cell that is tiny beside a piece, or all but
 /// flat, there would be any number of them.
 const MOST_TRANSLATES: f64 = 1e6;
-
-/// Two normals that differ by less than this (radians) belong to a smooth joint.
-///
-/// Rounding of the vertices of a joint meant to be smooth turns the normals by a few ulp of size over length of the
-/// shorter piece; no corner that anybody means is this flat.
-pub(crate) const SMOOTH: f64 = 1e-9;
 
 /// Squares of lengths must be numbers, and so must what comes of them: the greatest finite coordinate tells.
 fn have_squares(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
@@ -95,60 +88,7 @@ impl Table {
         have_squares(&pieces)?;
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let cell = lattice.map(FundamentalCell::at_origin);
-        let lattice = cell.as_ref().map(FundamentalCell::lattice);
-        let ends: Vec<Option<[Vector2<f64>; 2]>> = pieces.iter().map(Piece::ends).collect();
-        let starts = || ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (a, i)));
-        let order = |a: &Vector2<f64>, b: &Vector2<f64>| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
-        let positive = |v: &Vector2<f64>| v.map(|x| x + 0.0); // −0 is 0
-        let sorted = LazyCell::new(|| {
-            let mut sorted: Vec<(Vector2<f64>, usize)> = starts().map(|(a, i)| (positive(&a), i)).collect();
-            sorted.sort_by(|(a, _), (b, _)| order(a, b));
-            sorted
-        });
-        let starts_at = |i: usize, v: &Vector2<f64>| ends.get(i).copied().flatten().is_some_and(|[a, _]| a == *v);
-        // mostly the piece after it, or the first piece of the loop that it closes
-        let mut head = 0;
-        let mut starting_at = |v: &Vector2<f64>, i: usize| {
-            let next = [i + 1, head].into_iter().find(|&j| starts_at(j, v));
-            if next != Some(i + 1) {
-                head = i + 1;
-            }
-            next.or_else(|| {
-                let v = positive(v);
-                sorted.binary_search_by(|(a, _)| order(a, &v)).ok().map(|k| sorted[k].1)
-            })
-        };
-        let starting_at_translate =
-            |b: &Vector2<f64>, lattice: &Lattice| starts().find(|(a, _)| lattice.between(a, b).is_some());
-        // whether the direction of the boundary jumps from the end of one piece to the start of another
-        let kink = |(i, b): (usize, Vector2<f64>), (j, a): (usize, Vector2<f64>)| {
-            (pieces[i].closest(&b).normal - pieces[j].closest(&a).normal).norm() > SMOOTH
-        };
-        let mut next = vec![None; pieces.len()];
-        let mut corners = vec![];
-        for (i, end) in ends.iter().enumerate() {
-            let Some([_, b]) = end else {
-                next[i] = Some(i);
-                continue;
-            };
-            if !is_finite(b) {
-                continue;
-            }
-            next[i] = starting_at(b, i);
-            if let Some(j) = next[i] {
-                if kink((i, *b), (j, *b)) {
-                    corners.push(*b);
-                }
-            } else if let Some((a, j)) = lattice.and_then(|lattice| starting_at_translate(b, lattice)) {
-                if kink((i, *b), (j, a)) {
-                    corners.extend([*b, a]);
-                }
-            } else {
-                let gap = starts().map(|(a, _)| (a - b).norm()).fold(f64::INFINITY, f64::min);
-                return Err(Error::Open { piece: i, starts: false, gap });
-            }
-        }
-        every_start_is_an_end(&ends, &next, lattice)?;
+        let Succession { next, corners } = Succession::of(&pieces, cell.as_ref().map(FundamentalCell::lattice))?;
         if let Some(cell) = &cell {
             few_cells(&pieces, cell)?;
         }
@@ -420,30 +360,6 @@ impl Table {
 pub(crate) fn piece_at(starts: &[f64], s: f64) -> (usize, f64) {
     let piece = starts.partition_point(|&start| start <= s).max(1) - 1;
     (piece, s - starts[piece])
-}
-
-/// Fails where a piece starts and none ends: `next` tells of ends only, and where tables touch it may name one piece twice.
-fn every_start_is_an_end(
-    ends: &[Option<[Vector2<f64>; 2]>],
-    next: &[Option<usize>],
-    lattice: Option<&Lattice>,
-) -> Result<(), Error> {
-    let mut has_previous = vec![false; ends.len()];
-    for &i in next.iter().flatten() {
-        has_previous[i] = true;
-    }
-    let starts = ends.iter().enumerate().filter_map(|(i, e)| e.map(|[a, _]| (i, a)));
-    let unknown = starts.filter(|(i, a)| !has_previous[*i] && is_finite(a));
-    let all_ends = || ends.iter().flatten().map(|[_, b]| b);
-    let known = LazyCell::new(|| all_ends().map(|b| key(*b)).collect::<HashSet<_>>());
-    for (piece, a) in unknown {
-        let is_translate = |b: &Vector2<f64>| lattice.is_some_and(|lattice| lattice.between(&a, b).is_some());
-        if !known.contains(&key(a)) && !all_ends().any(is_translate) {
-            let gap = all_ends().map(|b| (a - b).norm()).filter(|gap| !gap.is_nan()).fold(f64::INFINITY, f64::min);
-            return Err(Error::Open { piece, starts: true, gap });
-        }
-    }
-    Ok(())
 }
 
 /// All pieces with their numbers; on a lattice, all translates that reach within a cell of that where paths are followed.

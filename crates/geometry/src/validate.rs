@@ -1,13 +1,11 @@
 //! Is this a table? What a set of pieces must satisfy before a particle may run in it.
 use crate::{
-    Error, Extent, Figure, Meeting, MeetingKind, Piece, Table,
-    copies::Copies,
-    enclosed_area,
+    Error, Figure, Meeting, MeetingKind, Piece, Table, enclosed_area,
     intersect::{direction_at, self_crossing},
     meetings,
-    nearest::ALIKE,
-    plane::{SAME_DIRECTION, key, slack},
+    plane::{key, slack},
     sight::{Aim, Sight, Wall},
+    spokes::alternate,
 };
 use nalgebra::Vector2;
 use std::collections::HashSet;
@@ -52,7 +50,7 @@ impl Table {
         }
         let sight = Sight::new(self, 0.0);
         for point in self.crossings(&sight)? {
-            alternates(sight.copies(), &point)?;
+            alternate(sight.copies(), &point)?;
         }
         self.orientation(&sight)?;
         self.sides_of_a_torus()
@@ -224,103 +222,4 @@ pub(crate) fn crosses_itself(outline: Vec<Box<dyn Piece>>) -> Option<[f64; 2]> {
         }
         _ => None,
     }
-}
-
-/// Fails unless boundaries that come into a point and go out of it alternate around it, as they do around every point
-/// where tables touch. Otherwise two of them cross there, or a stretch there and back leads out of the table.
-fn alternates(copies: &Copies, point: &Vector2<f64>) -> Result<(), Error> {
-    struct Branch {
-        /// Direction away from the point, its angle, and the curvature to the left.
-        angle: f64,
-        curvature: f64,
-        out: bool,
-        number: usize,
-    }
-    let mut branches: Vec<Branch> = vec![];
-    let here = Extent { min: *point, max: *point };
-    let tolerance = 4.0 * slack(point.iter().copied());
-    copies.search(
-        |e| e.meets(&here, tolerance),
-        |index| {
-            let (copy, extent) = copies.get(index);
-            let piece = &copy.piece;
-            let near = tolerance.max(slack([extent.size()]));
-            if (piece.closest(point).point - point).amax() > near {
-                return;
-            }
-            let direction = direction_at(&**piece, point);
-            let curvature = piece.curvature(point);
-            let [starts, ends] = piece.ends().map_or([false; 2], |e| e.map(|end| (end - point).amax() <= near));
-            let mut add = |out: bool| {
-                let d = if out { direction } else { -direction };
-                let curvature = if out { curvature } else { -curvature };
-                branches.push(Branch { angle: libm::atan2(d.y, d.x), curvature, out, number: copy.number });
-            };
-            if !ends {
-                add(true);
-            }
-            if !starts {
-                add(false);
-            }
-        },
-    );
-    branches.sort_by(|a, b| a.angle.total_cmp(&b.angle));
-    // begin behind the widest gap, so that equal directions stay together
-    let turn = core::f64::consts::TAU;
-    let gap = |k: usize| {
-        let last = if k == 0 { branches[branches.len() - 1].angle - turn } else { branches[k - 1].angle };
-        branches[k].angle - last
-    };
-    let Some(first) = (0..branches.len()).max_by(|&i, &j| gap(i).total_cmp(&gap(j))) else { return Ok(()) };
-    let start = branches[first].angle;
-    for b in &mut branches {
-        b.angle -= start;
-        if b.angle < 0.0 {
-            b.angle += turn;
-        }
-    }
-    branches.sort_by(|a, b| a.angle.total_cmp(&b.angle));
-    // branches that leave in one direction bend away from each other
-    let mut last = 0.0;
-    let mut bundle = 0.0;
-    for b in &mut branches {
-        if b.angle - last > SAME_DIRECTION {
-            bundle = b.angle;
-        }
-        (last, b.angle) = (b.angle, bundle);
-    }
-    branches.sort_by(|a, b| a.angle.total_cmp(&b.angle).then(a.curvature.total_cmp(&b.curvature)));
-    let alike = |a: &Branch, b: &Branch| {
-        let both = a.curvature.abs() + b.curvature.abs();
-        a.angle == b.angle && (a.curvature - b.curvature).abs() <= ALIKE * both
-    };
-    // two sides of one wall: what lies between them has no room for a table
-    let (mut walls, mut rest): (Vec<[Branch; 2]>, Vec<Branch>) = (vec![], vec![]);
-    for b in branches {
-        match rest.pop() {
-            Some(a) if alike(&a, &b) && a.out == b.out => return Ok(()),
-            Some(a) if alike(&a, &b) => walls.push([a, b]),
-            last => rest.extend(last.into_iter().chain([b])),
-        }
-    }
-    let branches = rest;
-    for k in 0..branches.len() {
-        let (a, b) = (&branches[k], &branches[(k + 1) % branches.len()]);
-        if a.out == b.out {
-            return Err(Error::Crossing { first: a.number, second: b.number, at: (*point).into() });
-        }
-    }
-    for [a, b] in walls {
-        // the table lies to the left of what goes out
-        let before = branches
-            .iter()
-            .rev()
-            .find(|branch| branch.angle < a.angle || (branch.angle == a.angle && branch.curvature < a.curvature));
-        if let Some(before) = before.or(branches.last())
-            && !before.out
-        {
-            return Err(Error::Spike { piece: a.number.max(b.number), at: (*point).into() });
-        }
-    }
-    Ok(())
 }

@@ -12,9 +12,10 @@ use std::collections::BTreeMap;
 /// own. One observer that sees them all adds up their collisions in another order than observers that are merged: its means may differ in
 /// the last bits. Of several runs, what was seen is merged in the order of the runs.
 ///
-/// Each collision is taken out of its lane, which costs more than a [`LaneObserver`] made for the purpose, and the orbits themselves cost
-/// as little as they do. An orbit of which its observer has seen enough goes on unseen. The observers of orbits that have ended stay in
-/// memory while one that began before them goes on.
+/// Each collision is taken out of its lane, which costs more than a [`LaneObserver`] made for the purpose, such as a
+/// [`VelocityPortrait`](super::VelocityPortrait) that counts: an observer as large as that for each orbit costs more than the orbits. An
+/// orbit of which its observer has seen enough goes on unseen. The observers of orbits that have ended stay in memory while one that
+/// began before them goes on.
 ///
 /// ```
 /// use billiards::{Canonical, Collisions, Conserved, Orbit, Planar, Starts, laws::Disk};

@@ -56,14 +56,19 @@ fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]
     parts
 }
 
-/// About where the first kink is, if there is one; `sectors` are those of a turn, with `r` and its derivatives in each.
+/// About where the first kink is, if there is one and nothing else that the second derivative has no bound at; `sectors` are those of a
+/// turn, with `r` and its derivatives in each.
+///
+/// Beside a cusp, or a bend like that of `|φ|^1.5`, no arc can be told by polynomials, so that there is no use in knowing kinks.
 pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]) -> Option<f64> {
     let slope = |angle: f64| {
         let [r, slope, _] = formula.jet(angle);
         slope / r
     };
     let change = |low: f64, high: f64| (slope(high) - slope(low)).abs();
-    unbounded(formula, sectors).into_iter().find_map(|part| {
+    let parts = unbounded(formula, sectors);
+    let are_places = parts.len() <= MOST;
+    let mut kinks = parts.into_iter().map(|part| {
         // the kink may be an end of it
         let room = 0.5 * part.width().max(NEAR);
         let (mut low, width) = (part.low - room, (part.width() + 2.0 * room) / f64::from(FIRST));
@@ -79,7 +84,8 @@ pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval
         let here = change(angle - NEAR, angle + NEAR);
         let beside = [-NEAR, NEAR].map(|far| change(angle + far, angle + AROUND * far));
         (here > ROUNDING && beside.iter().all(|beside| *beside < STEADY * here)).then_some(angle)
-    })
+    });
+    if are_places { kinks.collect::<Option<Vec<f64>>>()?.first().copied() } else { kinks.find_map(|kink| kink) }
 }
 
 #[cfg(test)]
