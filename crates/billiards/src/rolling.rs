@@ -308,6 +308,19 @@ mod tests {
     }
 
     #[test]
+    fn a_spin_of_nothing_stays_nothing_where_the_energy_is_rounded() {
+        for (position, velocity) in [([0.0, 0.5], [1.0, 0.0]), ([0.1, -0.3], [0.6, 0.8])] {
+            let circle =
+                Planar { table: tables::circle(1.0).unwrap(), law: Disk::new(&Specular, 0.5).expect("a γ in range") };
+            let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new(position, velocity, [0.0], Clock::new(0.0));
+            for _ in 0..20 {
+                circle.run(&mut orbit, &Collisions(1), &mut ());
+                assert_eq!(orbit.spin, [0.0], "{orbit:?}");
+            }
+        }
+    }
+
+    #[test]
     fn under_the_specular_law_a_disk_slides_along_a_strip_and_keeps_its_spin() {
         let strip =
             Planar { table: tables::strip(1.0).unwrap(), law: Disk::new(&Specular, 0.5).expect("a γ in range") };

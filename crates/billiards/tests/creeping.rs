@@ -199,12 +199,16 @@ fn who_starts_along_a_focusing_wall_grazes_and_does_not_go_through() {
             let stop = billiard.run(&mut orbit, &Collisions(1000), &mut ()).stop;
             assert!(matches!(stop, Stop::Grazing | Stop::Finished), "{slope:e}: {stop:?}");
             assert!((orbit.position[0].hypot(orbit.position[1]) - 1.0).abs() < 1e-15, "{slope:e}");
+            // nor where time ends
+            let mut timed: Orbit<f64, 2, 1, (), Clock> = Orbit::new([0.0, 1.0], [1.0, -slope], [0.0], Clock::new(0.0));
+            let until_then = billiard.run(&mut timed, &Time(1e9), &mut ()).stop;
+            assert!(stop != Stop::Grazing || until_then == Stop::Grazing, "{slope:e}: {until_then:?}");
         }
     }
 }
 
 #[test]
-fn time_does_not_lead_out_of_a_closed_table() {
+fn what_is_over_is_over_and_what_has_no_wall_ahead_ends_with_time() {
     let ends = [Vector2::new(1.0, 0.0), Vector2::new(-1.0, 0.0)];
     let dome: Vec<Box<dyn Piece>> = vec![
         Box::new(Arc::new(Vector2::zeros(), ends[0], ends[1], true).unwrap()),
