@@ -11,7 +11,7 @@ use crate::{
     rolling::Rolling,
     start::Start,
 };
-use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
+use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, WithWalls, tables::SpatialTable};
 
 /// Walls and a law for one orbit, behind a pointer.
 pub trait Bounce<const N: usize, const S: usize>: Sync {
@@ -180,6 +180,22 @@ impl Horizon {
             at = next;
             horizon = Horizon { collisions: horizon.collisions + 1, time, error, lost: false };
         }
+    }
+}
+
+/// [`Horizon::of`] an orbit on whatever walls answer for a table.
+pub(crate) struct HorizonOn<'a, L, const N: usize, const S: usize> {
+    pub(crate) law: &'a L,
+    pub(crate) walls: &'a dyn Bend<N>,
+    pub(crate) start: Start<N, S>,
+    pub(crate) size: f64,
+    pub(crate) limit: [f64; 2],
+}
+
+impl<L: BallLaw<N, S>, const N: usize, const S: usize> WithWalls<N> for HorizonOn<'_, L, N, S> {
+    type Output = Horizon;
+    fn run<W: Walls<N>>(self, walls: &W) -> Horizon {
+        Horizon::of(&Billiard { walls, law: self.law }, self.walls, self.start, self.size, self.limit)
     }
 }
 

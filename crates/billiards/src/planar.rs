@@ -4,7 +4,7 @@ use crate::{
     billiard::{BallLaw, Billiard},
     energy::{EnergyKeeper, Keeping},
     error::finite,
-    horizon::Horizon,
+    horizon::{Horizon, HorizonOn},
     in_lanes::InLanes,
     observe::{LaneObserver, Observer},
     orbit::Orbit,
@@ -134,22 +134,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn horizon(&self, start: Start<2, 1>, size: f64, limit: [f64; 2]) -> Horizon {
-        self.table.with_walls(HorizonOn { billiard: self, start, size, limit })
-    }
-}
-
-struct HorizonOn<'a, L> {
-    billiard: &'a Planar<L>,
-    start: Start<2, 1>,
-    size: f64,
-    limit: [f64; 2],
-}
-
-impl<L: BallLaw<2, 1>> WithWalls<2> for HorizonOn<'_, L> {
-    type Output = Horizon;
-    fn run<W: Walls<2>>(self, walls: &W) -> Horizon {
-        let Planar { table, law } = self.billiard;
-        Horizon::of(&Billiard { walls, law }, table, self.start, self.size, self.limit)
+        self.table.with_walls(HorizonOn { law: &self.law, walls: &self.table, start, size, limit })
     }
 }
 

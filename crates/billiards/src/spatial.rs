@@ -4,7 +4,7 @@ use crate::{
     billiard::{BallLaw, Billiard},
     energy::{EnergyKeeper, Keeping},
     error::finite,
-    horizon::Horizon,
+    horizon::{Horizon, HorizonOn},
     observe::{LaneObserver, Observer},
     orbit::Orbit,
     run::{Limit, run},
@@ -106,22 +106,7 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
     /// [`Horizon::of`].
     pub fn horizon(&self, start: Start<3, 3>, size: f64, limit: [f64; 2]) -> Horizon {
-        self.table.with_walls(HorizonOn { billiard: self, start, size, limit })
-    }
-}
-
-struct HorizonOn<'a, L> {
-    billiard: &'a Spatial<L>,
-    start: Start<3, 3>,
-    size: f64,
-    limit: [f64; 2],
-}
-
-impl<L: BallLaw<3, 3>> WithWalls<3> for HorizonOn<'_, L> {
-    type Output = Horizon;
-    fn run<W: Walls<3>>(self, walls: &W) -> Horizon {
-        let Spatial { table, law } = self.billiard;
-        Horizon::of(&Billiard { walls, law }, table, self.start, self.size, self.limit)
+        self.table.with_walls(HorizonOn { law: &self.law, walls: &self.table, start, size, limit })
     }
 }
 
