@@ -19,16 +19,15 @@ pub(super) fn turning(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
     libm::atan2(a.perp(b), a.dot(b))
 }
 
-/// The arc length of the first re-entrant kink of a curve: a place where its direction turns away from the table by more than its
-/// curvature tells. (A disk in the table does not come to other kinks.) It is looked for in parts between arc lengths, which the
-/// curve's features should not be much shorter than.
+/// The arc length of the first kink of a curve, or of the tip of a cusp: a place where its direction turns by more than its curvature
+/// tells. It is looked for in parts between arc lengths, which the curve's features should not be much shorter than.
 pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
-    let length = curve.length();
     let at = |s: f64| {
         let landing = curve.landing_at(s);
         (landing.normal, curve.curvature(&landing.point))
     };
     let mut open: Vec<_> = parts.map(|[low, high]| ([low, high], [at(low), at(high)])).collect();
+    let (&([first, _], _), &([_, last], _)) = (open.first()?, open.last()?);
     open.reverse();
     let mut looked_at = 0;
     while let Some(([low, high], [a, b])) = open.pop() {
@@ -43,18 +42,18 @@ pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> 
         if (turning(&a.0, &b.0) - told).abs() <= ROUNDING {
             continue;
         }
-        if high - low > NARROW * length {
+        if high - low > NARROW * curve.length() {
             open.extend([([s, high], [middle, b]), ([low, s], [a, middle])]);
             continue;
         }
         // at the kink itself there may be no direction
         let [here, around] = [2.0, AROUND].map(|times| {
-            let [before, after] = [low, high].map(|end| (s + times * (end - s)).clamp(0.0, length));
+            let [before, after] = [low, high].map(|end| (s + times * (end - s)).clamp(first, last));
             let [a, b] = [at(before), at(after)];
             let told = 0.5 * (after - before) * (a.1 + b.1);
             turning(&a.0, &b.0) - if told.is_finite() { told } else { 0.0 }
         });
-        if around < -ROUNDING && (here < 0.5 * around || here.is_nan()) {
+        if around.abs() > ROUNDING && (here.abs() > 0.5 * around.abs() || here.is_nan()) {
             return Some(s);
         }
     }
@@ -95,14 +94,16 @@ mod tests {
 
     #[test]
     fn kinks_of_every_size_are_found() {
-        // arcsin sin φ turns at π/2, away from the centre, and at 3π/2
+        // arcsin sin φ turns at π/2, away from the centre, and at 3π/2, towards it
         let sawtooth = |angle: f64| {
             let (sin, cos) = libm::sincos(angle);
             [libm::asin(sin), libm::copysign(1.0, cos), 0.0]
         };
         for size in [0.5, 0.1, 1e-3, 1e-5] {
             let at = found(size, sawtooth).expect("a kink");
-            assert!(at.x.abs() < 1e-5 && at.y < -1.2, "{size}: {at:?}");
+            assert!(at.x.abs() < 1e-5 && at.y > 2.0, "{size}: {at:?}");
+            let at = found(-size, sawtooth).expect("a kink");
+            assert!(at.x.abs() < 1e-5 && (0.0..2.0).contains(&at.y), "{size}: {at:?}");
         }
     }
 
@@ -115,7 +116,7 @@ mod tests {
             [libm::asin(sin), slope, (slope * slope - 1.0) * sin / (1.0 - sin * sin).sqrt()]
         };
         let at = found(0.1, quotient).expect("a kink");
-        assert!(at.x.abs() < 1e-5 && at.y < -1.2, "{at:?}");
+        assert!(at.x.abs() < 1e-5 && at.y > 2.1, "{at:?}");
     }
 
     #[test]

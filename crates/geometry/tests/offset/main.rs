@@ -1,4 +1,5 @@
 //! Where the centre of a disk can be.
+mod cusps;
 mod lattices;
 mod normals;
 mod thin_walls;

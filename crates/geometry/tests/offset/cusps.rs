@@ -1,0 +1,62 @@
+//! Cusps within a piece.
+use super::*;
+use geometry::shapes::curve::{Interval, Polar, PolarFormula};
+
+/// `r = 2 − a |sin(n φ + c)|ᵖ`: cusps for `p < 1`.
+#[derive(Clone, Copy, Debug)]
+struct Cusps {
+    size: f64,
+    waves: f64,
+    phase: f64,
+    power: f64,
+}
+
+impl PolarFormula for Cusps {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let Cusps { size, waves, phase, power } = *self;
+        let (sin, cos) = libm::sincos(waves * angle + phase);
+        let [base, slope] = [sin.abs(), waves * cos * libm::copysign(1.0, sin)];
+        let value = libm::pow(base, power);
+        let first = power * libm::pow(base, power - 1.0) * slope;
+        let second =
+            power * (power - 1.0) * libm::pow(base, power - 2.0) * slope * slope - power * value * waves * waves;
+        [2.0 - size * value, -size * first, -size * second]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let Cusps { size, waves, phase, power } = *self;
+        let [sin, cos] = (angle * waves + phase).sin_cos();
+        let value = sin.abs().powf(power.into());
+        if sin.contains(0.0) {
+            return [value * -size + 2.0, Interval::ENTIRE, Interval::ENTIRE];
+        }
+        let (base, slope) = (sin.abs(), cos * waves * libm::copysign(1.0, sin.low));
+        let first = base.powf((power - 1.0).into()) * slope * power;
+        let second = base.powf((power - 2.0).into()) * slope.square() * (power * (power - 1.0))
+            + value * (-power * waves * waves);
+        [value * -size + 2.0, first * -size, second * -size]
+    }
+}
+
+fn curve<F: PolarFormula + Clone + 'static>(formula: F, inside: bool) -> Table {
+    table(Polar::new(v(0.125, -0.25), formula, inside).unwrap().pieces())
+}
+
+#[test]
+fn a_disk_goes_right_between_the_flanks_of_cusps_or_not_at_all() {
+    for (power, waves, size) in [(0.5, 1.5, 0.2), (0.5, 10.0, 0.0655), (0.4, 2.0, 0.1), (0.75, 1.0, 0.3)] {
+        for phase in [1.076, 0.3] {
+            let drawn = curve(Cusps { size, waves, phase, power }, true);
+            assert_eq!(drawn.pieces().len(), 1);
+            for radius in [0.01, 0.05, 0.4] {
+                match drawn.offset(radius) {
+                    Ok(_) => drop(check("cusps", &drawn, radius)),
+                    Err(Error::RoughPiece { piece: 0, at }) => {
+                        let tip = v(at[0] - 0.125, at[1] + 0.25).norm();
+                        assert!((tip - 2.0).abs() < 1e-4, "{power} {waves} {radius}: {tip}");
+                    }
+                    Err(error) => panic!("{power} {waves} {radius}: {error}"),
+                }
+            }
+        }
+    }
+}
