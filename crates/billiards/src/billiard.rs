@@ -4,7 +4,7 @@ use crate::{
     energy::{Arrived, EnergyKeeper, sum},
     laws::Mirror,
     orbit::Orbit,
-    stop::{ROUNDED, Stop, has_stalled, slow, without_hit},
+    stop::{ROUNDED, Stop, ended, has_stalled, slow},
     track::Track,
 };
 use geometry::{WallHit, Walls};
@@ -102,9 +102,10 @@ pub trait Motion<const N: usize, const S: usize> {
     ) -> F::Mask;
     /// The normal speed up to which an orbit of these velocities grazes, under a strict law.
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
-    /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, or it ends where two of them meet.
+    /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, it ends where two of them meet, or its velocity
+    /// is no number.
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
-        without_hit(velocity)
+        ended(velocity, Stop::Escaped)
     }
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
@@ -168,12 +169,15 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         slow(self.law, velocity, spin)
     }
     fn without_hit(&self, position: [f64; N], velocity: [f64; N]) -> Stop {
-        if follows(self.walls, &position, &velocity) {
-            Stop::Grazing
-        } else if meets_a_vertex(self.walls, &position, &velocity) {
-            Stop::Corner
-        } else {
-            without_hit(velocity)
-        }
+        ended(
+            velocity,
+            if follows(self.walls, &position, &velocity) {
+                Stop::Grazing
+            } else if meets_a_vertex(self.walls, &position, &velocity) {
+                Stop::Corner
+            } else {
+                Stop::Escaped
+            },
+        )
     }
 }

@@ -4,7 +4,7 @@ use crate::{
     energy::EnergyKeeper,
     observe::{Collision, Observer},
     orbit::Orbit,
-    stop::{MOST_IDLE, Outcome, Stop, without_way},
+    stop::{MOST_IDLE, Outcome, Stop, ended},
     track::{Timed, Track},
 };
 use core::ops::ControlFlow;
@@ -138,7 +138,7 @@ where
                 Stop::Escaped if limit.is_beyond(n + 1, &at.track, f64::INFINITY) => Stop::Finished,
                 why => why,
             },
-            Stop::Grazing => without_way(at.velocity),
+            Stop::Grazing | Stop::Stalled => ended(at.velocity, stop),
             other => other,
         };
         Outcome { stop, collisions: n }

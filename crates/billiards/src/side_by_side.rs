@@ -5,7 +5,7 @@ use crate::{
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
-    stop::{MOST_IDLE, Outcome, Stop, without_way},
+    stop::{MOST_IDLE, Outcome, Stop, ended},
     track::{Track, Tracking},
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
@@ -218,8 +218,9 @@ where
     fn slide<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, slides: F::Mask, next: &mut u64, step: u64) {
         self.billiard.settle(&mut group.orbit, &group.carried);
         let velocity = |lane: usize| group.orbit.velocity.map(|x| x.lane(lane));
-        let ended =
-            core::array::from_fn(|lane| (lane < F::LANES && slides.at(lane)).then(|| without_way(velocity(lane))));
+        let ended = core::array::from_fn(|lane| {
+            (lane < F::LANES && slides.at(lane)).then(|| ended(velocity(lane), Stop::Grazing))
+        });
         self.change(group, next, step, &ended);
     }
 
@@ -234,6 +235,7 @@ where
         next: &mut u64,
         step: u64,
     ) -> bool {
+        self.billiard.settle(&mut group.orbit, &group.carried);
         let mut stops = [None; MOST_LANES];
         for (lane, stop) in stops.iter_mut().enumerate().take(F::LANES) {
             let time = time.lane(lane);
@@ -251,7 +253,7 @@ where
                 seat.idle = if seat.idle_at == step.wrapping_sub(1) { seat.idle + 1 } else { 1 };
                 seat.idle_at = step;
                 if seat.idle > MOST_IDLE {
-                    *stop = Some(Stop::Stalled);
+                    *stop = Some(ended(group.orbit.velocity.map(|x| x.lane(lane)), Stop::Stalled));
                 }
             }
         }

@@ -22,6 +22,8 @@ pub enum Stop {
     /// Many collisions without any progress: the end of a cusp. Or the particle has all but stopped, under a law that takes energy from
     /// it.
     Stalled,
+    /// A law has left a velocity that is no number, or an infinite one.
+    NotFinite,
 }
 
 impl Stop {
@@ -34,6 +36,7 @@ impl Stop {
             Stop::Grazing => "grazing",
             Stop::Escaped => "escaped",
             Stop::Stalled => "stalled",
+            Stop::NotFinite => "not finite",
         }
     }
 }
@@ -76,12 +79,13 @@ pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask
     dot(velocity, velocity).lt(velocity[0].same(f64::MIN_POSITIVE))
 }
 
-/// Why an orbit of this velocity hits nothing: no wall is there, or it has stalled.
-pub(crate) fn without_hit<const N: usize>(velocity: [f64; N]) -> Stop {
-    if has_stalled(&velocity) { Stop::Stalled } else { Stop::Escaped }
-}
-
-/// Why an orbit that leaves a wall with this velocity does not go on.
-pub(crate) fn without_way<const N: usize>(velocity: [f64; N]) -> Stop {
-    if has_stalled(&velocity) { Stop::Stalled } else { Stop::Grazing }
+/// Why an orbit of this velocity ends: `why`, where the velocity is one.
+pub(crate) fn ended<const N: usize>(velocity: [f64; N], why: Stop) -> Stop {
+    if !velocity.iter().all(|v| v.is_finite()) {
+        Stop::NotFinite
+    } else if has_stalled(&velocity) {
+        Stop::Stalled
+    } else {
+        why
+    }
 }

@@ -1,7 +1,7 @@
 //! Laws of `collision_laws`, run through `Custom`: they agree with the fast ways of the same laws, and keep the measure
 //! exactly where they are linear in the velocity.
 use billiards::{
-    BallLaw, Collision, Collisions, Conserved, Error, Orbit, Planar, ReducedState, Spatial, Stop,
+    BallLaw, Clock, Collision, Collisions, Conserved, Error, Orbit, Planar, ReducedState, Spatial, Stop, Time,
     laws::{Custom, Disk, PerPiece, RoughBall, Specular},
     observe::Watch,
 };
@@ -16,7 +16,7 @@ use collision_laws::{
 };
 use core::ops::ControlFlow;
 use geometry::{WallHit, tables};
-use lanes::{Kernel, Lane};
+use lanes::{Kernel, Lane, Mask};
 use nalgebra::{DVector, SVector, Vector2, Vector3};
 use proptest::prelude::*;
 
@@ -322,4 +322,48 @@ fn a_random_law_runs_and_conserves_energy() {
     assert_eq!(cube.run(&mut orbit, &Collisions(1000), &mut watch).stop, Stop::Finished);
     // no keeper: at most a few roundings per collision
     assert!(worst < 1000.0 * 4.0 * f64::EPSILON, "{worst:e}");
+}
+
+/// Sends what arrives fast to the right away with a velocity that is none.
+struct Broken {
+    leaves: f64,
+    is_strict: bool,
+}
+
+impl BallLaw<2, 1> for Broken {
+    fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+        let is_wrong = velocity[0].same(0.5).lt(velocity[0]);
+        Specular.collide(hit, velocity, spin);
+        for v in velocity {
+            *v = is_wrong.select(v.same(self.leaves), *v);
+        }
+    }
+    fn is_strict(&self) -> bool {
+        self.is_strict
+    }
+}
+
+#[test]
+fn a_law_that_returns_no_velocity_is_told_as_what_it_is() {
+    for (leaves, is_strict) in [f64::NAN, f64::INFINITY, -f64::INFINITY].map(|v| [(v, false), (v, true)]).concat() {
+        for table in [
+            tables::circle(1.0),
+            tables::square(1.0),
+            tables::stadium(1.0, 1.0),
+            tables::sinai(1.0, 0.25),
+            tables::ellipse([2.0, 1.0]),
+            tables::flower(5, 1.0, 1.0),
+        ] {
+            let billiard = Planar { table: table.unwrap(), law: Broken { leaves, is_strict } };
+            let start = || Orbit::<f64, 2, 1, Conserved<f64, 2>>::new([0.4, 0.1], [0.8, 0.6], [0.0], ());
+            let mut orbit = start();
+            let alone = billiard.run(&mut orbit, &Collisions(1000), &mut ());
+            assert_eq!((alone.stop, alone.stop.name()), (Stop::NotFinite, "not finite"), "{alone:?} {leaves}");
+            let mut starts = (0..3).map(|_| start());
+            billiard.run_side_by_side(&mut starts, 1000, &mut (), &mut |f| assert_eq!(f.outcome, alone));
+            let mut timed =
+                Orbit::<f64, 2, 1, Conserved<f64, 2>, Clock>::new([0.4, 0.1], [0.8, 0.6], [0.0], Clock::new(0.0));
+            assert_eq!(billiard.run(&mut timed, &Time(1e3), &mut ()), alone);
+        }
+    }
 }
