@@ -325,6 +325,19 @@ fn rows_know_the_cell_only_where_it_is_tracked() {
 }
 
 #[test]
+fn rows_have_the_energy_of_the_start_to_the_last_digit() {
+    let stadium = Planar { table: tables::stadium(1.0, 1.0).unwrap(), law: no_slip(0.7) };
+    let track = (Clock::new(0.0), Angle::new(0.0));
+    let mut orbit = Orbit::<_, 2, 1, Conserved<_, 2>, _>::new([0.1, 0.2], [0.6, 0.8], [0.5], track);
+    let mut record = Record::new(|PlanarRow { v0, v: [v1, v2], .. }| {
+        let square = v0 * v0 + v1 * v1 + v2 * v2;
+        assert!((square - 1.25).abs() <= 2.0 * f64::EPSILON, "{square}");
+        ControlFlow::Continue(())
+    });
+    assert_eq!(stadium.run(&mut orbit, &Collisions(10_000), &mut record).collisions, 10_000);
+}
+
+#[test]
 fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
     let table = tables::stadium(1.0, 1.0).unwrap();
     let grid = Grid::new(&table, 2.0, [4, 3, 5]).unwrap();

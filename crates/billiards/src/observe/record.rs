@@ -1,6 +1,9 @@
 //! The raw record: every collision as a row of plain numbers.
 use super::{Collision, Observer};
-use crate::track::{InCell, Timed, Turned};
+use crate::{
+    energy::EnergyKeeper,
+    track::{InCell, Timed, Turned},
+};
 use core::{fmt, ops::ControlFlow};
 
 /// A collision of a disk on a planar table.
@@ -42,7 +45,8 @@ pub struct SpatialRow {
     pub w: [f64; 3],
 }
 
-/// Hands a row per collision to a function, which may stop the run: a file that cannot be written, say.
+/// Hands a row per collision to a function, which may stop the run: a file that cannot be written, say. Velocities are
+/// [restored](crate::Orbit::restored).
 ///
 /// In the plane the orbit needs a track with time and spin position, such as `(Clock, Angle)`, on a lattice
 /// `(Clock, (Angle, Cell))`; in space a [`Clock`](crate::Clock).
@@ -86,12 +90,13 @@ impl<F> fmt::Debug for Record<F> {
 
 impl<K, T, F> Observer<2, 1, K, T> for Record<F>
 where
+    K: EnergyKeeper<f64, 2, 1>,
     T: Timed + Turned + InCell,
     F: FnMut(PlanarRow) -> ControlFlow<()>,
 {
     #[inline]
     fn collision(&mut self, c: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
-        let o = c.orbit;
+        let (o, (v, w)) = (c.orbit, c.orbit.restored());
         #[allow(clippy::cast_possible_truncation, reason = "a count of cells")]
         let cell = o.track.cell().map(|cell| cell.map(|k| k as i64));
         self.0(PlanarRow {
@@ -100,8 +105,8 @@ where
             piece: c.piece(),
             x0: o.track.angle(),
             x: o.position,
-            v0: o.spin[0],
-            v: o.velocity,
+            v0: w[0],
+            v,
             cell,
         })
     }
@@ -109,12 +114,13 @@ where
 
 impl<K, T, F> Observer<3, 3, K, T> for Record<F>
 where
+    K: EnergyKeeper<f64, 3, 3>,
     T: Timed,
     F: FnMut(SpatialRow) -> ControlFlow<()>,
 {
     #[inline]
     fn collision(&mut self, c: &Collision<'_, 3, 3, K, T>) -> ControlFlow<()> {
-        let o = c.orbit;
-        self.0(SpatialRow { n: c.n, t: o.track.time(), piece: c.piece(), x: o.position, v: o.velocity, w: o.spin })
+        let (o, (v, w)) = (c.orbit, c.orbit.restored());
+        self.0(SpatialRow { n: c.n, t: o.track.time(), piece: c.piece(), x: o.position, v, w })
     }
 }
