@@ -11,7 +11,7 @@ pub enum Error {
     #[error(transparent)]
     Table(#[from] geometry::Error),
     /// A ball that cannot be.
-    #[error("the {quantity} of the ball must be {must}, not {value}")]
+    #[error("the {quantity} of the ball must be {must}, not {value:?}")]
     Ball {
         /// What was given.
         quantity: &'static str,
@@ -22,7 +22,7 @@ pub enum Error {
     },
     /// A law for a disk that does not come from an impulse at the contact.
     #[error(
-        "the law is no impulse at the contact of a disk with γ = {gamma}: with each change of the tangential velocity the scaled spin must change by −1/γ times that, which {map:?} does not do"
+        "the law is no impulse at the contact of a disk with γ = {gamma:?}: with each change of the tangential velocity the scaled spin must change by −1/γ times that, which {map:?} does not do"
     )]
     NoContactImpulse {
         /// What the law does to the disk.
@@ -31,7 +31,7 @@ pub enum Error {
         gamma: f64,
     },
     /// A speed that is not positive and finite.
-    #[error("the speed must be positive and finite, not {speed}")]
+    #[error("the speed must be positive and finite, not {speed:?}")]
     Speed {
         /// The speed given.
         speed: f64,
@@ -59,7 +59,7 @@ pub enum Error {
         pieces: usize,
     },
     /// An arc length beyond the ends of a piece.
-    #[error("piece {piece} has no point at arc length {s}: it runs from {from} to {to}")]
+    #[error("piece {piece} has no point at arc length {s:?}: it runs from {from:?} to {to:?}")]
     ArcLength {
         /// Number of the piece.
         piece: usize,
@@ -72,7 +72,7 @@ pub enum Error {
     },
     /// Tangential velocities that leave nothing for the normal one.
     #[error(
-        "(v0, v·t) = ({v0}, {vt}) does not lie inside the disk of radius {speed}, the speed: nothing is left to leave the wall with"
+        "(v0, v·t) = ({v0:?}, {vt:?}) does not lie inside the disk of radius {speed:?}, the speed: nothing is left to leave the wall with"
     )]
     Tangential {
         /// Scaled spin.

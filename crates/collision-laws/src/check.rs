@@ -2,7 +2,8 @@
 //!
 //! [`law`] tries a law on a pair of bodies with random velocities and returns a [`Report`] of numbers: how far the law is from
 //! each axiom, relative to the size of the velocities. [`map`] does the same for any map of `T_qM`, linear or not, and
-//! [`body`] tests the four maps of a [`Body`](crate::Body).
+//! [`body`] tests the four maps of a [`Body`](crate::Body). Whether a law whose directions vary in space, or turn with the body, keeps
+//! the measure is seen in a whole step of a billiard: [`Slab`].
 //!
 //! ```
 //! use collision_laws::{Contact, Fixed, Pair, bodies::Ball, check::{self, Axiom, Samples}, laws::{NoSlip, Restitution}};
@@ -24,8 +25,10 @@ pub mod axioms;
 pub mod controls;
 mod measure;
 mod report;
+mod slab;
 mod trial;
 
 pub use measure::jacobian_determinant;
 pub use report::{Axiom, Report, TOLERANCE};
+pub use slab::{LawOfOrientation, Slab, SlabState};
 pub use trial::{BodyReport, Samples, body, law, map, tolerance};

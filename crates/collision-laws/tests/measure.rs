@@ -8,7 +8,7 @@ use collision_laws::{
     CollisionLaw, Contact, Fixed, Pair, StrictLaw, Twist,
     bodies::Ball,
     check::{
-        self, Axiom, Samples,
+        self, Axiom, LawOfOrientation, Samples, Slab, SlabState,
         controls::{Chasing, ReversiblyChasing, slip_angle},
         jacobian_determinant,
     },
@@ -21,50 +21,15 @@ use nalgebra::{DVector, UnitQuaternion, Vector2, Vector3, dvector};
 const STEP: f64 = 1e-3;
 const TOLERANCE: f64 = 1e-9;
 
-const HEIGHT: f64 = 1.5;
-
 fn ball() -> Ball<3> {
     Ball::uniform(2.0, 0.7).expect("a ball")
 }
 
-/// A law that may know how the ball has turned, as well as the contact.
-type LawOfOrientation<'a> = &'a dyn Fn(&UnitQuaternion<f64>) -> Box<dyn CollisionLaw<3>>;
-
-/// From the floor to the ceiling and through the collision there: `(x₁, x₂, γR·rotation, v₁, v₂, W)` at unit 6-speed. The
-/// orientation is in exponential coordinates about `base`. Returns the new coordinates, about the new base.
-fn slab_step(
-    law: LawOfOrientation<'_>,
-    state: &DVector<f64>,
-    base: &UnitQuaternion<f64>,
-    image: &UnitQuaternion<f64>,
-) -> DVector<f64> {
-    let (ball, scale) = (ball(), ball().gamma() * ball().radius());
-    let w = Vector3::new(state[7], state[8], state[9]);
-    let rise = (1.0 - state.rows(5, 5).norm_squared()).sqrt();
-    let v = Vector3::new(state[5], state[6], rise);
-
-    let time = HEIGHT / rise;
-    let turned = UnitQuaternion::from_scaled_axis(w / scale * time)
-        * UnitQuaternion::from_scaled_axis(Vector3::new(state[2], state[3], state[4]) / scale)
-        * base;
-    let centre = Vector3::new(state[0], state[1], 0.0) + v * time;
-
-    let arm = Vector3::z() * ball.radius();
-    let contact = Contact::new(centre + arm, -Vector3::z(), 0).expect("a normal");
-    let pair = Pair::new(contact, (ball, arm), (Fixed, Vector3::zeros()));
-    let after = pair.collide(&*law(&turned), &(ball.with_scaled_spin(v, w), ())).velocities.0;
-    let w = ball.scaled_spin(&after);
-    let rotation = (turned * image.inverse()).scaled_axis() * scale;
-    dvector![centre.x, centre.y, rotation.x, rotation.y, rotation.z, after.linear.x, after.linear.y, w.x, w.y, w.z]
-}
-
 fn slab_determinant(law: LawOfOrientation<'_>) -> f64 {
-    let base = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.3));
-    let state = dvector![0.2, -0.3, 0.0, 0.0, 0.0, 0.31, -0.22, 0.27, 0.35, -0.18];
-    let w = Vector3::new(state[7], state[8], state[9]) / (ball().gamma() * ball().radius());
-    let time = HEIGHT / (1.0 - state.rows(5, 5).norm_squared()).sqrt();
-    let image = UnitQuaternion::from_scaled_axis(w * time) * base;
-    jacobian_determinant(|x| slab_step(law, x, &base, &image), &state, STEP)
+    let slab = Slab { ball: ball(), height: 1.5 };
+    let orientation = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.3));
+    let (tangential, spin) = (Vector2::new(0.31, -0.22), Vector3::new(0.27, 0.35, -0.18));
+    slab.determinant(law, &SlabState::new(Vector2::new(0.2, -0.3), orientation, tangential, spin), STEP)
 }
 
 /// A law that knows nothing of the orientation.

@@ -8,14 +8,13 @@ use billiards::collision_laws::{
     CollisionLaw, Contact, Fixed, Pair, Twist,
     bodies::Ball,
     check::{
-        axioms,
+        LawOfOrientation, Slab, SlabState, axioms,
         controls::{Chasing, ReversiblyChasing, slip_angle},
-        jacobian_determinant,
     },
     laws::{Grooved, NoSlip, RandomGrassmannian, RoughPlane, Specular},
 };
 use core::f64::consts::PI;
-use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector3, dvector};
+use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector2, Vector3};
 
 pub(super) const CLAIM: Claim = Claim {
     name: "measure-of-fields",
@@ -36,53 +35,8 @@ pub(super) const CLAIM: Claim = Claim {
 const STEP: f64 = 1e-3;
 const TOLERANCE: f64 = 1e-9;
 
-const HEIGHT: f64 = 1.5;
-
 fn ball() -> Ball<3> {
     Ball::uniform(2.0, 0.7).expect("a ball")
-}
-
-/// The rotation by the vector `w`.
-fn turn(w: Vector3<f64>) -> UnitQuaternion<f64> {
-    let angle = w.norm();
-    let factor = if angle > 0.0 { libm::sin(0.5 * angle) / angle } else { 0.5 };
-    UnitQuaternion::new_unchecked(Quaternion::from_parts(libm::cos(0.5 * angle), w * factor))
-}
-
-/// The vector of a rotation by less than a half turn.
-fn vector_of(rotation: &UnitQuaternion<f64>) -> Vector3<f64> {
-    let (v, w) = (rotation.vector().into_owned(), rotation.scalar());
-    let size = v.norm();
-    if size > 0.0 { v * (2.0 * libm::atan2(size * w.signum(), w.abs()) / size) } else { v }
-}
-
-/// The law at a contact, given how the ball has turned.
-type Field<'a> = &'a dyn Fn(&UnitQuaternion<f64>) -> Box<dyn CollisionLaw<3>>;
-
-/// From the floor of a slab to the ceiling and through the collision there: `(x₁, x₂, γR·rotation, v₁, v₂, W)` at unit 6-speed. The orientation is
-/// in exponential coordinates about `base`; the new one about `image`.
-fn slab_step(
-    field: Field<'_>,
-    state: &DVector<f64>,
-    base: &UnitQuaternion<f64>,
-    image: &UnitQuaternion<f64>,
-) -> DVector<f64> {
-    let (ball, scale) = (ball(), ball().gamma() * ball().radius());
-    let w = Vector3::new(state[7], state[8], state[9]);
-    let rise = libm::sqrt(1.0 - state.rows(5, 5).norm_squared());
-    let v = Vector3::new(state[5], state[6], rise);
-
-    let time = HEIGHT / rise;
-    let turned = turn(w / scale * time) * turn(Vector3::new(state[2], state[3], state[4]) / scale) * base;
-    let centre = Vector3::new(state[0], state[1], 0.0) + v * time;
-
-    let arm = Vector3::z() * ball.radius();
-    let contact = Contact::new(centre + arm, -Vector3::z(), 0).expect("a normal");
-    let pair = Pair::new(contact, (ball, arm), (Fixed, Vector3::zeros()));
-    let after = pair.collide(&*field(&turned), &(ball.with_scaled_spin(v, w), ())).velocities.0;
-    let w = ball.scaled_spin(&after);
-    let rotation = vector_of(&(turned * image.inverse())) * scale;
-    dvector![centre.x, centre.y, rotation.x, rotation.y, rotation.z, after.linear.x, after.linear.y, w.x, w.y, w.z]
 }
 
 /// How a ball meets the ceiling: how it has turned, and its contact velocity.
@@ -92,21 +46,18 @@ struct Meeting {
 }
 
 /// The determinant of the step at a random state; `None` where the meeting is not `fit` for difference quotients.
-fn determinant(field: Field<'_>, sample: usize, fit: fn(&Meeting) -> bool) -> Option<f64> {
+fn determinant(field: LawOfOrientation<'_>, sample: usize, fit: fn(&Meeting) -> bool) -> Option<f64> {
     let mut stream = Stream::new(130, sample);
-    let base = turn(Vector3::from(stream.on_sphere()) * stream.between(0.0, PI));
+    let (axis, angle) = (stream.on_sphere(), stream.between(0.0, PI));
+    let (sin, cos) = libm::sincos(0.5 * angle);
+    let orientation = UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, Vector3::from(axis) * sin));
     // half of the energy along the normal or more
-    let tangential: [f64; 5] = core::array::from_fn(|_| stream.between(-0.3, 0.3));
-    let mut state = DVector::zeros(10);
-    state[0] = stream.between(-1.0, 1.0);
-    state[1] = stream.between(-1.0, 1.0);
-    state.rows_mut(5, 5).copy_from_slice(&tangential);
-    let w = Vector3::new(state[7], state[8], state[9]) / (ball().gamma() * ball().radius());
-    let rise = libm::sqrt(1.0 - state.rows(5, 5).norm_squared());
-    let image = turn(w * (HEIGHT / rise)) * base;
-    let slip = Vector3::new(state[5], state[6], rise) + w.cross(&(Vector3::z() * ball().radius()));
-    fit(&Meeting { turned: image, slip })
-        .then(|| jacobian_determinant(|x| slab_step(field, x, &base, &image), &state, STEP))
+    let [v1, v2, w1, w2, w3]: [f64; 5] = core::array::from_fn(|_| stream.between(-0.3, 0.3));
+    let place = Vector2::new(stream.between(-1.0, 1.0), stream.between(-1.0, 1.0));
+    let state = SlabState::new(place, orientation, Vector2::new(v1, v2), Vector3::new(w1, w2, w3));
+    let slab = Slab { ball: ball(), height: 1.5 };
+    let (turned, slip) = slab.meeting(&state);
+    fit(&Meeting { turned, slip }).then(|| slab.determinant(field, &state, STEP))
 }
 
 /// A velocity of approach whose slip has the angle ψ, against a wall.
@@ -128,12 +79,12 @@ fn always<L: CollisionLaw<3> + Clone + 'static>(law: L) -> impl Fn(&UnitQuaterni
 fn measure(effort: Effort) -> Measurement {
     let samples = effort.of(10, 300);
     let mut quantities = vec![];
-    let defects = |field: Field<'_>, fit: fn(&Meeting) -> bool, expected: f64| {
+    let defects = |field: LawOfOrientation<'_>, fit: fn(&Meeting) -> bool, expected: f64| {
         let fit = (0..samples).filter_map(|sample| determinant(field, sample, fit));
         fit.map(|det| (det.abs() - expected).abs()).collect::<Vec<_>>()
     };
     let mut fewest = Range::EMPTY;
-    let mut keeps = |name: &str, field: Field<'_>, fit: fn(&Meeting) -> bool| {
+    let mut keeps = |name: &str, field: LawOfOrientation<'_>, fit: fn(&Meeting) -> bool| {
         let defects = defects(field, fit, 1.0);
         fewest.add(defects.len() as f64);
         let label = format!("{name}: | |det| − 1 |, ten coordinates, {} states", defects.len());
