@@ -7,11 +7,12 @@
 //! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
 //! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
 use crate::{
-    billiard::{BallLaw, Billiard},
+    billiard::{BallLaw, Billiard, Motion},
     rolling::Rolling,
     start::Start,
+    with_motion::WithMotion,
 };
-use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, WithWalls, tables::SpatialTable};
+use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
 
 /// Walls and a law for one orbit, behind a pointer.
 pub trait Bounce<const N: usize, const S: usize>: Sync {
@@ -183,19 +184,18 @@ impl Horizon {
     }
 }
 
-/// [`Horizon::of`] an orbit on whatever walls answer for a table.
-pub(crate) struct HorizonOn<'a, L, const N: usize, const S: usize> {
-    pub(crate) law: &'a L,
+/// [`Horizon::of`], on whatever motion there is.
+pub(crate) struct HorizonOn<'a, const N: usize, const S: usize> {
     pub(crate) walls: &'a dyn Bend<N>,
     pub(crate) start: Start<N, S>,
     pub(crate) size: f64,
     pub(crate) limit: [f64; 2],
 }
 
-impl<L: BallLaw<N, S>, const N: usize, const S: usize> WithWalls<N> for HorizonOn<'_, L, N, S> {
+impl<const N: usize, const S: usize> WithMotion<N, S> for HorizonOn<'_, N, S> {
     type Output = Horizon;
-    fn run<W: Walls<N>>(self, walls: &W) -> Horizon {
-        Horizon::of(&Billiard { walls, law: self.law }, self.walls, self.start, self.size, self.limit)
+    fn run<B: Motion<N, S> + Bounce<N, S>>(self, motion: &B) -> Horizon {
+        Horizon::of(motion, self.walls, self.start, self.size, self.limit)
     }
 }
 

@@ -6,7 +6,8 @@
 //! * [`Orbit`]: position, velocity, as many components of spin as the law needs, what keeps the energy
 //!   ([`Conserved`] or [`Free`]), and what is tracked along the path ([`Clock`], [`Angle`], [`Cell`], or nothing).
 //! * [`Billiard`]: walls and a law; [`run`] is the loop, [`run_side_by_side`] the same for many orbits in the lanes of
-//!   vector registers, with the same bits. [`Planar`] and [`Spatial`] choose the fastest walls for a table.
+//!   vector registers, with the same bits. [`Planar`] and [`Spatial`] choose the fastest walls for a table;
+//!   [`WithMotion`] is for loops of your own on them.
 //! * [`laws`]: laws of [`collision_laws`] as the loop applies them; [`laws::Custom`] runs any of them, yours included.
 //! * [`observe`]: measurements that watch a run, alone or several together, and may stop it.
 //! * [`Horizon`]: up to where rounding has left digits of an orbit.
@@ -45,6 +46,7 @@ mod spatial;
 mod start;
 mod stop;
 mod track;
+mod with_motion;
 
 pub use billiard::{BallLaw, Billiard, Motion};
 pub use collision_laws;
@@ -70,6 +72,7 @@ pub use spatial::Spatial;
 pub use start::{Canonical, CanonicalSpatial, Grid, Start, Starts};
 pub use stop::{Outcome, Stop};
 pub use track::{Angle, Cell, Clock, InCell, Timed, Track, Tracking, Turned};
+pub use with_motion::{OnWalls, WithMotion};
 
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]

@@ -1,21 +1,21 @@
 //! A disk on a planar table: the billiard of the paper, ready to run.
 use crate::{
     Error,
-    billiard::{BallLaw, Billiard},
+    billiard::BallLaw,
     energy::{EnergyKeeper, Keeping},
     error::finite,
     horizon::{Horizon, HorizonOn},
     in_lanes::InLanes,
     observe::{LaneObserver, Observer},
     orbit::Orbit,
-    rolling::Rolling,
-    run::{Limit, run},
-    side_by_side::{Finished, run_side_by_side},
+    run::{Limit, RunOn},
+    side_by_side::{Finished, ManyOn},
     start::Start,
     stop::Outcome,
     track::{Track, Tracking},
+    with_motion::{OnWalls, WithMotion},
 };
-use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, WithWalls};
+use geometry::{Table, Vector2, WallHit};
 
 /// A table and a disk's law. The centre of the disk moves in the table as a point.
 #[derive(Clone, Debug)]
@@ -68,6 +68,11 @@ impl<L> Planar<L> {
 }
 
 impl<L: BallLaw<2, 1>> Planar<L> {
+    /// Does something with the fastest motion that the table has.
+    pub fn with_motion<A: WithMotion<2, 1>>(&self, then: A) -> A::Output {
+        self.table.with_walls(OnWalls { law: &self.law, then })
+    }
+
     /// Runs an orbit on the fastest walls that the table has. It starts in the table, which [`Planar::orbit`] makes sure of. On a lattice it
     /// is first brought into the [cell](Table::cell) where paths are followed, which is a flight of no time to its tracks.
     ///
@@ -93,11 +98,9 @@ impl<L: BallLaw<2, 1>> Planar<L> {
             orbit.track.fly(&orbit.position, &[0.0; 2], &orbit.spin, &home);
             orbit.position = home.point;
         }
-        self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
+        self.with_motion(RunOn { orbit, limit, observer })
     }
-}
 
-impl<L: BallLaw<2, 1>> Planar<L> {
     /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
     pub fn run_side_by_side<K: Keeping<2, 1>, T: Tracking<2, 1>, O: LaneObserver<2, 1, K, T>>(
         &self,
@@ -114,11 +117,9 @@ impl<L: BallLaw<2, 1>> Planar<L> {
             }
             orbit
         });
-        self.table.with_walls(ManyOn { law: &self.law, orbits: &mut orbits, collisions, observer, finished });
+        self.with_motion(ManyOn { orbits: &mut orbits, collisions, observer, finished });
     }
-}
 
-impl<L: BallLaw<2, 1>> Planar<L> {
     /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
     /// [`Horizon::of`].
     ///
@@ -134,7 +135,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn horizon(&self, start: Start<2, 1>, size: f64, limit: [f64; 2]) -> Horizon {
-        self.table.with_walls(HorizonOn { law: &self.law, walls: &self.table, start, size, limit })
+        self.with_motion(HorizonOn { walls: &self.table, start, size, limit })
     }
 }
 
@@ -143,54 +144,4 @@ fn way_home(table: &Table, position: &[f64; 2]) -> Option<WallHit<f64, 2>> {
     let (cell, position) = (table.cell()?, Vector2::from(*position));
     // a hit on an edge may lie beyond it by a rounding, and goes on from there
     (!cell.holds(&position)).then(|| WallHit { time: 0.0, ..WallHit::never(cell.home(&position).0.into()) })
-}
-
-struct ManyOn<'a, L, K, T, O> {
-    law: &'a L,
-    orbits: &'a mut dyn Iterator<Item = Orbit<f64, 2, 1, K, T>>,
-    collisions: u64,
-    observer: &'a mut O,
-    finished: &'a mut dyn FnMut(Finished<2, 1, K, T>),
-}
-
-impl<L, K, T, O> WithWalls<2> for ManyOn<'_, L, K, T, O>
-where
-    L: BallLaw<2, 1>,
-    K: Keeping<2, 1>,
-    T: Tracking<2, 1>,
-    O: LaneObserver<2, 1, K, T>,
-{
-    type Output = ();
-    fn run<W: Walls<2>>(self, walls: &W) {
-        let billiard = Billiard { walls, law: self.law };
-        run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
-    }
-    fn run_homogeneous<W: Homogeneous>(self, walls: &W) {
-        let billiard = Rolling::new(walls, self.law);
-        run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
-    }
-}
-
-struct RunOn<'a, L, K, T, M, O> {
-    law: &'a L,
-    orbit: &'a mut Orbit<f64, 2, 1, K, T>,
-    limit: &'a M,
-    observer: &'a mut O,
-}
-
-impl<L, K, T, M, O> WithWalls<2> for RunOn<'_, L, K, T, M, O>
-where
-    L: BallLaw<2, 1>,
-    K: EnergyKeeper<f64, 2, 1>,
-    T: Track<f64, 2, 1> + Clone,
-    M: Limit<T>,
-    O: Observer<2, 1, K, T>,
-{
-    type Output = Outcome;
-    fn run<W: Walls<2>>(self, walls: &W) -> Outcome {
-        run(&Billiard { walls, law: self.law }, self.orbit, self.limit, self.observer)
-    }
-    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> Outcome {
-        run(&Rolling::new(walls, self.law), self.orbit, self.limit, self.observer)
-    }
 }

@@ -2,10 +2,12 @@
 use crate::{
     billiard::Motion,
     energy::EnergyKeeper,
+    horizon::Bounce,
     observe::{Collision, Observer},
     orbit::Orbit,
     stop::{MOST_IDLE, Outcome, Stop, ended},
     track::{Timed, Track},
+    with_motion::WithMotion,
 };
 use core::ops::ControlFlow;
 use lanes::Task;
@@ -142,5 +144,25 @@ where
             other => other,
         };
         Outcome { stop, collisions: n }
+    }
+}
+
+/// [`run`], on whatever motion there is.
+pub(crate) struct RunOn<'a, const N: usize, const S: usize, K, T, M, O> {
+    pub(crate) orbit: &'a mut Orbit<f64, N, S, K, T>,
+    pub(crate) limit: &'a M,
+    pub(crate) observer: &'a mut O,
+}
+
+impl<const N: usize, const S: usize, K, T, M, O> WithMotion<N, S> for RunOn<'_, N, S, K, T, M, O>
+where
+    K: EnergyKeeper<f64, N, S>,
+    T: Track<f64, N, S> + Clone,
+    M: Limit<T>,
+    O: Observer<N, S, K, T>,
+{
+    type Output = Outcome;
+    fn run<B: Motion<N, S> + Bounce<N, S>>(self, motion: &B) -> Outcome {
+        run(motion, self.orbit, self.limit, self.observer)
     }
 }

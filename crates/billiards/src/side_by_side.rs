@@ -2,11 +2,13 @@
 use crate::{
     billiard::Motion,
     energy::Keeping,
+    horizon::Bounce,
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
     stop::{MOST_IDLE, Outcome, Stop, ended},
     track::{Track, Tracking},
+    with_motion::WithMotion,
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin};
 
@@ -323,6 +325,26 @@ where
         } else {
             self.all::<Twin<F>, TWINS>(Twin::of(zero));
         }
+    }
+}
+
+/// [`run_side_by_side`], on whatever motion there is.
+pub(crate) struct ManyOn<'a, const N: usize, const S: usize, K, T, O> {
+    pub(crate) orbits: &'a mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
+    pub(crate) collisions: u64,
+    pub(crate) observer: &'a mut O,
+    pub(crate) finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
+}
+
+impl<const N: usize, const S: usize, K, T, O> WithMotion<N, S> for ManyOn<'_, N, S, K, T, O>
+where
+    K: Keeping<N, S>,
+    T: Tracking<N, S>,
+    O: LaneObserver<N, S, K, T>,
+{
+    type Output = ();
+    fn run<B: Motion<N, S> + Bounce<N, S>>(self, motion: &B) {
+        run_side_by_side(motion, self.orbits, self.collisions, self.observer, self.finished);
     }
 }
 

@@ -1,19 +1,20 @@
 //! A ball on a table in space, ready to run.
 use crate::{
     Error,
-    billiard::{BallLaw, Billiard},
+    billiard::BallLaw,
     energy::{EnergyKeeper, Keeping},
     error::finite,
     horizon::{Horizon, HorizonOn},
     observe::{LaneObserver, Observer},
     orbit::Orbit,
-    run::{Limit, run},
-    side_by_side::{Finished, run_side_by_side},
+    run::{Limit, RunOn},
+    side_by_side::{Finished, ManyOn},
     start::Start,
     stop::Outcome,
     track::{Track, Tracking},
+    with_motion::{OnWalls, WithMotion},
 };
-use geometry::{Walls, WithWalls, tables::SpatialTable};
+use geometry::tables::SpatialTable;
 
 /// A table in space and a ball's law. The centre of the ball moves in the table as a point.
 #[derive(Clone, Debug)]
@@ -51,6 +52,11 @@ impl<L> Spatial<L> {
 }
 
 impl<L: BallLaw<3, 3>> Spatial<L> {
+    /// Does something with the fastest motion that the table has.
+    pub fn with_motion<A: WithMotion<3, 3>>(&self, then: A) -> A::Output {
+        self.table.with_walls(OnWalls { law: &self.law, then })
+    }
+
     /// Runs an orbit. It starts in the table, which [`Spatial::orbit`] makes sure of.
     ///
     /// ```
@@ -72,7 +78,7 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
         T: Track<f64, 3, 3> + Clone,
         O: Observer<3, 3, K, T>,
     {
-        self.table.with_walls(RunOn { law: &self.law, orbit, limit, observer })
+        self.with_motion(RunOn { orbit, limit, observer })
     }
 
     /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
@@ -98,57 +104,12 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
         observer: &mut O,
         finished: &mut dyn FnMut(Finished<3, 3, K, T>),
     ) {
-        self.table.with_walls(ManyOn { law: &self.law, orbits, collisions, observer, finished });
+        self.with_motion(ManyOn { orbits, collisions, observer, finished });
     }
-}
 
-impl<L: BallLaw<3, 3>> Spatial<L> {
     /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
     /// [`Horizon::of`].
     pub fn horizon(&self, start: Start<3, 3>, size: f64, limit: [f64; 2]) -> Horizon {
-        self.table.with_walls(HorizonOn { law: &self.law, walls: &self.table, start, size, limit })
-    }
-}
-
-struct ManyOn<'a, L, K, T, O> {
-    law: &'a L,
-    orbits: &'a mut dyn Iterator<Item = Orbit<f64, 3, 3, K, T>>,
-    collisions: u64,
-    observer: &'a mut O,
-    finished: &'a mut dyn FnMut(Finished<3, 3, K, T>),
-}
-
-impl<L, K, T, O> WithWalls<3> for ManyOn<'_, L, K, T, O>
-where
-    L: BallLaw<3, 3>,
-    K: Keeping<3, 3>,
-    T: Tracking<3, 3>,
-    O: LaneObserver<3, 3, K, T>,
-{
-    type Output = ();
-    fn run<W: Walls<3>>(self, walls: &W) {
-        let billiard = Billiard { walls, law: self.law };
-        run_side_by_side(&billiard, self.orbits, self.collisions, self.observer, self.finished);
-    }
-}
-
-struct RunOn<'a, L, K, T, M, O> {
-    law: &'a L,
-    orbit: &'a mut Orbit<f64, 3, 3, K, T>,
-    limit: &'a M,
-    observer: &'a mut O,
-}
-
-impl<L, K, T, M, O> WithWalls<3> for RunOn<'_, L, K, T, M, O>
-where
-    L: BallLaw<3, 3>,
-    K: EnergyKeeper<f64, 3, 3>,
-    T: Track<f64, 3, 3> + Clone,
-    M: Limit<T>,
-    O: Observer<3, 3, K, T>,
-{
-    type Output = Outcome;
-    fn run<W: Walls<3>>(self, walls: &W) -> Outcome {
-        run(&Billiard { walls, law: self.law }, self.orbit, self.limit, self.observer)
+        self.with_motion(HorizonOn { walls: &self.table, start, size, limit })
     }
 }

@@ -49,7 +49,7 @@ use crate::record::{self, Columns, RecordFile};
 use crate::scene::{Limit, Scene};
 use crate::whole_file::WholeFile;
 
-pub(crate) use engine::{Bare, Engine, Until};
+pub(crate) use engine::{Bare, Engine, Until, WithEngine};
 pub(crate) use law::{PlanarLaw, SpatialLaw, any_law};
 pub(crate) use summary::host;
 pub(crate) use trail::{PlanarTrail, Trail};

@@ -5,14 +5,14 @@ use std::ops::ControlFlow;
 use billiards::observe::LaneObserver;
 use billiards::{
     Bounce, Clock, Collision, Collisions, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Time,
-    Timed, run, run_side_by_side,
+    Timed, WithMotion, run, run_side_by_side,
 };
 
 use super::event::Event;
 use super::frame::Frame;
 use super::portraits::{Point, Portraits};
 use super::scale::Scale;
-use super::trail::Trail;
+use super::trail::{PlanarTrail, Trail};
 
 /// So many collisions or so much time, whichever comes first.
 #[derive(Clone, Copy, Debug)]
@@ -146,6 +146,23 @@ where
         (orbits[index], outcomes[index]) = (finished.orbit, finished.outcome);
     });
     outcomes
+}
+
+/// Something to be done with an engine, on whatever walls there are: behind a pointer it is compiled once.
+pub(crate) struct WithEngine<A>(pub(crate) A);
+
+impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithMotion<2, 1> for WithEngine<A> {
+    type Output = R;
+    fn run<B: Motion<2, 1> + Bounce<2, 1>>(self, motion: &B) -> R {
+        (self.0)(motion)
+    }
+}
+
+impl<R, A: FnOnce(&dyn Engine<3, 3, ()>) -> R> WithMotion<3, 3> for WithEngine<A> {
+    type Output = R;
+    fn run<B: Motion<3, 3> + Bounce<3, 3>>(self, motion: &B) -> R {
+        (self.0)(motion)
+    }
 }
 
 impl<B, const N: usize, const S: usize, T> Engine<N, S, T> for B

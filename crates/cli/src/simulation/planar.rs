@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Error, Homogeneous, Table, Vector2, Walls, WithWalls};
-use billiards::{Angle, BallLaw, Billiard, Canonical, Cell, Clock, Grid, Orbit, Rolling};
+use billiards::geometry::{Error, Table, Vector2};
+use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit};
 
 use super::boundary::{self, Drawn};
-use super::engine::{Engine, Watched, conserved};
+use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::frame::Frame;
 use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, keeps_spin};
@@ -148,7 +148,7 @@ impl Planar {
 
     /// Runs something with the engine for this table and law.
     pub(crate) fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R) -> R {
-        self.centres.with_walls(On { law: &self.law, then })
+        self.centres.with_walls(OnWalls { law: &self.law, then: WithEngine(then) })
     }
 }
 
@@ -174,20 +174,5 @@ fn centres(scene: &Scene, drawn: &Drawn) -> Result<(Table, Vec<u64>), Vec<Diagno
                 _ => diagnostic,
             }])
         }
-    }
-}
-
-struct On<'a, A> {
-    law: &'a PlanarLaw,
-    then: A,
-}
-
-impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, A> {
-    type Output = R;
-    fn run<W: Walls<2>>(self, walls: &W) -> R {
-        (self.then)(&Billiard { walls, law: self.law })
-    }
-    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
-        (self.then)(&Rolling::new(walls, self.law))
     }
 }

@@ -2,11 +2,11 @@
 
 use billiards::geometry::parry::{Closest, Room, Solid};
 use billiards::geometry::tables::{self, SpatialTable, WallAt};
-use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit, Walls, WithWalls};
-use billiards::{BallLaw, Bend, Billiard, Bounce, CanonicalSpatial, Clock, Felt, Orbit, Starts as _};
+use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit};
+use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, Orbit, Starts as _};
 
 use super::boundary;
-use super::engine::{Engine, Watched, conserved};
+use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, keeps_spin};
 use super::room;
@@ -244,7 +244,7 @@ impl Spatial {
 
     /// Runs something with the engine for this table and law.
     pub(crate) fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<3, 3, ()>) -> R) -> R {
-        let on = On { law: &self.law, then };
+        let on = OnWalls { law: &self.law, then: WithEngine(then) };
         match &self.centres {
             Space::Named(table) => table.with_walls(on),
             Space::Room(room) => room.with_walls(on),
@@ -304,17 +304,5 @@ impl Bend<3> for FeltRoom<'_> {
     }
     fn size(&self, hit: &WallHit<f64, 3>) -> f64 {
         self.room.solids().get(hit.number()).map_or(0.0, Solid::size)
-    }
-}
-
-struct On<'a, A> {
-    law: &'a SpatialLaw,
-    then: A,
-}
-
-impl<R, A: FnOnce(&dyn Engine<3, 3, ()>) -> R> WithWalls<3> for On<'_, A> {
-    type Output = R;
-    fn run<W: Walls<3>>(self, walls: &W) -> R {
-        (self.then)(&Billiard { walls, law: self.law })
     }
 }

@@ -1,14 +1,14 @@
 //! The engine on the table's own pieces: what `billiards run` does.
 
+use billiards::geometry::Table;
 use billiards::geometry::tables::SpatialTable;
-use billiards::geometry::{Homogeneous, Table, Walls, WithWalls};
-use billiards::{Billiard, Clock, Conserved, Orbit, Outcome, Rolling};
+use billiards::{Clock, Conserved, OnWalls, Orbit, Outcome};
 
 use super::super::case::{Case, Space};
 use super::super::law::Law;
 use super::super::state::{State, first};
 use super::{End, Entry, Method, always, in_steps};
-use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Trail, Until};
+use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Trail, Until, WithEngine};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact",
@@ -36,36 +36,13 @@ struct Room {
     law: SpatialLaw,
 }
 
-/// Something to be done with an engine, whatever its walls.
-struct On<'a, L, A> {
-    law: &'a L,
-    then: A,
-}
-
-impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithWalls<2> for On<'_, PlanarLaw, A> {
-    type Output = R;
-    fn run<W: Walls<2>>(self, walls: &W) -> R {
-        (self.then)(&Billiard { walls, law: self.law })
-    }
-    fn run_homogeneous<W: Homogeneous>(self, walls: &W) -> R {
-        (self.then)(&Rolling::new(walls, self.law))
-    }
-}
-
-impl<R, A: FnOnce(&dyn Engine<3, 3, ()>) -> R> WithWalls<3> for On<'_, SpatialLaw, A> {
-    type Output = R;
-    fn run<W: Walls<3>>(self, walls: &W) -> R {
-        (self.then)(&Billiard { walls, law: self.law })
-    }
-}
-
 /// Runs something with the engine for a planar table.
 pub(in crate::bench) fn with_engine<R>(
     table: &Table,
     law: &PlanarLaw,
     then: impl FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R,
 ) -> R {
-    table.with_walls(On { law, then })
+    table.with_walls(OnWalls { law, then: WithEngine(then) })
 }
 
 impl Method for Plane {
@@ -77,14 +54,18 @@ impl Method for Plane {
     }
 }
 
+impl Room {
+    fn with_engine<R>(&self, then: impl FnOnce(&dyn Engine<3, 3, ()>) -> R) -> R {
+        self.table.with_walls(OnWalls { law: &self.law, then: WithEngine(then) })
+    }
+}
+
 impl Method for Room {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
-        self.table
-            .with_walls(On { law: &self.law, then: |engine: &dyn Engine<3, 3, ()>| trace(engine, start, stops, look) })
+        self.with_engine(|engine| trace(engine, start, stops, look))
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
-        self.table
-            .with_walls(On { law: &self.law, then: |engine: &dyn Engine<3, 3, ()>| bulk(engine, starts, collisions) })
+        self.with_engine(|engine| bulk(engine, starts, collisions))
     }
 }
 
