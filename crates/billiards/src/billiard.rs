@@ -15,7 +15,8 @@ use lanes::{Lane, dot};
 /// `S` is the number of components of the scaled spin `γ R ω` that the law needs (see [`Orbit`]). Laws of
 /// [`collision_laws`] become ball laws by [`laws`](crate::laws).
 pub trait BallLaw<const N: usize, const S: usize>: Sync {
-    /// Turns the velocity and the spin before a collision into those after it.
+    /// Turns the velocity and the spin before a collision into those after it. The normal of the hit points into the table, and so must the
+    /// velocity after it: otherwise the orbit ends, as [`Stop::IntoWall`].
     fn collide<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], spin: &mut [F; S]);
 
     /// The same, to the last bit, at a hit whose normal is a unit vector along an axis: for laws that need fewer products there, one after
@@ -105,7 +106,7 @@ pub trait Motion<const N: usize, const S: usize> {
     /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, it ends where two of them meet, or its velocity
     /// is no number.
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
-        ended(velocity, Stop::Escaped)
+        ended(&velocity, Stop::Escaped)
     }
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
@@ -161,16 +162,18 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         if self.law.is_strict() {
             return !slow.lt((normal_speed * hit.inverse).abs());
         }
-        let leaving = (dot(&orbit.velocity, &hit.normal) * hit.inverse).abs();
-        let flat = !(sum(&orbit.velocity) * ROUNDED).max(before).lt(leaving);
-        flat | creeps(hit, normal_speed, leaving, &orbit.velocity) | has_stalled(&orbit.velocity)
+        // a law that leaves the ball on its way into the wall leaves it flat, too
+        let leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
+        let speed = sum(&orbit.velocity);
+        let flat = !(speed * ROUNDED).max(before).lt(leaving);
+        flat | creeps(hit, [normal_speed * hit.inverse, leaving], speed) | has_stalled(&orbit.velocity)
     }
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64 {
         slow(self.law, velocity, spin)
     }
     fn without_hit(&self, position: [f64; N], velocity: [f64; N]) -> Stop {
         ended(
-            velocity,
+            &velocity,
             if follows(self.walls, &position, &velocity) {
                 Stop::Grazing
             } else if meets_a_vertex(self.walls, &position, &velocity) {

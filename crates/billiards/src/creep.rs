@@ -11,17 +11,13 @@ const FLAT: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 const NEAR: f64 = 4.0 * f64::EPSILON;
 
 /// Whether a particle that a law has slowed down creeps along a focusing wall: it came from there on a flight that rose above it by no
-/// more than rounding, and leaves it as flat. From then on chords are as long as rounding makes them.
+/// more than rounding, and leaves it as flat, by the normal speeds of arrival and leaving. From then on chords are as long as rounding
+/// makes them.
 #[inline(always)]
-pub(crate) fn creeps<F: Lane, const N: usize>(
-    hit: &WallHit<F, N>,
-    arrival: F,
-    leaving: F,
-    velocity: &[F; N],
-) -> F::Mask {
+pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, leaving]: [F; 2], speed: F) -> F::Mask {
     // how far it rose is a fourth of this
-    let rise = hit.time * (arrival * hit.inverse).abs();
-    leaving.lt(sum(velocity) * FLAT) & rise.lt(sum(&hit.point) * NEAR)
+    let rise = hit.time * arrival.abs();
+    leaving.lt(speed * FLAT) & rise.lt(sum(&hit.point) * NEAR)
 }
 
 /// Whether a path that meets no wall starts on a focusing one, along which it runs, within rounding: paths which are turned a little

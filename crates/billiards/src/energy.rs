@@ -32,9 +32,9 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     ///
     /// It is asked for before the hit is looked for, so that nothing waits for it.
     fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F;
-    /// As much of what is owed as rounding can have lost: nothing where a law has taken it. For laws that may.
+    /// As much of what is owed as rounding can have lost: nothing where a law has taken it, and nothing from then on. For laws that may.
     #[inline(always)]
-    fn rounded_off(&self, owed: F) -> F {
+    fn rounded_off(&mut self, owed: F) -> F {
         owed
     }
     /// Sees what `arrived` at a collision, and may correct the velocity that leaves it.
@@ -211,8 +211,15 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         self.missing(velocity, spin)
     }
     #[inline(always)]
-    fn rounded_off(&self, owed: F) -> F {
-        owed.abs().lt(self.high * MOST).select(owed, owed.same(0.0))
+    fn rounded_off(&mut self, owed: F) -> F {
+        if self.beat + 1 < BEAT {
+            return owed;
+        }
+        let (kept, zero) = (self.is_rounding(owed), owed.same(0.0));
+        self.little = kept.select(self.little, owed.same(f64::INFINITY));
+        self.share = kept.select(self.share, zero);
+        self.twice = kept.select(self.twice, zero);
+        kept.select(owed, zero)
     }
     #[inline(always)]
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
@@ -272,7 +279,8 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
     }
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], spin: &[F; S]) -> F {
-        EnergyKeeper::<F, N, S>::rounded_off(self, self.missing(velocity, spin)) * (self.share + self.share)
+        let missing = self.missing(velocity, spin);
+        self.is_rounding(missing).select(missing, missing.same(0.0)) * (self.share + self.share)
     }
     fn square(&self, lane: usize) -> Option<Double> {
         (self.twice.lane(lane) > 0.0).then(|| Double { high: self.high.lane(lane), low: self.low.lane(lane) })
@@ -368,6 +376,12 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
             self.beat = 0;
         }
         due
+    }
+
+    /// Whether rounding, and no law, can have lost so much of the energy.
+    #[inline(always)]
+    fn is_rounding(&self, missing: F) -> F::Mask {
+        missing.abs().lt(self.high * MOST)
     }
 
     /// What a velocity and a spin lack of the energy, as `|v|² + |w|²`.

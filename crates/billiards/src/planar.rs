@@ -28,7 +28,7 @@ pub struct Planar<L> {
 
 impl<L> Planar<L> {
     /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the
-    /// [cell](Table::cell) where paths are followed, which is the unit cell for most.
+    /// [cell](Table::cell) where paths are followed, which is the unit cell for most: a [`Cell`](crate::Cell) in the track counts from there.
     ///
     /// ```
     /// use billiards::{Error, Orbit, Planar, geometry::tables, laws::Specular};
@@ -121,7 +121,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     }
 
     /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
-    /// [`Horizon::of`].
+    /// [`Horizon::of`]. On a lattice it starts at the same point of the [cell](Table::cell), as in a run.
     ///
     /// ```
     /// use billiards::{Planar, Start, geometry::tables, laws::Specular};
@@ -135,6 +135,8 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// # Ok::<(), billiards::Error>(())
     /// ```
     pub fn horizon(&self, start: Start<2, 1>, size: f64, limit: [f64; 2]) -> Horizon {
+        let position = way_home(&self.table, &start.position).map_or(start.position, |home| home.point);
+        let start = Start { position, ..start };
         self.with_motion(HorizonOn { walls: &self.table, start, size, limit })
     }
 }

@@ -1,11 +1,12 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
     billiard::{BallLaw, Motion},
+    creep::creeps,
     energy::{EnergyKeeper, LITTLE, MOST},
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
-    stop::{GRAZING, LEAST, slow},
+    stop::{LEAST, ROUNDED, slow},
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};
@@ -267,8 +268,11 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         if self.law.is_strict() {
             return !slow.lt(arrival.abs());
         }
-        let all = carried.normal.abs() + carried.even.tangential.abs();
-        !(all * GRAZING).max(all.same(LEAST)).lt(carried.normal.abs())
+        let (leaving, tangential) = (carried.normal, carried.even.tangential);
+        let speed = leaving.abs() + tangential.abs();
+        let before = arrival.abs() + chord.tangential.abs();
+        let flat = !(speed.max(before) * ROUNDED).max(speed.same(LEAST)).lt(leaving);
+        if W::ROUND { flat | creeps(hit, [arrival, leaving], speed) } else { flat }
     }
     fn slow(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
         slow(self.law, velocity, spin)

@@ -5,7 +5,7 @@ use crate::{
     horizon::Bounce,
     observe::{Collision, Observer},
     orbit::Orbit,
-    stop::{MOST_IDLE, Outcome, Stop, ended},
+    stop::{self, MOST_IDLE, Outcome, Stop},
     track::{Timed, Track},
     with_motion::WithMotion,
 };
@@ -130,7 +130,8 @@ where
                 break Stop::Observer;
             }
             if stays {
-                break Stop::Grazing;
+                billiard.settle(orbit, &carried);
+                break stop::stays(&orbit.velocity, &hit.unit_normal());
             }
         };
         billiard.settle(orbit, &carried);
@@ -140,7 +141,7 @@ where
                 Stop::Escaped if limit.is_beyond(n + 1, &at.track, f64::INFINITY) => Stop::Finished,
                 why => why,
             },
-            Stop::Grazing | Stop::Stalled => ended(at.velocity, stop),
+            Stop::Stalled => stop::ended(&at.velocity, Stop::Stalled),
             other => other,
         };
         Outcome { stop, collisions: n }

@@ -6,7 +6,7 @@ use crate::{
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,
-    stop::{MOST_IDLE, Outcome, Stop, ended},
+    stop::{MOST_IDLE, Outcome, Stop, ended, stays},
     track::{Track, Tracking},
     with_motion::WithMotion,
 };
@@ -208,7 +208,7 @@ where
             }
             self.observer.collision(&mut group.view, &hit, &group.orbit);
             if slides.any() {
-                self.slide(group, slides, next, step + 1);
+                self.slide(group, &hit.unit_normal(), slides, next, step + 1);
             }
             return;
         }
@@ -217,11 +217,18 @@ where
     /// Orbits that do not get away from the boundary end.
     #[cold]
     #[inline(never)]
-    fn slide<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, slides: F::Mask, next: &mut u64, step: u64) {
+    fn slide<F: Lane>(
+        &mut self,
+        group: &mut GroupOf<F, N, S, B, K, T, O>,
+        normal: &[F; N],
+        slides: F::Mask,
+        next: &mut u64,
+        step: u64,
+    ) {
         self.billiard.settle(&mut group.orbit, &group.carried);
-        let velocity = |lane: usize| group.orbit.velocity.map(|x| x.lane(lane));
+        let [velocity, normal] = [&group.orbit.velocity, normal].map(|v| |lane: usize| v.map(|x| x.lane(lane)));
         let ended = core::array::from_fn(|lane| {
-            (lane < F::LANES && slides.at(lane)).then(|| ended(velocity(lane), Stop::Grazing))
+            (lane < F::LANES && slides.at(lane)).then(|| stays(&velocity(lane), &normal(lane)))
         });
         self.change(group, next, step, &ended);
     }
@@ -255,7 +262,7 @@ where
                 seat.idle = if seat.idle_at == step.wrapping_sub(1) { seat.idle + 1 } else { 1 };
                 seat.idle_at = step;
                 if seat.idle > MOST_IDLE {
-                    *stop = Some(ended(group.orbit.velocity.map(|x| x.lane(lane)), Stop::Stalled));
+                    *stop = Some(ended(&group.orbit.velocity.map(|x| x.lane(lane)), Stop::Stalled));
                 }
             }
         }

@@ -22,8 +22,10 @@ pub enum Stop {
     /// Many collisions without any progress: the end of a cusp. Or the particle has all but stopped, under a law that takes energy from
     /// it.
     Stalled,
-    /// A law has left a velocity that is no number, or an infinite one.
+    /// A law has left a velocity that is no number, or one so large that its square is infinite.
     NotFinite,
+    /// A law has left the ball on its way into the wall.
+    IntoWall,
 }
 
 impl Stop {
@@ -37,6 +39,7 @@ impl Stop {
             Stop::Escaped => "escaped",
             Stop::Stalled => "stalled",
             Stop::NotFinite => "not finite",
+            Stop::IntoWall => "into the wall",
         }
     }
 }
@@ -70,6 +73,10 @@ pub(crate) fn slow<const N: usize, const S: usize>(
     GRAZING * if law.mirror().is_some_and(Mirror::is_specular) { sum(velocity) } else { speed(velocity, spin) }
 }
 
+/// A normal speed below 0 by more than this part of the speed is that of a ball which a law lets into the wall: less may be rounding, also
+/// where the law has left no more than 10⁻⁷ of the speed.
+const INWARDS: f64 = 1.0 / 8_388_608.0; // 2⁻²³
+
 /// The square of a normal speed of this has lost its digits.
 pub(crate) const LEAST: f64 = 1e-154;
 
@@ -80,12 +87,20 @@ pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask
 }
 
 /// Why an orbit of this velocity ends: `why`, where the velocity is one.
-pub(crate) fn ended<const N: usize>(velocity: [f64; N], why: Stop) -> Stop {
-    if !velocity.iter().all(|v| v.is_finite()) {
+pub(crate) fn ended<const N: usize>(velocity: &[f64; N], why: Stop) -> Stop {
+    if !dot(velocity, velocity).is_finite() {
         Stop::NotFinite
-    } else if has_stalled(&velocity) {
+    } else if has_stalled(velocity) {
         Stop::Stalled
     } else {
         why
     }
+}
+
+/// Why an orbit of this velocity does not get away from a wall with this unit normal.
+#[cold]
+#[inline(never)]
+pub(crate) fn stays<const N: usize>(velocity: &[f64; N], normal: &[f64; N]) -> Stop {
+    let leaves_inwards = dot(velocity, normal) < -INWARDS * sum(velocity);
+    ended(velocity, if leaves_inwards { Stop::IntoWall } else { Stop::Grazing })
 }

@@ -367,3 +367,89 @@ fn a_law_that_returns_no_velocity_is_told_as_what_it_is() {
         }
     }
 }
+
+/// Lets everything through, or throws it back faster than it came.
+#[derive(Clone, Copy)]
+struct Wrong {
+    restitution: f64,
+}
+
+impl CollisionLaw<2> for Wrong {
+    fn impulse(&self, contact: &Contact<2>, delassus: &Delassus<2>, u: &Vector2<f64>) -> Vector2<f64> {
+        collision_laws::reflect(&Roughness::Smooth, contact, delassus, u) * (0.5 + 0.5 * self.restitution)
+    }
+}
+
+/// How 16 orbits end, alone, in lanes, and one collision at a time.
+fn ends(table: &geometry::Table, law: &(impl BallLaw<2, 1> + Clone), most: u64) -> Vec<(Stop, u64)> {
+    let billiard = Planar { table: table.clone(), law: law.clone() };
+    let start = |k: u32| {
+        let angle = 0.3 + 1.7 * f64::from(k);
+        Orbit::<f64, 2, 1>::new([0.1, 0.318], [angle.cos(), angle.sin()], [0.3], ())
+    };
+    let mut ended = vec![];
+    for k in 0..16 {
+        let [mut whole, mut cut] = [start(k), start(k)];
+        let outcome = billiard.run(&mut whole, &Collisions(most), &mut ());
+        let mut collisions = 0;
+        let stop = loop {
+            let step = billiard.run(&mut cut, &Collisions(1), &mut ());
+            collisions += step.collisions;
+            if step.stop != Stop::Finished || collisions == most {
+                break step.stop;
+            }
+        };
+        assert_eq!((stop, collisions), (outcome.stop, outcome.collisions), "{k}");
+        ended.push((stop, collisions));
+    }
+    let mut starts = (0..16).map(start);
+    billiard.run_side_by_side(&mut starts, most, &mut (), &mut |f| {
+        let alone = ended[usize::try_from(f.index).unwrap()];
+        assert_eq!((f.outcome.stop, f.outcome.collisions), alone, "{}", f.index);
+    });
+    ended
+}
+
+#[test]
+fn a_law_that_does_not_throw_the_ball_back_is_told_as_that() {
+    for table in [
+        tables::circle(1.0),
+        tables::square(1.0),
+        tables::stadium(1.0, 1.0),
+        tables::strip(1.0),
+        tables::moon(1.0, 0.8, 1.0),
+        tables::sinai_torus(0.25, 1.0),
+    ] {
+        for restitution in [-1.0, -0.5] {
+            let law = Custom::disk(Wrong { restitution }, 0.7).unwrap();
+            let ended = ends(&table.clone().unwrap(), &law, 1000);
+            assert!(ended.iter().all(|end| *end == (Stop::IntoWall, 1)), "{ended:?}");
+        }
+    }
+    assert_eq!(Stop::IntoWall.name(), "into the wall");
+}
+
+#[test]
+fn a_ball_that_a_law_of_ones_own_brings_to_rest_across_a_round_wall_grazes() {
+    for restitution in [0.0, 0.5] {
+        let law = laws::Restitution::new(restitution, -1.0).unwrap();
+        let own = ends(&tables::circle(1.0).unwrap(), &Custom::disk(law, 0.7).unwrap(), 5000);
+        assert!(own.iter().all(|(stop, collisions)| *stop == Stop::Grazing && *collisions < 100), "{own:?}");
+    }
+}
+
+#[test]
+fn a_ball_that_a_law_makes_faster_and_faster_ends_where_squares_of_speeds_do() {
+    for table in [tables::circle(1.0), tables::square(1.0), tables::moon(1.0, 0.8, 0.9)] {
+        let billiard = Planar { table: table.unwrap(), law: Custom::disk(Wrong { restitution: 1.5 }, 0.7).unwrap() };
+        for k in 0..60 {
+            let angle = 0.3 + 1.7 * f64::from(k);
+            let mut orbit = Orbit::<f64, 2, 1>::new([0.1, 0.318], [angle.cos(), angle.sin()], [0.3], ());
+            let outcome = billiard.run(&mut orbit, &Collisions(100_000), &mut ());
+            assert!(
+                matches!(outcome.stop, Stop::NotFinite | Stop::Corner | Stop::Grazing),
+                "{k}: {outcome:?} {orbit:?}"
+            );
+        }
+    }
+}

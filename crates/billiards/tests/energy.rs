@@ -1,5 +1,6 @@
 //! The keeper keeps the energy under any law that does, wherever the orbit goes.
 use billiards::collision_laws::laws::{NoSlip, Restitution, Specular};
+use billiards::collision_laws::{CollisionLaw, Contact, Delassus, Roughness, reflect};
 use billiards::geometry::shapes::{Circle, Ellipse};
 use billiards::geometry::{Table, Vector2, WallHit, tables};
 use billiards::observe::EnergyDrift;
@@ -19,6 +20,30 @@ fn drift(law: impl BallLaw<2, 1>, velocity: [f64; 2], spin: f64) -> f64 {
     let mut drift = EnergyDrift::of(&orbit);
     assert_eq!(billiard.run(&mut orbit, &Collisions(200_000), &mut drift).collisions, 200_000);
     drift.largest()
+}
+
+/// Takes from the normal speed at the first wall and gives it back at the third, and a little more: from below, the energy comes near to
+/// that of the start again and again.
+struct Active;
+
+impl CollisionLaw<2> for Active {
+    fn impulse(&self, contact: &Contact<2>, delassus: &Delassus<2>, u: &Vector2<f64>) -> Vector2<f64> {
+        let restitution = [0.5, 1.0, 2.0 * (1.0 + 1e-8), 1.0][contact.surface];
+        reflect(&Roughness::Smooth, contact, delassus, u) * (0.5 + 0.5 * restitution)
+    }
+}
+
+#[test]
+fn energy_that_a_law_has_taken_once_is_never_given_back_by_the_keeper() {
+    let billiard = Planar { table: tables::square(1.0).unwrap(), law: Custom::disk(Active, 0.7).unwrap() };
+    let (x, v) = ([0.5, 0.3], [0.31, -0.7]);
+    let (mut kept, mut free) = (Disks::new(x, v, [0.0], ()), Orbit::<f64, 2, 1>::new(x, v, [0.0], ()));
+    billiard.run(&mut kept, &Collisions(100_000), &mut ());
+    billiard.run(&mut free, &Collisions(100_000), &mut ());
+    assert_eq!((kept.position, kept.velocity), (free.position, free.velocity));
+    assert_eq!(kept.restored(), (free.velocity, free.spin));
+    let mut beside = (0..3).map(|_| Disks::new(x, v, [0.0], ()));
+    billiard.run_side_by_side(&mut beside, 100_000, &mut (), &mut |f| assert_eq!(f.orbit, kept));
 }
 
 /// Leaves at an angle whose sine is `2 |sin| − 1` of that of arrival, at the speed of arrival: from along the wall to along the

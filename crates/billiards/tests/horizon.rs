@@ -334,3 +334,16 @@ fn the_edges_of_an_obstacle_bend_no_orbit_that_hits_beside_them() {
     let horizon = Horizon::of(&billiard, &Felt::<3, 0>(&billiard), start, 1.0, [12_500.0, f64::INFINITY]);
     assert!(!horizon.lost && horizon.error < 1e-6, "{horizon:?}");
 }
+
+#[test]
+fn the_horizon_on_a_lattice_is_the_same_from_every_cell() {
+    let table = tables::sinai_torus(0.25, 1.0).unwrap();
+    for law in laws() {
+        let [here, there] = [0.125, 1024.125].map(|x| {
+            let start = Start { position: [x, 0.125], velocity: [0.6, 0.8], spin: [0.25] };
+            horizon(&table, &law, start, 1.0, 200)
+        });
+        assert_eq!(here, there);
+        assert!(here.collisions > 5);
+    }
+}

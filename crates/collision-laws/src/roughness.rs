@@ -97,11 +97,6 @@ impl<const N: usize> RoughSubspace<N> {
         &self.projector
     }
 
-    /// Whether it lies in the contact plane of this normal, within 10⁻⁹.
-    pub(crate) fn is_tangent(&self, normal: &SVector<f64, N>) -> bool {
-        (self.projector * normal).norm() <= 1e-9
-    }
-
     /// The dimension k of the subspace.
     #[inline]
     pub fn rank(&self) -> usize {

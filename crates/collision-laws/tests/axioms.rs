@@ -330,3 +330,30 @@ fn nothing_to_collide_is_an_error() {
         assert_eq!(walls.try_collide(&NoSlip, &(v, ())).err(), Some(Error::BothFixed));
     });
 }
+
+/// The rough direction of a floor, wherever the contact is.
+struct OfTheFloor;
+
+impl StrictLaw<3> for OfTheFloor {
+    fn roughness(&self, _: &Contact<3>) -> Roughness<3> {
+        Roughness::spanned_by(&nalgebra::Vector3::z_axis(), &[nalgebra::Vector3::x()]).unwrap()
+    }
+}
+
+#[test]
+fn the_rough_direction_of_a_floor_breaks_axioms_on_a_wall() {
+    for (normal, is_strict) in [([0.0, 0.0, 1.0], true), ([0.6, 0.0, 0.8], false)] {
+        let contact = Contact::new(SVector::zeros(), normal.into(), 0).unwrap();
+        let ball = Ball::<3>::uniform(1.0, 1.0).unwrap();
+        let pair = Pair::new(contact, (ball, -contact.normal.into_inner()), (Fixed, SVector::zeros()));
+        let report = check::law(&pair, &OfTheFloor, Samples::default());
+        assert_eq!(report.is_strict(check::TOLERANCE), is_strict, "{report:?}");
+    }
+}
+
+#[test]
+fn no_axiom_is_broken_by_what_nothing_moves() {
+    let contact = Contact::new(SVector::zeros(), [0.0, 0.0, 1.0].into(), 0).unwrap();
+    let walls = Pair::new(contact, (Fixed, SVector::zeros()), (Fixed, SVector::zeros()));
+    assert_eq!(check::law(&walls, &NoSlip, Samples::default()).broken(check::TOLERANCE).count(), 0);
+}

@@ -51,8 +51,12 @@ pub struct Table {
 /// flat, there would be any number of them.
 const MOST_TRANSLATES: f64 = 1e6;
 
-/// Squares of lengths must be numbers, and so must what comes of them: the greatest finite coordinate tells.
-fn have_squares(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
+/// Ends must be places, and squares of lengths numbers, as must be what comes of them: the greatest finite coordinate tells.
+fn are_places(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
+    let ends = || pieces.iter().filter_map(|piece| piece.ends()).flatten().flat_map(|end| [end.x, end.y]);
+    if let Some(value) = ends().find(|x| x.is_nan()) {
+        return Err(Error::Parameter { name: "a coordinate of the end of a piece", must: "a number", value });
+    }
     let coordinates = pieces.iter().map(|piece| piece.extent()).flat_map(|e| [e.min.x, e.min.y, e.max.x, e.max.y]);
     let value = coordinates.map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max);
     if value == 0.0 { Ok(()) } else { has_square("the greatest coordinate of the boundary", value) }
@@ -71,7 +75,8 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Empty`] without pieces, [`Error::Length`] if the greatest coordinate is beyond 10¹⁵⁰ or less than 10⁻¹⁵⁰, since squares
-    /// would be no numbers any more, [`Error::Open`] where a piece ends and no other starts, or the other way round.
+    /// would be no numbers any more, [`Error::Parameter`] where an end is no place, [`Error::Open`] where a piece ends and no other
+    /// starts, or the other way round.
     pub fn new(pieces: Vec<Box<dyn Piece>>) -> Result<Table, Error> {
         Table::periodic(pieces, None)
     }
@@ -85,7 +90,7 @@ impl Table {
         if pieces.is_empty() {
             return Err(Error::Empty);
         }
-        have_squares(&pieces)?;
+        are_places(&pieces)?;
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let cell = lattice.map(FundamentalCell::at_origin);
         let Succession { next, corners } = Succession::of(&pieces, cell.as_ref().map(FundamentalCell::lattice))?;

@@ -575,3 +575,49 @@ fn tables_whose_squares_are_no_numbers_are_refused() {
     // infinite lines through the origin have no size
     tables::wedge(1.0).unwrap();
 }
+
+/// A segment that does not know where it ends.
+#[derive(Clone, Debug)]
+struct Astray(geometry::shapes::Segment, [f64; 2]);
+
+impl geometry::Piece for Astray {
+    fn crossing(&self, path: &geometry::Line<2>) -> geometry::Crossing {
+        self.0.crossing(path)
+    }
+    fn landing(&self, path: &geometry::Line<2>, time: f64) -> geometry::Landing {
+        self.0.landing(path, time)
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        self.0.curvature(point)
+    }
+    fn length(&self) -> f64 {
+        self.0.length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.0.point_at(s)
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        self.0.arc_length_at(point)
+    }
+    fn closest(&self, point: &Vector2<f64>) -> geometry::Landing {
+        self.0.closest(point)
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        Some([self.1.into(); 2])
+    }
+    fn extent(&self) -> geometry::Extent {
+        self.0.extent()
+    }
+    fn area(&self) -> f64 {
+        self.0.area()
+    }
+}
+
+#[test]
+fn an_end_that_is_no_place_is_refused() {
+    let segment = geometry::shapes::Segment::new(Vector2::zeros(), Vector2::new(1.0, 0.0)).unwrap();
+    for end in [[f64::NAN, f64::NAN], [0.0, f64::NAN]] {
+        let table = geometry::Table::new(vec![Box::new(Astray(segment, end))]);
+        assert!(matches!(table, Err(Error::Parameter { must: "a number", .. })), "{table:?}");
+    }
+}
