@@ -4,14 +4,15 @@
 //! ellipse is meeting a circle.
 use crate::{
     Error,
+    afar::NEWTON,
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{dot, finite, from, moved, slack},
+    plane::{along, dot, finite, from, moved, slack},
     shapes::{Circle, Shape, curve::rising_root_near, elliptic_integral::second_kind},
 };
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
-use lanes::Lane;
+use lanes::{Lane, Mask};
 use nalgebra::{Vector1, Vector2};
 
 /// The ellipse `|A (x − c)| = 1` with `A = diag(1/a, 1/b) R(−angle)`.
@@ -29,11 +30,16 @@ pub struct Ellipse {
     from_unit: [[f64; 2]; 2],
     /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
     to_normal: [[f64; 2]; 2],
+    /// `(min(a, b)/a)²` and `(min(a, b)/b)²`
+    flatness: [f64; 2],
     /// What the ellipse becomes under `A`.
     unit: Circle,
     /// Length of a quarter.
     quarter: f64,
 }
+
+/// Steps of Newton's method that lead to an ellipse from places off it by up to half its width.
+const STEPS: usize = 6;
 
 /// Where one semi-axis is shorter than this part of the other, formulas for needles are right to rounding: what they leave out is the
 /// square of that.
@@ -64,6 +70,7 @@ impl Ellipse {
             to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
             to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
+            flatness: [a, b].map(|axis| (a.min(b) / axis) * (a.min(b) / axis)),
             unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
             quarter: 0.0,
         };
@@ -122,14 +129,47 @@ impl Ellipse {
     }
 
     /// The landing point and the normal; see [`Piece::landing`].
+    ///
+    /// The normal at `y` on the unit circle is `n = ∓Aᵀ y`. What rounding has taken a point off the wall is undone along that: the step
+    /// `(1 − |y|²)/2 · A n/|n|²` of Newton's method. Straight to the centre, as on a circle, a flat ellipse would take it along the wall.
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let (y, w) = self.affine(x, v);
-        let (y, _) = self.unit.land(y, w, time);
-        let p = combine(self.from_unit, y);
-        let n = combine(self.to_normal, y);
+        let y = along(y, w, time);
+        let (off, mut z, mut n) = self.step(y);
+        let afar = off.same(NEWTON).lt(off.abs());
+        if afar.any() {
+            let (far, normal) = self.from_afar(y, w);
+            (z, n) = ([0, 1].map(|i| afar.select(far[i], z[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
+        }
         let length = dot(n, n).sqrt();
+        let p = combine(self.from_unit, z);
         ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
+    }
+
+    /// A step from `y`: by how much that was off, where it leads, and the direction of the normal.
+    #[inline(always)]
+    fn step<F: Lane>(&self, y: [F; 2]) -> (F, [F; 2], [F; 2]) {
+        let n = combine(self.to_normal, y);
+        // not from a sum near 1, as for a circle
+        let off = ((y[0].same(1.0) - y[0] * y[0]) - y[1] * y[1]) * 0.5;
+        let step = off / dot(n, n).max(off.same(f64::MIN_POSITIVE));
+        (off, [0, 1].map(|i| y[i] + y[i] * self.flatness[i] * step), n)
+    }
+
+    /// The same for a place that is so far off that one step does not lead to the wall: further steps, or where these do not lead there either,
+    /// as for an ellipse that is tiny beside the flight, straight to the centre.
+    #[cold]
+    #[inline(never)]
+    fn from_afar<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
+        let (mut z, mut n, mut off) = (y, y, y[0]);
+        for _ in 0..STEPS {
+            (off, z, n) = self.step(z);
+        }
+        let there = off.abs().lt(off.same(NEWTON));
+        let (far, _) = self.unit.land(y, w, y[0].same(0.0));
+        let normal = combine(self.to_normal, far);
+        ([0, 1].map(|i| there.select(z[i], far[i])), [0, 1].map(|i| there.select(n[i], normal[i])))
     }
 
     /// Where a point of the plane is in the picture of the unit circle.
@@ -355,6 +395,36 @@ mod tests {
 
     fn path(x: f64, y: f64, vx: f64, vy: f64) -> Line<2> {
         Line { point: Vector2::new(x, y), velocity: Vector2::new(vx, vy) }
+    }
+
+    #[test]
+    fn a_path_lands_on_a_flat_ellipse_where_it_crosses_it() {
+        for width in [1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-9, 1e-10] {
+            for (center, inside) in [([0.3, 0.1], false), ([0.3, 0.1], true), ([-30.0, 7.0], false)] {
+                let ellipse = Ellipse::new(center.into(), [1.0, width], 0.3, inside).unwrap();
+                let size = 1.0 + center[0].abs();
+                let mut hits = 0;
+                for k in 0..400 {
+                    let (u, angle) = (libm::cos(f64::from(k)), 0.7 * f64::from(k));
+                    let aim = Vector2::from(center) + Vector2::from(ellipse.axis) * u;
+                    let heading = Vector2::new(libm::cos(angle), libm::sin(angle));
+                    let steep = heading.perp(&Vector2::from(ellipse.axis)).abs();
+                    let start = if inside { aim } else { aim - heading * 1.75 };
+                    let path = Line { point: start, velocity: heading };
+                    let time = ellipse.crossing(&path).time();
+                    if steep < 0.3 || time.is_infinite() {
+                        continue;
+                    }
+                    hits += 1;
+                    let landing = ellipse.landing(&path, time);
+                    let [at, rest] = path.at_exactly(time);
+                    let off = (landing.point - at) - rest;
+                    // no farther from the path than a few roundings of places, along the wall as little as across it
+                    assert!(off.norm() <= 8.0 * f64::EPSILON * size, "{width} {k}: {:e}", off.norm() / f64::EPSILON);
+                }
+                assert!(hits > 200, "{hits}");
+            }
+        }
     }
 
     #[test]
