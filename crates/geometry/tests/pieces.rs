@@ -507,3 +507,59 @@ fn lines_cross_a_curve_of_a_thousand_waves_as_often_as_its_formula_changes_sign(
     }
     assert_eq!(Table::new(vec![Box::new(curve)]).unwrap().validate(), Ok(()));
 }
+
+/// An ellipse with semi-axes 1 and `width`, as a radius for every direction.
+#[derive(Clone, Debug)]
+struct Flat {
+    width: f64,
+}
+
+impl PolarFormula for Flat {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(angle);
+        let (w, gap) = (self.width, 1.0 - self.width * self.width);
+        let square = sin * sin + w * w * cos * cos;
+        let r = w / square.sqrt();
+        let first = -gap * sin * cos / square;
+        let second = -gap * (cos * cos - sin * sin) / square + 3.0 * first * first;
+        [r, r * first, r * second]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [sin, cos] = angle.sin_cos();
+        let (w, gap) = (self.width, 1.0 - self.width * self.width);
+        let square = sin.square() + cos.square() * (w * w);
+        let r = Interval::from(w) / square.sqrt();
+        let first = sin * cos * -gap / square;
+        let second = (cos.square() + -sin.square()) * -gap / square + first.square() * 3.0;
+        [r, r * first, r * second]
+    }
+}
+
+#[test]
+fn a_path_lands_on_a_flat_curve_where_it_crosses_it() {
+    for width in [0.3, 0.1, 0.03, 0.01] {
+        let center = v(0.3, 0.1);
+        let curve = Polar::new(center, Flat { width }, false).unwrap();
+        let truth = Ellipse::new(center, [1.0, width], 0.0, false).unwrap();
+        let mut hits = 0;
+        for k in 0..300 {
+            let (u, angle) = (0.95 * libm::cos(f64::from(k)), 0.7 * f64::from(k));
+            let heading = v(libm::cos(angle), libm::sin(angle));
+            let path = Line { point: center + v(u, 0.0) - heading * 1.75, velocity: heading };
+            let time = curve.crossing(&path).time();
+            if heading.y.abs() < 0.3 || time.is_infinite() {
+                continue;
+            }
+            hits += 1;
+            let landing = curve.landing(&path, time);
+            let off = (landing.point - path.at(time)).norm();
+            // angles are rounded to an ulp, which takes the wall of the formula, and the time, by that times r′ = 1/width sideways
+            let allowed = (16.0 + 0.5 / width) * f64::EPSILON;
+            assert!(off <= allowed, "{width} {k}: {:e}", off / f64::EPSILON);
+            let turned = landing.normal.perp(&truth.closest(&landing.point).normal);
+            let allowed = allowed * (1.0 + truth.curvature(&landing.point).abs());
+            assert!(turned.abs() <= allowed, "{width} {k}: {:e} {:e}", turned, allowed);
+        }
+        assert!(hits > 200, "{hits}");
+    }
+}

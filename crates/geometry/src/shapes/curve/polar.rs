@@ -88,6 +88,9 @@ const FINER: [u32; 3] = [4, 16, 64];
 /// Most parts then: in waves so short the rounding of angles makes eight parts about each of 2000 kinks doubtful.
 const FINER_PARTS: usize = 16_384;
 
+/// The normal of a curve turns by less than this (radians) over what rounding takes a place along it; its square is rounding.
+const NEAR: f64 = 1e-8;
+
 /// What the angle 2π may be off by in a formula (radians): some ulp.
 const SEAM: f64 = 16.0 * f64::EPSILON;
 
@@ -424,10 +427,24 @@ impl<F: PolarFormula> Piece for Polar<F> {
         let way = if step.abs() <= self.slack * speed { way - step } else { way };
         Crossing { num: way.max(0.0), den: square }
     }
+    /// What rounding has taken the path's place off the curve is undone along the normal, not straight to the centre, which would take it
+    /// along a flank by that times `r′/r`; the normal turns back with it.
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         let y = path.at(time) - self.center;
         let distance = libm::hypot(y.x, y.y);
-        self.towards(libm::atan2(y.y, y.x), if distance > 0.0 { y / distance } else { Vector2::x() })
+        let angle = libm::atan2(y.y, y.x);
+        let straight = self.towards(angle, if distance > 0.0 { y / distance } else { Vector2::x() });
+        let off = self.center + y - straight.point;
+        let normal = straight.normal;
+        let across = off.dot(&normal);
+        let along = off - normal * across;
+        let turn = self.curvature_at(angle) * Vector2::new(normal.y, -normal.x).dot(&along);
+        // nowhere but next to the curve, as far as its formula tells, and not at the tip of a cusp
+        let is_near = across.abs() <= 64.0 * self.slack && turn.abs() <= NEAR;
+        if !is_near {
+            return straight;
+        }
+        Landing { point: straight.point + along, normal: normal - Vector2::new(normal.y, -normal.x) * turn }
     }
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
         self.curvature_at(self.angle(point))
