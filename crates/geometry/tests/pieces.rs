@@ -558,7 +558,7 @@ fn a_path_lands_on_a_flat_curve_where_it_crosses_it() {
             assert!(off <= allowed, "{width} {k}: {:e}", off / f64::EPSILON);
             let turned = landing.normal.perp(&truth.closest(&landing.point).normal);
             let allowed = allowed * (1.0 + truth.curvature(&landing.point).abs());
-            assert!(turned.abs() <= allowed, "{width} {k}: {:e} {:e}", turned, allowed);
+            assert!(turned.abs() <= allowed, "{width} {k}: {turned:e} {allowed:e}");
         }
         assert!(hits > 200, "{hits}");
     }

@@ -30,8 +30,8 @@ pub struct Ellipse {
     from_unit: [[f64; 2]; 2],
     /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
     to_normal: [[f64; 2]; 2],
-    /// `(min(a, b)/a)²` and `(min(a, b)/b)²`
-    flatness: [f64; 2],
+    /// `∓min(a, b)`: the length of `to_normal` times `A`.
+    width: f64,
     /// What the ellipse becomes under `A`.
     unit: Circle,
     /// Length of a quarter.
@@ -70,7 +70,7 @@ impl Ellipse {
             to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
             to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
-            flatness: [a, b].map(|axis| (a.min(b) / axis) * (a.min(b) / axis)),
+            width: inward * a.min(b),
             unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
             quarter: 0.0,
         };
@@ -130,46 +130,50 @@ impl Ellipse {
 
     /// The landing point and the normal; see [`Piece::landing`].
     ///
-    /// The normal at `y` on the unit circle is `n = ∓Aᵀ y`. What rounding has taken a point off the wall is undone along that: the step
-    /// `(1 − |y|²)/2 · A n/|n|²` of Newton's method. Straight to the centre, as on a circle, a flat ellipse would take it along the wall.
+    /// What rounding has taken a place off the wall is undone along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of Newton's
+    /// method. Straight to the centre, as on a circle, a flat ellipse would take it along the wall.
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let (y, w) = self.affine(x, v);
         let y = along(y, w, time);
-        let (off, mut z, mut n) = self.step(y);
+        let (off, step, mut n) = self.step(y);
+        let p = combine(self.from_unit, y);
+        let mut p = [0, 1].map(|i| p[i] + n[i] * step);
         let afar = off.same(NEWTON).lt(off.abs());
         if afar.any() {
-            let (far, normal) = self.from_afar(y, w);
-            (z, n) = ([0, 1].map(|i| afar.select(far[i], z[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
+            let (far, normal) = self.far_landing(y, w);
+            (p, n) = ([0, 1].map(|i| afar.select(far[i], p[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
         }
         let length = dot(n, n).sqrt();
-        let p = combine(self.from_unit, z);
         ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
     }
 
-    /// A step from `y`: by how much that was off, where it leads, and the direction of the normal.
+    /// A step from the place of `y`: by how much that was off, what it is in units of the direction of the normal, and this.
     #[inline(always)]
-    fn step<F: Lane>(&self, y: [F; 2]) -> (F, [F; 2], [F; 2]) {
+    fn step<F: Lane>(&self, y: [F; 2]) -> (F, F, [F; 2]) {
         let n = combine(self.to_normal, y);
         // not from a sum near 1, as for a circle
         let off = ((y[0].same(1.0) - y[0] * y[0]) - y[1] * y[1]) * 0.5;
-        let step = off / dot(n, n).max(off.same(f64::MIN_POSITIVE));
-        (off, [0, 1].map(|i| y[i] + y[i] * self.flatness[i] * step), n)
+        (off, off / dot(n, n).max(off.same(f64::MIN_POSITIVE)) * self.width, n)
     }
 
-    /// The same for a place that is so far off that one step does not lead to the wall: further steps, or where these do not lead there either,
-    /// as for an ellipse that is tiny beside the flight, straight to the centre.
+    /// Where the step ends for a place that is so far off that one step does not lead to the wall: further steps, or where these do not lead
+    /// there either, as for an ellipse that is tiny beside the flight, straight to the centre.
     #[cold]
     #[inline(never)]
-    fn from_afar<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
+    fn far_landing<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
         let (mut z, mut n, mut off) = (y, y, y[0]);
         for _ in 0..STEPS {
-            (off, z, n) = self.step(z);
+            let step;
+            (off, step, n) = self.step(z);
+            let way = rows(self.to_unit, n);
+            z = [0, 1].map(|i| z[i] + way[i] * step);
         }
         let there = off.abs().lt(off.same(NEWTON));
         let (far, _) = self.unit.land(y, w, y[0].same(0.0));
         let normal = combine(self.to_normal, far);
-        ([0, 1].map(|i| there.select(z[i], far[i])), [0, 1].map(|i| there.select(n[i], normal[i])))
+        let z = [0, 1].map(|i| there.select(z[i], far[i]));
+        (combine(self.from_unit, z), [0, 1].map(|i| there.select(n[i], normal[i])))
     }
 
     /// Where a point of the plane is in the picture of the unit circle.

@@ -7,6 +7,12 @@ use nalgebra::Vector2;
 pub trait Parametric {
     /// The point \[L\] and its derivative with respect to the parameter, which does not vanish.
     fn at(&self, u: f64) -> [Vector2<f64>; 2];
+
+    /// Whether point and derivative at a parameter belong together to the last digits, wherever rounding takes both of them along the
+    /// curve. Not so of formulas with waves, which round multiples of their parameter.
+    fn is_consistent(&self) -> bool {
+        false
+    }
 }
 
 /// Abscissas > 0 and weights of the Gauss–Legendre rule with ten nodes on [−1, 1].

@@ -177,9 +177,11 @@ impl<C: Parametric> Cut<'_, C> {
             heights[k + 1] = c / (k as f64 + 1.0);
         }
         heights[0] = samples.iter().map(|[a, b, ..]| b - horner(&heights, *a)[0]).sum::<f64>() / SAMPLES as f64;
-        // the rounding of parameters turns directions, and so does that of points
+        // the rounding of parameters turns directions against the points, and so does that of points
         let [first, last] = [samples[0][2], samples[SAMPLES - 1][2]];
-        let far = (from.u.abs().max(to.u.abs()) / (to.u - from.u).abs()).max(self.size / (2.0 * half));
+        let of_parameters =
+            if self.curve.is_consistent() { 0.0 } else { from.u.abs().max(to.u.abs()) / (to.u - from.u).abs() };
+        let far = of_parameters.max(self.size / (2.0 * half));
         let turning = (last - first).abs() * far;
         let agrees = |[a, b, slope, _]: &[f64; 4]| {
             let [height, incline, _] = horner(&heights, *a);
