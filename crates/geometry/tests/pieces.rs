@@ -360,8 +360,9 @@ fn the_angular_momenta_about_the_foci_of_an_ellipse_have_a_constant_product() {
             path = Line { point: at.point, velocity: specular(path.velocity, at.normal) };
             path.velocity /= path.velocity.norm();
         }
-        // 10⁴ bounces of about 1e-16 each, growing in step at the very worst
-        assert!((product(&path) - start).abs() < 1e-12, "{} {start}", product(&path));
+        // the directions of the axes are rounded, once for places and once for normals: 10⁴ bounces of about 1e-16 each, in step, of
+        // momenta up to 2
+        assert!((product(&path) - start).abs() < 2e-12, "{} {start}", product(&path));
     }
 }
 
