@@ -107,7 +107,8 @@ pub enum Error {
         /// About where.
         at: [f64; 2],
     },
-    /// A curve with a kink, about which its parallel would be open or cross itself.
+    /// A curve with a kink that points into the table, about which its parallel would be open, or with the tip of a cusp, where it would cross
+    /// itself.
     #[error("the curve has a kink near {}", about(at))]
     Kink {
         /// About where.

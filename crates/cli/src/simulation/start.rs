@@ -137,9 +137,8 @@ pub(crate) fn planar(
         }
         return Err(Box::new(outside(scene, at, distance / length, piece)));
     }
-    if moves_inwards(table, &home, &Vector2::from(start.velocity), slack) {
-        return Ok(start);
-    }
+    let Some(wall) = in_the_way(table, &home, &Vector2::from(start.velocity), slack, nearest) else { return Ok(start) };
+    let piece = pieces[wall];
     let touch = if scene.particle.radius.value > 0.0 { "the disk touches" } else { "the start lies on" };
     let what = format!("{touch} piece {piece} and does not move into the table");
     Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
@@ -164,19 +163,25 @@ pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: u64) -> Dia
         .with_help("move the start into the table, at least the particle's radius from all walls")
 }
 
-/// Whether a path from a point of the boundary enters the table.
+/// The piece through which a path from a point of the boundary leaves the table, or that it runs along; `nearest` where none is found.
 ///
-/// At a corner that points out of the table it must do so for both walls, at one that points into it for either.
-fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, slack: f64) -> bool {
+/// At a corner that points out of the table it must lead away from both walls, at one that points into it from either.
+fn in_the_way(
+    table: &Table,
+    point: &Vector2<f64>,
+    velocity: &Vector2<f64>,
+    slack: f64,
+    nearest: usize,
+) -> Option<usize> {
     let near = |a: &Vector2<f64>, b: &Vector2<f64>| libm::hypot(a.x - b.x, a.y - b.y) <= 2.0 * slack;
     let mut normals = vec![];
     let (mut ending, mut starting) = (None, None);
-    for (_, piece) in table.nearby() {
+    for (number, piece) in table.nearby() {
         let landing = piece.closest(point);
         if near(&landing.point, point) {
             // a wall without thickness is left on the side to which the path moves
             let behind = piece.tips().is_some() && velocity.dot(&landing.normal) < 0.0;
-            normals.push(if behind { -landing.normal } else { landing.normal });
+            normals.push((number, if behind { -landing.normal } else { landing.normal }));
             match piece.ends() {
                 Some([_, b]) if near(&b, point) => ending = Some(landing.normal),
                 Some([a, _]) if near(&a, point) => starting = Some(landing.normal),
@@ -184,10 +189,11 @@ fn moves_inwards(table: &Table, point: &Vector2<f64>, velocity: &Vector2<f64>, s
             }
         }
     }
-    let enters = |normal: &Vector2<f64>| velocity.dot(normal) > 0.0;
+    let stops = |(number, normal): &(usize, Vector2<f64>)| (!(velocity.dot(normal) > 0.0)).then_some(*number);
     match (&normals[..], ending, starting) {
         // the boundary turns right there, with the table on its left
-        ([a, b], Some(before), Some(after)) if before.perp(&after) < 0.0 => enters(a) || enters(b),
-        _ => !normals.is_empty() && normals.iter().all(enters),
+        ([a, b], Some(before), Some(after)) if before.perp(&after) < 0.0 => stops(a).and(stops(b)),
+        ([], ..) => Some(nearest),
+        _ => normals.iter().find_map(stops),
     }
 }

@@ -183,6 +183,13 @@ fn a_start_on_a_wall_is_accepted_if_it_moves_inwards() {
     folder.done(&start("[0.25, 0]", "[0.5, 0.25]"), &[]);
     folder.done(&start("[0.25, 0]", "[-0.5, -0.25]"), &[]);
     assert!(refused("[0.25, 0]", "[0.5, -0.25]").contains("does not move into the table"));
+    // the wall is named through which it would leave
+    let corner = |velocity: &str| {
+        let scene = SQUARE.replace("[0.25, 0.5]", "[0, 0]").replace("[0.5, 0.25]", velocity);
+        String::from_utf8(folder.run(&scene, &[]).stderr).unwrap()
+    };
+    assert!(corner("[-0.88, 0.48]").contains("lies on piece 3 and"), "{}", corner("[-0.88, 0.48]"));
+    assert!(corner("[0.88, -0.48]").contains("lies on piece 0 and"), "{}", corner("[0.88, -0.48]"));
     // within rounding of a wall is on it, whichever side
     folder.done(&start("[0.5, 1e-17]", "[0.5, 0.25]"), &[]);
     folder.done(&start("[0.5, -1e-17]", "[0.5, 0.25]"), &[]);
