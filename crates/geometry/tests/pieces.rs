@@ -564,3 +564,40 @@ fn a_path_lands_on_a_flat_curve_where_it_crosses_it() {
         assert!(hits > 200, "{hits}");
     }
 }
+
+/// A conic in another box.
+#[derive(Clone, Debug)]
+struct Boxed(Conic, [f64; 2]);
+
+impl ImplicitFormula for Boxed {
+    fn value(&self, p: [f64; 2]) -> f64 {
+        self.0.value(p)
+    }
+    fn gradient(&self, p: [f64; 2]) -> [f64; 2] {
+        self.0.gradient(p)
+    }
+    fn hessian(&self, p: [f64; 2]) -> [f64; 3] {
+        self.0.hessian(p)
+    }
+    fn hessian_over(&self, region: [Interval; 2]) -> [Interval; 3] {
+        self.0.hessian_over(region)
+    }
+    fn extent(&self) -> Extent {
+        let (c, room) = (Vector2::from(self.0.center), Vector2::from(self.1));
+        Extent { min: c - room, max: c + room }
+    }
+}
+
+#[test]
+fn flat_curves_are_followed_around_their_tips() {
+    for width in [0.3, 0.05, 0.03, 0.02, 0.01, 0.003, 1e-3] {
+        for (axes, room) in [([1.0, width], [1.5, 0.5]), ([1.0, width], [1.1, 2.0 * width]), ([width, 1.0], [0.5, 1.5])]
+        {
+            let conic = Conic { center: [0.0, 0.0], semi_axes: axes };
+            let curve = Implicit::new(Boxed(conic, room), true).unwrap_or_else(|e| panic!("{axes:?} {room:?}: {e}"));
+            let ellipse = Ellipse::new(v(0.0, 0.0), axes, 0.0, true).unwrap();
+            assert!((curve.length() - ellipse.length()).abs() < 1e-12, "{axes:?}: {}", curve.length());
+            assert!((curve.area() / ellipse.area() - 1.0).abs() < 1e-12, "{axes:?}: {}", curve.area());
+        }
+    }
+}

@@ -276,8 +276,12 @@ fn seed<F: ImplicitFormula>(formula: &F, region: &Extent) -> Option<Vector2<f64>
     None
 }
 
-/// Newton's method along the gradient: the point, and the unit tangent there with `f < 0` on its left.
-fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>) -> Option<[Vector2<f64>; 2]> {
+/// The last step of Newton's method onto a curve, in units of the box: the next one would be rounding. Where steps stop growing shorter
+/// sooner, as from far beside the tip of a flat curve, they do not lead there.
+const LAST: f64 = 1e-8;
+
+/// Newton's method along the gradient in a box of some size: the point, and the unit tangent there with `f < 0` on its left.
+fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>, size: f64) -> Option<[Vector2<f64>; 2]> {
     let mut last = f64::INFINITY;
     for _ in 0..16 {
         let gradient = Vector2::from(formula.gradient(p.into()));
@@ -293,8 +297,9 @@ fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>) -> Option<[Vector2
         last = length;
     }
     let gradient = Vector2::from(formula.gradient(p.into()));
-    let size = libm::hypot(gradient.x, gradient.y);
-    (size > 0.0 && size.is_finite()).then(|| [p, Vector2::new(-gradient.y, gradient.x) / size])
+    let slope = libm::hypot(gradient.x, gradient.y);
+    (last <= LAST * size && slope > 0.0 && slope.is_finite())
+        .then(|| [p, Vector2::new(-gradient.y, gradient.x) / slope])
 }
 
 /// Vertices along the curve, counter-clockwise, the last equal to the first.
@@ -306,7 +311,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
         let least = STRAIGHT * chord.norm();
         chord.dot(&t) >= least && chord.dot(&u) >= least && t.dot(&u) > 0.0
     };
-    let first = onto(formula, start).ok_or_else(|| rough(start))?;
+    let first = onto(formula, start, size).ok_or_else(|| rough(start))?;
     let mut here = first;
     let mut vertices = vec![first[0]];
     let mut step = size / 64.0;
@@ -316,7 +321,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
             vertices.push(first[0]);
             return Ok(vertices);
         }
-        match onto(formula, here[0] + here[1] * step) {
+        match onto(formula, here[0] + here[1] * step, size) {
             Some(next) if straight(here, next) && (next[0] - here[0]).norm() <= 2.0 * step => {
                 let [p, _] = next;
                 let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
