@@ -58,7 +58,7 @@ pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> 
             let told = 0.5 * (after - before) * (a.1 + b.1);
             turning(&a.0, &b.0) - if told.is_finite() { told } else { 0.0 }
         });
-        let matters = around < -ROUNDING || around > SHARP;
+        let matters = !(-ROUNDING..=SHARP).contains(&around);
         if matters && (here.abs() > 0.5 * around.abs() || here.is_nan()) {
             return Some(s);
         }
