@@ -69,6 +69,15 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
     Ok(RawBoundary { pieces, vertices })
 }
 
+/// How far points of an arc are off: by the rounding of its centre and of its radius, however short it is. (Points of other pieces are off
+/// by the rounding of their coordinates only.)
+pub(super) fn rounding(piece: &dyn Piece) -> f64 {
+    match piece.figure() {
+        Figure::Arc { center, radius, .. } => slack([center.x, center.y, radius]),
+        _ => 0.0,
+    }
+}
+
 /// What becomes of a corner: a shared vertex where the boundary is smooth, an arc where it is re-entrant.
 fn turn(
     table: &Table,
@@ -83,7 +92,8 @@ fn turn(
     let (n, m) = (p.closest(&vertex).normal, q.closest(&there).normal);
     let angle = joint.turn(table);
     let shift = vertices.translation(cell);
-    let shallow = angle > 0.0 && 0.5 * radius * angle * angle <= SHALLOW * slack([vertex.x, vertex.y, radius]);
+    let rounding = slack([vertex.x, vertex.y, radius]).max(rounding(&**p)).max(rounding(&**q));
+    let shallow = angle > 0.0 && 0.5 * radius * angle * angle <= SHALLOW * rounding;
     if angle.abs() <= SMOOTH || shallow {
         let point = vertex + (n + m) * (radius / (n + m).norm());
         let site = vertices.add(point);
