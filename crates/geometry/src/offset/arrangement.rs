@@ -78,7 +78,15 @@ impl<'a> Arrangement<'a> {
         // a vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from
         let tolerance = 4.0 * slack([size]);
         let of = |piece: &dyn Piece| tolerance.max(4.0 * rounding(piece));
-        let of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
+        let mut of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
+        // a piece ends where the one that it goes on in ends it
+        let mut of_vertices = vec![tolerance; vertices.len()];
+        for (r, &own) in raw.iter().zip(&of_raw) {
+            r.ends.iter().flatten().for_each(|site| of_vertices[site.vertex] = own.max(of_vertices[site.vertex]));
+        }
+        for (r, own) in raw.iter().zip(&mut of_raw) {
+            *own = r.ends.iter().flatten().fold(*own, |most, site| most.max(of_vertices[site.vertex]));
+        }
         let of_drawn: Vec<f64> = table.pieces().iter().map(|p| of(&**p)).collect();
         let mut all = Arrangement {
             table,
@@ -124,7 +132,7 @@ impl<'a> Arrangement<'a> {
                     let leftward = u.perp(&t);
                     let clear = match m.kind {
                         MeetingKind::Crossing => true,
-                        MeetingKind::End => leftward.abs() > TANGENT,
+                        MeetingKind::End => leftward.abs() > TANGENT && !self.go_on([i, j], other.cell, m.point),
                         MeetingKind::Tangency | MeetingKind::Overlap => false,
                     };
                     let (left, right) = (clear && leftward > 0.0, clear && leftward < 0.0);
@@ -142,6 +150,15 @@ impl<'a> Arrangement<'a> {
             }
             cuts.sort_by(|a, b| a.s.total_cmp(&b.s));
         }
+    }
+
+    /// Whether two pieces, the second one in another cell, go on as one another at a point: that they do so at an angle, within what is
+    /// smooth, says nothing about sides.
+    fn go_on(&self, [i, j]: [usize; 2], cell: [f64; 2], point: Vector2<f64>) -> bool {
+        let tolerance = self.of_raw[i].max(self.of_raw[j]);
+        let its: Vec<Site> = self.raw[j].ends.iter().flatten().map(|site| site.moved(cell)).collect();
+        let mut own = self.raw[i].ends.iter().flatten();
+        own.any(|site| its.contains(site) && (self.vertices.at(*site) - point).amax() <= tolerance)
     }
 
     /// Makes one vertex of those that differ by rounding, and one cut of those at one vertex.

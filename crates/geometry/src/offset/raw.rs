@@ -22,6 +22,10 @@ const SMOOTH: f64 = 2e-7;
 /// coordinates, for they are parallel then as far as anybody can tell.
 const SHALLOW: f64 = 4.0;
 
+/// A re-entrant corner is smooth as well where the arc about it is no longer than this many times the rounding of coordinates: what is as
+/// short is no piece.
+const SHORT: f64 = 16.0;
+
 /// The moved pieces, and their ends as vertices.
 #[derive(Debug)]
 pub(super) struct RawBoundary {
@@ -93,7 +97,11 @@ fn turn(
     let angle = joint.turn(table);
     let shift = vertices.translation(cell);
     let rounding = slack([vertex.x, vertex.y, radius]).max(rounding(&**p)).max(rounding(&**q));
-    let shallow = angle > 0.0 && 0.5 * radius * angle * angle <= SHALLOW * rounding;
+    let shallow = if angle > 0.0 {
+        0.5 * radius * angle * angle <= SHALLOW * rounding
+    } else {
+        -radius * angle <= SHORT * rounding
+    };
     if angle.abs() <= SMOOTH || shallow {
         let point = vertex + (n + m) * (radius / (n + m).norm());
         let site = vertices.add(point);

@@ -3,7 +3,7 @@ use crate::{BoxTree, Extent, Lattice};
 use nalgebra::Vector2;
 
 /// A vertex moved by a lattice vector.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Site {
     pub(super) vertex: usize,
     /// By how many of each lattice vector.
