@@ -2,7 +2,7 @@
 use super::{
     Origin,
     moved::Moved,
-    raw::{RawBoundary, rounding},
+    raw::RawBoundary,
     vertices::{Site, Vertices, minus},
 };
 use crate::{
@@ -11,6 +11,7 @@ use crate::{
     intersect::direction_at,
     joints::{Branch, leftmost},
     meetings,
+    piece::rounding,
     plane::slack,
     shapes::{self, Parallel, Translated},
 };
@@ -60,12 +61,15 @@ pub(super) struct Arrangement<'a> {
     raw: Vec<Moved>,
     vertices: Vertices,
     cuts: Vec<Vec<Cut>>,
-    /// How much places that are one may differ, computed twice: on any piece, on each moved one, on each drawn one, and on the one for which
-    /// that is most.
+    /// How much a place may differ, computed twice: on most pieces, on each moved one, on each drawn one, and on the one for which that is
+    /// most.
     tolerance: f64,
     of_raw: Vec<f64>,
     of_drawn: Vec<f64>,
     widest: f64,
+    /// The same of each vertex, and of each moved piece with those that it goes on as, which end it.
+    of_vertices: Vec<f64>,
+    of_ended: Vec<f64>,
 }
 
 /// The pieces of a loop, with their origins.
@@ -78,15 +82,13 @@ impl<'a> Arrangement<'a> {
         // a vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from
         let tolerance = 4.0 * slack([size]);
         let of = |piece: &dyn Piece| tolerance.max(4.0 * rounding(piece));
-        let mut of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
-        // a piece ends where the one that it goes on in ends it
+        let of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
         let mut of_vertices = vec![tolerance; vertices.len()];
         for (r, &own) in raw.iter().zip(&of_raw) {
             r.ends.iter().flatten().for_each(|site| of_vertices[site.vertex] = own.max(of_vertices[site.vertex]));
         }
-        for (r, own) in raw.iter().zip(&mut of_raw) {
-            *own = r.ends.iter().flatten().fold(*own, |most, site| most.max(of_vertices[site.vertex]));
-        }
+        let ended = |r: &Moved| r.ends.iter().flatten().map(|site| of_vertices[site.vertex]).fold(tolerance, f64::max);
+        let of_ended = raw.iter().zip(&of_raw).map(|(r, own)| own.max(ended(r))).collect();
         let of_drawn: Vec<f64> = table.pieces().iter().map(|p| of(&**p)).collect();
         let mut all = Arrangement {
             table,
@@ -98,6 +100,8 @@ impl<'a> Arrangement<'a> {
             widest: of_raw.iter().chain(&of_drawn).copied().fold(tolerance, f64::max),
             of_raw,
             of_drawn,
+            of_vertices,
+            of_ended,
         };
         all.cut();
         all.unite();
@@ -137,6 +141,7 @@ impl<'a> Arrangement<'a> {
                     };
                     let (left, right) = (clear && leftward > 0.0, clear && leftward < 0.0);
                     let site = self.vertices.add(m.point);
+                    self.of_vertices.push(self.of_raw[i].max(self.of_raw[j]));
                     self.cuts[i].push(Cut { s: m.at[0], site, leaves: left, enters: right });
                     let site = site.moved(minus(other.cell));
                     self.cuts[j].push(Cut { s: m.at[1], site, leaves: right, enters: left });
@@ -163,14 +168,7 @@ impl<'a> Arrangement<'a> {
 
     /// Makes one vertex of those that differ by rounding, and one cut of those at one vertex.
     fn unite(&mut self) {
-        let mut tolerances = vec![self.tolerance; self.vertices.len()];
-        for (cuts, &tolerance) in self.cuts.iter().zip(&self.of_raw) {
-            for cut in cuts {
-                let own = &mut tolerances[cut.site.vertex];
-                *own = own.max(tolerance);
-            }
-        }
-        self.vertices.unite_near(&tolerances);
+        self.vertices.unite_near(&self.of_vertices);
         for ((raw, cuts), tolerance) in self.raw.iter().zip(&mut self.cuts).zip(&self.of_raw) {
             let mut single: Vec<Cut> = vec![];
             for cut in cuts.drain(..) {
@@ -312,7 +310,7 @@ impl<'a> Arrangement<'a> {
             |e| e.distance(&at) <= self.radius + self.widest,
             |index| {
                 let Translate { piece: wall, number: drawn, .. } = drawn.get(index).0;
-                let tolerance = self.of_raw[number].max(self.of_drawn[*drawn]);
+                let tolerance = self.of_ended[number].max(self.of_drawn[*drawn]);
                 let landing = wall.closest(&at);
                 let off = at - landing.point;
                 let distance = libm::hypot(off.x, off.y);

@@ -8,6 +8,7 @@ use super::{
 use crate::{
     Error, Figure, Piece, Table,
     joints::{Joint, joints},
+    piece::rounding,
     plane::{GOLDEN, is_finite, slack},
     shapes::{self, Parallel, curve::rising_root},
 };
@@ -71,15 +72,6 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
     }
     tips.arcs(radius, &mut pieces)?;
     Ok(RawBoundary { pieces, vertices })
-}
-
-/// How far points of an arc are off: by the rounding of its centre and of its radius, however short it is. (Points of other pieces are off
-/// by the rounding of their coordinates only.)
-pub(super) fn rounding(piece: &dyn Piece) -> f64 {
-    match piece.figure() {
-        Figure::Arc { center, radius, .. } => slack([center.x, center.y, radius]),
-        _ => 0.0,
-    }
 }
 
 /// What becomes of a corner: a shared vertex where the boundary is smooth, an arc where it is re-entrant.
