@@ -98,7 +98,7 @@ fn bezier_outline(seed: u32, tolerance: f64) -> Option<Table> {
     // as drawn, smooth nodes are smooth to so many digits
     let digits = [0, 1, 3, 6, 12][seed as usize / 6 % 5];
     let place = |p: Vector2<f64>| format!("{:.digits$} {:.digits$}", p.x, p.y);
-    let mut path = format!("M{}", place(vertices[0]));
+    let mut path = vec![format!("M{}", place(vertices[0]))];
     let tangents: Vec<Vector2<f64>> = (0..n).map(|k| vertices[(k + 1) % n] - vertices[(k + n - 1) % n]).collect();
     for k in 0..n {
         let next = (k + 1) % n;
@@ -116,9 +116,9 @@ fn bezier_outline(seed: u32, tolerance: f64) -> Option<Table> {
                 if k % 3 == 0 { b } else { b - tangents[next] * 0.2 },
             ],
         };
-        path += &format!("C{} {} {}", place(start), place(end), place(b));
+        path.push(format!("C{} {} {}", place(start), place(end), place(b)));
     }
-    let drawing = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{path}Z'/></svg>");
+    let drawing = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{}Z'/></svg>", path.concat());
     let drawn = table(import::svg(&drawing, tolerance).unwrap());
     drawn.validate().is_ok().then_some(drawn)
 }
