@@ -2,6 +2,7 @@
 use crate::{
     crossing::Crossing,
     path::Line,
+    plane::slack,
     shapes::{Shape, curve::Graph},
 };
 use core::fmt::Debug;
@@ -147,6 +148,15 @@ impl dyn Piece + '_ {
     /// The exact figure: that of its shape, where it has one.
     pub fn figure(&self) -> Figure {
         self.shape().map_or(Figure::Other, |shape| shape.figure())
+    }
+}
+
+/// How far points of an arc may be off \[L\]: by the [`slack`] of its centre and radius, however short it is. Those of other pieces are off by
+/// that of their coordinates only.
+pub(crate) fn rounding(piece: &dyn Piece) -> f64 {
+    match piece.figure() {
+        Figure::Arc { center, radius, .. } => slack([center.x, center.y, radius]),
+        _ => 0.0,
     }
 }
 

@@ -3,6 +3,7 @@ use crate::{
     Extent, Figure, Lattice, MeetingKind, Piece, Table,
     copies::{Copies, finite_extent},
     meetings,
+    piece::rounding,
     plane::{GOLDEN, SAME_DIRECTION, is_finite, slack},
     shapes::Ray,
 };
@@ -32,6 +33,8 @@ pub(crate) struct Sight<'a> {
     known: Option<Extent>,
     /// Greatest finite coordinate; 1 where there is none (lines through the origin).
     pub(crate) size: f64,
+    /// By how much points of pieces may be off.
+    rounding: f64,
     pub(crate) chains: Vec<Vec<usize>>,
     /// For each piece, its chain.
     pub(crate) chain_of: Vec<usize>,
@@ -85,8 +88,9 @@ impl<'a> Sight<'a> {
         });
         let size = coordinates.fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
+        let rounding = pieces.iter().map(|p| rounding(&**p)).fold(slack([size]), f64::max);
         let reach = table.shortest().map_or(0.0, |l| l.vectors().iter().map(Vector2::amax).sum::<f64>() * cells);
-        let reach = slack([size]) + reach;
+        let reach = rounding + reach;
         let finite = finite_extent(pieces);
         let middle = if finite.is_finite() { 0.5 * finite.min + 0.5 * finite.max } else { Vector2::zeros() };
         let lines = pieces.iter().filter(|p| !p.length().is_finite());
@@ -109,7 +113,7 @@ impl<'a> Sight<'a> {
         }
         let around = |chain: &Vec<usize>| chain.iter().map(|&i| pieces[i].extent()).fold(Extent::EMPTY, Extent::union);
         let extents = chains.iter().map(around).collect();
-        Sight { table, copies, middle, known, size, chains, chain_of, extents }
+        Sight { table, copies, middle, known, size, rounding, chains, chain_of, extents }
     }
 
     pub(crate) fn copies(&self) -> &Copies {
@@ -143,7 +147,7 @@ impl<'a> Sight<'a> {
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
             }
-            let rounding = 4.0 * slack(from.iter().copied().chain([self.size]));
+            let rounding = 4.0 * self.rounding.max(slack(from.iter().copied()));
             let everything = 16.0 * (self.size + from.amax());
             let mut limit = 4.0 * self.width(chain);
             loop {
@@ -213,13 +217,13 @@ impl<'a> Sight<'a> {
 
     /// A distance that tells the sides of a wall apart in spite of rounding.
     fn aside(&self) -> f64 {
-        8.0 * slack([self.size])
+        8.0 * self.rounding
     }
 
     /// All that is met by the line from a point of the copy with the given index; of what is farther than the limit, some.
     fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>, limit: f64) -> Option<Prospect> {
         let ray = Ray::new(from, direction, true).ok()?;
-        let rounding = slack(from.iter().copied().chain([self.size]));
+        let rounding = self.rounding.max(slack(from.iter().copied()));
         let normal = self.copies.get(own).0.piece.closest(&from).normal;
         let (mut other_face, mut ahead) = (None, vec![]);
         self.copies.search(

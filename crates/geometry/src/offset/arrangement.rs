@@ -7,10 +7,11 @@ use super::{
 };
 use crate::{
     Error, Figure, MeetingKind, Piece, Table,
-    copies::{Copies, finite_extent},
+    copies::{Copies, Translate, finite_extent},
     intersect::direction_at,
     joints::{Branch, leftmost},
     meetings,
+    piece::rounding,
     plane::slack,
     shapes::{self, Parallel, Translated},
 };
@@ -60,7 +61,15 @@ pub(super) struct Arrangement<'a> {
     raw: Vec<Moved>,
     vertices: Vertices,
     cuts: Vec<Vec<Cut>>,
+    /// How much a place may differ, computed twice: on most pieces, on each moved one, on each drawn one, and on the one for which that is
+    /// most.
     tolerance: f64,
+    of_raw: Vec<f64>,
+    of_drawn: Vec<f64>,
+    widest: f64,
+    /// The same of each vertex, and of each moved piece with those that it goes on as, which end it.
+    of_vertices: Vec<f64>,
+    of_ended: Vec<f64>,
 }
 
 /// The pieces of a loop, with their origins.
@@ -70,14 +79,29 @@ impl<'a> Arrangement<'a> {
     pub(super) fn new(table: &'a Table, radius: f64, boundary: RawBoundary) -> Arrangement<'a> {
         let RawBoundary { pieces: raw, vertices } = boundary;
         let size = table.pieces().iter().map(|p| p.extent().size()).fold(radius, f64::max);
+        // a vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from
+        let tolerance = 4.0 * slack([size]);
+        let of = |piece: &dyn Piece| tolerance.max(4.0 * rounding(piece));
+        let of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
+        let mut of_vertices = vec![tolerance; vertices.len()];
+        for (r, &own) in raw.iter().zip(&of_raw) {
+            r.ends.iter().flatten().for_each(|site| of_vertices[site.vertex] = own.max(of_vertices[site.vertex]));
+        }
+        let ended = |r: &Moved| r.ends.iter().flatten().map(|site| of_vertices[site.vertex]).fold(tolerance, f64::max);
+        let of_ended = raw.iter().zip(&of_raw).map(|(r, own)| own.max(ended(r))).collect();
+        let of_drawn: Vec<f64> = table.pieces().iter().map(|p| of(&**p)).collect();
         let mut all = Arrangement {
             table,
             radius,
             cuts: vec![vec![]; raw.len()],
             raw,
             vertices,
-            // a vertex computed twice agrees to a few times the rounding of its coordinates
-            tolerance: 4.0 * slack([size]),
+            tolerance,
+            widest: of_raw.iter().chain(&of_drawn).copied().fold(tolerance, f64::max),
+            of_raw,
+            of_drawn,
+            of_vertices,
+            of_ended,
         };
         all.cut();
         all.unite();
@@ -87,7 +111,7 @@ impl<'a> Arrangement<'a> {
     /// Finds all meetings.
     fn cut(&mut self) {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
-        let copies = Copies::new(&pieces, self.table.shortest(), &finite_extent(&pieces), self.tolerance);
+        let copies = Copies::new(&pieces, self.table.shortest(), &finite_extent(&pieces), self.widest);
         for index in copies.order() {
             let (copy, extent) = copies.get(index);
             if copy.cell != [0.0; 2] {
@@ -95,7 +119,7 @@ impl<'a> Arrangement<'a> {
             }
             let i = copy.number;
             let mut others = vec![];
-            copies.search(|e| e.meets(extent, self.tolerance), |other| others.push(other));
+            copies.search(|e| e.meets(extent, self.widest), |other| others.push(other));
             for other in others {
                 let (other, _) = copies.get(other);
                 let j = other.number;
@@ -112,11 +136,12 @@ impl<'a> Arrangement<'a> {
                     let leftward = u.perp(&t);
                     let clear = match m.kind {
                         MeetingKind::Crossing => true,
-                        MeetingKind::End => leftward.abs() > TANGENT,
+                        MeetingKind::End => leftward.abs() > TANGENT && !self.go_on([i, j], other.cell, m.point),
                         MeetingKind::Tangency | MeetingKind::Overlap => false,
                     };
                     let (left, right) = (clear && leftward > 0.0, clear && leftward < 0.0);
                     let site = self.vertices.add(m.point);
+                    self.of_vertices.push(self.of_raw[i].max(self.of_raw[j]));
                     self.cuts[i].push(Cut { s: m.at[0], site, leaves: left, enters: right });
                     let site = site.moved(minus(other.cell));
                     self.cuts[j].push(Cut { s: m.at[1], site, leaves: right, enters: left });
@@ -132,14 +157,23 @@ impl<'a> Arrangement<'a> {
         }
     }
 
+    /// Whether two pieces, the second one in another cell, go on as one another at a point: that they do so at an angle, within what is
+    /// smooth, says nothing about sides.
+    fn go_on(&self, [i, j]: [usize; 2], cell: [f64; 2], point: Vector2<f64>) -> bool {
+        let tolerance = self.of_raw[i].max(self.of_raw[j]);
+        let its: Vec<Site> = self.raw[j].ends.iter().flatten().map(|site| site.moved(cell)).collect();
+        let mut own = self.raw[i].ends.iter().flatten();
+        own.any(|site| its.contains(site) && (self.vertices.at(*site) - point).amax() <= tolerance)
+    }
+
     /// Makes one vertex of those that differ by rounding, and one cut of those at one vertex.
     fn unite(&mut self) {
-        self.vertices.unite_near(self.tolerance);
-        for (raw, cuts) in self.raw.iter().zip(&mut self.cuts) {
+        self.vertices.unite_near(&self.of_vertices);
+        for ((raw, cuts), tolerance) in self.raw.iter().zip(&mut self.cuts).zip(&self.of_raw) {
             let mut single: Vec<Cut> = vec![];
             for cut in cuts.drain(..) {
                 // nothing as short as this is a piece
-                if let Some(last) = single.last_mut().filter(|last| cut.s - last.s <= 4.0 * self.tolerance) {
+                if let Some(last) = single.last_mut().filter(|last| cut.s - last.s <= 4.0 * tolerance) {
                     self.vertices.unite(last.site, cut.site);
                     last.leaves |= cut.leaves;
                     last.enters |= cut.enters;
@@ -150,7 +184,7 @@ impl<'a> Arrangement<'a> {
             let length = raw.piece.length();
             if raw.piece.ends().is_none() && single.len() > 1 {
                 let (first, last) = (single[0], single[single.len() - 1]);
-                if first.s + length - last.s <= 4.0 * self.tolerance {
+                if first.s + length - last.s <= 4.0 * tolerance {
                     self.vertices.unite(first.site, last.site);
                     single[0].leaves |= last.leaves;
                     single[0].enters |= last.enters;
@@ -200,7 +234,7 @@ impl<'a> Arrangement<'a> {
     /// The sections that are as far from the boundary as they should be.
     fn kept(&self) -> Vec<Section> {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
-        let reach = self.radius + 2.0 * self.tolerance;
+        let reach = self.radius + 2.0 * self.widest;
         let drawn = Copies::new(self.table.pieces(), self.table.shortest(), &finite_extent(&pieces), reach);
         let mut kept = vec![];
         for (raw, (r, cuts)) in self.raw.iter().zip(&self.cuts).enumerate() {
@@ -231,7 +265,7 @@ impl<'a> Arrangement<'a> {
                     [None, None] if length.is_finite() => [0.0, length],
                     [None, None] => [f64::NEG_INFINITY, f64::INFINITY],
                 };
-                if !hidden && self.is_clear(&drawn, r, range) {
+                if !hidden && self.is_clear(&drawn, raw, range) {
                     kept.push(Section { raw, last: raw, range, sites: pair.map(|c| c.map(|c| c.site)) });
                 }
             }
@@ -241,7 +275,8 @@ impl<'a> Arrangement<'a> {
 
     /// Whether a section is at its distance from the boundary, with room beside it: its middle, and further points where that may
     /// happen to lie in line with a place where walls touch, as in the middle of the arc around a tip.
-    fn is_clear(&self, drawn: &Copies, raw: &Moved, [low, high]: [f64; 2]) -> bool {
+    fn is_clear(&self, drawn: &Copies, number: usize, [low, high]: [f64; 2]) -> bool {
+        let raw = &self.raw[number];
         let step = self.radius.max(self.tolerance / f64::EPSILON);
         let room_at = |share: f64| {
             let at = match (low.is_finite(), high.is_finite()) {
@@ -250,7 +285,7 @@ impl<'a> Arrangement<'a> {
                 (false, true) => high - 2.0 * share * step,
                 (false, false) => (2.0 * share - 1.0) * step,
             };
-            self.room_at(drawn, &*raw.piece, at)
+            self.room_at(drawn, number, at)
         };
         let is_tip = matches!(raw.origin, Origin::Corner { before, after } if before == after);
         match room_at(0.5) {
@@ -261,36 +296,39 @@ impl<'a> Arrangement<'a> {
     }
 
     /// What room there is beside a point of a moved piece.
-    fn room_at(&self, drawn: &Copies, piece: &dyn Piece, at: f64) -> Room {
+    fn room_at(&self, drawn: &Copies, number: usize, at: f64) -> Room {
+        let piece = &*self.raw[number].piece;
         let at = piece.point_at(at);
-        if drawn.nearest(&at, self.radius - self.tolerance).is_some() {
+        if drawn.nearest(&at, self.radius - self.widest).is_some() {
             return Room::None;
         }
         // walls on both sides: a corridor exactly as wide as the disk is closed; and what goes around the tip of a wall that ends on
         // another one may be behind that
         let normal = piece.closest(&at).normal;
-        let (mut pinched, mut before, mut behind) = (false, false, false);
-        let reach = self.radius + self.tolerance;
+        let (mut near, mut pinched, mut before, mut behind) = (false, false, false, false);
         drawn.search(
-            |e| e.distance(&at) <= reach,
+            |e| e.distance(&at) <= self.radius + self.widest,
             |index| {
-                let wall = &drawn.get(index).0.piece;
+                let Translate { piece: wall, number: drawn, .. } = drawn.get(index).0;
+                let tolerance = self.of_ended[number].max(self.of_drawn[*drawn]);
                 let landing = wall.closest(&at);
                 let off = at - landing.point;
-                if libm::hypot(off.x, off.y) > reach {
+                let distance = libm::hypot(off.x, off.y);
+                if distance > self.radius + tolerance {
                     return;
                 }
                 let [ends, tips] = [wall.ends(), wall.tips()];
                 let mut ends = ends.iter().chain(&tips).flatten();
-                let at_end = ends.any(|end| (end - landing.point).amax() <= self.tolerance);
+                let at_end = ends.any(|end| (end - landing.point).amax() <= tolerance);
                 let side = off.dot(&landing.normal);
+                near |= distance < self.radius - tolerance;
                 pinched |= off.dot(&normal) < -0.5 * self.radius;
                 before |= side > 0.5 * self.radius && !at_end;
                 behind |= side < -0.5 * self.radius && !at_end;
             },
         );
         match (before, behind) {
-            _ if pinched => Room::None,
+            _ if near || pinched => Room::None,
             (_, false) => Room::Clear,
             (true, true) => Room::AmongWalls,
             (false, true) => Room::None,

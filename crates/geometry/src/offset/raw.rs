@@ -8,6 +8,7 @@ use super::{
 use crate::{
     Error, Figure, Piece, Table,
     joints::{Joint, joints},
+    piece::rounding,
     plane::{GOLDEN, is_finite, slack},
     shapes::{self, Parallel, curve::rising_root},
 };
@@ -21,6 +22,10 @@ const SMOOTH: f64 = 2e-7;
 /// A convex corner is smooth as well where the moved sides reach beyond each other by no more than this many times the rounding of
 /// coordinates, for they are parallel then as far as anybody can tell.
 const SHALLOW: f64 = 4.0;
+
+/// A re-entrant corner is smooth as well where the arc about it is no longer than this many times the rounding of coordinates: what is as
+/// short is no piece.
+const SHORT: f64 = 16.0;
 
 /// The moved pieces, and their ends as vertices.
 #[derive(Debug)]
@@ -83,7 +88,12 @@ fn turn(
     let (n, m) = (p.closest(&vertex).normal, q.closest(&there).normal);
     let angle = joint.turn(table);
     let shift = vertices.translation(cell);
-    let shallow = angle > 0.0 && 0.5 * radius * angle * angle <= SHALLOW * slack([vertex.x, vertex.y, radius]);
+    let rounding = slack([vertex.x, vertex.y, radius]).max(rounding(&**p)).max(rounding(&**q));
+    let shallow = if angle > 0.0 {
+        0.5 * radius * angle * angle <= SHALLOW * rounding
+    } else {
+        -radius * angle <= SHORT * rounding
+    };
     if angle.abs() <= SMOOTH || shallow {
         let point = vertex + (n + m) * (radius / (n + m).norm());
         let site = vertices.add(point);

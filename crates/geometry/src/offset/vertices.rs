@@ -3,7 +3,7 @@ use crate::{BoxTree, Extent, Lattice};
 use nalgebra::Vector2;
 
 /// A vertex moved by a lattice vector.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Site {
     pub(super) vertex: usize,
     /// By how many of each lattice vector.
@@ -76,15 +76,19 @@ impl Vertices {
         self.parents[new.vertex] = old.moved(minus(new.cell));
     }
 
-    /// Unites all vertices that are no farther apart than `tolerance` in each coordinate.
-    pub(super) fn unite_near(&mut self, tolerance: f64) {
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// Unites all vertices that are no farther apart in each coordinate than the tolerance of one of them.
+    pub(super) fn unite_near(&mut self, tolerances: &[f64]) {
         let home: Vec<(Vector2<f64>, [f64; 2])> =
             self.points.iter().map(|p| self.lattice.as_ref().map_or((*p, [0.0; 2]), |l| l.reduce(p))).collect();
         let tree = BoxTree::new(home.iter().map(|(p, _)| Extent { min: *p, max: *p }));
         let steps: &[f64] = &[0.0, 1.0, -1.0];
         let count = self.lattice.as_ref().map_or(0, |l| l.vectors().len());
         let range = |k: usize| if k < count { steps } else { &steps[..1] };
-        for (i, (p, cell)) in home.iter().enumerate() {
+        for (i, ((p, cell), &tolerance)) in home.iter().zip(tolerances).enumerate() {
             for &first in range(0) {
                 for &second in range(1) {
                     let by = [first, second];

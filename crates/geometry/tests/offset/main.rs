@@ -1,5 +1,6 @@
 //! Where the centre of a disk can be.
 mod cusps;
+mod flat_arcs;
 mod lattices;
 mod normals;
 mod thin_walls;
@@ -71,10 +72,13 @@ fn signed_distance(t: &Table, p: &Vector2<f64>) -> f64 {
 /// The definition: points of the new boundary are at distance R from the old one, and a point of the plane lies in the
 /// new table if and only if it is farther than R from the outside of the old one.
 fn check(name: &str, drawn: &Table, radius: f64) -> geometry::Offset {
+    check_of_size(name, drawn, radius, size(drawn).max(radius))
+}
+/// The same where coordinates are as large as `size`, which rounding is a part of.
+fn check_of_size(name: &str, drawn: &Table, radius: f64, size: f64) -> geometry::Offset {
     let offset = drawn.offset(radius).unwrap_or_else(|e| panic!("{name}, radius {radius}: {e}"));
     assert_eq!(offset.table.validate(), Ok(()), "{name} {radius}");
     assert_eq!(offset.origins.len(), offset.table.pieces().len());
-    let size = size(drawn).max(radius);
     let mut random = spread(7);
     for (piece, origin) in offset.table.pieces().iter().zip(&offset.origins) {
         let length = piece.length();
