@@ -13,6 +13,9 @@ use crate::{
     with_motion::WithMotion,
 };
 use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
+use twins::{Beside, Twins};
+
+mod twins;
 
 /// Walls and a law for one orbit, behind a pointer.
 pub trait Bounce<const N: usize, const S: usize>: Sync {
@@ -160,6 +163,7 @@ impl Horizon {
         let mut at = start;
         let mut spread = Spread::new(&at);
         let mut horizon = Horizon { collisions: 0, time: 0.0, error: 0.0, lost: false };
+        let mut twins = Twins::new();
         let mut farthest = 0.0_f64;
         loop {
             let hit = billiard.first_hit(&at.position, &at.velocity);
@@ -170,10 +174,15 @@ impl Horizon {
                 return horizon;
             }
             let n = (horizon.collisions + 1) as f64;
-            let next = Derivative::step(billiard, walls, &at, &hit, &mut spread, n);
             farthest = farthest.max(dot(&hit.unit_normal(), &plus(&at.position, -1.0, &hit.point)));
             let is_known = size < f64::INFINITY || farthest == 0.0;
-            let error = spread.error(&next, if is_known { size } else { farthest });
+            let size = if is_known { size } else { farthest };
+            let derivative = Derivative::new(billiard, walls, &at, &hit);
+            let next = derivative.after();
+            let across = spread.across(&at.velocity, hit.time);
+            derivative.carry(&mut spread, &next, n);
+            twins.look(&Beside { walls, derivative: &derivative, next: &next, size }, &across, &mut spread);
+            let error = spread.error(&next, size);
             // NaN is an error, too
             if !(error < 1.0) {
                 return Horizon { lost: true, ..horizon };
@@ -214,6 +223,14 @@ impl<const N: usize, const S: usize> Start<N, S> {
     /// The number of coordinates.
     const COORDINATES: usize = N + N + S;
 
+    /// The sum with a multiple of another one.
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        Start {
+            position: plus(&self.position, factor, &other.position),
+            velocity: plus(&self.velocity, factor, &other.velocity),
+            spin: plus(&self.spin, factor, &other.spin),
+        }
+    }
     fn speed(&self) -> f64 {
         libm::sqrt(dot(&self.velocity, &self.velocity) + dot(&self.spin, &self.spin))
     }
@@ -288,9 +305,48 @@ impl<const N: usize, const S: usize> Spread<N, S> {
                 motion += column.get(i);
             }
         }
-        let [place, motion] = [libm::sqrt(place) / size, libm::sqrt(motion) / at.speed()];
-        if place.is_nan() || motion.is_nan() { f64::NAN } else { place.max(motion) }
+        relative(libm::sqrt(place), libm::sqrt(motion), at, size)
     }
+
+    /// `P ← (1 + c) P + (1 + 1/c) j jᵀ`, the least bound for the sum of the error and a jump `j` of `c` times its size.
+    fn jump(&mut self, by: &Start<N, S>, c: f64) {
+        for (i, column) in self.0.iter_mut().enumerate() {
+            for k in 0..Start::<N, S>::COORDINATES {
+                column.set(k, (1.0 + c) * column.get(k) + (1.0 + 1.0 / c) * by.get(i) * by.get(k));
+            }
+        }
+    }
+
+    /// Errors by which a path of some velocity is displaced across itself after some time: `N − 1` that reach the border of
+    /// the ellipse of displacements, `Pg / √(gᵀPg)` for the largest `g·d = u·(dx + t dv)` along an axis `u` across the path, then the
+    /// same of what is left of `P` without it.
+    fn across(&self, velocity: &[f64; N], time: f64) -> Vec<Start<N, S>> {
+        let mut axes = along(&velocity.map(|v| v / norm(velocity)));
+        let displaced = |d: &Start<N, S>, u: &[f64; N]| dot(u, &plus(&d.position, time, &d.velocity));
+        let mut found: Vec<Start<N, S>> = Vec::new();
+        while !axes.is_empty() {
+            let left = axes.iter().map(|u| {
+                let g = Start { position: *u, velocity: u.map(|u| time * u), spin: [0.0; S] };
+                let all = self.0.iter().enumerate().fold(Start::ZERO, |sum, (i, column)| sum.plus(g.get(i), column));
+                found.iter().fold(all, |left, f| left.plus(-displaced(f, u), f))
+            });
+            let left = left.zip(&axes).map(|(d, u)| (displaced(&d, u), d)).enumerate();
+            let Some((axis, (square, d))) = left.max_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b)) else { break };
+            // where rounding is all that is left, there is one direction less
+            if !(square > 0.0) {
+                break;
+            }
+            axes.swap_remove(axis);
+            found.push(Start::ZERO.plus(1.0 / libm::sqrt(square), &d));
+        }
+        found
+    }
+}
+
+/// An error of the place in units of the table's size or one of the motion in units of the speed, whichever is larger.
+fn relative<const N: usize, const S: usize>(place: f64, motion: f64, at: &Start<N, S>, size: f64) -> f64 {
+    let [place, motion] = [place / size, motion / at.speed()];
+    if place.is_nan() || motion.is_nan() { f64::NAN } else { place.max(motion) }
 }
 
 /// The derivative of flight and collision at a hit.
@@ -299,6 +355,8 @@ struct Derivative<'a, const N: usize, const S: usize> {
     before: Start<N, S>,
     hit: WallHit<f64, N>,
     normal: [f64; N],
+    /// The largest of the numbers that the place of the hit is made of \[L\].
+    length: f64,
     /// How far the place of the hit is moved, times [`PLACE`] \[L\].
     nearby: f64,
     /// Unit vectors along the wall, and the derivatives of the normal along them \[L⁻¹\].
@@ -306,29 +364,29 @@ struct Derivative<'a, const N: usize, const S: usize> {
 }
 
 impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
-    /// The state after the hit, and the errors carried there.
-    fn step(
-        billiard: &'a dyn Bounce<N, S>,
-        walls: &dyn Bend<N>,
-        at: &Start<N, S>,
-        hit: &WallHit<f64, N>,
-        spread: &mut Spread<N, S>,
-        n: f64,
-    ) -> Start<N, S> {
+    fn new(billiard: &'a dyn Bounce<N, S>, walls: &dyn Bend<N>, at: &Start<N, S>, hit: &WallHit<f64, N>) -> Self {
         let flight = hit.time * norm(&at.velocity);
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
         let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
         // between the flight, over which a law may change, and the coordinates, which are rounded
         let nearby = libm::sqrt(length * flight.max(f64::EPSILON * length));
-        let derivative = Derivative { billiard, before: *at, hit: *hit, normal, nearby, bends };
-        spread.widen(n);
-        spread.round(length.max(walls.size(hit)), 0.0, 1.0 + n);
-        spread.carry(|d| derivative.apply(d));
-        let mut next = Start { position: hit.point, ..*at };
-        billiard.collide(hit, &mut next.velocity, &mut next.spin);
-        spread.round(0.0, next.speed(), 1.0 + n);
+        Derivative { billiard, before: *at, hit: *hit, normal, length: length.max(walls.size(hit)), nearby, bends }
+    }
+
+    /// The state after the hit.
+    fn after(&self) -> Start<N, S> {
+        let mut next = Start { position: self.hit.point, ..self.before };
+        self.billiard.collide(&self.hit, &mut next.velocity, &mut next.spin);
         next
+    }
+
+    /// Carries the errors to the state after the hit, the n-th one.
+    fn carry(&self, spread: &mut Spread<N, S>, next: &Start<N, S>, n: f64) {
+        spread.widen(n);
+        spread.round(self.length, 0.0, 1.0 + n);
+        spread.carry(|d| self.apply(d));
+        spread.round(0.0, next.speed(), 1.0 + n);
     }
 
     /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.
