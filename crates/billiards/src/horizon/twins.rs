@@ -26,8 +26,13 @@ const NOISE: f64 = 16.0;
 /// n of them, and are seen to on the next hit.
 const MEETING: usize = 8;
 
-/// By how much less than at the hit they then are apart. By chance, one in 64 pairs is so near in three coordinates in 4000 cases.
-const NEARER: f64 = 1.0 / 64.0;
+/// They meet where they are apart by no more than this part of the jump and by so many times the root of the error, in time as well: a
+/// specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. Less than that is no proof, as polygons
+/// of rational angles know few directions.
+const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
+
+/// A larger jump, in units of the table's size or of the speed, is another collision, of which nothing is known.
+const ANOTHER: f64 = 0.125;
 
 /// A flight shorter than this times the displacement is no path to aim along.
 const AIM: f64 = 2.0;
@@ -38,12 +43,23 @@ struct Twin<const N: usize, const S: usize> {
     at: Start<N, S>,
     /// Less the orbit, along both paths: on a lattice the two may be told in different cells.
     apart: Start<N, S>,
+    /// How much later than the orbit it has come here.
+    late: f64,
+}
+
+/// The path of a twin to its next hit.
+struct Path<const N: usize, const S: usize> {
+    from: Start<N, S>,
+    direction: [f64; N],
+    /// By what it is displaced from the orbit's, and by how much where it begins.
+    displaced: Start<N, S>,
+    begins: [f64; N],
 }
 
 /// Where a path comes to.
 enum Landing<const N: usize, const S: usize> {
-    /// On a wall, so far from where it was.
-    Wall(Start<N, S>, [f64; N]),
+    /// On a wall, after so much time.
+    Wall(Start<N, S>, f64),
     /// On a vertex, within rounding: it tells nothing.
     Vertex,
     Nowhere,
@@ -89,20 +105,20 @@ impl<const N: usize, const S: usize> Twins<N, S> {
             jump.later -= 1;
         } else {
             let landed = core::mem::take(&mut self.landed);
-            let second = landed.iter().map(|twin| (beside.flight(twin), twin.apart));
+            let second = landed.iter().map(|twin| beside.path(twin));
             let both_ways = across.iter().flat_map(|d| [REACH, -REACH].map(|reach| Start::ZERO.plus(reach, d)));
-            let first = both_ways.filter_map(|d| Some((beside.aimed(&d)?, d)));
+            let first = both_ways.filter_map(|d| beside.aimed(d));
             let mut worst: Option<Jump<N, S>> = None;
-            let mut beside_it = [Vec::new(), Vec::new()];
-            for (i, (landing, d)) in second.map(|of| (0, of)).chain(first.map(|of| (1, of))) {
-                let twin = match landing {
-                    Landing::Wall(at, moved) => Some(beside.twin(at, &moved, &d, i == 1)),
+            let mut unmoved = [Vec::new(), Vec::new()];
+            for (i, path) in second.map(|path| (0, path)).chain(first.map(|path| (1, path))) {
+                let twin = match fly(beside.derivative.billiard, &path.from, &path.direction) {
+                    Landing::Wall(at, time) => Some(beside.twin(&path, at, time)),
                     Landing::Vertex => continue,
                     Landing::Nowhere => None,
                 };
-                let jump = beside.jump(twin.as_ref(), &d, spread);
+                let jump = beside.jump(twin.as_ref(), &path.displaced, spread);
                 if jump.is_none() {
-                    beside_it[i].extend(twin);
+                    unmoved[i].extend(twin);
                 }
                 if jump.is_some_and(|jump| !worst.is_some_and(|worst| worst.size >= jump.size)) {
                     worst = jump;
@@ -110,7 +126,7 @@ impl<const N: usize, const S: usize> Twins<N, S> {
             }
             self.coming = worst;
             // where none could be aimed, those before go on
-            let [second, first] = beside_it;
+            let [second, first] = unmoved;
             self.landed = if first.is_empty() { second } else { first };
         }
         if let Some(jump) = self.coming.take_if(|jump| jump.later == 0) {
@@ -120,13 +136,14 @@ impl<const N: usize, const S: usize> Twins<N, S> {
 }
 
 impl<const N: usize, const S: usize> Beside<'_, N, S> {
-    /// A twin that flies on.
-    fn flight(&self, twin: &Twin<N, S>) -> Landing<N, S> {
-        fly(self.derivative.billiard, &twin.at, &twin.at.velocity)
+    /// That of a twin which has landed.
+    fn path(&self, twin: &Twin<N, S>) -> Path<N, S> {
+        Path { from: twin.at, direction: twin.at.velocity, displaced: twin.apart, begins: twin.apart.position }
     }
 
-    /// A twin from the place of the orbit, aimed at where one displaced by `d` would arrive; nothing where that is too far beside it.
-    fn aimed(&self, d: &Start<N, S>) -> Option<Landing<N, S>> {
+    /// That of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, and with its velocity when it does; none
+    /// where that is too far beside it.
+    fn aimed(&self, d: Start<N, S>) -> Option<Path<N, S>> {
         let Derivative { before, hit, .. } = self.derivative;
         let v = &before.velocity;
         let moved = plus(&d.position, hit.time, &d.velocity);
@@ -134,16 +151,16 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         if !(AIM * norm(&across) < hit.time * norm(v)) {
             return None;
         }
-        let displaced = Start { position: before.position, ..before.plus(1.0, d) };
-        Some(fly(self.derivative.billiard, &displaced, &plus(v, 1.0 / hit.time, &across)))
+        let from = Start { position: before.position, ..before.plus(1.0, &d) };
+        Some(Path { from, direction: plus(v, 1.0 / hit.time, &across), displaced: d, begins: [0.0; N] })
     }
 
-    /// The twin that has come to `at` on a flight by `moved`, from the place of the orbit or beside it.
-    fn twin(&self, at: Start<N, S>, moved: &[f64; N], d: &Start<N, S>, aimed: bool) -> Twin<N, S> {
+    /// The twin that has come to `at` on a path, after so much time.
+    fn twin(&self, path: &Path<N, S>, at: Start<N, S>, time: f64) -> Twin<N, S> {
         let Derivative { before, hit, .. } = self.derivative;
-        let farther = plus(moved, -hit.time, &before.velocity);
-        let position = if aimed { farther } else { plus(&d.position, 1.0, &farther) };
-        Twin { at, apart: Start { position, ..at.plus(-1.0, self.next) } }
+        let farther = plus(&path.direction.map(|v| time * v), -hit.time, &before.velocity);
+        let position = plus(&path.begins, 1.0, &farther);
+        Twin { at, apart: Start { position, ..at.plus(-1.0, self.next) }, late: time - hit.time }
     }
 
     /// What a twin that was displaced by `d` before the collision tells of the error after it, if anything; one that hits nothing, all.
@@ -156,8 +173,9 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         if here.size <= LINEAR * error + NOISE * self.rounding(LINEAR * error < here.size) {
             return None;
         }
-        let meets = twin.filter(|_| !(here.size <= error)).and_then(|twin| self.meeting(twin, expected));
-        Some(meets.filter(|meets| !(meets.size > NEARER * here.size)).unwrap_or(here))
+        let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
+        let meets = twin.filter(|_| here.size > error).and_then(|twin| self.meeting(twin, expected, near));
+        Some(meets.unwrap_or(if here.size > error.max(ANOTHER) { self.jump_by(0, lost) } else { here }))
     }
 
     fn jump_by(&self, later: usize, by: Start<N, S>) -> Jump<N, S> {
@@ -176,28 +194,29 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         spread.error(self.next, self.size)
     }
 
-    /// How near the next collisions of twin and orbit, in whatever order, come to the linear displacement of the orbit: the nearest.
-    fn meeting(&self, twin: &Twin<N, S>, expected: Start<N, S>) -> Option<Jump<N, S>> {
+    /// The nearest that the next collisions of twin and orbit, one of each, come to the linear displacement of the orbit, if that is
+    /// `near`.
+    fn meeting(&self, twin: &Twin<N, S>, expected: Start<N, S>, near: f64) -> Option<Jump<N, S>> {
         let billiard = self.derivative.billiard;
-        // places are told from that of this hit
-        let displaced = |at: &Start<N, S>, from: &[f64; N]| Start { position: *from, ..*at };
-        let mut twins = vec![displaced(&twin.at, &twin.apart.position)];
-        let (mut at, mut from) = (twin.at, twin.apart.position);
-        while let Landing::Wall(next, moved) = fly(billiard, &at, &at.velocity) {
-            if twins.len() == MEETING {
-                break;
-            }
-            from = plus(&from, 1.0, &moved);
+        // places and times are told from those of the orbit's hit
+        let placed = |at: &Start<N, S>, position| Start { position, ..*at };
+        let (mut at, mut place, mut time) = (twin.at, twin.apart.position, twin.late);
+        let mut twins = vec![(placed(&at, place), time)];
+        for _ in 1..MEETING {
+            let Landing::Wall(next, flight) = fly(billiard, &at, &at.velocity) else { break };
+            place = plus(&place, flight, &at.velocity);
+            time += flight;
             at = next;
-            twins.push(displaced(&at, &from));
+            twins.push((placed(&at, place), time));
         }
-        let (mut at, mut from, mut apart) = (*self.next, [0.0; N], expected);
+        let (mut at, mut place, mut time, mut apart) = (*self.next, [0.0; N], 0.0, expected);
         let mut nearest: Option<Jump<N, S>> = None;
         for later in 0..MEETING {
-            let there = displaced(&at, &from).plus(1.0, &apart);
-            for twin in &twins {
+            let there = placed(&at, place).plus(1.0, &apart);
+            for (twin, when) in &twins {
                 let jump = self.jump_by(later, twin.plus(-1.0, &there));
-                if !nearest.is_some_and(|nearest| nearest.size <= jump.size) {
+                let late = (when - time) * norm(&at.velocity) / self.size;
+                if jump.size.max(late.abs()) <= near && !nearest.is_some_and(|nearest| nearest.size <= jump.size) {
                     nearest = Some(jump);
                 }
             }
@@ -205,7 +224,8 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
             if hit.corner || !(hit.time < f64::INFINITY) {
                 break;
             }
-            from = plus(&from, hit.time, &at.velocity);
+            place = plus(&place, hit.time, &at.velocity);
+            time += hit.time;
             let derivative = Derivative::new(billiard, self.walls, &at, &hit);
             apart = derivative.apply(&apart);
             at = derivative.after();
@@ -229,5 +249,5 @@ fn fly<const N: usize, const S: usize>(
     }
     let mut at = Start { position: hit.point, ..*from };
     billiard.collide(&hit, &mut at.velocity, &mut at.spin);
-    Landing::Wall(at, direction.map(|v| hit.time * v))
+    Landing::Wall(at, hit.time)
 }
