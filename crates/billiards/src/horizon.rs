@@ -310,6 +310,9 @@ impl<const N: usize, const S: usize> Spread<N, S> {
 
     /// `P ← (1 + c) P + (1 + 1/c) j jᵀ`, the least bound for the sum of the error and a jump `j` of `c` times its size.
     fn jump(&mut self, by: &Start<N, S>, c: f64) {
+        if c == 0.0 {
+            return;
+        }
         for (i, column) in self.0.iter_mut().enumerate() {
             for k in 0..Start::<N, S>::COORDINATES {
                 column.set(k, (1.0 + c) * column.get(k) + (1.0 + 1.0 / c) * by.get(i) * by.get(k));

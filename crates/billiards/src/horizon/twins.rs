@@ -128,6 +128,9 @@ impl<const N: usize, const S: usize> Twins<N, S> {
             // where none could be aimed, those before go on
             let [second, first] = unmoved;
             self.landed = if first.is_empty() { second } else { first };
+            if self.coming.is_some_and(|jump| jump.later > 0) {
+                self.landed.clear();
+            }
         }
         if let Some(jump) = self.coming.take_if(|jump| jump.later == 0) {
             spread.jump(&jump.by, jump.size / spread.error(beside.next, beside.size));
@@ -170,11 +173,12 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         let by = twin.map_or(lost, |twin| twin.apart.plus(-1.0, &expected));
         let error = spread.error(self.next, self.size);
         let here = self.jump_by(0, by);
-        if here.size <= LINEAR * error + NOISE * self.rounding(LINEAR * error < here.size) {
+        let nothing = LINEAR * error + NOISE * self.rounding(LINEAR * error < here.size);
+        if here.size <= nothing {
             return None;
         }
         let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
-        let meets = twin.filter(|_| here.size > error).and_then(|twin| self.meeting(twin, expected, near));
+        let meets = twin.filter(|_| here.size > error).and_then(|twin| self.meeting(twin, expected, [near, nothing]));
         Some(meets.unwrap_or(if here.size > error.max(ANOTHER) { self.jump_by(0, lost) } else { here }))
     }
 
@@ -194,9 +198,9 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         spread.error(self.next, self.size)
     }
 
-    /// The nearest that the next collisions of twin and orbit, one of each, come to the linear displacement of the orbit, if that is
-    /// `near`.
-    fn meeting(&self, twin: &Twin<N, S>, expected: Start<N, S>, near: f64) -> Option<Jump<N, S>> {
+    /// How near the next collisions of twin and orbit, one of each, come to the linear displacement of the orbit: the nearest of those that
+    /// are `near`, up to the first collision of the orbit where that is `nothing`.
+    fn meeting(&self, twin: &Twin<N, S>, expected: Start<N, S>, [near, nothing]: [f64; 2]) -> Option<Jump<N, S>> {
         let billiard = self.derivative.billiard;
         // places and times are told from those of the orbit's hit
         let placed = |at: &Start<N, S>, position| Start { position, ..*at };
@@ -221,7 +225,8 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
                 }
             }
             let hit = billiard.first_hit(&at.position, &at.velocity);
-            if hit.corner || !(hit.time < f64::INFINITY) {
+            let met = nearest.is_some_and(|nearest| nearest.size <= nothing);
+            if met || hit.corner || !(hit.time < f64::INFINITY) {
                 break;
             }
             place = plus(&place, hit.time, &at.velocity);
