@@ -427,19 +427,16 @@ fn specular_orbits_are_not_lost_at_corners_of_an_integer_part_of_a_half_turn() {
         ),
     ] {
         let table = Table::new(polygon(&vertices)).unwrap();
-        let [no_slip, specular] = laws();
-        let (mut seen_at_corners, mut lost) = (0, 0);
+        let mut followed = 0;
         for image in images {
             for by in [-3e-14, -1e-14, -5e-15, 5e-15, 1e-14, 3e-14] {
-                let seen = horizon(&table, &specular, past(image, by), 1.0, 1000);
+                let seen = horizon(&table, &laws()[1], past(image, by), 1.0, 1000);
                 assert!(!seen.lost && seen.error < 1e-8, "{name}, {image:?} {by:e}: {seen:?}");
-                seen_at_corners += u32::from(seen.collisions == 1000);
-                // no other law makes the same of both orders of the collisions
-                lost += u32::from(horizon(&table, &no_slip, past(image, by), 1.0, 40).lost);
+                followed += u32::from(seen.collisions == 1000);
             }
         }
-        assert!(seen_at_corners > 9, "{name}: {seen_at_corners}");
-        println!("{name} {lost}");
+        // the others end in a corner, as the orbits do
+        assert!(followed > 9, "{name}: {followed}");
     }
 }
 

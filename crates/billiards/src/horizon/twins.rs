@@ -34,8 +34,9 @@ const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
 /// A larger jump, in units of the table's size or of the speed, is another collision, of which nothing is known.
 const ANOTHER: f64 = 0.125;
 
-/// A flight shorter than this times the displacement is no path to aim along.
-const AIM: f64 = 2.0;
+/// A flight shorter than this times the displacement is no path to aim along, as between the sides of a vertex at less than the error: a twin
+/// would be turned there, not displaced, by a sixteenth or more. Those that have landed before go on.
+const AIM: f64 = 16.0;
 
 /// A path beside the orbit.
 #[derive(Clone, Copy, Debug)]
@@ -177,9 +178,18 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         if here.size <= nothing {
             return None;
         }
-        let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
-        let meets = twin.filter(|_| here.size > error).and_then(|twin| self.meeting(twin, expected, [near, nothing]));
-        Some(meets.unwrap_or(if here.size > error.max(ANOTHER) { self.jump_by(0, lost) } else { here }))
+        let (met, at_vertex) = match twin {
+            Some(twin) if here.size > error => {
+                let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
+                self.meeting(twin, expected, [near, nothing])
+            }
+            _ => (None, false),
+        };
+        match met {
+            None if at_vertex => None,
+            None if here.size > error.max(ANOTHER) => Some(self.jump_by(0, lost)),
+            met => met.or(Some(here)),
+        }
     }
 
     fn jump_by(&self, later: usize, by: Start<N, S>) -> Jump<N, S> {
@@ -199,15 +209,24 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
     }
 
     /// How near the next collisions of twin and orbit, one of each, come to the linear displacement of the orbit: the nearest of those that
-    /// are `near`, up to the first collision of the orbit where that is `nothing`.
-    fn meeting(&self, twin: &Twin<N, S>, expected: Start<N, S>, [near, nothing]: [f64; 2]) -> Option<Jump<N, S>> {
+    /// are `near`, up to the first collision of the orbit where that is `nothing`. And whether one of them ends on a vertex, within
+    /// rounding.
+    fn meeting(
+        &self,
+        twin: &Twin<N, S>,
+        expected: Start<N, S>,
+        [near, nothing]: [f64; 2],
+    ) -> (Option<Jump<N, S>>, bool) {
         let billiard = self.derivative.billiard;
         // places and times are told from those of the orbit's hit
         let placed = |at: &Start<N, S>, position| Start { position, ..*at };
         let (mut at, mut place, mut time) = (twin.at, twin.apart.position, twin.late);
         let mut twins = vec![(placed(&at, place), time)];
+        let mut at_vertex = false;
         for _ in 1..MEETING {
-            let Landing::Wall(next, flight) = fly(billiard, &at, &at.velocity) else { break };
+            let landing = fly(billiard, &at, &at.velocity);
+            at_vertex |= matches!(landing, Landing::Vertex);
+            let Landing::Wall(next, flight) = landing else { break };
             place = plus(&place, flight, &at.velocity);
             time += flight;
             at = next;
@@ -225,8 +244,11 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
                 }
             }
             let hit = billiard.first_hit(&at.position, &at.velocity);
-            let met = nearest.is_some_and(|nearest| nearest.size <= nothing);
-            if met || hit.corner || !(hit.time < f64::INFINITY) {
+            if nearest.is_some_and(|nearest| nearest.size <= nothing) || !(hit.time < f64::INFINITY) {
+                break;
+            }
+            if hit.corner {
+                at_vertex = true;
                 break;
             }
             place = plus(&place, hit.time, &at.velocity);
@@ -235,7 +257,7 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
             apart = derivative.apply(&apart);
             at = derivative.after();
         }
-        nearest
+        (nearest, at_vertex)
     }
 }
 
