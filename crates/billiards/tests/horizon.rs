@@ -475,3 +475,27 @@ fn where_walls_turn_a_little_the_error_is_as_large_as_the_turn() {
         }
     }
 }
+
+#[test]
+fn in_space_too_an_orbit_that_may_graze_is_lost_where_that_turns_it() {
+    let walls = geometry::walls::Around {
+        container: geometry::walls::Cuboid::new([-1.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap(),
+        obstacles: geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
+    };
+    let rough = RoughBall::no_slip(0.4_f64.sqrt()).unwrap();
+    for [y, z] in [[0.5, 0.0], [0.0, 0.5], [0.3, 0.4], [-0.4, 0.3], [0.3, -0.4]] {
+        let seen = |farther: f64| {
+            let position = [-0.9, y * farther, z * farther];
+            let start = Start { position, velocity: [1.0, 0.0, 0.0], spin: [0.1, 0.2, 0.3] };
+            let of = |law: &dyn Bounce<3, 3>| Horizon::of(law, &Felt(law), start, 2.0, [1.0, f64::INFINITY]);
+            [of(&Billiard { walls: &walls, law: &rough }), of(&Billiard { walls: &walls, law: &Specular })]
+        };
+        let [rough, specular] = seen(1.0 + f64::EPSILON);
+        assert!(rough.lost && rough.collisions == 0, "{y} {z}: {rough:?}");
+        assert!(!specular.lost && (1e-9..1e-6).contains(&specular.error), "{y} {z}: {specular:?}");
+        // at more than the error, nothing happens
+        for seen in seen(1.0 + 1e-14) {
+            assert!(!seen.lost && seen.error < 1e-15, "{y} {z}: {seen:?}");
+        }
+    }
+}

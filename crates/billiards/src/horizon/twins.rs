@@ -1,15 +1,19 @@
 //! Twins of an orbit, which see what the derivative of the billiard map is blind to.
 //!
-//! Beside a vertex the map has a derivative on either side, and is another one; so it is beside an obstacle that is grazed. An orbit that
-//! passes there at less than its error may be on the wrong side. So twins of the orbit, displaced across the path by [`REACH`] times
-//! the error, both ways, make the same collision: `f(x + d) − f(x) − M d` is what the error makes of itself besides `M d`. In the smooth
-//! it is of second order and nothing; where a wall ends, or bends that was flat, it is an error of its own, and enters the covariance as
-//! one: `P ← (1 + c) P + (1 + 1/c) j jᵀ` for a jump `j` of `c` times the error.
+//! Beside a vertex the map has a derivative on either side, and is another map on each; so it is beside an obstacle that is grazed. An
+//! orbit that passes there at less than its error may be on the wrong side. So twins of the orbit, displaced across the path by
+//! [`REACH`] times the error, both ways, make the same collision: `f(x + d) − f(x) − M d` is what the error makes of itself besides `M d`.
+//! Where the map is smooth, that is of second order. Where a wall ends or turns, it is an error of its own, and enters the covariance
+//! as one: `P ← (1 + c) P + (1 + 1/c) j jᵀ` for a jump `j` of `c` times the error. Of another collision nothing is known.
 //!
 //! A twin collides twice. It starts from the place of the orbit, aimed beside the next hit, so that it lands on a wall whatever that is; from
-//! there its second flight is displaced over all its length. One that hits something else is followed on: past the right angle of a
-//! square, two collisions later, specular twins are beside the orbit again, which both of them leave as if from one wall.
-use super::{Bend, Bounce, Derivative, Spread, dot, norm, plus, relative};
+//! there its second flight is displaced over all its length. One that hits something else is followed on, as the orbit is: after the right
+//! angle of a square, two collisions later, a specular twin is beside the orbit again whichever side comes first, and after a specular disk
+//! that it grazes, one collision later.
+use super::{
+    Bend, Bounce, Derivative, dot, norm, plus,
+    spread::{Spread, relative},
+};
 use crate::start::Start;
 
 /// How far the twins are from the orbit, in units of the root of the covariance, which is a bound, but of mean squares.
@@ -75,6 +79,15 @@ struct Jump<const N: usize, const S: usize> {
     size: f64,
 }
 
+impl<const N: usize, const S: usize> Jump<N, S> {
+    /// The larger one, when both are over; at once if nothing is left.
+    fn and(self, other: Self) -> Self {
+        let larger = if self.size >= other.size { self } else { other };
+        let later = if larger.size < f64::INFINITY { self.later.max(other.later) } else { 0 };
+        Jump { later, ..larger }
+    }
+}
+
 /// The twins of an orbit.
 #[derive(Clone, Debug)]
 pub(super) struct Twins<const N: usize, const S: usize> {
@@ -109,7 +122,6 @@ impl<const N: usize, const S: usize> Twins<N, S> {
             let second = landed.iter().map(|twin| beside.path(twin));
             let both_ways = across.iter().flat_map(|d| [REACH, -REACH].map(|reach| Start::ZERO.plus(reach, d)));
             let first = both_ways.filter_map(|d| beside.aimed(d));
-            let mut worst: Option<Jump<N, S>> = None;
             let mut unmoved = [Vec::new(), Vec::new()];
             for (i, path) in second.map(|path| (0, path)).chain(first.map(|path| (1, path))) {
                 let twin = match fly(beside.derivative.billiard, &path.from, &path.direction) {
@@ -121,11 +133,11 @@ impl<const N: usize, const S: usize> Twins<N, S> {
                 if jump.is_none() {
                     unmoved[i].extend(twin);
                 }
-                if jump.is_some_and(|jump| !worst.is_some_and(|worst| worst.size >= jump.size)) {
-                    worst = jump;
-                }
+                self.coming = match (self.coming, jump) {
+                    (Some(known), Some(jump)) => Some(known.and(jump)),
+                    (known, jump) => known.or(jump),
+                };
             }
-            self.coming = worst;
             // where none could be aimed, those before go on
             let [second, first] = unmoved;
             self.landed = if first.is_empty() { second } else { first };
@@ -140,12 +152,12 @@ impl<const N: usize, const S: usize> Twins<N, S> {
 }
 
 impl<const N: usize, const S: usize> Beside<'_, N, S> {
-    /// That of a twin which has landed.
+    /// The path of a twin that has landed.
     fn path(&self, twin: &Twin<N, S>) -> Path<N, S> {
         Path { from: twin.at, direction: twin.at.velocity, displaced: twin.apart, begins: twin.apart.position }
     }
 
-    /// That of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, and with its velocity when it does; none
+    /// The path of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, and with its velocity when it does; none
     /// where that is too far beside it.
     fn aimed(&self, d: Start<N, S>) -> Option<Path<N, S>> {
         let Derivative { before, hit, .. } = self.derivative;
@@ -199,7 +211,7 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
 
     /// What this collision rounds, relative; 0 where nobody asks.
     fn rounding(&self, asked: bool) -> f64 {
-        let mut spread = Spread(vec![Start::ZERO; Start::<N, S>::COORDINATES]);
+        let mut spread = Spread::none();
         if asked {
             spread.round(self.derivative.length, 0.0, 1.0);
             spread.carry(|d| self.derivative.apply(d));
