@@ -23,19 +23,19 @@ const REACH: f64 = 2.0;
 /// error is told to one digit.
 const LINEAR: f64 = 1.0 / 64.0;
 
-/// Nor is one up to so many times what one collision rounds, rms: that is 8 ulp, for orbit and twin together.
+/// Nor is one up to so many times what one collision rounds, rms: that is 8 ulp, for the flights and hits of orbit and twin together.
 const NOISE: f64 = 16.0;
 
 /// For so many collisions of each the two are followed until they meet again: specular paths on either side of a corner of π/n do after
 /// n of them, and are seen to on the next hit.
 const MEETING: usize = 8;
 
-/// They meet where they are apart by no more than this part of the jump and by so many times the root of the error, in time as well: a
-/// specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. Less than that is no proof, as polygons
-/// of rational angles know few directions.
+/// They meet where they are apart by no more than this part of the jump, nor than so many times the root of the error of it, in time as
+/// well: a specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. Farther apart is no proof:
+/// polygons of rational angles know few directions, and one place in 64 is nearer than the first by chance.
 const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
 
-/// A larger jump, in units of the table's size or of the speed, is another collision, of which nothing is known.
+/// A larger jump, in units of the table's size or of the speed, is another collision, of which nothing is known: less than a digit is left.
 const ANOTHER: f64 = 0.125;
 
 /// A flight shorter than this times the displacement is no path to aim along, as between the sides of a vertex at less than the error: a twin
@@ -50,6 +50,13 @@ struct Twin<const N: usize, const S: usize> {
     apart: Start<N, S>,
     /// How much later than the orbit it has come here.
     late: f64,
+}
+
+impl<const N: usize, const S: usize> Twin<N, S> {
+    /// Its path from where it has landed.
+    fn path(&self) -> Path<N, S> {
+        Path { from: self.at, direction: self.at.velocity, displaced: self.apart, begins: self.apart.position }
+    }
 }
 
 /// The path of a twin to its next hit.
@@ -119,7 +126,7 @@ impl<const N: usize, const S: usize> Twins<N, S> {
             jump.later -= 1;
         } else {
             let landed = core::mem::take(&mut self.landed);
-            let second = landed.iter().map(|twin| beside.path(twin));
+            let second = landed.iter().map(Twin::path);
             let both_ways = across.iter().flat_map(|d| [REACH, -REACH].map(|reach| Start::ZERO.plus(reach, d)));
             let first = both_ways.filter_map(|d| beside.aimed(d));
             let mut unmoved = [Vec::new(), Vec::new()];
@@ -152,11 +159,6 @@ impl<const N: usize, const S: usize> Twins<N, S> {
 }
 
 impl<const N: usize, const S: usize> Beside<'_, N, S> {
-    /// The path of a twin that has landed.
-    fn path(&self, twin: &Twin<N, S>) -> Path<N, S> {
-        Path { from: twin.at, direction: twin.at.velocity, displaced: twin.apart, begins: twin.apart.position }
-    }
-
     /// The path of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, and with its velocity when it does; none
     /// where that is too far beside it.
     fn aimed(&self, d: Start<N, S>) -> Option<Path<N, S>> {
