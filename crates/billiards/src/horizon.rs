@@ -6,6 +6,7 @@
 //! billiard map, and the n-th collision adds the rounding `Q` of its own. Rounded constants of a law or of a table do the
 //! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
 //! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
+//! What a derivative is blind to, vertices and obstacles that are passed at less than the error, twins of the orbit see (`twins`).
 use crate::{
     billiard::{BallLaw, Billiard, Motion},
     rolling::Rolling,
@@ -13,6 +14,11 @@ use crate::{
     with_motion::WithMotion,
 };
 use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
+use spread::Spread;
+use twins::{Beside, Twins};
+
+mod spread;
+mod twins;
 
 /// Walls and a law for one orbit, behind a pointer.
 pub trait Bounce<const N: usize, const S: usize>: Sync {
@@ -118,9 +124,6 @@ pub struct Horizon {
     pub lost: bool,
 }
 
-/// Rounding moves a coordinate by so much of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
-
 /// The relative step of difference quotients of laws.
 ///
 /// Strict laws are linear in the velocities and quadratic in the normal, so that symmetric quotients are exact but for
@@ -145,6 +148,8 @@ impl Horizon {
     ///
     /// For a table of no size (a strip, a wedge) give infinity: then the farthest counts that the orbit has been from a wall that it hit
     /// next, which is the width of a strip however it lies.
+    /// Where a path displaced by the error would hit something else, and not be beside the orbit again soon after, the orbit is lost.
+    ///
     /// Any law will do, also one that is another at each place: it is differentiated by velocity, spin, normal and place. Where nothing
     /// is known of the walls' curvature, `walls` is [`Felt`].
     ///
@@ -160,6 +165,7 @@ impl Horizon {
         let mut at = start;
         let mut spread = Spread::new(&at);
         let mut horizon = Horizon { collisions: 0, time: 0.0, error: 0.0, lost: false };
+        let mut twins = Twins::new();
         let mut farthest = 0.0_f64;
         loop {
             let hit = billiard.first_hit(&at.position, &at.velocity);
@@ -170,10 +176,15 @@ impl Horizon {
                 return horizon;
             }
             let n = (horizon.collisions + 1) as f64;
-            let next = Derivative::step(billiard, walls, &at, &hit, &mut spread, n);
             farthest = farthest.max(dot(&hit.unit_normal(), &plus(&at.position, -1.0, &hit.point)));
             let is_known = size < f64::INFINITY || farthest == 0.0;
-            let error = spread.error(&next, if is_known { size } else { farthest });
+            let size = if is_known { size } else { farthest };
+            let derivative = Derivative::new(billiard, walls, &at, &hit);
+            let next = derivative.after();
+            let across = spread.across(&at.velocity, hit.time);
+            derivative.carry(&mut spread, &next, n);
+            twins.look(&Beside { walls, derivative: &derivative, next: &next, size }, &across, &mut spread);
+            let error = spread.error(&next, size);
             // NaN is an error, too
             if !(error < 1.0) {
                 return Horizon { lost: true, ..horizon };
@@ -214,6 +225,14 @@ impl<const N: usize, const S: usize> Start<N, S> {
     /// The number of coordinates.
     const COORDINATES: usize = N + N + S;
 
+    /// The sum with a multiple of another one.
+    fn plus(&self, factor: f64, other: &Self) -> Self {
+        Start {
+            position: plus(&self.position, factor, &other.position),
+            velocity: plus(&self.velocity, factor, &other.velocity),
+            spin: plus(&self.spin, factor, &other.spin),
+        }
+    }
     fn speed(&self) -> f64 {
         libm::sqrt(dot(&self.velocity, &self.velocity) + dot(&self.spin, &self.spin))
     }
@@ -237,68 +256,14 @@ impl<const N: usize, const S: usize> Start<N, S> {
     }
 }
 
-/// The covariance of the errors, by columns.
-#[derive(Clone, Debug)]
-struct Spread<const N: usize, const S: usize>(Vec<Start<N, S>>);
-
-impl<const N: usize, const S: usize> Spread<N, S> {
-    /// Of a start whose numbers are rounded.
-    fn new(start: &Start<N, S>) -> Self {
-        let mut spread = Spread(vec![Start::ZERO; Start::<N, S>::COORDINATES]);
-        spread.round(norm(&start.position), start.speed(), 1.0);
-        spread
-    }
-
-    /// Adds `weight` times the square of a rounding of coordinates and of velocities of these sizes.
-    fn round(&mut self, length: f64, speed: f64, weight: f64) {
-        for (i, column) in self.0.iter_mut().enumerate() {
-            let size = ROUNDING * if i < N { length } else { speed };
-            column.set(i, column.get(i) + weight * size * size);
-        }
-    }
-
-    /// `(1 + 1/n) P`
-    fn widen(&mut self, n: f64) {
-        for column in &mut self.0 {
-            for i in 0..Start::<N, S>::COORDINATES {
-                column.set(i, column.get(i) * (1.0 + 1.0 / n));
-            }
-        }
-    }
-
-    /// `M P Mᵀ`
-    fn carry(&mut self, derivative: impl Fn(&Start<N, S>) -> Start<N, S>) {
-        for _ in 0..2 {
-            let moved: Vec<_> = self.0.iter().map(&derivative).collect();
-            for (i, column) in self.0.iter_mut().enumerate() {
-                for (k, row) in moved.iter().enumerate() {
-                    column.set(k, row.get(i));
-                }
-            }
-        }
-    }
-
-    /// The root of the mean square error, relative.
-    fn error(&self, at: &Start<N, S>, size: f64) -> f64 {
-        let [mut place, mut motion] = [0.0, 0.0];
-        for (i, column) in self.0.iter().enumerate() {
-            if i < N {
-                place += column.get(i);
-            } else {
-                motion += column.get(i);
-            }
-        }
-        let [place, motion] = [libm::sqrt(place) / size, libm::sqrt(motion) / at.speed()];
-        if place.is_nan() || motion.is_nan() { f64::NAN } else { place.max(motion) }
-    }
-}
-
 /// The derivative of flight and collision at a hit.
 struct Derivative<'a, const N: usize, const S: usize> {
     billiard: &'a dyn Bounce<N, S>,
     before: Start<N, S>,
     hit: WallHit<f64, N>,
     normal: [f64; N],
+    /// The largest of the numbers that the place of the hit is made of \[L\].
+    length: f64,
     /// How far the place of the hit is moved, times [`PLACE`] \[L\].
     nearby: f64,
     /// Unit vectors along the wall, and the derivatives of the normal along them \[L⁻¹\].
@@ -306,29 +271,29 @@ struct Derivative<'a, const N: usize, const S: usize> {
 }
 
 impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
-    /// The state after the hit, and the errors carried there.
-    fn step(
-        billiard: &'a dyn Bounce<N, S>,
-        walls: &dyn Bend<N>,
-        at: &Start<N, S>,
-        hit: &WallHit<f64, N>,
-        spread: &mut Spread<N, S>,
-        n: f64,
-    ) -> Start<N, S> {
+    fn new(billiard: &'a dyn Bounce<N, S>, walls: &dyn Bend<N>, at: &Start<N, S>, hit: &WallHit<f64, N>) -> Self {
         let flight = hit.time * norm(&at.velocity);
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
         let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
         // between the flight, over which a law may change, and the coordinates, which are rounded
         let nearby = libm::sqrt(length * flight.max(f64::EPSILON * length));
-        let derivative = Derivative { billiard, before: *at, hit: *hit, normal, nearby, bends };
-        spread.widen(n);
-        spread.round(length.max(walls.size(hit)), 0.0, 1.0 + n);
-        spread.carry(|d| derivative.apply(d));
-        let mut next = Start { position: hit.point, ..*at };
-        billiard.collide(hit, &mut next.velocity, &mut next.spin);
-        spread.round(0.0, next.speed(), 1.0 + n);
+        Derivative { billiard, before: *at, hit: *hit, normal, length: length.max(walls.size(hit)), nearby, bends }
+    }
+
+    /// The state after the hit.
+    fn after(&self) -> Start<N, S> {
+        let mut next = Start { position: self.hit.point, ..self.before };
+        self.billiard.collide(&self.hit, &mut next.velocity, &mut next.spin);
         next
+    }
+
+    /// Carries the errors to the state after the hit, the n-th one.
+    fn carry(&self, spread: &mut Spread<N, S>, next: &Start<N, S>, n: f64) {
+        spread.widen(n);
+        spread.round(self.length, 0.0, 1.0 + n);
+        spread.carry(|d| self.apply(d));
+        spread.round(0.0, next.speed(), 1.0 + n);
     }
 
     /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.

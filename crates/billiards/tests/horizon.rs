@@ -1,7 +1,7 @@
 //! The horizon is where an orbit's digits really end.
 use billiards::{
     Billiard, Bounce, Clock, Collisions, Conserved, Felt, Horizon, Orbit, Planar, Spatial, Start,
-    laws::{Custom, Disk, RoughBall},
+    laws::{Custom, Disk, PerPiece, RoughBall},
     reverse, run,
 };
 use collision_laws::{
@@ -10,8 +10,9 @@ use collision_laws::{
 };
 use core::f64::consts::{FRAC_1_SQRT_2, TAU};
 use geometry::{
-    Table, Walls, WithWalls,
+    Piece, Table, Vector2, Walls, WithWalls,
     parry::{Room, Side, SolidSpec},
+    shapes::{Circle, Segment},
     tables,
     tables::SpatialTable,
     walls::ByLane,
@@ -170,7 +171,7 @@ fn orbits_that_turn_around_come_back_within_the_horizon() {
 
 #[test]
 fn a_strip_that_lies_askew_has_the_horizon_of_an_upright_one() {
-    use geometry::{Piece, Vector2, shapes::FullLine};
+    use geometry::shapes::FullLine;
     let turned = |[x, y]: [f64; 2]| Vector2::new(0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y);
     let wall = |y: f64, along: f64| {
         let line = FullLine::new(turned([0.0, y]), turned([along, 0.0])).unwrap();
@@ -195,10 +196,7 @@ fn a_strip_that_lies_askew_has_the_horizon_of_an_upright_one() {
 
 #[test]
 fn the_rounding_of_a_large_radius_or_a_far_centre_counts() {
-    use geometry::{
-        Piece, Vector2,
-        shapes::{Arc, Segment},
-    };
+    use geometry::shapes::Arc;
     let law = Disk::new(&Specular, FRAC_1_SQRT_2).unwrap();
     let error = |radius: f64| {
         // a unit square whose floor is a flat arc
@@ -345,5 +343,159 @@ fn the_horizon_on_a_lattice_is_the_same_from_every_cell() {
         });
         assert_eq!(here, there);
         assert!(here.collisions > 5);
+    }
+}
+
+fn polygon(vertices: &[[f64; 2]]) -> Vec<Box<dyn Piece>> {
+    let to = vertices.iter().cycle().skip(1);
+    let side = |(a, b): (&[f64; 2], &[f64; 2])| Segment::new(Vector2::from(*a), Vector2::from(*b)).unwrap();
+    vertices.iter().zip(to).map(|of| Box::new(side(of)) as Box<dyn Piece>).collect()
+}
+
+#[test]
+fn an_orbit_that_passes_a_vertex_at_less_than_its_error_is_lost_there() {
+    let room = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+    let table = Table::new(polygon(&room)).unwrap();
+    // the collision from which on the orbit in 200 bits is another one
+    for (position, velocity, wrong) in [
+        ([0.7, 0.9], [0.749, 0.303], 492),
+        ([0.9, 0.6], [0.413, 0.832], 1412),
+        ([0.9, 0.2], [0.749, 0.372], 2168),
+        ([0.6, 0.2], [0.973, 0.671], 5248),
+    ] {
+        let start = Start { position, velocity, spin: [0.0] };
+        let seen = horizon(&table, &laws()[1], start, 2.0, 6000);
+        assert!(seen.lost && seen.collisions < wrong && seen.error < 1e-9, "{seen:?}");
+        // a bound that is a hundred times the error is as early in a vertex's reach
+        assert!(100 * seen.collisions > wrong, "{seen:?}");
+    }
+}
+
+/// The unit square, specular, around a disk of radius 1/20 under some law.
+fn pillar(law: Disk) -> Planar<PerPiece> {
+    let mut pieces = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    pieces.push(Box::new(Circle::new(Vector2::repeat(0.5), 0.05, false).unwrap()));
+    let [_, specular] = laws();
+    Planar { table: Table::new(pieces).unwrap(), law: PerPiece::new(specular, [specular, specular, specular, law]) }
+}
+
+#[test]
+fn an_orbit_that_may_graze_a_disk_is_lost_where_that_turns_it_and_keeps_the_root_of_its_error_where_not() {
+    // misses the disk by 10⁻¹⁶ at collision 151, and by not much more every 14 collisions before
+    let position = [0.650_000_000_000_015_1, 0.05];
+    let start = Start { position, velocity: [0.04, 0.030_000_000_000_000_006], spin: [0.3] };
+    let [no_slip, specular] = laws().map(|law| {
+        let seen = |n| pillar(law).horizon(start, 1.0, [n, f64::INFINITY]);
+        [seen(13.0), seen(200.0)]
+    });
+    assert!(no_slip[1].lost && no_slip[1].collisions <= 151 && no_slip[1].error < 1e-9, "{no_slip:?}");
+    // a specular disk turns what grazes it by no more than the root of what is between
+    assert!(!specular[0].lost && (1e-9..1e-4).contains(&specular[0].error), "{specular:?}");
+    // an orbit that passes the disk at more than its error knows nothing of it
+    let past = Start { position: [0.650_000_000_1, 0.05], ..start };
+    for law in laws() {
+        let seen = pillar(law).horizon(past, 1.0, [100.0, f64::INFINITY]);
+        assert!(!seen.lost && seen.error < 1e-11, "{seen:?}");
+    }
+}
+
+/// A start whose path, were it not reflected, would pass a place by so much.
+fn past(place: [f64; 2], by: f64) -> Start<2, 1> {
+    let position = [0.31, 0.24];
+    let way = [place[0] - position[0], place[1] - position[1]];
+    let length = libm::hypot(way[0], way[1]);
+    let velocity = [way[0] - by * way[1] / length, way[1] + by * way[0] / length];
+    Start { position, velocity, spin: [0.2] }
+}
+
+#[test]
+fn specular_orbits_are_not_lost_at_corners_of_an_integer_part_of_a_half_turn() {
+    let root = 3.0_f64.sqrt();
+    for (name, vertices, images) in [
+        // images of vertices in the tiling of the plane by reflections
+        ("square", vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], [[1.0, 1.0], [4.0, 3.0], [6.0, 7.0]]),
+        (
+            "equilateral",
+            vec![[0.0, 0.0], [1.0, 0.0], [0.5, 0.5 * root]],
+            [[0.5, 0.5 * root], [3.5, 1.5 * root], [5.0, 3.0 * root]],
+        ),
+        ("isosceles", vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], [[1.0, 0.0], [4.0, 3.0], [6.0, 7.0]]),
+        (
+            "half an equilateral",
+            vec![[0.0, 0.0], [1.0, 0.0], [0.0, root]],
+            [[0.0, root], [4.0, 2.0 * root], [1.0, 6.0 * root]],
+        ),
+    ] {
+        let table = Table::new(polygon(&vertices)).unwrap();
+        let mut followed = 0;
+        for image in images {
+            for by in [-3e-14, -1e-14, -5e-15, 5e-15, 1e-14, 3e-14] {
+                let seen = horizon(&table, &laws()[1], past(image, by), 1.0, 1000);
+                assert!(!seen.lost && seen.error < 1e-8, "{name}, {image:?} {by:e}: {seen:?}");
+                followed += u32::from(seen.collisions == 1000);
+            }
+        }
+        // the others end in a corner, as the orbits do
+        assert!(followed > 9, "{name}: {followed}");
+    }
+}
+
+#[test]
+fn where_walls_turn_a_little_the_error_is_as_large_as_the_turn() {
+    let law = laws()[1];
+    for sides in [1000_u32, 100_000] {
+        let angle = TAU / f64::from(sides);
+        let vertices: Vec<_> = (0..sides).map(|i| angle * f64::from(i)).map(|t| [libm::cos(t), libm::sin(t)]).collect();
+        let table = Table::new(polygon(&vertices)).unwrap();
+        let billiard = Planar { table, law };
+        // starts from where the path past a vertex comes to the other way, so that it passes there at collision 30
+        let turned = |by| {
+            let Start { position, velocity, spin } = past(vertices[77], by);
+            let mut o = orbit(&Start { position, velocity: velocity.map(|v| -v), spin });
+            billiard.run(&mut o, &Collisions(29), &mut ());
+            let (position, velocity) = (o.position, o.velocity);
+            billiard.run(&mut o, &Collisions(1), &mut ());
+            let middle = [0, 1].map(|i| 0.5 * (position[i] + o.position[i]));
+            let start = Start { position: middle, velocity: velocity.map(|v| -v), spin };
+            let seen = horizon(&billiard.table, &law, start, 2.0, 30);
+            assert_eq!((seen.collisions, seen.lost), (30, false), "{sides}, {by:e}: {seen:?}");
+            seen.error / (2.0 * angle)
+        };
+        // at less than its error, and at more
+        assert!((0.5..2.0).contains(&turned(1e-14)), "{sides}: {}", turned(1e-14));
+        assert!(turned(1e-11) < 1e-8, "{sides}: {}", turned(1e-11));
+    }
+    // from a straight wall to an arc only the curvature changes
+    let stadium = tables::stadium(1.0, 1.0).unwrap();
+    for joint in [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
+        for by in [-1e-15, 0.0, 1e-15] {
+            let seen = horizon(&stadium, &law, past(joint, by), 4.0, 3);
+            assert_eq!((seen.collisions, seen.lost), (3, false));
+            assert!(seen.error < 1e-13, "{seen:?}");
+        }
+    }
+}
+
+#[test]
+fn in_space_too_an_orbit_that_may_graze_is_lost_where_that_turns_it() {
+    let walls = geometry::walls::Around {
+        container: geometry::walls::Cuboid::new([-1.0; 3], [1.0; 3], [[0, 1], [2, 3], [4, 5]]).unwrap(),
+        obstacles: geometry::walls::Scatterer::new(geometry::Vector3::zeros(), 0.5, 6).unwrap(),
+    };
+    let rough = RoughBall::no_slip(0.4_f64.sqrt()).unwrap();
+    for [y, z] in [[0.5, 0.0], [0.0, 0.5], [0.3, 0.4], [-0.4, 0.3], [0.3, -0.4]] {
+        let seen = |farther: f64| {
+            let position = [-0.9, y * farther, z * farther];
+            let start = Start { position, velocity: [1.0, 0.0, 0.0], spin: [0.1, 0.2, 0.3] };
+            let of = |law: &dyn Bounce<3, 3>| Horizon::of(law, &Felt(law), start, 2.0, [1.0, f64::INFINITY]);
+            [of(&Billiard { walls: &walls, law: &rough }), of(&Billiard { walls: &walls, law: &Specular })]
+        };
+        let [rough, specular] = seen(1.0 + f64::EPSILON);
+        assert!(rough.lost && rough.collisions == 0, "{y} {z}: {rough:?}");
+        assert!(!specular.lost && (1e-9..1e-6).contains(&specular.error), "{y} {z}: {specular:?}");
+        // at more than the error, nothing happens
+        for seen in seen(1.0 + 1e-14) {
+            assert!(!seen.lost && seen.error < 1e-15, "{y} {z}: {seen:?}");
+        }
     }
 }

@@ -13,7 +13,7 @@ use super::work::BLOCK;
 
 /// Orbits that are looked at: the first so many.
 const MOST_ORBITS: u64 = 16;
-/// Collisions that are looked at, of all these orbits together: a twentieth of a second.
+/// Collisions that are looked at, of all these orbits together: a tenth of a second.
 const MOST_COLLISIONS: u64 = 50_000;
 
 /// How long the digits of orbits last: rounding grows along an orbit, and past its horizon it is one of many.

@@ -1,0 +1,294 @@
+//! Twins of an orbit, which see what the derivative of the billiard map is blind to.
+//!
+//! Beside a vertex the map has a derivative on either side, and is another map on each; so it is beside an obstacle that is grazed. An
+//! orbit that passes there at less than its error may be on the wrong side. So twins of the orbit, displaced across the path by
+//! [`REACH`] times the error, both ways, make the same collision: `f(x + d) − f(x) − M d` is what the error makes of itself besides `M d`.
+//! Where the map is smooth, that is of second order. Where a wall ends or turns, it is an error of its own, and enters the covariance
+//! as one: `P ← (1 + c) P + (1 + 1/c) j jᵀ` for a jump `j` of `c` times the error. Of another collision nothing is known.
+//!
+//! A twin collides twice. It starts from the place of the orbit, aimed beside the next hit, so that it lands on a wall whatever that is; from
+//! there its second flight is displaced over all its length. One that hits something else is followed on, as the orbit is: after the right
+//! angle of a square, two collisions later, a specular twin is beside the orbit again whichever side comes first, and after a specular disk
+//! that it grazes, one collision later.
+use super::{
+    Bend, Bounce, Derivative, dot, norm, plus,
+    spread::{Spread, relative},
+};
+use crate::start::Start;
+
+/// How far the twins are from the orbit, in units of the root of the covariance, which is a bound, but of mean squares.
+const REACH: f64 = 2.0;
+
+/// A deviation up to this part of the error is none: the derivative is no better where walls are felt and laws are differentiated, and the
+/// error is told to one digit.
+const LINEAR: f64 = 1.0 / 64.0;
+
+/// Nor is one up to so many times what one collision rounds, rms: that is 8 ulp, for the flights and hits of orbit and twin together.
+const NOISE: f64 = 16.0;
+
+/// For so many collisions of each the two are followed until they meet again: specular paths on either side of a corner of π/n do after
+/// n of them, and are seen to on the next hit.
+const MEETING: usize = 8;
+
+/// They meet where they are apart by no more than this part of the jump, nor than so many times the root of the error of it, in time as
+/// well: a specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. Farther apart is no proof:
+/// polygons of rational angles know few directions, and one place in 64 is nearer than the first by chance.
+const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
+
+/// A larger jump, in units of the table's size or of the speed, is another collision, of which nothing is known: less than a digit is left.
+const ANOTHER: f64 = 0.125;
+
+/// A flight shorter than this times the displacement is no path to aim along, as between the sides of a vertex at less than the error: a twin
+/// would be turned there, not displaced, by a sixteenth or more. Those that have landed before go on.
+const AIM: f64 = 16.0;
+
+/// A path beside the orbit.
+#[derive(Clone, Copy, Debug)]
+struct Twin<const N: usize, const S: usize> {
+    at: Start<N, S>,
+    /// Less the orbit, along both paths: on a lattice the two may be told in different cells.
+    apart: Start<N, S>,
+    /// How much later than the orbit it has come here.
+    late: f64,
+}
+
+impl<const N: usize, const S: usize> Twin<N, S> {
+    /// Its path from where it has landed.
+    fn path(&self) -> Path<N, S> {
+        Path { from: self.at, direction: self.at.velocity, displaced: self.apart, begins: self.apart.position }
+    }
+}
+
+/// The path of a twin to its next hit.
+struct Path<const N: usize, const S: usize> {
+    from: Start<N, S>,
+    direction: [f64; N],
+    /// By what it is displaced from the orbit's, and by how much where it begins.
+    displaced: Start<N, S>,
+    begins: [f64; N],
+}
+
+/// Where a path comes to.
+enum Landing<const N: usize, const S: usize> {
+    /// On a wall, after so much time.
+    Wall(Start<N, S>, f64),
+    /// On a vertex, within rounding: it tells nothing.
+    Vertex,
+    Nowhere,
+}
+
+/// What the error makes of itself besides what the derivative says, so many collisions later.
+#[derive(Clone, Copy, Debug)]
+struct Jump<const N: usize, const S: usize> {
+    later: usize,
+    by: Start<N, S>,
+    /// Of what size that is, relative.
+    size: f64,
+}
+
+impl<const N: usize, const S: usize> Jump<N, S> {
+    /// The larger one, when both are over; at once if nothing is left.
+    fn and(self, other: Self) -> Self {
+        let larger = if self.size >= other.size { self } else { other };
+        let later = if larger.size < f64::INFINITY { self.later.max(other.later) } else { 0 };
+        Jump { later, ..larger }
+    }
+}
+
+/// The twins of an orbit.
+#[derive(Clone, Debug)]
+pub(super) struct Twins<const N: usize, const S: usize> {
+    /// Those that have landed beside the orbit.
+    landed: Vec<Twin<N, S>>,
+    /// A jump to come, where twins are known to be beside the orbit again only then.
+    coming: Option<Jump<N, S>>,
+}
+
+/// One collision of the orbit, to which twins compare themselves.
+pub(super) struct Beside<'a, const N: usize, const S: usize> {
+    pub(super) walls: &'a dyn Bend<N>,
+    pub(super) derivative: &'a Derivative<'a, N, S>,
+    /// The orbit after it.
+    pub(super) next: &'a Start<N, S>,
+    /// Of the table.
+    pub(super) size: f64,
+}
+
+impl<const N: usize, const S: usize> Twins<N, S> {
+    pub(super) fn new() -> Self {
+        Twins { landed: Vec::new(), coming: None }
+    }
+
+    /// Has twins make a collision of the orbit, those that have landed and new ones displaced by `across` ([`Spread::across`]), and adds
+    /// to the error after it what they see.
+    pub(super) fn look(&mut self, beside: &Beside<'_, N, S>, across: &[Start<N, S>], spread: &mut Spread<N, S>) {
+        if let Some(jump) = &mut self.coming {
+            jump.later -= 1;
+        } else {
+            let landed = core::mem::take(&mut self.landed);
+            let second = landed.iter().map(Twin::path);
+            let both_ways = across.iter().flat_map(|d| [REACH, -REACH].map(|reach| Start::ZERO.plus(reach, d)));
+            let first = both_ways.filter_map(|d| beside.aimed(d));
+            let mut unmoved = [Vec::new(), Vec::new()];
+            for (i, path) in second.map(|path| (0, path)).chain(first.map(|path| (1, path))) {
+                let twin = match fly(beside.derivative.billiard, &path.from, &path.direction) {
+                    Landing::Wall(at, time) => Some(beside.twin(&path, at, time)),
+                    Landing::Vertex => continue,
+                    Landing::Nowhere => None,
+                };
+                let jump = beside.jump(twin.as_ref(), &path.displaced, spread);
+                if jump.is_none() {
+                    unmoved[i].extend(twin);
+                }
+                self.coming = match (self.coming, jump) {
+                    (Some(known), Some(jump)) => Some(known.and(jump)),
+                    (known, jump) => known.or(jump),
+                };
+            }
+            // where none could be aimed, those before go on
+            let [second, first] = unmoved;
+            self.landed = if first.is_empty() { second } else { first };
+            if self.coming.is_some_and(|jump| jump.later > 0) {
+                self.landed.clear();
+            }
+        }
+        if let Some(jump) = self.coming.take_if(|jump| jump.later == 0) {
+            spread.jump(&jump.by, jump.size / spread.error(beside.next, beside.size));
+        }
+    }
+}
+
+impl<const N: usize, const S: usize> Beside<'_, N, S> {
+    /// The path of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, and with its velocity when it does; none
+    /// where that is too far beside it.
+    fn aimed(&self, d: Start<N, S>) -> Option<Path<N, S>> {
+        let Derivative { before, hit, .. } = self.derivative;
+        let v = &before.velocity;
+        let moved = plus(&d.position, hit.time, &d.velocity);
+        let across = plus(&moved, -dot(&moved, v) / dot(v, v), v);
+        if !(AIM * norm(&across) < hit.time * norm(v)) {
+            return None;
+        }
+        let from = Start { position: before.position, ..before.plus(1.0, &d) };
+        Some(Path { from, direction: plus(v, 1.0 / hit.time, &across), displaced: d, begins: [0.0; N] })
+    }
+
+    /// The twin that has come to `at` on a path, after so much time.
+    fn twin(&self, path: &Path<N, S>, at: Start<N, S>, time: f64) -> Twin<N, S> {
+        let Derivative { before, hit, .. } = self.derivative;
+        let farther = plus(&path.direction.map(|v| time * v), -hit.time, &before.velocity);
+        let position = plus(&path.begins, 1.0, &farther);
+        Twin { at, apart: Start { position, ..at.plus(-1.0, self.next) }, late: time - hit.time }
+    }
+
+    /// What a twin that was displaced by `d` before the collision tells of the error after it, if anything; one that hits nothing, all.
+    fn jump(&self, twin: Option<&Twin<N, S>>, d: &Start<N, S>, spread: &Spread<N, S>) -> Option<Jump<N, S>> {
+        let expected = self.derivative.apply(d);
+        let lost = Start { position: [f64::INFINITY; N], ..Start::ZERO };
+        let by = twin.map_or(lost, |twin| twin.apart.plus(-1.0, &expected));
+        let error = spread.error(self.next, self.size);
+        let here = self.jump_by(0, by);
+        let nothing = LINEAR * error + NOISE * self.rounding(LINEAR * error < here.size);
+        if here.size <= nothing {
+            return None;
+        }
+        let (met, at_vertex) = match twin {
+            Some(twin) if here.size > error => {
+                let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
+                self.meeting(twin, expected, [near, nothing])
+            }
+            _ => (None, false),
+        };
+        match met {
+            None if at_vertex => None,
+            None if here.size > error.max(ANOTHER) => Some(self.jump_by(0, lost)),
+            met => met.or(Some(here)),
+        }
+    }
+
+    fn jump_by(&self, later: usize, by: Start<N, S>) -> Jump<N, S> {
+        let size = relative(norm(&by.position), by.speed(), self.next, self.size);
+        Jump { later, by, size }
+    }
+
+    /// What this collision rounds, relative; 0 where nobody asks.
+    fn rounding(&self, asked: bool) -> f64 {
+        let mut spread = Spread::none();
+        if asked {
+            spread.round(self.derivative.length, 0.0, 1.0);
+            spread.carry(|d| self.derivative.apply(d));
+            spread.round(0.0, self.next.speed(), 1.0);
+        }
+        spread.error(self.next, self.size)
+    }
+
+    /// How near the next collisions of twin and orbit, one of each, come to the linear displacement of the orbit: the nearest of those that
+    /// are `near`, up to the first collision of the orbit where that is `nothing`. And whether one of them ends on a vertex, within
+    /// rounding.
+    fn meeting(
+        &self,
+        twin: &Twin<N, S>,
+        expected: Start<N, S>,
+        [near, nothing]: [f64; 2],
+    ) -> (Option<Jump<N, S>>, bool) {
+        let billiard = self.derivative.billiard;
+        // places and times are told from those of the orbit's hit
+        let placed = |at: &Start<N, S>, position| Start { position, ..*at };
+        let (mut at, mut place, mut time) = (twin.at, twin.apart.position, twin.late);
+        let mut twins = vec![(placed(&at, place), time)];
+        let mut at_vertex = false;
+        for _ in 1..MEETING {
+            let landing = fly(billiard, &at, &at.velocity);
+            at_vertex |= matches!(landing, Landing::Vertex);
+            let Landing::Wall(next, flight) = landing else { break };
+            place = plus(&place, flight, &at.velocity);
+            time += flight;
+            at = next;
+            twins.push((placed(&at, place), time));
+        }
+        let (mut at, mut place, mut time, mut apart) = (*self.next, [0.0; N], 0.0, expected);
+        let mut nearest: Option<Jump<N, S>> = None;
+        for later in 0..MEETING {
+            let there = placed(&at, place).plus(1.0, &apart);
+            for (twin, when) in &twins {
+                let jump = self.jump_by(later, twin.plus(-1.0, &there));
+                let late = (when - time) * norm(&at.velocity) / self.size;
+                if jump.size.max(late.abs()) <= near && !nearest.is_some_and(|nearest| nearest.size <= jump.size) {
+                    nearest = Some(jump);
+                }
+            }
+            let hit = billiard.first_hit(&at.position, &at.velocity);
+            if nearest.is_some_and(|nearest| nearest.size <= nothing) || !(hit.time < f64::INFINITY) {
+                break;
+            }
+            if hit.corner {
+                at_vertex = true;
+                break;
+            }
+            place = plus(&place, hit.time, &at.velocity);
+            time += hit.time;
+            let derivative = Derivative::new(billiard, self.walls, &at, &hit);
+            apart = derivative.apply(&apart);
+            at = derivative.after();
+        }
+        (nearest, at_vertex)
+    }
+}
+
+/// The next collision of a path in some direction from a place; what it hits, it hits with the velocity that is told.
+fn fly<const N: usize, const S: usize>(
+    billiard: &dyn Bounce<N, S>,
+    from: &Start<N, S>,
+    direction: &[f64; N],
+) -> Landing<N, S> {
+    let hit = billiard.first_hit(&from.position, direction);
+    if !(hit.time < f64::INFINITY) {
+        return Landing::Nowhere;
+    }
+    if hit.corner {
+        return Landing::Vertex;
+    }
+    let mut at = Start { position: hit.point, ..*from };
+    billiard.collide(&hit, &mut at.velocity, &mut at.spin);
+    Landing::Wall(at, hit.time)
+}
