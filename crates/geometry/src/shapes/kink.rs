@@ -27,12 +27,12 @@ pub(super) fn turning(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
 /// than its curvature tells. (A disk in the table does not come to other kinks.) It is looked for in parts between arc lengths, which the
 /// curve's features should not be much shorter than.
 pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+    let length = curve.length();
     let at = |s: f64| {
         let landing = curve.landing_at(s);
         (landing.normal, curve.curvature(&landing.point))
     };
     let mut open: Vec<_> = parts.map(|[low, high]| ([low, high], [at(low), at(high)])).collect();
-    let (&([first, _], _), &([_, last], _)) = (open.first()?, open.last()?);
     open.reverse();
     let mut looked_at = 0;
     while let Some(([low, high], [a, b])) = open.pop() {
@@ -47,13 +47,13 @@ pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> 
         if (turning(&a.0, &b.0) - told).abs() <= ROUNDING {
             continue;
         }
-        if high - low > NARROW * curve.length() {
+        if high - low > NARROW * length {
             open.extend([([s, high], [middle, b]), ([low, s], [a, middle])]);
             continue;
         }
         // at the kink itself there may be no direction
         let [here, around] = [2.0, AROUND].map(|times| {
-            let [before, after] = [low, high].map(|end| (s + times * (end - s)).clamp(first, last));
+            let [before, after] = [low, high].map(|end| (s + times * (end - s)).clamp(0.0, length));
             let [a, b] = [at(before), at(after)];
             let told = 0.5 * (after - before) * (a.1 + b.1);
             turning(&a.0, &b.0) - if told.is_finite() { told } else { 0.0 }
