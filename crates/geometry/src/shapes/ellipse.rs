@@ -30,13 +30,16 @@ pub struct Ellipse {
     from_unit: [[f64; 2]; 2],
     /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
     to_normal: [[f64; 2]; 2],
-    /// `∓min(a, b)`: the length of `to_normal` times `A`.
+    /// `∓min(a, b)`, the length of `to_normal` times `A`, of a flat ellipse; otherwise 0.
     width: f64,
     /// What the ellipse becomes under `A`.
     unit: Circle,
     /// Length of a quarter.
     quarter: f64,
 }
+
+/// An ellipse whose axes have a smaller ratio is flat: on others, what straight to the centre leads off sideways is a rounding or two.
+const FLAT: f64 = 0.25;
 
 /// Steps of Newton's method that lead to an ellipse from places off it by up to half its width.
 const STEPS: usize = 6;
@@ -70,7 +73,7 @@ impl Ellipse {
             to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
             to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
-            width: inward * a.min(b),
+            width: if a.min(b) < FLAT * a.max(b) { inward * a.min(b) } else { 0.0 },
             unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
             quarter: 0.0,
         };
@@ -130,12 +133,24 @@ impl Ellipse {
 
     /// The landing point and the normal; see [`Piece::landing`].
     ///
-    /// What rounding has taken a place off the wall is undone along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of Newton's
-    /// method. Straight to the centre, as on a circle, a flat ellipse would take it along the wall.
+    /// What rounding has taken a place off the wall is undone straight to the centre, as on a circle. Along a flat ellipse that would lead too
+    /// far: there along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of Newton's method.
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let (y, w) = self.affine(x, v);
-        let y = along(y, w, time);
+        let (p, n) = if self.width == 0.0 {
+            let (y, _) = self.unit.land(y, w, time);
+            (combine(self.from_unit, y), combine(self.to_normal, y))
+        } else {
+            self.flat_landing(along(y, w, time), w)
+        };
+        let length = dot(n, n).sqrt();
+        ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
+    }
+
+    /// Where places `y` on the way `w` in the picture land on a flat ellipse, from its centre, and the direction of the normal.
+    #[inline(always)]
+    fn flat_landing<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
         let (off, step, mut n) = self.step(y);
         let p = combine(self.from_unit, y);
         let mut p = [0, 1].map(|i| p[i] + n[i] * step);
@@ -144,8 +159,7 @@ impl Ellipse {
             let (far, normal) = self.far_landing(y, w);
             (p, n) = ([0, 1].map(|i| afar.select(far[i], p[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
         }
-        let length = dot(n, n).sqrt();
-        ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
+        (p, n)
     }
 
     /// A step from the place of `y`: by how much that was off, what it is in units of the direction of the normal, and this.
