@@ -108,6 +108,10 @@ pub trait Motion<const N: usize, const S: usize> {
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
         ended(&velocity, Stop::Escaped)
     }
+    /// The normal speed with which orbits leave a hit: asked for where they do not get away from it.
+    fn leaving<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &[F; N], _carried: &Self::Carried<F>) -> F {
+        dot(velocity, &hit.unit_normal())
+    }
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}

@@ -130,8 +130,9 @@ where
                 break Stop::Observer;
             }
             if stays {
+                let leaving = billiard.leaving(&hit, &orbit.velocity, &carried);
                 billiard.settle(orbit, &carried);
-                break stop::stays(&orbit.velocity, &hit.unit_normal());
+                break stop::stays(&orbit.velocity, leaving);
             }
         };
         billiard.settle(orbit, &carried);

@@ -208,7 +208,8 @@ where
             }
             self.observer.collision(&mut group.view, &hit, &group.orbit);
             if slides.any() {
-                self.slide(group, &hit.unit_normal(), slides, next, step + 1);
+                let leaving = self.billiard.leaving(&hit, &group.orbit.velocity, &group.carried);
+                self.slide(group, leaving, slides, next, step + 1);
             }
             return;
         }
@@ -220,15 +221,15 @@ where
     fn slide<F: Lane>(
         &mut self,
         group: &mut GroupOf<F, N, S, B, K, T, O>,
-        normal: &[F; N],
+        leaving: F,
         slides: F::Mask,
         next: &mut u64,
         step: u64,
     ) {
         self.billiard.settle(&mut group.orbit, &group.carried);
-        let [velocity, normal] = [&group.orbit.velocity, normal].map(|v| |lane: usize| v.map(|x| x.lane(lane)));
+        let velocity = |lane: usize| group.orbit.velocity.map(|x| x.lane(lane));
         let ended = core::array::from_fn(|lane| {
-            (lane < F::LANES && slides.at(lane)).then(|| stays(&velocity(lane), &normal(lane)))
+            (lane < F::LANES && slides.at(lane)).then(|| stays(&velocity(lane), leaving.lane(lane)))
         });
         self.change(group, next, step, &ended);
     }
