@@ -109,6 +109,7 @@ pub trait Motion<const N: usize, const S: usize> {
         ended(&velocity, Stop::Escaped)
     }
     /// The normal speed with which orbits leave a hit: asked for where they do not get away from it.
+    #[inline(always)]
     fn leaving<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &[F; N], _carried: &Self::Carried<F>) -> F {
         dot(velocity, &hit.unit_normal())
     }
@@ -176,15 +177,13 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         slow(self.law, velocity, spin)
     }
     fn without_hit(&self, position: [f64; N], velocity: [f64; N]) -> Stop {
-        ended(
-            &velocity,
-            if follows(self.walls, &position, &velocity) {
-                Stop::Grazing
-            } else if meets_a_vertex(self.walls, &position, &velocity) {
-                Stop::Corner
-            } else {
-                Stop::Escaped
-            },
-        )
+        let why = if follows(self.walls, &position, &velocity) {
+            Stop::Grazing
+        } else if meets_a_vertex(self.walls, &position, &velocity) {
+            Stop::Corner
+        } else {
+            Stop::Escaped
+        };
+        ended(&velocity, why)
     }
 }

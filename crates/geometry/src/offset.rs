@@ -9,6 +9,7 @@ mod arrangement;
 mod moved;
 mod raw;
 mod tips;
+mod tolerances;
 mod vertices;
 
 use crate::{Error, Figure, Piece, Table, shapes::kink};

@@ -3,6 +3,7 @@ use super::{
     Origin,
     moved::Moved,
     raw::RawBoundary,
+    tolerances::Tolerances,
     vertices::{Site, Vertices, minus},
 };
 use crate::{
@@ -11,8 +12,6 @@ use crate::{
     intersect::direction_at,
     joints::{Branch, leftmost},
     meetings,
-    piece::rounding,
-    plane::slack,
     shapes::{self, Parallel, Translated},
 };
 use nalgebra::Vector2;
@@ -61,15 +60,7 @@ pub(super) struct Arrangement<'a> {
     raw: Vec<Moved>,
     vertices: Vertices,
     cuts: Vec<Vec<Cut>>,
-    /// How much a place may differ, computed twice: on most pieces, on each moved one, on each drawn one, and on the one for which that is
-    /// most.
-    tolerance: f64,
-    of_raw: Vec<f64>,
-    of_drawn: Vec<f64>,
-    widest: f64,
-    /// The same of each vertex, and of each moved piece with those that it goes on as, which end it.
-    of_vertices: Vec<f64>,
-    of_ended: Vec<f64>,
+    tolerances: Tolerances,
 }
 
 /// The pieces of a loop, with their origins.
@@ -78,31 +69,8 @@ type Loop = Vec<(Box<dyn Piece>, Origin)>;
 impl<'a> Arrangement<'a> {
     pub(super) fn new(table: &'a Table, radius: f64, boundary: RawBoundary) -> Arrangement<'a> {
         let RawBoundary { pieces: raw, vertices } = boundary;
-        let size = table.pieces().iter().map(|p| p.extent().size()).fold(radius, f64::max);
-        // a vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from
-        let tolerance = 4.0 * slack([size]);
-        let of = |piece: &dyn Piece| tolerance.max(4.0 * rounding(piece));
-        let of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
-        let mut of_vertices = vec![tolerance; vertices.len()];
-        for (r, &own) in raw.iter().zip(&of_raw) {
-            r.ends.iter().flatten().for_each(|site| of_vertices[site.vertex] = own.max(of_vertices[site.vertex]));
-        }
-        let ended = |r: &Moved| r.ends.iter().flatten().map(|site| of_vertices[site.vertex]).fold(tolerance, f64::max);
-        let of_ended = raw.iter().zip(&of_raw).map(|(r, own)| own.max(ended(r))).collect();
-        let of_drawn: Vec<f64> = table.pieces().iter().map(|p| of(&**p)).collect();
-        let mut all = Arrangement {
-            table,
-            radius,
-            cuts: vec![vec![]; raw.len()],
-            raw,
-            vertices,
-            tolerance,
-            widest: of_raw.iter().chain(&of_drawn).copied().fold(tolerance, f64::max),
-            of_raw,
-            of_drawn,
-            of_vertices,
-            of_ended,
-        };
+        let tolerances = Tolerances::new(table, radius, &raw, &vertices);
+        let mut all = Arrangement { table, radius, cuts: vec![vec![]; raw.len()], raw, vertices, tolerances };
         all.cut();
         all.unite();
         all
@@ -111,7 +79,7 @@ impl<'a> Arrangement<'a> {
     /// Finds all meetings.
     fn cut(&mut self) {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
-        let copies = Copies::new(&pieces, self.table.shortest(), &finite_extent(&pieces), self.widest);
+        let copies = Copies::new(&pieces, self.table.shortest(), &finite_extent(&pieces), self.tolerances.widest);
         for index in copies.order() {
             let (copy, extent) = copies.get(index);
             if copy.cell != [0.0; 2] {
@@ -119,7 +87,7 @@ impl<'a> Arrangement<'a> {
             }
             let i = copy.number;
             let mut others = vec![];
-            copies.search(|e| e.meets(extent, self.widest), |other| others.push(other));
+            copies.search(|e| e.meets(extent, self.tolerances.widest), |other| others.push(other));
             for other in others {
                 let (other, _) = copies.get(other);
                 let j = other.number;
@@ -141,7 +109,7 @@ impl<'a> Arrangement<'a> {
                     };
                     let (left, right) = (clear && leftward > 0.0, clear && leftward < 0.0);
                     let site = self.vertices.add(m.point);
-                    self.of_vertices.push(self.of_raw[i].max(self.of_raw[j]));
+                    self.tolerances.of_vertices.push(self.tolerances.of_raw[i].max(self.tolerances.of_raw[j]));
                     self.cuts[i].push(Cut { s: m.at[0], site, leaves: left, enters: right });
                     let site = site.moved(minus(other.cell));
                     self.cuts[j].push(Cut { s: m.at[1], site, leaves: right, enters: left });
@@ -160,7 +128,7 @@ impl<'a> Arrangement<'a> {
     /// Whether two pieces, the second one in another cell, go on as one another at a point: that they do so at an angle, within what is
     /// smooth, says nothing about sides.
     fn go_on(&self, [i, j]: [usize; 2], cell: [f64; 2], point: Vector2<f64>) -> bool {
-        let tolerance = self.of_raw[i].max(self.of_raw[j]);
+        let tolerance = self.tolerances.of_raw[i].max(self.tolerances.of_raw[j]);
         let its: Vec<Site> = self.raw[j].ends.iter().flatten().map(|site| site.moved(cell)).collect();
         let mut own = self.raw[i].ends.iter().flatten();
         own.any(|site| its.contains(site) && (self.vertices.at(*site) - point).amax() <= tolerance)
@@ -168,8 +136,8 @@ impl<'a> Arrangement<'a> {
 
     /// Makes one vertex of those that differ by rounding, and one cut of those at one vertex.
     fn unite(&mut self) {
-        self.vertices.unite_near(&self.of_vertices);
-        for ((raw, cuts), tolerance) in self.raw.iter().zip(&mut self.cuts).zip(&self.of_raw) {
+        self.vertices.unite_near(&self.tolerances.of_vertices);
+        for ((raw, cuts), tolerance) in self.raw.iter().zip(&mut self.cuts).zip(&self.tolerances.of_raw) {
             let mut single: Vec<Cut> = vec![];
             for cut in cuts.drain(..) {
                 // nothing as short as this is a piece
@@ -234,7 +202,7 @@ impl<'a> Arrangement<'a> {
     /// The sections that are as far from the boundary as they should be.
     fn kept(&self) -> Vec<Section> {
         let pieces: Vec<Arc<dyn Piece>> = self.raw.iter().map(|r| r.piece.clone()).collect();
-        let reach = self.radius + 2.0 * self.widest;
+        let reach = self.radius + 2.0 * self.tolerances.widest;
         let drawn = Copies::new(self.table.pieces(), self.table.shortest(), &finite_extent(&pieces), reach);
         let mut kept = vec![];
         for (raw, (r, cuts)) in self.raw.iter().zip(&self.cuts).enumerate() {
@@ -277,7 +245,7 @@ impl<'a> Arrangement<'a> {
     /// happen to lie in line with a place where walls touch, as in the middle of the arc around a tip.
     fn is_clear(&self, drawn: &Copies, number: usize, [low, high]: [f64; 2]) -> bool {
         let raw = &self.raw[number];
-        let step = self.radius.max(self.tolerance / f64::EPSILON);
+        let step = self.radius.max(self.tolerances.general / f64::EPSILON);
         let room_at = |share: f64| {
             let at = match (low.is_finite(), high.is_finite()) {
                 (true, true) => low + share * (high - low),
@@ -299,7 +267,7 @@ impl<'a> Arrangement<'a> {
     fn room_at(&self, drawn: &Copies, number: usize, at: f64) -> Room {
         let piece = &*self.raw[number].piece;
         let at = piece.point_at(at);
-        if drawn.nearest(&at, self.radius - self.widest).is_some() {
+        if drawn.nearest(&at, self.radius - self.tolerances.widest).is_some() {
             return Room::None;
         }
         // walls on both sides: a corridor exactly as wide as the disk is closed; and what goes around the tip of a wall that ends on
@@ -307,10 +275,10 @@ impl<'a> Arrangement<'a> {
         let normal = piece.closest(&at).normal;
         let (mut near, mut pinched, mut before, mut behind) = (false, false, false, false);
         drawn.search(
-            |e| e.distance(&at) <= self.radius + self.widest,
+            |e| e.distance(&at) <= self.radius + self.tolerances.widest,
             |index| {
                 let Translate { piece: wall, number: drawn, .. } = drawn.get(index).0;
-                let tolerance = self.of_ended[number].max(self.of_drawn[*drawn]);
+                let tolerance = self.tolerances.of_ended[number].max(self.tolerances.of_drawn[*drawn]);
                 let landing = wall.closest(&at);
                 let off = at - landing.point;
                 let distance = libm::hypot(off.x, off.y);

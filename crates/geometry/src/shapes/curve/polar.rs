@@ -88,6 +88,10 @@ const FINER: [u32; 3] = [4, 16, 64];
 /// Most parts then: in waves so short the rounding of angles makes eight parts about each of 2000 kinks doubtful.
 const FINER_PARTS: usize = 16_384;
 
+/// A place where a path meets the curve is off it by no more than so many times the rounding of places: that of the time, which a formula
+/// finds, and its own.
+const BESIDE: f64 = 64.0;
+
 /// The normal of a curve turns by less than this (radians) over what rounding takes a place along it; its square is rounding.
 const NEAR: f64 = 1e-8;
 
@@ -439,8 +443,8 @@ impl<F: PolarFormula> Piece for Polar<F> {
         let across = off.dot(&normal);
         let along = off - normal * across;
         let turn = self.curvature_at(angle) * Vector2::new(normal.y, -normal.x).dot(&along);
-        // nowhere but next to the curve, as far as its formula tells, and not at the tip of a cusp
-        let is_near = across.abs() <= 64.0 * self.slack && turn.abs() <= NEAR;
+        // nowhere but next to the curve, and not at the tip of a cusp
+        let is_near = across.abs() <= BESIDE * self.slack && turn.abs() <= NEAR;
         if !is_near {
             return straight;
         }
