@@ -108,30 +108,25 @@ pub trait Motion<const N: usize, const S: usize> {
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
         ended(&velocity, Stop::Escaped)
     }
-    /// The normal speed with which orbits leave a hit: asked for where they do not get away from it.
-    #[inline(always)]
-    fn leaving<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &[F; N], _carried: &Self::Carried<F>) -> F {
-        dot(velocity, &hit.unit_normal())
-    }
+    /// The normal speed with which orbits have left the last wall, if their law is not strict: a strict one lets nothing into a wall.
+    fn leaving<F: Lane>(&self, carried: &Self::Carried<F>) -> F;
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
-    type Carried<F: Lane> = ();
+    /// The normal speed with which orbits have left the last wall, if the law is not strict.
+    type Carried<F: Lane> = F;
     type Arrival<F: Lane> = F;
 
-    fn start<F: Lane>(&self, _: F) {}
-    #[inline(always)]
-    fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, (): &mut (), _: F::Mask, _: &mut Orbit<f64, N, S, K, T>) {
+    fn start<F: Lane>(&self, zero: F) -> F {
+        zero
     }
     #[inline(always)]
-    fn flight<F: Lane, K: EnergyKeeper<F, N, S>, T>(
-        &self,
-        orbit: &Orbit<F, N, S, K, T>,
-        (): &(),
-    ) -> (WallHit<F, N>, F) {
+    fn restart<F: Lane, K: EnergyKeeper<f64, N, S>, T>(&self, _: &mut F, _: F::Mask, _: &mut Orbit<f64, N, S, K, T>) {}
+    #[inline(always)]
+    fn flight<F: Lane, K: EnergyKeeper<F, N, S>, T>(&self, orbit: &Orbit<F, N, S, K, T>, _: &F) -> (WallHit<F, N>, F) {
         let owed = orbit.keeper.owed(&orbit.velocity, &orbit.spin);
         (self.walls.first_hit(&orbit.position, &orbit.velocity), owed)
     }
@@ -139,7 +134,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
     fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
         &self,
         orbit: &mut Orbit<F, N, S, K, T>,
-        (): &mut (),
+        leaving: &mut F,
         hit: &WallHit<F, N>,
         owed: &F,
         slow: F,
@@ -168,13 +163,16 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
             return !slow.lt((normal_speed * hit.inverse).abs());
         }
         // a law that leaves the ball on its way into the wall leaves it flat, too
-        let leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
+        *leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
         let speed = sum(&orbit.velocity);
-        let flat = !(speed * ROUNDED).max(before).lt(leaving);
-        flat | creeps(hit, [normal_speed * hit.inverse, leaving], speed) | has_stalled(&orbit.velocity)
+        let flat = !(speed * ROUNDED).max(before).lt(*leaving);
+        flat | creeps(hit, [normal_speed * hit.inverse, *leaving], speed) | has_stalled(&orbit.velocity)
     }
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64 {
         slow(self.law, velocity, spin)
+    }
+    fn leaving<F: Lane>(&self, leaving: &F) -> F {
+        *leaving
     }
     fn without_hit(&self, position: [f64; N], velocity: [f64; N]) -> Stop {
         let why = if follows(self.walls, &position, &velocity) {

@@ -277,9 +277,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
     fn slow(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
         slow(self.law, velocity, spin)
     }
-    /// Known without the normal, which nobody else may ask for.
-    #[inline(always)]
-    fn leaving<F: Lane>(&self, _: &WallHit<F, 2>, _: &[F; 2], carried: &Frame<F>) -> F {
+    fn leaving<F: Lane>(&self, carried: &Frame<F>) -> F {
         carried.normal
     }
     #[inline(always)]

@@ -130,9 +130,7 @@ where
                 break Stop::Observer;
             }
             if stays {
-                let leaving = billiard.leaving(&hit, &orbit.velocity, &carried);
-                billiard.settle(orbit, &carried);
-                break stop::stays(&orbit.velocity, leaving);
+                break Stop::Grazing;
             }
         };
         billiard.settle(orbit, &carried);
@@ -142,6 +140,7 @@ where
                 Stop::Escaped if limit.is_beyond(n + 1, &at.track, f64::INFINITY) => Stop::Finished,
                 why => why,
             },
+            Stop::Grazing => stop::stays(&at.velocity, billiard.leaving(&carried)),
             Stop::Stalled => stop::ended(&at.velocity, Stop::Stalled),
             other => other,
         };

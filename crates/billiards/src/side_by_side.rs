@@ -208,8 +208,7 @@ where
             }
             self.observer.collision(&mut group.view, &hit, &group.orbit);
             if slides.any() {
-                let leaving = self.billiard.leaving(&hit, &group.orbit.velocity, &group.carried);
-                self.slide(group, leaving, slides, next, step + 1);
+                self.slide(group, slides, next, step + 1);
             }
             return;
         }
@@ -218,15 +217,9 @@ where
     /// Orbits that do not get away from the boundary end.
     #[cold]
     #[inline(never)]
-    fn slide<F: Lane>(
-        &mut self,
-        group: &mut GroupOf<F, N, S, B, K, T, O>,
-        leaving: F,
-        slides: F::Mask,
-        next: &mut u64,
-        step: u64,
-    ) {
+    fn slide<F: Lane>(&mut self, group: &mut GroupOf<F, N, S, B, K, T, O>, slides: F::Mask, next: &mut u64, step: u64) {
         self.billiard.settle(&mut group.orbit, &group.carried);
+        let leaving = self.billiard.leaving(&group.carried);
         let velocity = |lane: usize| group.orbit.velocity.map(|x| x.lane(lane));
         let ended = core::array::from_fn(|lane| {
             (lane < F::LANES && slides.at(lane)).then(|| stays(&velocity(lane), leaving.lane(lane)))

@@ -98,8 +98,6 @@ pub(crate) fn ended<const N: usize>(velocity: &[f64; N], why: Stop) -> Stop {
 }
 
 /// Why an orbit of this velocity does not get away from a wall that it leaves with this normal speed.
-#[cold]
-#[inline(never)]
 pub(crate) fn stays<const N: usize>(velocity: &[f64; N], leaving: f64) -> Stop {
     let leaves_inwards = leaving < -INWARDS * sum(velocity);
     ended(velocity, if leaves_inwards { Stop::IntoWall } else { Stop::Grazing })
