@@ -3,13 +3,28 @@ use crate::Stop;
 use collision_laws::DiskMap;
 use thiserror::Error;
 
-/// Why something cannot be built or computed.
+/// Why something cannot be built or computed: of a table, of a law, or of the billiard that they make.
+///
+/// ```
+/// use billiards::{Error, Planar, collision_laws::laws::Restitution, geometry::tables, laws::Disk};
+///
+/// fn lossy(normal: f64) -> Result<Planar<Disk>, Error> {
+///     let law = Restitution::new(normal, 0.0)?; // an error of the law
+///     Ok(Planar { table: tables::stadium(1.0, 1.0)?, law: Disk::new(&law, 0.5)? }) // of the table, of the disk
+/// }
+///
+/// assert!(lossy(0.9).is_ok());
+/// assert!(matches!(lossy(-2.0), Err(Error::Law(_))));
+/// ```
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// Something wrong with the table.
     #[error(transparent)]
     Table(#[from] geometry::Error),
+    /// Something wrong with a body or its law.
+    #[error(transparent)]
+    Law(#[from] collision_laws::Error),
     /// A ball that cannot be.
     #[error("the {quantity} of the ball must be {must}, not {value:?}")]
     Ball {
