@@ -1,10 +1,10 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
     creep::{creeps, follows, meets_a_vertex},
-    energy::{Arrived, EnergyKeeper, sum},
+    energy::{Arrived, EnergyKeeper, speed, sum},
     laws::Mirror,
     orbit::Orbit,
-    stop::{ROUNDED, Stop, ended, has_stalled, slow},
+    stop::{GRAZING, ROUNDED, Stop, ended, has_stalled},
     track::Track,
 };
 use geometry::{WallHit, Walls};
@@ -113,6 +113,15 @@ pub trait Motion<const N: usize, const S: usize> {
     /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}
+}
+
+/// The normal speed up to which an orbit of these velocities grazes under a strict law. Spin that never becomes velocity has no part in it.
+pub(crate) fn slow<const N: usize, const S: usize>(
+    law: &impl BallLaw<N, S>,
+    velocity: &[f64; N],
+    spin: &[f64; S],
+) -> f64 {
+    GRAZING * if law.mirror().is_some_and(Mirror::is_specular) { sum(velocity) } else { speed(velocity, spin) }
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {

@@ -7,44 +7,13 @@
 //! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
 //! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
 //! What a derivative is blind to, vertices and obstacles that are passed at less than the error, twins of the orbit see (`twins`).
-use crate::{
-    billiard::{BallLaw, Billiard, Motion},
-    rolling::Rolling,
-    start::Start,
-    with_motion::WithMotion,
-};
-use geometry::{Homogeneous, Table, Vector2, WallHit, Walls, tables::SpatialTable};
+use crate::{billiard::Motion, bounce::Bounce, start::Start, with_motion::WithMotion};
+use geometry::{Table, Vector2, WallHit, tables::SpatialTable};
 use spread::Spread;
 use twins::{Beside, Twins};
 
 mod spread;
 mod twins;
-
-/// Walls and a law for one orbit, behind a pointer.
-pub trait Bounce<const N: usize, const S: usize>: Sync {
-    /// The first hit of the path from `position` with `velocity`.
-    fn first_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> WallHit<f64, N>;
-    /// What the hit does to velocity and spin.
-    fn collide(&self, hit: &WallHit<f64, N>, velocity: &mut [f64; N], spin: &mut [f64; S]);
-}
-
-impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Bounce<N, S> for Billiard<'_, W, L> {
-    fn first_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> WallHit<f64, N> {
-        self.walls.first_hit(position, velocity)
-    }
-    fn collide(&self, hit: &WallHit<f64, N>, velocity: &mut [f64; N], spin: &mut [f64; S]) {
-        self.law.collide(hit, velocity, spin);
-    }
-}
-
-impl<W: Homogeneous, L: BallLaw<2, 1>> Bounce<2, 1> for Rolling<'_, W, L> {
-    fn first_hit(&self, position: &[f64; 2], velocity: &[f64; 2]) -> WallHit<f64, 2> {
-        self.walls.first_hit(position, velocity)
-    }
-    fn collide(&self, hit: &WallHit<f64, 2>, velocity: &mut [f64; 2], spin: &mut [f64; 1]) {
-        self.law.collide(hit, velocity, spin);
-    }
-}
 
 /// Walls that know how their normal turns, and how large their numbers are.
 pub trait Bend<const N: usize> {

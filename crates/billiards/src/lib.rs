@@ -25,6 +25,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod billiard;
+mod bounce;
 mod creep;
 mod energy;
 mod ensemble;
@@ -49,12 +50,13 @@ mod track;
 mod with_motion;
 
 pub use billiard::{BallLaw, Billiard, Motion};
+pub use bounce::Bounce;
 pub use collision_laws;
 pub use energy::{Arrived, BEAT, Conserved, EnergyKeeper, Free, Keeping};
 pub use ensemble::Ensemble;
 pub use error::Error;
 pub use geometry;
-pub use horizon::{Bend, Bounce, Felt, Horizon};
+pub use horizon::{Bend, Felt, Horizon};
 pub use in_lanes::InLanes;
 pub use lanes;
 pub use merge::Merge;

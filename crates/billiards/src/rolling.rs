@@ -1,12 +1,12 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
-    billiard::{BallLaw, Motion},
+    billiard::{BallLaw, Motion, slow},
     creep::creeps,
     energy::{EnergyKeeper, LITTLE, MOST},
     laws::Mirror,
     orbit::Orbit,
     recurring::Recurring,
-    stop::{LEAST, ROUNDED, slow},
+    stop::{LEAST, ROUNDED},
     track::Track,
 };
 use geometry::{Chord, Homogeneous, Swing, WallHit};

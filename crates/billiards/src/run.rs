@@ -1,8 +1,8 @@
 //! The engine's loop.
 use crate::{
     billiard::Motion,
+    bounce::Bounce,
     energy::EnergyKeeper,
-    horizon::Bounce,
     observe::{Collision, Observer},
     orbit::Orbit,
     stop::{self, MOST_IDLE, Outcome, Stop},

@@ -1,8 +1,8 @@
 //! Many orbits side by side: the lanes of vector registers, refilled as orbits end.
 use crate::{
     billiard::Motion,
+    bounce::Bounce,
     energy::Keeping,
-    horizon::Bounce,
     in_lanes::InLanes,
     observe::LaneObserver,
     orbit::Orbit,

@@ -1,9 +1,5 @@
 //! Why an orbit ends.
-use crate::{
-    billiard::BallLaw,
-    energy::{speed, sum},
-    laws::Mirror,
-};
+use crate::energy::sum;
 use lanes::{Lane, dot};
 
 /// Why an orbit ended.
@@ -63,15 +59,6 @@ pub(crate) const GRAZING: f64 = f64::EPSILON;
 /// What a law leaves of a normal speed by rounding is up to this fraction of the speeds before and after: the normal component is a sum of
 /// products, is taken off, and asked for again, each rounded.
 pub(crate) const ROUNDED: f64 = 4.0 * f64::EPSILON;
-
-/// The normal speed up to which an orbit of these velocities grazes under a strict law. Spin that never becomes velocity has no part in it.
-pub(crate) fn slow<const N: usize, const S: usize>(
-    law: &impl BallLaw<N, S>,
-    velocity: &[f64; N],
-    spin: &[f64; S],
-) -> f64 {
-    GRAZING * if law.mirror().is_some_and(Mirror::is_specular) { sum(velocity) } else { speed(velocity, spin) }
-}
 
 /// A normal speed below 0 by more than this part of the speed is that of a ball which a law lets into the wall: less may be rounding, also
 /// where the law has left no more than 10⁻⁷ of the speed.

@@ -1,7 +1,7 @@
 //! The fastest motion that walls and a law have.
 use crate::{
     billiard::{BallLaw, Billiard, Motion},
-    horizon::Bounce,
+    bounce::Bounce,
     rolling::Rolling,
 };
 use geometry::{Homogeneous, Walls, WithWalls};

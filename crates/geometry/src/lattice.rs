@@ -1,8 +1,7 @@
 //! Translations that identify points of the plane: channels and flat tori.
 use crate::{
     Error,
-    plane::{is_finite, slack},
-    table::has_square,
+    plane::{has_square, is_finite, slack},
 };
 use core::iter::successors;
 use nalgebra::{Matrix2, Vector2};

@@ -57,6 +57,14 @@ pub(crate) fn finite<const N: usize>(name: &'static str, point: &SVector<f64, N>
     }
 }
 
+/// The square of a length must be a number, and so must what comes of it.
+pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
+    if (1e-150..=1e150).contains(&value) {
+        return Ok(());
+    }
+    Err(Error::Length { name, must: "between 1e-150 and 1e150", value })
+}
+
 /// The unit vector from `a` to `b`, each component right to its last digit, and the distance; `None` where there is no direction.
 pub(crate) fn direction(a: [f64; 2], b: [f64; 2]) -> Option<([f64; 2], f64)> {
     let d = [0, 1].map(|i| two_sum(b[i], -a[i]));

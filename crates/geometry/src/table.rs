@@ -13,7 +13,7 @@ use crate::{
     enclosed_area,
     lattice::multiples,
     nearest::nearest_of,
-    plane::is_finite,
+    plane::{has_square, is_finite},
     walls::{Pieces, Polygon},
 };
 pub use cell::FundamentalCell;
@@ -60,14 +60,6 @@ fn are_places(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
     let coordinates = pieces.iter().map(|piece| piece.extent()).flat_map(|e| [e.min.x, e.min.y, e.max.x, e.max.y]);
     let value = coordinates.map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max);
     if value == 0.0 { Ok(()) } else { has_square("the greatest coordinate of the boundary", value) }
-}
-
-/// The square of a length must be a number, and so must what comes of it.
-pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
-    if (1e-150..=1e150).contains(&value) {
-        return Ok(());
-    }
-    Err(Error::Length { name, must: "between 1e-150 and 1e150", value })
 }
 
 impl Table {

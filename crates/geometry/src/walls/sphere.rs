@@ -1,6 +1,9 @@
 //! The inside of a sphere: disk table and ball table.
 use super::{Chord, Homogeneous, Swing, WallHit, Walls};
-use crate::{Error, plane::finite, table::has_square};
+use crate::{
+    Error,
+    plane::{finite, has_square},
+};
 use lanes::{Double, Lane, Mask, dot, two_sum};
 use nalgebra::SVector;
 
