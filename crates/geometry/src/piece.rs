@@ -142,6 +142,11 @@ pub trait Piece: Debug + Send + Sync {
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         None
     }
+
+    /// Whether the table lies behind the piece, too, so that what starts on it, within rounding, does not cross it.
+    fn has_two_sides(&self) -> bool {
+        self.tips().is_some() || self.shape().is_some_and(|shape| shape.is_two_sided())
+    }
 }
 
 impl dyn Piece + '_ {

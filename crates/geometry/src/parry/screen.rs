@@ -1,7 +1,7 @@
 //! A wall without thickness.
 use crate::{
     Crossing, Error, Extent, Landing, Line, Piece,
-    plane::{cross, dot, slack},
+    plane::{cross, dot, from, slack},
     shapes::Segment,
 };
 use nalgebra::Vector2;
@@ -62,7 +62,10 @@ impl Piece for Screen {
         if off <= self.slack + slack(path.point.iter().copied()) {
             return Crossing::NEVER;
         }
-        face.crossing(path)
+        let (velocity, [to_a, to_b]) = (path.velocity.into(), face.vertices().map(|tip| from(path.point.into(), *tip)));
+        let [a, b] = [to_a, to_b].map(|to| cross(velocity, to));
+        // both tips belong to both faces: nothing passes beside them through neither
+        face.meet(velocity, to_a, a <= 0.0 && 0.0 <= b && a < b).into()
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         self.facing(&path.velocity).landing(path, time)

@@ -68,6 +68,9 @@ impl Piece for OneSide {
     fn area(&self) -> f64 {
         self.piece.area()
     }
+    fn has_two_sides(&self) -> bool {
+        true
+    }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         self.piece.tips()
     }

@@ -66,6 +66,10 @@ impl<P: Piece + ?Sized> Piece for Arc<P> {
         (**self).area()
     }
     #[inline]
+    fn has_two_sides(&self) -> bool {
+        (**self).has_two_sides()
+    }
+    #[inline]
     fn shape(&self) -> Option<Shape> {
         (**self).shape()
     }

@@ -76,6 +76,9 @@ impl Piece for Translated {
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         self.piece.tips().map(|tips| tips.map(|p| p + self.by))
     }
+    fn has_two_sides(&self) -> bool {
+        self.piece.has_two_sides()
+    }
     fn shape(&self) -> Option<Shape> {
         self.shape
     }

@@ -11,7 +11,10 @@ use crate::{
     copies::finite_extent,
     nearest::nearest_of,
     shapes::{Segment, Shape},
-    walls::{Around, Corners, Enclosure, Hull, List, Obstacles, Periodic, Pieces, Polygon, Scatterer, Seam, WithWalls},
+    walls::{
+        Around, Corners, Enclosure, Hull, Junctions, List, Obstacles, Periodic, Pieces, Polygon, Scatterer, Seam,
+        WithWalls,
+    },
 };
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -127,6 +130,9 @@ impl Table {
     fn enclosed(&self) -> Option<Enclosed> {
         if self.unbounded {
             return None; // around all chains
+        }
+        if Junctions::of(&self.numbered(0..self.pieces.len())).is_some_and(|junctions| junctions.on_others()) {
+            return None; // where a wall with two sides stands on the container, orbits end
         }
         let corners = Corners::new(&self.corners);
         let is_corner = |vertex: &Vector2<f64>| corners.contains(vertex);

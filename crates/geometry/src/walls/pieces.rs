@@ -1,5 +1,5 @@
 //! Pieces of any kind: those that answer in lanes beside those that do not.
-use super::{Few, Graphs, List, WallHit, Walls};
+use super::{Few, Graphs, Junctions, List, WallHit, Walls};
 use crate::{
     Piece,
     shapes::{Shape, curve::Graph},
@@ -19,11 +19,14 @@ pub struct Pieces {
     list: Option<List>,
     /// Whether the list holds those known in lanes, too.
     all: bool,
+    /// Where walls with two sides end, if there are any.
+    junctions: Option<Arc<Junctions>>,
 }
 
 impl Pieces {
     /// The pieces with their numbers, and the corners of the boundary.
     pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
+        let junctions = Junctions::of(&pieces).map(Arc::new);
         let mut graphs: Vec<(usize, Graph)> = vec![];
         let others = pieces.into_iter().filter(|(number, piece)| {
             let cut = if piece.shape().is_some() { None } else { piece.graphs() };
@@ -46,6 +49,7 @@ impl Pieces {
             graphs: (!graphs.is_empty()).then(|| Graphs::new(&graphs, corners)),
             list: (!others.is_empty()).then(|| List::new(others, corners)),
             all,
+            junctions,
         }
     }
 }
@@ -67,12 +71,13 @@ impl Walls<2> for Pieces {
             let other = graphs.first_hit(x, v);
             first = first.or(other.time.lt(first.time), &other);
         }
-        match &self.list {
-            Some(list) if !(self.all && known) => {
-                let other = list.first_hit(x, v);
-                first.or(other.time.lt(first.time), &other)
-            }
-            _ => first,
+        if let Some(list) = self.list.as_ref().filter(|_| !(self.all && known)) {
+            let other = list.first_hit(x, v);
+            first = first.or(other.time.lt(first.time), &other);
         }
+        if let Some(junctions) = &self.junctions {
+            first.corner = first.corner | junctions.near(x, &first.point);
+        }
+        first
     }
 }

@@ -1,0 +1,147 @@
+//! Where a wall with the table on both sides meets another wall.
+use super::CORNER;
+use crate::{BoxTree, Extent, Piece, plane::slack};
+use lanes::Lane;
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// Places near which rounding hides on which side of a wall a path is that has the table on both.
+///
+/// What starts on such a wall, within rounding, has just left it and does not cross it. Where it ends at another wall, or two of them end in
+/// one vertex, a path that has just left the other one starts as near to it, and would slip through. So orbits end there, as in a corner: up
+/// to `B/sin α` from a place where walls meet at the angle `α`, `B` being the rounding; and at tips that stand alone, as at any corner.
+#[derive(Clone, Debug)]
+pub(crate) struct Junctions {
+    /// Places and how far from them orbits end, by the first coordinate.
+    places: Vec<(Vector2<f64>, f64)>,
+    /// The farthest of these.
+    reach: f64,
+    /// Whether a wall of one side is met.
+    on_others: bool,
+}
+
+/// Starts within this many times the [`slack`] of a wall with two sides may count as on it: twice that, one for the wall and one for the
+/// start, and a half for the rounding of the start.
+const BAND: f64 = 2.5;
+
+/// A tip that stands alone is a corner within half of that, as any vertex is: [`CORNER`].
+const TIP: f64 = 0.5;
+
+/// Directions that differ by less than this (radians) are those of walls that touch or coincide. Two that touch part as the square of the
+/// distance: with the radius of curvature `r` they are apart by rounding at some 10⁻⁷ `r`.
+const TOUCHING: f64 = 1e-8;
+
+/// A wall, and the unit directions in which it leaves a place.
+struct Ray {
+    number: usize,
+    double: bool,
+    directions: Vec<Vector2<f64>>,
+}
+
+impl Junctions {
+    /// Those of the pieces with these numbers, if there are any.
+    pub(crate) fn of(pieces: &[(usize, Arc<dyn Piece>)]) -> Option<Junctions> {
+        let double: Vec<usize> = (0..pieces.len()).filter(|&i| pieces[i].1.has_two_sides()).collect();
+        if double.is_empty() {
+            return None;
+        }
+        let tree = BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent()));
+        let extents = pieces.iter().map(|(_, piece)| piece.extent()).filter(Extent::is_finite);
+        let size = extents.fold(0.0, |size: f64, e| size.max(e.size()));
+        let within = |p: &Vector2<f64>| slack([size, p.x, p.y]);
+        let mut found = Junctions { places: vec![], reach: 0.0, on_others: false };
+        // ends of walls with two sides, on whatever these are, and those of others on them
+        let others = BoxTree::new(double.iter().map(|&i| pieces[i].1.extent()));
+        let is_near = |tree: &BoxTree<2>, p: &Vector2<f64>| {
+            let mut near = vec![];
+            tree.search(|e| e.distance(p) <= within(p), |i| near.push(i));
+            near
+        };
+        let mut ends: Vec<Vector2<f64>> = vec![];
+        for (_, piece) in pieces {
+            let of_piece = piece.ends().or(piece.tips()).into_iter().flatten();
+            let finite = of_piece.filter(|p| p.iter().all(|x| x.is_finite()));
+            ends.extend(finite.filter(|p| piece.has_two_sides() || !is_near(&others, p).is_empty()));
+        }
+        ends.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+        ends.dedup();
+        for place in ends {
+            let near = is_near(&tree, &place);
+            let rays: Vec<Ray> =
+                near.iter().filter_map(|&i| Ray::of(i, &*pieces[i].1, &place, within(&place))).collect();
+            found.add(place, &rays, within(&place));
+        }
+        if found.places.is_empty() { None } else { Some(found) }
+    }
+
+    fn add(&mut self, place: Vector2<f64>, rays: &[Ray], rounding: f64) {
+        let mut reach: Option<f64> = None;
+        for a in rays.iter().filter(|ray| ray.double) {
+            if rays.len() == 1 {
+                reach = Some(TIP * rounding);
+            }
+            for b in rays.iter().filter(|b| b.number != a.number) {
+                let pairs = a.directions.iter().flat_map(|d| b.directions.iter().map(move |e| (d, e)));
+                for (d, e) in pairs {
+                    let (sine, cosine) = (d.perp(e).abs(), d.dot(e));
+                    let goes_on = a.directions.len() == 1 && b.directions.len() == 1 && cosine < 0.0;
+                    let same = b.double && cosine > 0.0;
+                    if sine < TOUCHING && (goes_on || same) {
+                        continue; // one wall, or its other side
+                    }
+                    let apart = if cosine > 0.0 { sine.max(TOUCHING) } else { 1.0 };
+                    reach = Some(reach.unwrap_or(0.0).max(BAND * rounding / apart));
+                    self.on_others |= !b.double;
+                }
+            }
+        }
+        if let Some(reach) = reach {
+            self.places.push((place, reach));
+            self.reach = self.reach.max(reach);
+        }
+    }
+
+    /// Whether a wall of one side is met.
+    pub(crate) fn on_others(&self) -> bool {
+        self.on_others
+    }
+
+    /// The lanes whose hits are so near to a place; the paths start at `x`.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn near<F: Lane>(&self, x: &[F; 2], point: &[F; 2]) -> F::Mask {
+        let is_near = |lane: usize| {
+            let [x, point] = [x, point].map(|p| Vector2::from(p.map(|p| p.lane(lane))));
+            // a path may come from far beyond the walls
+            let rounding = CORNER * x.amax();
+            let farthest = self.reach.max(rounding);
+            let from = self.places.partition_point(|(place, _)| place.x < point.x - farthest);
+            let near = self.places[from..].iter().take_while(|(place, _)| place.x <= point.x + farthest);
+            near.into_iter().any(|(place, reach)| (point - place).amax() <= reach.max(rounding))
+        };
+        let zero = x[0].same(0.0);
+        zero.lt(zero.each(|lane| if is_near(lane) { 1.0 } else { 0.0 }))
+    }
+}
+
+impl Ray {
+    /// How a piece leaves a place that lies on it, within rounding.
+    fn of(number: usize, piece: &dyn Piece, place: &Vector2<f64>, rounding: f64) -> Option<Ray> {
+        let foot = piece.closest(place);
+        if (foot.point - place).amax() > rounding {
+            return None;
+        }
+        let along = Vector2::new(foot.normal.y, -foot.normal.x);
+        let ends = piece.ends().or(piece.tips());
+        // a wall that lies on itself has either side's normal, and leaves its tips for the other one
+        let chord = piece.tips().map(|[a, b]| (b - a).normalize());
+        let along = chord.unwrap_or(along);
+        let is_end = |end: &Vector2<f64>| (end - place).amax() <= rounding;
+        let directions = match ends {
+            Some([a, _]) if is_end(&a) => vec![along],
+            Some([_, b]) if is_end(&b) => vec![-along],
+            _ => vec![along, -along],
+        };
+        Some(Ray { number, double: piece.has_two_sides(), directions })
+    }
+}
