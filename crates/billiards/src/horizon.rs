@@ -257,12 +257,22 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         next
     }
 
+    /// The sizes of which velocity and spin are rounded: both that of the whole motion, unless the law leaves the spin alone and does not
+    /// ask for it.
+    fn sizes(&self, next: &Start<N, S>) -> [f64; 2] {
+        let Start { velocity, spin, .. } = self.before;
+        let (other, _) = self.collide(&self.hit.point, &self.normal, velocity, spin.map(|w| -w));
+        let (same, _) = self.collide(&self.hit.point, &self.normal, velocity, spin);
+        let is_inert = next.spin == spin && other == same;
+        if is_inert { [norm(&next.velocity), norm(&spin)] } else { [next.speed(); 2] }
+    }
+
     /// Carries the errors to the state after the hit, the n-th one.
     fn carry(&self, spread: &mut Spread<N, S>, next: &Start<N, S>, n: f64) {
         spread.widen(n);
-        spread.round(self.length, 0.0, 1.0 + n);
+        spread.round(self.length, [0.0; 2], 1.0 + n);
         spread.carry(|d| self.apply(d));
-        spread.round(0.0, next.speed(), 1.0 + n);
+        spread.round(0.0, self.sizes(next), 1.0 + n);
     }
 
     /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.

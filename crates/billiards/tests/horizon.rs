@@ -311,6 +311,25 @@ fn of_an_orbit_that_meets_another_law_at_each_ulp_nothing_is_left_after_two_coll
 }
 
 #[test]
+fn spin_that_the_law_does_not_ask_for_costs_no_digits() {
+    let table = tables::square(1.0).unwrap();
+    let of = |law: &Disk, spin: f64| {
+        let start = Start { position: [0.3, 0.2], velocity: [0.6, 0.77], spin: [spin] };
+        horizon(&table, law, start, 1.0, 1000)
+    };
+    let [_, specular] = laws();
+    let still = of(&specular, 0.0);
+    for spin in [1.0, 1e6, 1e12] {
+        let spinning = of(&specular, spin);
+        // the error of the motion is told in units of the whole speed, that of the place is the same
+        assert!(
+            !spinning.lost && spinning.error < 1.001 * still.error && spinning.error > 0.1 * still.error,
+            "{spin}: {spinning:?} {still:?}"
+        );
+    }
+}
+
+#[test]
 fn an_orbit_that_starts_on_a_wall_on_its_way_out_is_not_lost() {
     let start = Start { position: [0.41, 0.0], velocity: [0.6, -0.8], spin: [0.1] };
     for law in laws() {

@@ -18,14 +18,19 @@ impl<const N: usize, const S: usize> Spread<N, S> {
     /// Of a start whose numbers are rounded.
     pub(super) fn new(start: &Start<N, S>) -> Self {
         let mut spread = Spread::none();
-        spread.round(norm(&start.position), start.speed(), 1.0);
+        spread.round(norm(&start.position), [norm(&start.velocity), start.speed()], 1.0);
         spread
     }
 
-    /// Adds `weight` times the square of a rounding of coordinates and of velocities of these sizes.
-    pub(super) fn round(&mut self, length: f64, speed: f64, weight: f64) {
+    /// Adds `weight` times the square of a rounding of coordinates, and of velocity and spin, of these sizes.
+    pub(super) fn round(&mut self, length: f64, [velocity, spin]: [f64; 2], weight: f64) {
         for (i, column) in self.0.iter_mut().enumerate() {
-            let size = ROUNDING * if i < N { length } else { speed };
+            let of = match i {
+                _ if i < N => length,
+                _ if i < N + N => velocity,
+                _ => spin,
+            };
+            let size = ROUNDING * of;
             column.set(i, column.get(i) + weight * size * size);
         }
     }

@@ -215,9 +215,9 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
     fn rounding(&self, asked: bool) -> f64 {
         let mut spread = Spread::none();
         if asked {
-            spread.round(self.derivative.length, 0.0, 1.0);
+            spread.round(self.derivative.length, [0.0; 2], 1.0);
             spread.carry(|d| self.derivative.apply(d));
-            spread.round(0.0, self.next.speed(), 1.0);
+            spread.round(0.0, self.derivative.sizes(self.next), 1.0);
         }
         spread.error(self.next, self.size)
     }
