@@ -502,6 +502,7 @@ fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
         ("1+abs(t)", "r(2π) must be r(0) = 1, not 7.283185307179586"),
         ("1000*(1+0.1*cos(t/2))", "r(2π) must be r(0) = 1100, not 900"),
         ("1+0.2*tan(t/4)^2", "r(φ) must be positive and finite at every angle; near φ = 0.0008 it may be inf"),
+        ("1-cos(t)+0", "r(φ) must be positive and finite at every angle; near φ = 0.0008 it may be -1e-323"),
     ] {
         let (what, help) = polar(formula);
         assert!(what.ends_with(expected), "{formula}: {what}");

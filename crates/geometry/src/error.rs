@@ -377,6 +377,6 @@ fn comes_to(radius: f64, certain: bool) -> String {
     if radius.is_nan() {
         "it has no real value".into()
     } else {
-        format!("it {} {radius}", if certain { "is" } else { "may be" })
+        format!("it {} {}", if certain { "is" } else { "may be" }, short(radius))
     }
 }

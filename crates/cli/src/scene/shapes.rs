@@ -1,6 +1,7 @@
 //! Shapes beyond segments, arcs and ellipses: `shape = { name = "capsule", … }` in a boundary entry.
 
 use std::borrow::Cow;
+use std::collections::HashSet;
 
 use billiards::geometry::parry::{Placed, ShapeSpec, SolidSpec};
 
@@ -110,6 +111,13 @@ pub(super) fn read(
     };
     let arguments = parameters::arguments(section, item.span, model, problems)?;
     let (members, mut lengths) = members?;
+    if let Some(end) = ring(model.name, n, &arguments) {
+        problems.add(
+            end.span,
+            "this polyline ends where it begins and would be solid inside: take \"polygon\" for that, or two polylines for a wall with two sides all around",
+        );
+        return None;
+    }
     for parameter in model.parameters.iter().filter(|p| p.is_length()) {
         lengths.extend(arguments.numbers(parameter.name));
         lengths.extend(arguments.points(parameter.name).iter().flat_map(|p| &p.value));
@@ -124,6 +132,19 @@ pub(super) fn read(
         Shape::Spatial { name, spec: spatial(name, &arguments), center: triple(arguments.numbers("center")) }
     };
     Some((shape, lengths))
+}
+
+/// The last point of a chain in the plane, of no thickness, that is the first one again, after others, each of them once.
+fn ring<'a>(name: &str, n: usize, arguments: &'a Arguments) -> Option<&'a Spanned<Vec<f64>>> {
+    if name != "polyline" || n != 2 || arguments.numbers("rounding").first().is_some_and(|r| *r > 0.0) {
+        return None;
+    }
+    let [first, inner @ .., last] = arguments.points("points") else { return None };
+    let is_once = || {
+        let mut known = HashSet::from([pair(&first.value).map(f64::to_bits)]);
+        inner.iter().all(|point| known.insert(pair(&point.value).map(f64::to_bits)))
+    };
+    (inner.len() > 1 && first.value == last.value && is_once()).then_some(last)
 }
 
 fn compound(item: &Item, problems: &mut Problems) -> Option<(Vec<Placed>, Vec<f64>)> {

@@ -132,6 +132,13 @@ fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
             "scene.toml:10:22",
             "be smooth",
         ),
+        (
+            HAND,
+            "circle = { center = [0.5, 0.5], radius = 0.25, domain = \"outside\" }",
+            "shape = { name = \"polyline\", points = [[0.2, 0.2], [0.4, 0.2], [0.3, 0.4], [0.2, 0.2]] }",
+            "scene.toml:10:76",
+            "would be solid inside",
+        ),
         (HAND, "[0.125, 0.125]", "[0.5, 0.5]", "scene.toml:12:12", "outside the table"),
         (HAND, "[run]", "[output]\npictures = [\"orbits\"]\n[run]", "scene.toml:15:13", "did you mean \"orbit\"?"),
         (HAND, "velocity = [1, 0]", "velocity = [0, 0]", "scene.toml:13:12", "zero vector"),
