@@ -73,7 +73,11 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
         }
     }
     if !plane && scene.radius > 0.0 && !walls.parts.is_empty() {
-        writeln!(out, "  particle    a ball of radius {}; this is the region in which its centre moves", spell(scene.radius))?;
+        writeln!(
+            out,
+            "  particle    a ball of radius {}; this is the region in which its centre moves",
+            spell(scene.radius)
+        )?;
     }
     if let Some([corners, inwards]) = scene.walls.corners {
         let inwards = if inwards == 0 { String::new() } else { format!(", {inwards} of them re-entrant") };

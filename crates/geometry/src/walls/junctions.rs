@@ -109,7 +109,7 @@ impl Junctions {
     /// The lanes whose hits are so near to a place; the paths start at `x`.
     #[cold]
     #[inline(never)]
-    pub(crate) fn near<F: Lane>(&self, x: &[F; 2], point: &[F; 2]) -> F::Mask {
+    pub(crate) fn near<F: Lane>(&self, x: [F; 2], point: [F; 2]) -> F::Mask {
         let is_near = |lane: usize| {
             let [x, point] = [x, point].map(|p| Vector2::from(p.map(|p| p.lane(lane))));
             // a path may come from far beyond the walls

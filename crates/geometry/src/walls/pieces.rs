@@ -76,7 +76,8 @@ impl Walls<2> for Pieces {
             first = first.or(other.time.lt(first.time), &other);
         }
         if let Some(junctions) = &self.junctions {
-            first.corner = first.corner | junctions.near(x, &first.point);
+            // values, and no pointers to them: those would keep place and hit in memory even where there are no junctions
+            first.corner = first.corner | junctions.near(*x, first.point);
         }
         first
     }
