@@ -1,4 +1,6 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+mod two_sided;
+
 use super::distance::to_unit;
 use crate::{
     BoxTree, Crossing, Error, Extent, Line,
@@ -7,6 +9,7 @@ use crate::{
 };
 use nalgebra::Vector3;
 use std::collections::{HashMap, HashSet};
+use two_sided::Sheets;
 
 /// Triangles seen from the table.
 #[derive(Clone)]
@@ -19,6 +22,10 @@ pub(crate) struct Mesh {
     /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
     edges: Vec<[bool; 3]>,
     tree: BoxTree<3>,
+    /// Minus the distance by which a start may lie behind: rounding. Of triangles with two sides, the distance by which it must lie in front.
+    behind: Vec<f64>,
+    /// Those with two sides.
+    sheets: Option<Sheets>,
     slack: f64,
     /// Within this distance of an edge a point lies on it.
     near: f64,
@@ -139,7 +146,11 @@ impl Mesh {
             }
         }
         let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
-        Ok(Mesh { vertices, triangles, normals, edges, tree, slack: slack([size]), near: CORNER * size })
+        let (slack, near) = (slack([size]), CORNER * size);
+        let behind = vec![-slack; triangles.len()];
+        let mut mesh = Mesh { vertices, triangles, normals, edges, tree, behind, sheets: None, slack, near };
+        mesh.mark_two_sided();
+        Ok(mesh)
     }
 
     /// The boxes around its triangles.
@@ -156,7 +167,7 @@ impl Mesh {
         let normal = &self.normals[k];
         let distance = normal.dot(&(path.point - self.vertices[self.triangles[k][0]]));
         let speed = -normal.dot(&path.velocity);
-        Crossing::when(meets && speed > 0.0 && distance > -self.slack, distance, speed)
+        Crossing::when(meets && speed > 0.0 && distance > self.behind[k], distance, speed)
     }
 
     /// The first triangle crossed away from the table, and when.
@@ -183,7 +194,8 @@ impl Mesh {
         a + (b - a) * s + (c - a) * t
     }
 
-    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding.
+    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or where another triangle
+    /// stands that has two sides.
     pub(crate) fn land(&self, k: usize, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let corners = self.triangles[k].map(|v| self.vertices[v]);
         let normal = &self.normals[k];
@@ -193,6 +205,6 @@ impl Mesh {
             let along = b - a;
             self.edges[k][i] && (along / along.norm()).cross(&(point - a)).norm() <= self.near
         };
-        (point, (0..3).any(on_edge))
+        (point, (0..3).any(on_edge) || self.meets_a_sheet(&point, normal))
     }
 }

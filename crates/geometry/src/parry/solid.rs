@@ -211,6 +211,23 @@ impl Solid {
         })
     }
 
+    fn meshes(&self) -> impl Iterator<Item = &Mesh> {
+        self.members.iter().filter_map(|body| match body {
+            Body::Mesh(mesh, _) => Some(mesh),
+            _ => None,
+        })
+    }
+
+    /// Whether it has triangles with the table on both sides.
+    pub(super) fn has_two_sides(&self) -> bool {
+        self.meshes().any(Mesh::has_two_sides)
+    }
+
+    /// Whether a point of a wall with this normal lies where such a triangle meets that wall.
+    pub(super) fn meets_a_sheet(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
+        self.meshes().any(|mesh| mesh.meets_a_sheet(point, normal))
+    }
+
     /// What it is, if walls in lanes know it.
     pub(super) fn figure(&self) -> Option<Figure> {
         match &self.members[..] {
@@ -287,7 +304,10 @@ impl Boundary<3> for Solid {
                 Hit { time, point, normal, piece: i, corner: false }
             }),
         });
-        first_of(path, hits)
+        let hit = first_of(path, hits)?;
+        // a mesh alone has looked for that
+        let corner = hit.corner || (several && self.meets_a_sheet(&hit.point, &hit.normal));
+        Some(Hit { corner, ..hit })
     }
 }
 
