@@ -114,3 +114,55 @@ fn nothing_slips_through_where_a_sheet_stands_on_a_wall() {
         assert!(!room.first_hit(&path).unwrap().corner);
     }
 }
+
+#[test]
+fn a_point_beside_a_sheet_is_on_the_side_of_the_face_that_looks_at_it() {
+    for about_middle in [false, true] {
+        let sheet = || sheet(0.2, 0.8, about_middle);
+        let alone = together(&[sheet()]);
+        let wall = together(&[unit_cube(), sheet()]);
+        let (around, room) =
+            (alone.solid([0.0; 3], Side::Outside).unwrap(), wall.solid([0.0; 3], Side::Inside).unwrap());
+        let kept = |spec: &SolidSpec, side| spec.parallel(side, 0.01).unwrap().0.solid([0.0; 3], side).unwrap();
+        let balls = [kept(&alone, Side::Outside), kept(&wall, Side::Inside)];
+        let mut random = Random(7);
+        for k in 0..20_000 {
+            let mut point = Vector3::from_fn(|_, _| random.between(0.01, 0.99));
+            if k % 2 == 0 {
+                let near = libm::exp2(random.between(-40.0, -2.0));
+                point.x = if random.unit() < 0.5 { 0.5 - near } else { 0.5 + near };
+            }
+            let out = [point.y, point.z].map(|x| (0.2 - x).max(x - 0.8).max(0.0));
+            let off = libm::hypot(point.x - 0.5, libm::hypot(out[0], out[1]));
+            let to_cube = point.iter().map(|x| x.min(1.0 - x)).fold(1.0, f64::min);
+            for (solid, expected) in [(&around, off), (&room, off.min(to_cube))] {
+                let seen = solid.closest(&point);
+                assert!((seen.distance - expected).abs() < 1e-14, "{point} {expected} {seen:?}");
+                let foot = point - seen.normal * seen.distance;
+                assert!((foot - seen.point).norm() < 1e-14, "{point} {seen:?}");
+                assert!(solid.contains(&point));
+            }
+            for (solid, expected) in balls.iter().zip([off, off.min(to_cube)]) {
+                assert!((solid.distance(&point) - (expected - 0.01)).abs() < 1e-14, "{point}");
+            }
+        }
+    }
+}
+
+#[test]
+fn inside_of_solid_bodies_that_touch_there_is_no_table() {
+    let low = cuboid([0.0; 3], [0.5, 1.0, 1.0]);
+    let bodies = together(&[low, cuboid([0.5, 0.25, 0.0], [1.0, 0.75, 0.5])]);
+    let [inside, outside] = [Side::Inside, Side::Outside].map(|side| bodies.solid([0.0; 3], side).unwrap());
+    let mut random = Random(11);
+    for k in 0..20_000 {
+        let mut point = Vector3::from_fn(|_, _| random.between(-0.2, 1.2));
+        if k % 2 == 0 {
+            point.x = 0.5 + libm::exp2(random.between(-40.0, -3.0)) * if random.unit() < 0.5 { -1.0 } else { 1.0 };
+        }
+        let within = |low: [f64; 3], high: [f64; 3]| (0..3).all(|i| low[i] < point[i] && point[i] < high[i]);
+        let is_inside = within([0.0; 3], [0.5, 1.0, 1.0]) || within([0.5, 0.25, 0.0], [1.0, 0.75, 0.5]);
+        assert_eq!((inside.contains(&point), outside.contains(&point)), (is_inside, !is_inside), "{point}");
+        assert!((inside.distance(&point) + outside.distance(&point)).abs() < 1e-15, "{point}");
+    }
+}

@@ -1,5 +1,8 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+mod side;
+mod slivers;
 mod two_sided;
+mod winding;
 
 use super::distance::to_unit;
 use crate::{
@@ -27,6 +30,11 @@ pub(crate) struct Mesh {
     /// Those with two sides.
     sheets: Option<Sheets>,
     slack: f64,
+    /// Whether no side of a triangle is without another triangle beyond it, and whether the table is outside.
+    closed: bool,
+    outside: bool,
+    /// The largest coordinate.
+    size: f64,
     /// Within this distance of an edge a point lies on it.
     near: f64,
 }
@@ -103,7 +111,11 @@ impl Mesh {
         let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
         let closed = rims(&triangles) == 0;
-        triangles.retain(|t| across(t).0.norm_squared() > 0.0);
+        if loose {
+            triangles.retain(|t| across(t).0.norm_squared() > 0.0);
+        } else {
+            triangles = slivers::split(&vertices, triangles)?;
+        }
         if triangles.is_empty() {
             return error("it has no triangle of positive area");
         }
@@ -148,7 +160,9 @@ impl Mesh {
         let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
         let (slack, near) = (slack([size]), CORNER * size);
         let behind = vec![-slack; triangles.len()];
-        let mut mesh = Mesh { vertices, triangles, normals, edges, tree, behind, sheets: None, slack, near };
+        let sheets = None;
+        let mut mesh =
+            Mesh { vertices, triangles, normals, edges, tree, behind, sheets, slack, closed, outside, size, near };
         mesh.mark_two_sided();
         Ok(mesh)
     }

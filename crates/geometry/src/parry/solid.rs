@@ -41,7 +41,7 @@ const FAR: f64 = 1e9;
 ///
 /// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a
 /// cone lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
-/// order; of a compound its members; otherwise 0.
+/// order, and then the second parts of those that are split at a vertex on a side of theirs; of a compound its members; otherwise 0.
 ///
 /// ```
 /// use geometry::{parry::{parry3d_f64::shape::Cylinder, Side, Solid}, Boundary, Line, Vector3};
@@ -332,7 +332,11 @@ impl Body {
             }
             Body::Rounded(rounded) => return rounded.closest(point, side),
             Body::Parallel(parallel) => return parallel.closest(point),
-            Body::Mesh(_, distance) | Body::Distance(distance) => distance,
+            Body::Mesh(mesh, distance) => {
+                let (foot, normal, distance) = mesh.beside(point, distance.closest(point));
+                return Closest { distance, point: foot, normal };
+            }
+            Body::Distance(distance) => distance,
         };
         let (foot, normal, distance) = distance.closest(point);
         Closest { distance, point: foot, normal }

@@ -80,7 +80,7 @@ impl Mesh {
     }
 
     /// Visits the triangles with two sides on which a point lies, but for so much.
-    fn on_sheets(&self, point: &Vector3<f64>, reach: f64, mut visit: impl FnMut(usize)) {
+    pub(super) fn on_sheets(&self, point: &Vector3<f64>, reach: f64, mut visit: impl FnMut(usize)) {
         let Some(sheets) = &self.sheets else { return };
         sheets.tree.search(
             |e| e.distance(point) <= 2.0 * reach,
