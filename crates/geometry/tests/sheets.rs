@@ -16,8 +16,8 @@ fn cuboid(low: [f64; 3], high: [f64; 3]) -> Triangles {
     let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     (vertices, sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect())
 }
-/// A square across the first axis at x = 1/2, there and back; the triangles of the back have the same corners but another diagonal, or
-/// are those about the middle.
+/// A square across the first axis at x = 1/2, there and back; the triangles of the back have the same corners but
+/// another diagonal, or are those about the middle.
 fn sheet(low: f64, high: f64, about_middle: bool) -> Triangles {
     let middle = 0.5 * (low + high);
     let corners = [[low, low], [high, low], [high, high], [low, high], [middle, middle]].map(|[y, z]| [0.5, y, z]);

@@ -1,4 +1,6 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+mod manifold;
+mod shells;
 mod side;
 mod slivers;
 mod two_sided;
@@ -111,11 +113,13 @@ impl Mesh {
         let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
         let closed = rims(&triangles) == 0;
-        if loose {
+        let numbers: Vec<usize>;
+        (triangles, numbers) = if loose {
             triangles.retain(|t| across(t).0.norm_squared() > 0.0);
+            (triangles, vec![])
         } else {
-            triangles = slivers::split(&vertices, triangles)?;
-        }
+            slivers::split(&vertices, triangles)?
+        };
         if triangles.is_empty() {
             return error("it has no triangle of positive area");
         }
@@ -123,7 +127,7 @@ impl Mesh {
         for (k, t) in triangles.iter().enumerate() {
             for side in sides(t) {
                 if at.insert(side, k).is_some() && !loose {
-                    return error("two triangles run along one edge in the same direction: turn one of them round");
+                    return Err(manifold::problem(&triangles, k, &numbers));
                 }
             }
         }
@@ -147,6 +151,7 @@ impl Mesh {
         // ulp, and no angle that anybody means is this small
         let smooth = |k: usize, j: usize| (normals[k] - normals[j]).norm() <= 1e-9;
         let edge = |k: usize, [a, b]: [usize; 2]| !at.get(&[b, a]).is_some_and(|&j| smooth(k, j));
+        let shell = if closed && !loose { shells::shells(&triangles, &at) } else { vec![] };
         let mut edges: Vec<[bool; 3]> =
             triangles.iter().enumerate().map(|(k, t)| sides(t).map(|side| edge(k, side))).collect();
         if turned {
@@ -163,6 +168,7 @@ impl Mesh {
         let sheets = None;
         let mut mesh =
             Mesh { vertices, triangles, normals, edges, tree, behind, sheets, slack, closed, outside, size, near };
+        mesh.check_shells(&shell, &numbers)?;
         mesh.mark_two_sided();
         Ok(mesh)
     }

@@ -6,7 +6,8 @@ use nalgebra::Vector3;
 /// What parry finds lies on the triangle on which it should, within this part of the size.
 const FOUND: f64 = 1e-12;
 
-/// Closer to the boundary than this part of the size, the difference of a point and its foot has lost more than three digits.
+/// Closer to the boundary than this part of the size, the difference of a point and its foot has lost more than three
+/// digits.
 const CLEAR: f64 = 1e-3;
 
 impl Mesh {
@@ -15,8 +16,9 @@ impl Mesh {
         Surface { vertices, triangles, normals, tree }
     }
 
-    /// Foot, unit normal there and distance of a point, as found by somebody who asks just one of several triangles through the foot for
-    /// the side: where the table is on both sides of one of these, the point lies beside the one that looks at it.
+    /// Foot, unit normal there and distance of a point, as found by somebody who asks just one of several triangles
+    /// through the foot for the side: where the table is on both sides of one of these, the point lies beside the one
+    /// that looks at it.
     ///
     /// Around a closed surface its winding number tells whether the table is there at all: two solid bodies may touch.
     pub(crate) fn beside(

@@ -7,19 +7,25 @@ use std::collections::{HashMap, VecDeque};
 /// A triangle may be split where several without area lie one on another, each of them a few times.
 const SPLITS: usize = 16;
 
-/// The triangles of positive area of a surface, each side in common with what lies beyond it.
+/// The triangles of positive area of a surface, each side in common with what lies beyond it, and which of those given
+/// they are of.
 ///
-/// One without area, with a corner `c` on its long side from `a` to `b`, is taken out, and the triangle `b a s` beyond that side is split
-/// at `c`: into `b c s`, which keeps its place, and `c a s`, at the end. Otherwise rounding would leave a gap between `a b` and `a c b`.
+/// One without area, with a corner `c` on its long side from `a` to `b`, is taken out, and the triangle `b a s` beyond
+/// that side is split at `c`: into `b c s`, which keeps its place, and `c a s`, at the end. Otherwise rounding would
+/// leave a gap between `a b` and `a c b`.
 ///
 /// # Errors
 /// [`Error::Triangle`] where that leads to no end.
-pub(super) fn split(vertices: &[Vector3<f64>], mut triangles: Vec<[usize; 3]>) -> Result<Vec<[usize; 3]>, Error> {
+pub(super) fn split(
+    vertices: &[Vector3<f64>],
+    mut triangles: Vec<[usize; 3]>,
+) -> Result<(Vec<[usize; 3]>, Vec<usize>), Error> {
     let is_flat = |t: &[usize; 3]| !(across(t.map(|v| vertices[v])).0.norm_squared() > 0.0);
     let is_point = |[a, b, c]: &[usize; 3]| a == b || b == c || c == a;
     let mut flat: VecDeque<usize> = (0..triangles.len()).filter(|&k| is_flat(&triangles[k])).collect();
+    let mut origin: Vec<usize> = (0..triangles.len()).collect();
     if flat.is_empty() {
-        return Ok(triangles);
+        return Ok((triangles, origin));
     }
     let mut at: HashMap<[usize; 2], usize> = HashMap::new();
     for (k, t) in triangles.iter().enumerate().filter(|(_, t)| !is_point(t)) {
@@ -69,6 +75,7 @@ pub(super) fn split(vertices: &[Vector3<f64>], mut triangles: Vec<[usize; 3]>) -
         triangles[beyond] = parts[0];
         triangles.push(parts[1]);
         gone.push(false);
+        origin.push(origin[beyond]);
         for (part, number) in parts.iter().zip([beyond, triangles.len() - 1]) {
             at.extend(sides(part).map(|side| (side, number)));
             if is_flat(part) && !flat.contains(&number) {
@@ -76,10 +83,7 @@ pub(super) fn split(vertices: &[Vector3<f64>], mut triangles: Vec<[usize; 3]>) -
             }
         }
     }
-    let mut number = 0;
-    triangles.retain(|_| {
-        number += 1;
-        !gone[number - 1]
-    });
-    Ok(triangles)
+    let is_left = |k: &usize| !gone[*k];
+    let left: Vec<usize> = (0..triangles.len()).filter(is_left).collect();
+    Ok(left.iter().map(|&k| (triangles[k], origin[k])).unzip())
 }

@@ -3,8 +3,8 @@ use super::Mesh;
 use crate::{BoxTree, Extent, plane::slack};
 use nalgebra::Vector3;
 
-/// Within this many times the [`slack`] of a triangle with two sides a point of another wall may count as on it: twice that, one for the
-/// triangle and one for the point, and a half for the rounding of a start there.
+/// Within this many times the [`slack`] of a triangle with two sides a point of another wall may count as on it: twice
+/// that, one for the triangle and one for the point, and a half for the rounding of a start there.
 const BAND: f64 = 2.5;
 
 /// Unit normals that differ by less than this, or are so nearly opposite, are those of one wall.
@@ -40,7 +40,7 @@ fn overlap(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3], normals: [&Vector3<f64>
 }
 
 impl Mesh {
-    fn corners(&self, k: usize) -> [Vector3<f64>; 3] {
+    pub(super) fn corners(&self, k: usize) -> [Vector3<f64>; 3] {
         self.triangles[k].map(|v| self.vertices[v])
     }
 
@@ -64,7 +64,8 @@ impl Mesh {
         (0..self.triangles.len()).filter(is_double).collect()
     }
 
-    /// Finds the triangles with two sides: what starts on them, within rounding, may be on either side and does not cross them.
+    /// Finds the triangles with two sides: what starts on them, within rounding, may be on either side and does not
+    /// cross them.
     pub(super) fn mark_two_sided(&mut self) {
         let numbers = self.doubles();
         for &k in &numbers {
@@ -79,6 +80,16 @@ impl Mesh {
         self.sheets.is_some()
     }
 
+    /// Whether a point lies on a triangle, but for so much.
+    pub(super) fn has_on_it(&self, k: usize, point: &Vector3<f64>, reach: f64) -> bool {
+        let (corners, n) = (self.corners(k), &self.normals[k]);
+        let inside = |i: usize| {
+            let along = corners[(i + 1) % 3] - corners[i];
+            n.cross(&(along / along.norm())).dot(&(point - corners[i])) >= -reach
+        };
+        n.dot(&(point - corners[0])).abs() <= reach && (0..3).all(inside)
+    }
+
     /// Visits the triangles with two sides on which a point lies, but for so much.
     pub(super) fn on_sheets(&self, point: &Vector3<f64>, reach: f64, mut visit: impl FnMut(usize)) {
         let Some(sheets) = &self.sheets else { return };
@@ -86,12 +97,7 @@ impl Mesh {
             |e| e.distance(point) <= 2.0 * reach,
             |place| {
                 let k = sheets.numbers[place];
-                let (corners, n) = (self.corners(k), &self.normals[k]);
-                let inside = |i: usize| {
-                    let along = corners[(i + 1) % 3] - corners[i];
-                    n.cross(&(along / along.norm())).dot(&(point - corners[i])) >= -reach
-                };
-                if n.dot(&(point - corners[0])).abs() <= reach && (0..3).all(inside) {
+                if self.has_on_it(k, point, reach) {
                     visit(k);
                 }
             },
@@ -100,8 +106,8 @@ impl Mesh {
 
     /// Whether a point of a wall with this normal lies where a triangle with two sides meets that wall.
     ///
-    /// What starts on such a triangle, within rounding, does not cross it. So a path that has just left another wall beside it would slip
-    /// through: orbits end there, as in a corner.
+    /// What starts on such a triangle, within rounding, does not cross it. So a path that has just left another wall
+    /// beside it would slip through: orbits end there, as in a corner.
     pub(crate) fn meets_a_sheet(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
         let mut found = false;
         let reach = BAND * self.slack.max(slack([point.amax()]));

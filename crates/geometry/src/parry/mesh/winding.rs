@@ -12,8 +12,8 @@ pub(super) struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// How often those triangles that are `asked` for, which must be a closed surface, wind around a point: so many more of them does a
-    /// ray along the axis cross to their counter-clockwise side than to the other one.
+    /// How often those triangles that are `asked` for, which must be a closed surface, wind around a point: so many
+    /// more of them does a ray along the axis cross to their counter-clockwise side than to the other one.
     ///
     /// Neighbours agree on which side of the ray the edge between them passes: nothing leaks.
     pub(super) fn winding(&self, point: &Vector3<f64>, axis: usize, asked: impl Fn(usize) -> bool) -> i32 {
