@@ -278,8 +278,8 @@ fn a_mesh_closed_by_triangles_without_area_is_closed_for_all() {
 
 #[test]
 fn no_path_leaves_beside_a_triangle_without_area() {
-    // a box whose floor is cut along its diagonal; on one side of that there are vertices in the middle, and triangles without area
-    // between these and the diagonal
+    // a box whose floor is cut along its diagonal; on one side of that there are vertices in the middle, and triangles
+    // without area between these and the diagonal
     let corner = |k: usize| [0, 1, 2].map(|i| if k >> i & 1 == 1 { [1.0, 0.75, 1.0][i] } else { 0.0 });
     let sides = [[4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let sides: Vec<_> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();

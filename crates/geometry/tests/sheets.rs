@@ -166,3 +166,57 @@ fn inside_of_solid_bodies_that_touch_there_is_no_table() {
         assert!((inside.distance(&point) + outside.distance(&point)).abs() < 1e-15, "{point}");
     }
 }
+
+#[test]
+fn sheets_in_general_position_are_walls_on_both_sides() {
+    let mut random = Random(13);
+    let mut corners = 0;
+    for scene in 0..60 {
+        // turned about two axes, moved, and of any size
+        let turn = |random: &mut Random| {
+            let angle = random.between(0.0, 6.0);
+            (libm::cos(angle), libm::sin(angle))
+        };
+        let (a, b) = (turn(&mut random), turn(&mut random));
+        let size = libm::exp2(random.between(-30.0, 30.0));
+        let shift = Vector3::from_fn(|_, _| random.between(-3.0, 3.0));
+        let place = |p: Vector3<f64>| {
+            let p = Vector3::new(a.0 * p.x - a.1 * p.y, a.1 * p.x + a.0 * p.y, p.z);
+            (Vector3::new(p.x, b.0 * p.y - b.1 * p.z, b.1 * p.y + b.0 * p.z) + shift) * size
+        };
+        let (low, high) = if scene % 2 == 0 { (0.0, 1.0) } else { (0.2, 0.7) };
+        let parts = match scene % 3 {
+            0 => [unit_cube(), sheet(low, high, scene % 4 < 2)],
+            _ => [cuboid([0.0; 3], [0.5, 1.0, 1.0]), cuboid([0.5, low, 0.2], [1.0, high, 0.7])],
+        };
+        // whole sheets, and rooms, part one half from the other
+        let parted = low == 0.0 || scene % 3 > 0;
+        let SolidSpec::TriMesh { vertices, triangles, .. } = together(&parts) else { panic!() };
+        let vertices = vertices.into_iter().map(|p| place(p.into()).into()).collect();
+        let room = SolidSpec::TriMesh { vertices, triangles, margin: 0.0 };
+        let room = room.solid([0.0; 3], Side::Inside).unwrap();
+        let across = (place(Vector3::x()) - place(Vector3::zeros())) / size;
+        let height = |p: &Vector3<f64>| (p / size - shift).dot(&across);
+        for side in [-1.0, 1.0] {
+            for _ in 0..100 {
+                let start = Vector3::new(0.5 + side * 0.1, random.between(0.3, 0.6), random.between(0.3, 0.6));
+                let mut path = Line { point: place(start), velocity: random_direction(&mut random) * size };
+                assert!(room.contains(&path.point), "{scene}");
+                for bounce in 0..60 {
+                    let hit = room.first_hit(&path).unwrap_or_else(|| panic!("{scene}: lost after {bounce}"));
+                    assert!(hit.time > 0.0, "{scene}: {bounce}");
+                    assert!(!parted || (height(&hit.point) - 0.5) * side > -1e-12, "{scene}: {bounce} {path:?}");
+                    if hit.corner {
+                        corners += 1;
+                        break;
+                    }
+                    // a rough wall
+                    let d = random_direction(&mut random);
+                    let along = d - hit.normal * hit.normal.dot(&d);
+                    path = Line { point: hit.point, velocity: (along + hit.normal * random.between(0.0, 1.0)) * size };
+                }
+            }
+        }
+    }
+    assert!(corners < 10, "{corners}");
+}

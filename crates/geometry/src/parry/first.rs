@@ -3,17 +3,15 @@ use super::Solid;
 use crate::{Boundary, BoxTree, Crossing, Hit, Line, plane::slack, walls::CORNER};
 use core::cell::Cell;
 
-/// The first of the hits of a path with several walls: a corner where within rounding another one with another normal
-/// is hit as well.
+/// The first of the hits of a path with several walls: a corner where within rounding another one with another normal is hit as well.
 pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Option<Hit<3>> {
     hits.reduce(|a, b| sooner(path, a, b))
 }
 
 /// The sooner of two hits; of equal times that of the lower number.
 pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
-    /// Normals that differ by less belong to walls that continue one another. Next to where one is tangent to another,
-    /// with a radius of `r`, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`:
-    /// radii from 10⁻⁵ of the size on.
+    /// Normals that differ by less belong to walls that continue one another. Next to where one is tangent to another, with a radius of
+    /// `r`, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: radii from 10⁻⁵ of the size on.
     const SMOOTH: f64 = 1e-5;
     let b_is_first = b.time < a.time || (b.time == a.time && b.piece < a.piece);
     let [first, second] = if b_is_first { [b, a] } else { [a, b] };

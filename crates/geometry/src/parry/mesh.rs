@@ -27,7 +27,8 @@ pub(crate) struct Mesh {
     /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
     edges: Vec<[bool; 3]>,
     tree: BoxTree<3>,
-    /// Minus the distance by which a start may lie behind: rounding. Of triangles with two sides, the distance by which it must lie in front.
+    /// Minus the distance by which a start may lie behind: rounding. Of triangles with two sides, the distance by which
+    /// it must lie in front.
     behind: Vec<f64>,
     /// Those with two sides.
     sheets: Option<Sheets>,
@@ -214,8 +215,8 @@ impl Mesh {
         a + (b - a) * s + (c - a) * t
     }
 
-    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or where another triangle
-    /// stands that has two sides.
+    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or
+    /// where another triangle stands that has two sides.
     pub(crate) fn land(&self, k: usize, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let corners = self.triangles[k].map(|v| self.vertices[v]);
         let normal = &self.normals[k];

@@ -39,9 +39,10 @@ const FAR: f64 = 1e9;
 /// A triangle mesh must be oriented consistently; closed ones may be inside out. An open one is a wall on one side: the
 /// table outside sees the counter-clockwise faces. The inside of a height field is what lies below it.
 ///
-/// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a
-/// cone lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
-/// order, and then the second parts of those that are split at a vertex on a side of theirs; of a compound its members; otherwise 0.
+/// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a cone
+/// lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
+/// order, and then the second parts of those that are split at a vertex on a side of theirs; of a compound its members;
+/// otherwise 0.
 ///
 /// ```
 /// use geometry::{parry::{parry3d_f64::shape::Cylinder, Side, Solid}, Boundary, Line, Vector3};
