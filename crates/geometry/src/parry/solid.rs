@@ -36,8 +36,10 @@ const FAR: f64 = 1e9;
 /// mesh, height field and voxels, and for compounds of convex shapes (as unions; members may overlap). Shapes of your own go
 /// through distance queries: a certified march to the first hit, accurate like the shape's own projection.
 ///
-/// A triangle mesh must be oriented consistently; closed ones may be inside out. An open one is a wall on one side: the
-/// table outside sees the counter-clockwise faces. The inside of a height field is what lies below it.
+/// A triangle mesh must be oriented consistently; closed ones may be inside out, and may have several parts: one in
+/// another bounds a cavity. An open one is a wall on one side: the table outside sees the counter-clockwise faces. Where
+/// triangles coincide that are seen from different sides, there is a wall with the table on both. The inside of a height
+/// field is what lies below it.
 ///
 /// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a cone
 /// lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
@@ -89,7 +91,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), meshes
-    /// that are not oriented, and the inside of a compound with members that are not convex;
+    /// that are not oriented, and the inside of a compound with members that are not convex; [`Error::Triangle`] for
+    /// triangles of a mesh that make no surface, and closed ones with parts that contradict one another;
     /// [`Error::Parameter`] for sizes that are not positive and finite, or a translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;
