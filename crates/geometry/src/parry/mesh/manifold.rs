@@ -25,7 +25,8 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
     if let Some(&k) = crowded.min() {
         return named(
             k,
-            "has an edge on which more than two triangles stand: unite the parts that touch there, or move them apart",
+            "has an edge on which more than two triangles stand: unite the parts that touch there, or move them apart; \
+             a wall drawn there and back needs another diagonal on its way back",
         );
     }
     if has_one_side(triangles, &on_edge) {
