@@ -111,6 +111,11 @@ impl<const N: usize> BoxTree<N> {
         boxes.chunks(WIDTH).map(|eight| eight.iter().copied().fold(Extent::EMPTY, Extent::union)).collect()
     }
 
+    /// The greatest finite coordinate of its boxes.
+    pub(crate) fn size(&self) -> f64 {
+        self.size
+    }
+
     /// How many boxes there are.
     fn len(&self) -> usize {
         self.levels.first().map_or(0, |level| level.boxes)

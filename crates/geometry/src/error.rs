@@ -291,6 +291,14 @@ pub enum Error {
         /// What stands in the way.
         why: &'static str,
     },
+    /// A triangle of a mesh that cannot bound a table together with the others.
+    #[error("triangle mesh: triangle {triangle}, counted from 0, {problem}")]
+    Triangle {
+        /// Its number.
+        triangle: usize,
+        /// What is wrong with it, and what to do.
+        problem: &'static str,
+    },
     /// A field of the description of a shape that is wrong.
     #[error("{field} must be {must}")]
     Field {

@@ -277,6 +277,33 @@ fn a_mesh_closed_by_triangles_without_area_is_closed_for_all() {
 }
 
 #[test]
+fn no_path_leaves_beside_a_triangle_without_area() {
+    // a box whose floor is cut along its diagonal; on one side of that there are vertices in the middle, and triangles
+    // without area between these and the diagonal
+    let corner = |k: usize| [0, 1, 2].map(|i| if k >> i & 1 == 1 { [1.0, 0.75, 1.0][i] } else { 0.0 });
+    let sides = [[4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let sides: Vec<_> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+    let one = vec![[0, 3, 1], [0, 2, 8], [8, 2, 3], [0, 8, 3]];
+    // two of them, one on the other
+    let two = vec![[0, 3, 1], [0, 2, 9], [9, 2, 8], [8, 2, 3], [0, 9, 8], [0, 8, 3]];
+    for floor in [one, two] {
+        let mut vertices: Vec<[f64; 3]> = (0..8).map(corner).collect();
+        vertices.extend([[0.5, 0.375, 0.0], [0.25, 0.1875, 0.0]]);
+        let mesh = SolidSpec::TriMesh { vertices, triangles: [floor, sides.clone()].concat(), margin: 0.0 };
+        assert_eq!(mesh.rims(), 0);
+        let room = mesh.solid([0.0; 3], Side::Inside).unwrap();
+        let mut random = Random(23);
+        for _ in 0..20_000 {
+            let point = Vector3::from_fn(|i, _| random.between(0.05, 0.95) * if i == 1 { 0.75 } else { 1.0 });
+            let t = random.between(0.05, 0.95);
+            let path = Line { point, velocity: Vector3::new(t, 0.75 * t, 0.0) - point };
+            let hit = room.first_hit(&path).unwrap_or_else(|| panic!("{path:?}"));
+            assert!((hit.time - 1.0).abs() < 1e-12 && hit.normal == Vector3::z() && !hit.corner, "{path:?} {hit:?}");
+        }
+    }
+}
+
+#[test]
 fn between_hundreds_of_planes_a_room_has_the_box_of_its_corners() {
     let mut random = Random(19);
     // all of them touch the unit ball

@@ -1,6 +1,6 @@
 //! The first of several walls, and the edges between them.
 use super::Solid;
-use crate::{Boundary, BoxTree, Crossing, Hit, Line, walls::CORNER};
+use crate::{Boundary, BoxTree, Crossing, Hit, Line, plane::slack, walls::CORNER};
 use core::cell::Cell;
 
 /// The first of the hits of a path with several walls: a corner where within rounding another one with another normal is hit as well.
@@ -24,9 +24,11 @@ pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
 
 /// The first of the hits of a path with numbered solids, whose boxes are those of the tree.
 ///
-/// Walls that meet within rounding of the hit are among those whose boxes the path enters until then.
+/// Walls that meet within rounding of the hit are among those whose boxes the path enters until then, but for triangles
+/// with two sides: beside these, if there are such `sheets`, a path is in a corner wherever it goes.
 pub(super) fn first_in<'a>(
     tree: &BoxTree<3>,
+    sheets: bool,
     path: &Line<3>,
     solid: impl Fn(usize) -> (usize, &'a Solid),
 ) -> Option<Hit<3>> {
@@ -38,5 +40,13 @@ pub(super) fn first_in<'a>(
         first.set(Some(first.get().map_or(hit, |so_far| sooner(path, so_far, hit))));
         Crossing { num: hit.time, den: 1.0 }
     });
-    first.get()
+    let hit = first.get().filter(|_| sheets).filter(|hit: &Hit<3>| !hit.corner);
+    let Some(hit) = hit else { return first.get() };
+    let mut corner = false;
+    let reach = slack([tree.size(), hit.point.amax()]);
+    tree.search(
+        |e| e.distance(&hit.point) <= 4.0 * reach,
+        |k| corner |= solid(k).1.meets_a_sheet(&hit.point, &hit.normal),
+    );
+    Some(Hit { corner, ..hit })
 }

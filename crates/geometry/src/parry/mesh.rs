@@ -1,4 +1,11 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+mod manifold;
+mod shells;
+mod side;
+mod slivers;
+mod two_sided;
+mod winding;
+
 use super::distance::to_unit;
 use crate::{
     BoxTree, Crossing, Error, Extent, Line,
@@ -7,6 +14,7 @@ use crate::{
 };
 use nalgebra::Vector3;
 use std::collections::{HashMap, HashSet};
+use two_sided::Sheets;
 
 /// Triangles seen from the table.
 #[derive(Clone)]
@@ -19,7 +27,17 @@ pub(crate) struct Mesh {
     /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
     edges: Vec<[bool; 3]>,
     tree: BoxTree<3>,
+    /// Minus the distance by which a start may lie behind: rounding. Of triangles with two sides, the distance by which
+    /// it must lie in front.
+    behind: Vec<f64>,
+    /// Those with two sides.
+    sheets: Option<Sheets>,
     slack: f64,
+    /// Whether no side of a triangle is without another triangle beyond it, and whether the table is outside.
+    closed: bool,
+    outside: bool,
+    /// The largest coordinate.
+    size: f64,
     /// Within this distance of an edge a point lies on it.
     near: f64,
 }
@@ -96,7 +114,13 @@ impl Mesh {
         let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
         let closed = rims(&triangles) == 0;
-        triangles.retain(|t| across(t).0.norm_squared() > 0.0);
+        let numbers: Vec<usize>;
+        (triangles, numbers) = if loose {
+            triangles.retain(|t| across(t).0.norm_squared() > 0.0);
+            (triangles, vec![])
+        } else {
+            slivers::split(&vertices, triangles)?
+        };
         if triangles.is_empty() {
             return error("it has no triangle of positive area");
         }
@@ -104,7 +128,7 @@ impl Mesh {
         for (k, t) in triangles.iter().enumerate() {
             for side in sides(t) {
                 if at.insert(side, k).is_some() && !loose {
-                    return error("two triangles run along one edge in the same direction: turn one of them round");
+                    return Err(manifold::problem(&triangles, k, &numbers));
                 }
             }
         }
@@ -128,6 +152,7 @@ impl Mesh {
         // ulp, and no angle that anybody means is this small
         let smooth = |k: usize, j: usize| (normals[k] - normals[j]).norm() <= 1e-9;
         let edge = |k: usize, [a, b]: [usize; 2]| !at.get(&[b, a]).is_some_and(|&j| smooth(k, j));
+        let shell = if closed && !loose { shells::shells(&triangles, &at) } else { vec![] };
         let mut edges: Vec<[bool; 3]> =
             triangles.iter().enumerate().map(|(k, t)| sides(t).map(|side| edge(k, side))).collect();
         if turned {
@@ -139,7 +164,14 @@ impl Mesh {
             }
         }
         let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
-        Ok(Mesh { vertices, triangles, normals, edges, tree, slack: slack([size]), near: CORNER * size })
+        let (slack, near) = (slack([size]), CORNER * size);
+        let behind = vec![-slack; triangles.len()];
+        let sheets = None;
+        let mut mesh =
+            Mesh { vertices, triangles, normals, edges, tree, behind, sheets, slack, closed, outside, size, near };
+        mesh.check_shells(&shell, &numbers)?;
+        mesh.mark_two_sided();
+        Ok(mesh)
     }
 
     /// The boxes around its triangles.
@@ -156,7 +188,7 @@ impl Mesh {
         let normal = &self.normals[k];
         let distance = normal.dot(&(path.point - self.vertices[self.triangles[k][0]]));
         let speed = -normal.dot(&path.velocity);
-        Crossing::when(meets && speed > 0.0 && distance > -self.slack, distance, speed)
+        Crossing::when(meets && speed > 0.0 && distance > self.behind[k], distance, speed)
     }
 
     /// The first triangle crossed away from the table, and when.
@@ -183,7 +215,8 @@ impl Mesh {
         a + (b - a) * s + (c - a) * t
     }
 
-    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding.
+    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or
+    /// where another triangle stands that has two sides.
     pub(crate) fn land(&self, k: usize, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let corners = self.triangles[k].map(|v| self.vertices[v]);
         let normal = &self.normals[k];
@@ -193,6 +226,6 @@ impl Mesh {
             let along = b - a;
             self.edges[k][i] && (along / along.norm()).cross(&(point - a)).norm() <= self.near
         };
-        (point, (0..3).any(on_edge))
+        (point, (0..3).any(on_edge) || self.meets_a_sheet(&point, normal))
     }
 }

@@ -33,13 +33,16 @@ use nalgebra::{Matrix3, Vector3};
 pub struct Room {
     solids: Vec<Solid>,
     tree: BoxTree<3>,
+    /// Whether any has triangles with the table on both sides.
+    sheets: bool,
 }
 
 impl Room {
     /// The room between solids.
     pub fn new(solids: Vec<Solid>) -> Room {
         let tree = BoxTree::new(solids.iter().map(boxed));
-        Room { solids, tree }
+        let sheets = solids.iter().any(Solid::has_two_sides);
+        Room { solids, tree, sheets }
     }
 
     /// Its solids, in the order of their numbers.
@@ -206,7 +209,7 @@ fn ends(halves: &[Half], [a, b]: [&Half; 2], little: f64, size: f64) -> Option<[
 
 impl Boundary<3> for Room {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
-        first_in(&self.tree, path, |k| (k, &self.solids[k]))
+        first_in(&self.tree, self.sheets, path, |k| (k, &self.solids[k]))
     }
 }
 

@@ -36,12 +36,15 @@ const FAR: f64 = 1e9;
 /// mesh, height field and voxels, and for compounds of convex shapes (as unions; members may overlap). Shapes of your own go
 /// through distance queries: a certified march to the first hit, accurate like the shape's own projection.
 ///
-/// A triangle mesh must be oriented consistently; closed ones may be inside out. An open one is a wall on one side: the
-/// table outside sees the counter-clockwise faces. The inside of a height field is what lies below it.
+/// A triangle mesh must be oriented consistently; closed ones may be inside out, and may have several parts: one in
+/// another bounds a cavity. An open one is a wall on one side: the table outside sees the counter-clockwise faces. Where
+/// triangles coincide that are seen from different sides, there is a wall with the table on both. The inside of a height
+/// field is what lies below it.
 ///
-/// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a
-/// cone lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
-/// order; of a compound its members; otherwise 0.
+/// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a cone
+/// lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
+/// order, and then the second parts of those that are split at a vertex on a side of theirs; of a compound its members;
+/// otherwise 0.
 ///
 /// ```
 /// use geometry::{parry::{parry3d_f64::shape::Cylinder, Side, Solid}, Boundary, Line, Vector3};
@@ -88,7 +91,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), meshes
-    /// that are not oriented, and the inside of a compound with members that are not convex;
+    /// that are not oriented, and the inside of a compound with members that are not convex; [`Error::Triangle`] for
+    /// triangles of a mesh that make no surface, and closed ones with parts that contradict one another;
     /// [`Error::Parameter`] for sizes that are not positive and finite, or a translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;
@@ -211,6 +215,23 @@ impl Solid {
         })
     }
 
+    fn meshes(&self) -> impl Iterator<Item = &Mesh> {
+        self.members.iter().filter_map(|body| match body {
+            Body::Mesh(mesh, _) => Some(mesh),
+            _ => None,
+        })
+    }
+
+    /// Whether it has triangles with the table on both sides.
+    pub(super) fn has_two_sides(&self) -> bool {
+        self.meshes().any(Mesh::has_two_sides)
+    }
+
+    /// Whether a point of a wall with this normal lies where such a triangle meets that wall.
+    pub(super) fn meets_a_sheet(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
+        self.meshes().any(|mesh| mesh.meets_a_sheet(point, normal))
+    }
+
     /// What it is, if walls in lanes know it.
     pub(super) fn figure(&self) -> Option<Figure> {
         match &self.members[..] {
@@ -287,7 +308,10 @@ impl Boundary<3> for Solid {
                 Hit { time, point, normal, piece: i, corner: false }
             }),
         });
-        first_of(path, hits)
+        let hit = first_of(path, hits)?;
+        // a mesh alone has looked for that
+        let corner = hit.corner || (several && self.meets_a_sheet(&hit.point, &hit.normal));
+        Some(Hit { corner, ..hit })
     }
 }
 
@@ -312,7 +336,11 @@ impl Body {
             }
             Body::Rounded(rounded) => return rounded.closest(point, side),
             Body::Parallel(parallel) => return parallel.closest(point),
-            Body::Mesh(_, distance) | Body::Distance(distance) => distance,
+            Body::Mesh(mesh, distance) => {
+                let (foot, normal, distance) = mesh.beside(point, distance.closest(point));
+                return Closest { distance, point: foot, normal };
+            }
+            Body::Distance(distance) => distance,
         };
         let (foot, normal, distance) = distance.closest(point);
         Closest { distance, point: foot, normal }

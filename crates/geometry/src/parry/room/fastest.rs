@@ -129,7 +129,7 @@ struct Obstacles<'a> {
 
 impl Boundary<3> for Obstacles<'_> {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
-        first_in(&self.tree, path, |k| self.solids[k])
+        first_in(&self.tree, self.room.sheets, path, |k| self.solids[k])
     }
 }
 

@@ -120,7 +120,7 @@ impl Parallel {
     }
 
     pub(super) fn closest(&self, point: &Vector3<f64>) -> Closest {
-        let (foot, normal, distance) = self.distance.closest(point);
+        let (foot, normal, distance) = self.mesh.beside(point, self.distance.closest(point));
         Closest { distance: distance - self.margin, point: foot + normal * self.margin, normal }
     }
 

@@ -1,0 +1,89 @@
+//! Triangles without area, whose long side has others beyond it than the two short ones.
+use super::{across, sides};
+use crate::Error;
+use nalgebra::Vector3;
+use std::collections::{HashMap, VecDeque};
+
+/// A triangle may be split where several without area lie one on another, each of them a few times.
+const SPLITS: usize = 16;
+
+/// The triangles of positive area of a surface, each side in common with what lies beyond it, and which of those given
+/// they are of.
+///
+/// One without area, with a corner `c` on its long side from `a` to `b`, is taken out, and the triangle `b a s` beyond
+/// that side is split at `c`: into `b c s`, which keeps its place, and `c a s`, at the end. Otherwise rounding would
+/// leave a gap between `a b` and `a c b`.
+///
+/// # Errors
+/// [`Error::Triangle`] where that leads to no end.
+pub(super) fn split(
+    vertices: &[Vector3<f64>],
+    mut triangles: Vec<[usize; 3]>,
+) -> Result<(Vec<[usize; 3]>, Vec<usize>), Error> {
+    let is_flat = |t: &[usize; 3]| !(across(t.map(|v| vertices[v])).0.norm_squared() > 0.0);
+    let is_point = |[a, b, c]: &[usize; 3]| a == b || b == c || c == a;
+    let mut flat: VecDeque<usize> = (0..triangles.len()).filter(|&k| is_flat(&triangles[k])).collect();
+    let mut origin: Vec<usize> = (0..triangles.len()).collect();
+    if flat.is_empty() {
+        return Ok((triangles, origin));
+    }
+    let mut at: HashMap<[usize; 2], usize> = HashMap::new();
+    for (k, t) in triangles.iter().enumerate().filter(|(_, t)| !is_point(t)) {
+        at.extend(sides(t).map(|side| (side, k)));
+    }
+    let mut gone = vec![false; triangles.len()];
+    let (mut left, mut waiting) = (SPLITS * flat.len(), 0);
+    while let Some(k) = flat.pop_front() {
+        let t = triangles[k];
+        if gone[k] || !is_flat(&t) {
+            continue;
+        }
+        let length = |[a, b]: [usize; 2]| {
+            let [x, y, z] = (vertices[b] - vertices[a]).into();
+            libm::hypot(libm::hypot(x, y), z)
+        };
+        let lengths = sides(&t).map(length);
+        let long = (0..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
+        let [a, b, c] = [0, 1, 2].map(|i| t[(long + i) % 3]);
+        let beyond = at.get(&[b, a]).copied().filter(|&other| !is_point(&t) && !gone[other]);
+        // those beside triangles with an area first
+        if beyond.is_some_and(|other| is_flat(&triangles[other])) && waiting < flat.len() {
+            waiting += 1;
+            flat.push_back(k);
+            continue;
+        }
+        waiting = 0;
+        gone[k] = true;
+        let Some(beyond) = beyond else { continue };
+        if left == 0 {
+            return Err(Error::Triangle {
+                triangle: k,
+                problem: "has no area, nor have others around it: remove them",
+            });
+        }
+        left -= 1;
+        let s = triangles[beyond].into_iter().find(|v| *v != a && *v != b).unwrap_or(c);
+        for side in [[a, b], [b, a]] {
+            at.remove(&side);
+        }
+        // one is the other turned round: nothing lies between
+        if s == c {
+            gone[beyond] = true;
+            continue;
+        }
+        let parts = [[b, c, s], [c, a, s]];
+        triangles[beyond] = parts[0];
+        triangles.push(parts[1]);
+        gone.push(false);
+        origin.push(origin[beyond]);
+        for (part, number) in parts.iter().zip([beyond, triangles.len() - 1]) {
+            at.extend(sides(part).map(|side| (side, number)));
+            if is_flat(part) && !flat.contains(&number) {
+                flat.push_back(number);
+            }
+        }
+    }
+    let is_left = |k: &usize| !gone[*k];
+    let left: Vec<usize> = (0..triangles.len()).filter(is_left).collect();
+    Ok(left.iter().map(|&k| (triangles[k], origin[k])).unzip())
+}

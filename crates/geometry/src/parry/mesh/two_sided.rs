@@ -1,0 +1,117 @@
+//! Triangles with the table on both sides: those that coincide with others whose normals are opposite.
+use super::Mesh;
+use crate::{BoxTree, Extent, plane::slack};
+use nalgebra::Vector3;
+
+/// Within this many times the [`slack`] of a triangle with two sides a point of another wall may count as on it: twice
+/// that, one for the triangle and one for the point, and a half for the rounding of a start there.
+const BAND: f64 = 2.5;
+
+/// Unit normals that differ by less than this, or are so nearly opposite, are those of one wall.
+const SAME: f64 = 1e-9;
+
+/// The triangles with two sides and a tree of their boxes.
+#[derive(Clone)]
+pub(super) struct Sheets {
+    pub(super) numbers: Vec<usize>,
+    pub(super) tree: BoxTree<3>,
+}
+
+/// Whether two triangles lie in one plane, but for rounding of vertices, and have more of it in common than an edge.
+///
+/// Two triangles in a plane are apart where a line along one of their six sides is between them.
+fn overlap(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3], normals: [&Vector3<f64>; 2], slack: f64) -> bool {
+    let rounding = 0.25 * slack;
+    let flat = |of: &[Vector3<f64>; 3], n: &Vector3<f64>, on: &[Vector3<f64>; 3]| {
+        of.iter().all(|p| n.dot(&(p - on[0])).abs() <= rounding)
+    };
+    // the normal of a narrow triangle is rounded more than that of another
+    if !flat(b, normals[0], a) && !flat(a, normals[1], b) {
+        return false;
+    }
+    let meets = |of: &[Vector3<f64>; 3], n: &Vector3<f64>, other: &[Vector3<f64>; 3]| {
+        (0..3).all(|i| {
+            let along = of[(i + 1) % 3] - of[i];
+            let inwards = n.cross(&(along / along.norm()));
+            other.iter().any(|p| inwards.dot(&(p - of[i])) > slack)
+        })
+    };
+    meets(a, normals[0], b) && meets(b, normals[1], a)
+}
+
+impl Mesh {
+    pub(super) fn corners(&self, k: usize) -> [Vector3<f64>; 3] {
+        self.triangles[k].map(|v| self.vertices[v])
+    }
+
+    /// The triangles that coincide with another one, or in part, which has the table on the other side.
+    ///
+    /// `n log n` operations for triangles in general position.
+    fn doubles(&self) -> Vec<usize> {
+        let is_double = |&k: &usize| {
+            let (corners, normal, mut found) = (self.corners(k), &self.normals[k], false);
+            let extent = Extent::of(corners);
+            self.tree.search(
+                |e| e.meets(&extent, self.slack),
+                |j| {
+                    found = found
+                        || (normal.dot(&self.normals[j]) < 0.0
+                            && overlap(&corners, &self.corners(j), [normal, &self.normals[j]], self.slack));
+                },
+            );
+            found
+        };
+        (0..self.triangles.len()).filter(is_double).collect()
+    }
+
+    /// Finds the triangles with two sides: what starts on them, within rounding, may be on either side and does not
+    /// cross them.
+    pub(super) fn mark_two_sided(&mut self) {
+        let numbers = self.doubles();
+        for &k in &numbers {
+            self.behind[k] = 0.5 * self.slack;
+        }
+        let tree = BoxTree::new(numbers.iter().map(|&k| Extent::of(self.corners(k))));
+        self.sheets = if numbers.is_empty() { None } else { Some(Sheets { numbers, tree }) };
+    }
+
+    /// Whether there are triangles with two sides.
+    pub(crate) fn has_two_sides(&self) -> bool {
+        self.sheets.is_some()
+    }
+
+    /// Whether a point lies on a triangle, but for so much.
+    pub(super) fn has_on_it(&self, k: usize, point: &Vector3<f64>, reach: f64) -> bool {
+        let (corners, n) = (self.corners(k), &self.normals[k]);
+        let inside = |i: usize| {
+            let along = corners[(i + 1) % 3] - corners[i];
+            n.cross(&(along / along.norm())).dot(&(point - corners[i])) >= -reach
+        };
+        n.dot(&(point - corners[0])).abs() <= reach && (0..3).all(inside)
+    }
+
+    /// Visits the triangles with two sides on which a point lies, but for so much.
+    pub(super) fn on_sheets(&self, point: &Vector3<f64>, reach: f64, mut visit: impl FnMut(usize)) {
+        let Some(sheets) = &self.sheets else { return };
+        sheets.tree.search(
+            |e| e.distance(point) <= 2.0 * reach,
+            |place| {
+                let k = sheets.numbers[place];
+                if self.has_on_it(k, point, reach) {
+                    visit(k);
+                }
+            },
+        );
+    }
+
+    /// Whether a point of a wall with this normal lies where a triangle with two sides meets that wall.
+    ///
+    /// What starts on such a triangle, within rounding, does not cross it. So a path that has just left another wall
+    /// beside it would slip through: orbits end there, as in a corner.
+    pub(crate) fn meets_a_sheet(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
+        let mut found = false;
+        let reach = BAND * self.slack.max(slack([point.amax()]));
+        self.on_sheets(point, reach, |k| found = found || normal.cross(&self.normals[k]).norm() > SAME);
+        found
+    }
+}

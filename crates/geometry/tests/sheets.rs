@@ -1,0 +1,222 @@
+//! Walls of triangles with the table on both sides.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+mod random;
+
+use geometry::{
+    Boundary, Line, Vector3,
+    parry::{Room, Side, SolidSpec},
+};
+use random::Random;
+
+type Triangles = (Vec<[f64; 3]>, Vec<[usize; 3]>);
+
+/// A box, counter-clockwise from outside.
+fn cuboid(low: [f64; 3], high: [f64; 3]) -> Triangles {
+    let vertices = (0..8).map(|k| [0, 1, 2].map(|i| if k >> i & 1 == 1 { high[i] } else { low[i] })).collect();
+    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    (vertices, sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect())
+}
+/// A square across the first axis at x = 1/2, there and back; the triangles of the back have the same corners but
+/// another diagonal, or are those about the middle.
+fn sheet(low: f64, high: f64, about_middle: bool) -> Triangles {
+    let middle = 0.5 * (low + high);
+    let corners = [[low, low], [high, low], [high, high], [low, high], [middle, middle]].map(|[y, z]| [0.5, y, z]);
+    let mut triangles = vec![[0, 1, 2], [0, 2, 3]];
+    if about_middle {
+        triangles.extend([[1, 0, 4], [2, 1, 4], [3, 2, 4], [0, 3, 4]]);
+    } else {
+        triangles.extend([[3, 2, 1], [3, 1, 0]]);
+    }
+    (corners.into(), triangles)
+}
+fn together(parts: &[Triangles]) -> SolidSpec {
+    let (mut vertices, mut triangles) = (vec![], vec![]);
+    for (points, numbers) in parts {
+        let first = vertices.len();
+        vertices.extend(points);
+        triangles.extend(numbers.iter().map(|t| t.map(|v| v + first)));
+    }
+    SolidSpec::TriMesh { vertices, triangles, margin: 0.0 }
+}
+fn unit_cube() -> Triangles {
+    cuboid([0.0; 3], [1.0; 3])
+}
+fn random_direction(random: &mut Random) -> Vector3<f64> {
+    Vector3::from_fn(|_, _| random.between(-1.0, 1.0))
+}
+
+/// The path after a reflection.
+fn reflected(hit: &geometry::Hit<3>, v: &Vector3<f64>) -> Line<3> {
+    Line { point: hit.point, velocity: v - hit.normal * (2.0 * hit.normal.dot(v)) }
+}
+
+#[test]
+fn a_sheet_drawn_from_both_sides_is_a_wall_on_both() {
+    let room =
+        |about_middle: bool| together(&[unit_cube(), sheet(0.0, 1.0, about_middle)]).solid([0.0; 3], Side::Inside);
+    // two rooms side by side, one of them smaller
+    let rooms = together(&[cuboid([0.0; 3], [0.5, 1.0, 1.0]), cuboid([0.5, 0.25, 0.0], [1.0, 0.75, 0.5])]);
+    let scenes = [room(true), room(false), rooms.solid([0.0; 3], Side::Inside)];
+    for (scene, solid) in scenes.into_iter().enumerate() {
+        let solid = solid.unwrap();
+        let mut random = Random(3);
+        for side in [0.0, 0.5] {
+            for _ in 0..200 {
+                let point = Vector3::from_fn(|i, _| random.between(0.3, 0.45) + if i == 0 { side } else { 0.0 });
+                let mut path = Line { point, velocity: random_direction(&mut random) };
+                for bounce in 0..50 {
+                    let hit = solid.first_hit(&path).unwrap_or_else(|| panic!("{scene}: lost after {bounce}"));
+                    assert!(hit.time > 0.0, "{scene}: {bounce} {path:?}");
+                    assert!((side..=side + 0.5).contains(&hit.point.x), "{scene}: {bounce} {path:?}");
+                    if hit.corner {
+                        break;
+                    }
+                    path = reflected(&hit, &path.velocity);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_slips_through_where_a_sheet_stands_on_a_wall() {
+    let sheets = |about_middle| together(&[sheet(0.0, 1.0, about_middle)]).solid([0.0; 3], Side::Outside).unwrap();
+    let cube = || SolidSpec::Cuboid { size: [1.0; 3], rounding: 0.0 }.solid([0.5; 3], Side::Inside).unwrap();
+    let one = |about_middle: bool| {
+        together(&[unit_cube(), sheet(0.0, 1.0, about_middle)]).solid([0.0; 3], Side::Inside).unwrap()
+    };
+    let rooms: Vec<Room> = [false, true]
+        .into_iter()
+        .flat_map(|about_middle| [Room::new(vec![one(about_middle)]), Room::new(vec![cube(), sheets(about_middle)])])
+        .collect();
+    let mut random = Random(5);
+    for (scene, room) in rooms.iter().enumerate() {
+        let mut corners = 0;
+        for k in 0..20_000 {
+            // at a place of the floor just left of the sheet
+            let away = f64::from(k % 200) * 2e-16;
+            let aim = Vector3::new(0.5 - away, random.between(0.1, 0.9), 0.0);
+            let from = Vector3::new(random.between(0.1, 0.49), random.between(0.1, 0.9), random.between(0.1, 0.9));
+            let path = Line { point: from, velocity: aim - from };
+            let hit = room.first_hit(&path).unwrap();
+            corners += u32::from(hit.corner);
+            // a rough floor sends it anywhere
+            let velocity = Vector3::new(random.between(0.0, 1.0), random.between(-0.1, 0.1), random.between(0.2, 1.0));
+            if hit.corner || hit.normal.z < 0.9 {
+                continue;
+            }
+            let next = room.first_hit(&Line { point: hit.point, velocity }).unwrap();
+            assert!(next.point.x <= 0.5, "{scene}: {path:?} {hit:?} {next:?}");
+        }
+        assert!((1000..20_000).contains(&corners), "{scene}: {corners}");
+        let beside = Vector3::new(0.5 - 1e-12, 0.5, 0.0);
+        let path = Line { point: Vector3::new(0.25, 0.5, 0.5), velocity: beside - Vector3::new(0.25, 0.5, 0.5) };
+        assert!(!room.first_hit(&path).unwrap().corner);
+    }
+}
+
+#[test]
+fn a_point_beside_a_sheet_is_on_the_side_of_the_face_that_looks_at_it() {
+    for about_middle in [false, true] {
+        let sheet = || sheet(0.2, 0.8, about_middle);
+        let alone = together(&[sheet()]);
+        let wall = together(&[unit_cube(), sheet()]);
+        let (around, room) =
+            (alone.solid([0.0; 3], Side::Outside).unwrap(), wall.solid([0.0; 3], Side::Inside).unwrap());
+        let kept = |spec: &SolidSpec, side| spec.parallel(side, 0.01).unwrap().0.solid([0.0; 3], side).unwrap();
+        let balls = [kept(&alone, Side::Outside), kept(&wall, Side::Inside)];
+        let mut random = Random(7);
+        for k in 0..20_000 {
+            let mut point = Vector3::from_fn(|_, _| random.between(0.01, 0.99));
+            if k % 2 == 0 {
+                let near = libm::exp2(random.between(-40.0, -2.0));
+                point.x = if random.unit() < 0.5 { 0.5 - near } else { 0.5 + near };
+            }
+            let out = [point.y, point.z].map(|x| (0.2 - x).max(x - 0.8).max(0.0));
+            let off = libm::hypot(point.x - 0.5, libm::hypot(out[0], out[1]));
+            let to_cube = point.iter().map(|x| x.min(1.0 - x)).fold(1.0, f64::min);
+            for (solid, expected) in [(&around, off), (&room, off.min(to_cube))] {
+                let seen = solid.closest(&point);
+                assert!((seen.distance - expected).abs() < 1e-14, "{point} {expected} {seen:?}");
+                let foot = point - seen.normal * seen.distance;
+                assert!((foot - seen.point).norm() < 1e-14, "{point} {seen:?}");
+                assert!(solid.contains(&point));
+            }
+            for (solid, expected) in balls.iter().zip([off, off.min(to_cube)]) {
+                assert!((solid.distance(&point) - (expected - 0.01)).abs() < 1e-14, "{point}");
+            }
+        }
+    }
+}
+
+#[test]
+fn inside_of_solid_bodies_that_touch_there_is_no_table() {
+    let low = cuboid([0.0; 3], [0.5, 1.0, 1.0]);
+    let bodies = together(&[low, cuboid([0.5, 0.25, 0.0], [1.0, 0.75, 0.5])]);
+    let [inside, outside] = [Side::Inside, Side::Outside].map(|side| bodies.solid([0.0; 3], side).unwrap());
+    let mut random = Random(11);
+    for k in 0..20_000 {
+        let mut point = Vector3::from_fn(|_, _| random.between(-0.2, 1.2));
+        if k % 2 == 0 {
+            point.x = 0.5 + libm::exp2(random.between(-40.0, -3.0)) * if random.unit() < 0.5 { -1.0 } else { 1.0 };
+        }
+        let within = |low: [f64; 3], high: [f64; 3]| (0..3).all(|i| low[i] < point[i] && point[i] < high[i]);
+        let is_inside = within([0.0; 3], [0.5, 1.0, 1.0]) || within([0.5, 0.25, 0.0], [1.0, 0.75, 0.5]);
+        assert_eq!((inside.contains(&point), outside.contains(&point)), (is_inside, !is_inside), "{point}");
+        assert!((inside.distance(&point) + outside.distance(&point)).abs() < 1e-15, "{point}");
+    }
+}
+
+#[test]
+fn sheets_in_general_position_are_walls_on_both_sides() {
+    let mut random = Random(13);
+    let mut corners = 0;
+    for scene in 0..60 {
+        // turned about two axes, moved, and of any size
+        let turn = |random: &mut Random| {
+            let angle = random.between(0.0, 6.0);
+            (libm::cos(angle), libm::sin(angle))
+        };
+        let (a, b) = (turn(&mut random), turn(&mut random));
+        let size = libm::exp2(random.between(-30.0, 30.0));
+        let shift = Vector3::from_fn(|_, _| random.between(-3.0, 3.0));
+        let place = |p: Vector3<f64>| {
+            let p = Vector3::new(a.0 * p.x - a.1 * p.y, a.1 * p.x + a.0 * p.y, p.z);
+            (Vector3::new(p.x, b.0 * p.y - b.1 * p.z, b.1 * p.y + b.0 * p.z) + shift) * size
+        };
+        let (low, high) = if scene % 2 == 0 { (0.0, 1.0) } else { (0.2, 0.7) };
+        let parts = match scene % 3 {
+            0 => [unit_cube(), sheet(low, high, scene % 4 < 2)],
+            _ => [cuboid([0.0; 3], [0.5, 1.0, 1.0]), cuboid([0.5, low, 0.2], [1.0, high, 0.7])],
+        };
+        // whole sheets, and rooms, part one half from the other
+        let parted = low == 0.0 || scene % 3 > 0;
+        let SolidSpec::TriMesh { vertices, triangles, .. } = together(&parts) else { panic!() };
+        let vertices = vertices.into_iter().map(|p| place(p.into()).into()).collect();
+        let room = SolidSpec::TriMesh { vertices, triangles, margin: 0.0 };
+        let room = room.solid([0.0; 3], Side::Inside).unwrap();
+        let across = (place(Vector3::x()) - place(Vector3::zeros())) / size;
+        let height = |p: &Vector3<f64>| (p / size - shift).dot(&across);
+        for side in [-1.0, 1.0] {
+            for _ in 0..100 {
+                let start = Vector3::new(0.5 + side * 0.1, random.between(0.3, 0.6), random.between(0.3, 0.6));
+                let mut path = Line { point: place(start), velocity: random_direction(&mut random) * size };
+                assert!(room.contains(&path.point), "{scene}");
+                for bounce in 0..60 {
+                    let hit = room.first_hit(&path).unwrap_or_else(|| panic!("{scene}: lost after {bounce}"));
+                    assert!(hit.time > 0.0, "{scene}: {bounce}");
+                    assert!(!parted || (height(&hit.point) - 0.5) * side > -1e-12, "{scene}: {bounce} {path:?}");
+                    if hit.corner {
+                        corners += 1;
+                        break;
+                    }
+                    // a rough wall
+                    let d = random_direction(&mut random);
+                    let along = d - hit.normal * hit.normal.dot(&d);
+                    path = Line { point: hit.point, velocity: (along + hit.normal * random.between(0.0, 1.0)) * size };
+                }
+            }
+        }
+    }
+    assert!(corners < 10, "{corners}");
+}

@@ -1,0 +1,118 @@
+//! Closed meshes of several parts.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+use geometry::{
+    Error, Vector3,
+    parry::{Side, SolidSpec},
+};
+
+type Triangles = (Vec<[f64; 3]>, Vec<[usize; 3]>);
+
+/// A cube about a point of the first axis, counter-clockwise from outside.
+fn cube(at: f64, half: f64) -> Triangles {
+    let corner = |k: usize| [0, 1, 2].map(|i| if k >> i & 1 == 1 { half } else { -half });
+    let vertices = (0..8).map(corner).map(|[x, y, z]| [x + at, y, z]).collect();
+    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    (vertices, sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect())
+}
+fn turned((vertices, triangles): Triangles) -> Triangles {
+    (vertices, triangles.into_iter().map(|[a, b, c]| [a, c, b]).collect())
+}
+fn together(parts: Vec<Triangles>) -> SolidSpec {
+    let (mut vertices, mut triangles) = (vec![], vec![]);
+    for (points, numbers) in parts {
+        let first = vertices.len();
+        vertices.extend(points);
+        triangles.extend(numbers.iter().map(|t| t.map(|v| v + first)));
+    }
+    SolidSpec::TriMesh { vertices, triangles, margin: 0.0 }
+}
+/// The triangle named in the error, for either side, also if all of it is turned round.
+fn refused(parts: &[Triangles]) -> Option<usize> {
+    let all = [parts.to_vec(), parts.iter().cloned().map(turned).collect()];
+    let mut found = vec![];
+    for parts in all {
+        for side in [Side::Inside, Side::Outside] {
+            found.push(match together(parts.clone()).solid([0.0; 3], side) {
+                Err(Error::Triangle { triangle, .. }) => Some(triangle),
+                other => other.map(|_| None).unwrap(),
+            });
+        }
+    }
+    assert!(found.iter().all(|one| *one == found[0]), "{found:?}");
+    found[0]
+}
+
+#[test]
+fn a_part_that_is_inside_out_is_refused_by_a_triangle_of_its_own() {
+    assert_eq!(refused(&[cube(0.0, 1.0), cube(4.0, 0.5)]), None);
+    assert_eq!(refused(&[cube(0.0, 1.0), turned(cube(4.0, 0.5))]), Some(12));
+    assert_eq!(refused(&[turned(cube(4.0, 0.5)), cube(0.0, 1.0)]), Some(0));
+    // one that touches the other
+    assert_eq!(refused(&[cube(0.0, 1.0), cube(1.5, 0.5)]), None);
+    assert_eq!(refused(&[cube(0.0, 1.0), turned(cube(1.5, 0.5))]), Some(12));
+    // numbers are those given, also after a triangle without area
+    let (mut vertices, mut triangles) = cube(0.0, 1.0);
+    vertices.push([0.0, -1.0, -1.0]);
+    triangles[4] = [0, 8, 5];
+    triangles.insert(4, [8, 1, 5]);
+    triangles.insert(0, [0, 1, 8]);
+    assert_eq!(refused(&[(vertices, triangles), turned(cube(4.0, 0.5))]), Some(14));
+}
+
+#[test]
+fn parts_in_one_another_are_by_turns_bodies_and_cavities() {
+    let nested = |turns: &[bool]| {
+        let half = |k: usize| [4.0, 2.0, 1.0, 0.5][k];
+        let one = |(k, turn): (usize, &bool)| if *turn { turned(cube(0.0, half(k))) } else { cube(0.0, half(k)) };
+        turns.iter().enumerate().map(one).collect::<Vec<_>>()
+    };
+    assert_eq!(refused(&nested(&[false, true])), None);
+    assert_eq!(refused(&nested(&[false, true, false])), None);
+    assert_eq!(refused(&nested(&[false, true, false, true])), None);
+    assert_eq!(refused(&nested(&[false, false])), Some(12));
+    assert_eq!(refused(&nested(&[false, true, true])), Some(24));
+    let hollow = together(nested(&[false, true, false])).solid([0.0; 3], Side::Inside).unwrap();
+    let there = [0.5, 1.5, 3.0, 5.0].map(|x| hollow.contains(&Vector3::new(x, 0.1, 0.2)));
+    assert_eq!(there, [true, false, true, false]);
+    // parts that overlap: of the first, the middle of this triangle lies in the second
+    assert_eq!(refused(&[cube(0.0, 1.0), cube(1.25, 0.75)]), Some(10));
+}
+
+#[test]
+fn a_surface_that_is_none_says_what_is_wrong_with_it() {
+    let problem = |vertices: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>| {
+        let mesh = SolidSpec::TriMesh { vertices, triangles, margin: 0.0 };
+        mesh.solid([0.0; 3], Side::Outside).unwrap_err().to_string()
+    };
+    let (vertices, triangles) = cube(0.0, 1.0);
+    let twice = [&triangles[..], &[[triangles[3][1], triangles[3][2], triangles[3][0]]]].concat();
+    assert_eq!(
+        problem(vertices.clone(), twice),
+        "triangle mesh: triangle 12, counted from 0, stands there twice: remove one of the two"
+    );
+    // cubes that touch along an edge
+    let SolidSpec::TriMesh { vertices: two, triangles: of_both, .. } = together(vec![cube(0.0, 1.0), cube(0.0, 1.0)])
+    else {
+        panic!()
+    };
+    let moved = |(k, [x, y, z]): (usize, [f64; 3])| if k < 8 { [x, y, z] } else { [x + 2.0, y + 2.0, z] };
+    let touching = problem(two.into_iter().enumerate().map(moved).collect(), of_both);
+    assert!(touching.contains("an edge on which more than two triangles stand"), "{touching}");
+    let mut mixed = triangles;
+    mixed[0].swap(0, 1);
+    let mixed = problem(vertices, mixed);
+    assert!(mixed.contains("turn one of them round"), "{mixed}");
+    // a Möbius strip
+    let strip: Vec<[f64; 3]> = (0..16)
+        .map(|k| {
+            let angle = f64::from(k / 2) * core::f64::consts::PI / 4.0;
+            let across = if k % 2 == 0 { -0.3 } else { 0.3 };
+            let r = 1.0 + across * libm::cos(0.5 * angle);
+            [r * libm::cos(angle), r * libm::sin(angle), across * libm::sin(0.5 * angle)]
+        })
+        .collect();
+    let vertex = |k: usize| if k < 16 { k } else { 17 - (k - 16) - 16 };
+    let along = (0..16).map(|k| if k % 2 == 0 { [k, k + 1, k + 2] } else { [k + 1, k, k + 2] });
+    let moebius = problem(strip, along.map(|t| t.map(vertex)).collect());
+    assert!(moebius.contains("has only one side"), "{moebius}");
+}
