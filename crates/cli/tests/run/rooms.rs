@@ -171,6 +171,26 @@ fn triangles_come_from_a_file() {
 }
 
 #[test]
+fn the_volume_in_which_a_centre_moves_is_told_as_that() {
+    let folder = Folder::new("centres");
+    let told = |particle: &str| {
+        let scene = format!(
+            "law = \"specular\"\n[table]\ndimension = 3\nname = \"ball\"\n{particle}[[orbit]]\nposition = [0, 0, 0]\n\
+             velocity = [1, 0, 0]\n[run]\ncollisions = 1\n"
+        );
+        std::fs::write(folder.0.join("ball.toml"), scene).unwrap();
+        let mut check = Command::cargo_bin("billiards").unwrap();
+        let told = check.current_dir(&folder.0).args(["check", "ball.toml"]).output().unwrap();
+        String::from_utf8(told.stdout).unwrap()
+    };
+    let (point, ball) = (told(""), told("[particle]\nradius = 0.1\n"));
+    // 4π/3, and 0.9³ of it
+    assert!(point.contains("volume      4.18879\n") && !point.contains("centre moves"), "{point}");
+    let of_centre = "a ball of radius 0.1; this is the region in which its centre moves";
+    assert!(ball.contains("volume      3.05363\n") && ball.contains(of_centre), "{ball}");
+}
+
+#[test]
 fn rooms_that_cannot_be_filled_are_refused() {
     let folder = Folder::new("rooms-refused");
     let tilted = "plane = { through = [0, 0, 4], normal = [0, 0, -1] }";

@@ -116,8 +116,8 @@ impl Junctions {
             let rounding = CORNER * x.amax();
             let farthest = self.reach.max(rounding);
             let from = self.places.partition_point(|(place, _)| place.x < point.x - farthest);
-            let near = self.places[from..].iter().take_while(|(place, _)| place.x <= point.x + farthest);
-            near.into_iter().any(|(place, reach)| (point - place).amax() <= reach.max(rounding))
+            let mut near = self.places[from..].iter().take_while(|(place, _)| place.x <= point.x + farthest);
+            near.any(|(place, reach)| (point - place).amax() <= reach.max(rounding))
         };
         let zero = x[0].same(0.0);
         zero.lt(zero.each(|lane| if is_near(lane) { 1.0 } else { 0.0 }))

@@ -1,8 +1,9 @@
 //! Triangles without area, whose long side has others beyond it than the two short ones.
 use super::{across, sides};
 use crate::Error;
+use core::cmp::Reverse;
 use nalgebra::Vector3;
-use std::collections::{HashMap, VecDeque};
+use std::collections::{BinaryHeap, HashMap};
 
 /// A triangle may be split where several without area lie one on another, each of them a few times.
 const SPLITS: usize = 16;
@@ -12,7 +13,8 @@ const SPLITS: usize = 16;
 ///
 /// One without area, with a corner `c` on its long side from `a` to `b`, is taken out, and the triangle `b a s` beyond
 /// that side is split at `c`: into `b c s`, which keeps its place, and `c a s`, at the end. Otherwise rounding would
-/// leave a gap between `a b` and `a c b`.
+/// leave a gap between `a b` and `a c b`. The longest goes first: what lies beyond the long side of another one has an area then, unless
+/// its long side is the same. So `n` of them take `n log n` steps, wherever they lie.
 ///
 /// # Errors
 /// [`Error::Triangle`] where that leads to no end.
@@ -22,7 +24,17 @@ pub(super) fn split(
 ) -> Result<(Vec<[usize; 3]>, Vec<usize>), Error> {
     let is_flat = |t: &[usize; 3]| !(across(t.map(|v| vertices[v])).0.norm_squared() > 0.0);
     let is_point = |[a, b, c]: &[usize; 3]| a == b || b == c || c == a;
-    let mut flat: VecDeque<usize> = (0..triangles.len()).filter(|&k| is_flat(&triangles[k])).collect();
+    let lengths = |t: &[usize; 3]| {
+        sides(t).map(|[a, b]| {
+            let [x, y, z] = (vertices[b] - vertices[a]).into();
+            libm::hypot(libm::hypot(x, y), z)
+        })
+    };
+    // in the order of positive numbers, then of places
+    let size = |t: &[usize; 3]| lengths(t).into_iter().fold(0.0, f64::max).to_bits();
+    let entry = |k: usize, t: &[usize; 3]| (size(t), Reverse(k));
+    let mut flat: BinaryHeap<_> =
+        triangles.iter().enumerate().filter(|(_, t)| is_flat(t)).map(|(k, t)| entry(k, t)).collect();
     let mut origin: Vec<usize> = (0..triangles.len()).collect();
     if flat.is_empty() {
         return Ok((triangles, origin));
@@ -32,27 +44,17 @@ pub(super) fn split(
         at.extend(sides(t).map(|side| (side, k)));
     }
     let mut gone = vec![false; triangles.len()];
-    let (mut left, mut waiting) = (SPLITS * flat.len(), 0);
-    while let Some(k) = flat.pop_front() {
+    let mut left = SPLITS * flat.len();
+    while let Some((longest, Reverse(k))) = flat.pop() {
         let t = triangles[k];
-        if gone[k] || !is_flat(&t) {
+        // what has been split since is there once more, if it needs to be
+        if gone[k] || !is_flat(&t) || size(&t) != longest {
             continue;
         }
-        let length = |[a, b]: [usize; 2]| {
-            let [x, y, z] = (vertices[b] - vertices[a]).into();
-            libm::hypot(libm::hypot(x, y), z)
-        };
-        let lengths = sides(&t).map(length);
+        let lengths = lengths(&t);
         let long = (0..3).fold(0, |best, i| if lengths[i] > lengths[best] { i } else { best });
         let [a, b, c] = [0, 1, 2].map(|i| t[(long + i) % 3]);
         let beyond = at.get(&[b, a]).copied().filter(|&other| !is_point(&t) && !gone[other]);
-        // those beside triangles with an area first
-        if beyond.is_some_and(|other| is_flat(&triangles[other])) && waiting < flat.len() {
-            waiting += 1;
-            flat.push_back(k);
-            continue;
-        }
-        waiting = 0;
         gone[k] = true;
         let Some(beyond) = beyond else { continue };
         if left == 0 {
@@ -78,8 +80,8 @@ pub(super) fn split(
         origin.push(origin[beyond]);
         for (part, number) in parts.iter().zip([beyond, triangles.len() - 1]) {
             at.extend(sides(part).map(|side| (side, number)));
-            if is_flat(part) && !flat.contains(&number) {
-                flat.push_back(number);
+            if is_flat(part) {
+                flat.push(entry(number, part));
             }
         }
     }
