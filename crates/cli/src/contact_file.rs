@@ -178,7 +178,7 @@ fn matrix(item: &Item, n: usize, problems: &mut Problems) -> Option<Vec<f64>> {
 }
 
 fn body(item: &Item, n: usize, problems: &mut Problems) -> Option<BodyEntry> {
-    let mut section = Section::new(item, "a body", problems)?;
+    let mut section = Section::inline(item, "a body", "{ mass = \"inf\" }", problems)?;
     let mass = section.required("mass", "mass = 1, or mass = \"inf\"").map(|item| (item, is_infinite(&item.value)));
     if let Some((_, true)) = mass {
         // A fixed body has no inertia, and where its centre of mass lies does not matter.
@@ -224,7 +224,7 @@ fn is_infinite(mass: &Value) -> bool {
 }
 
 fn motion(item: &Item, n: usize, problems: &mut Problems) -> Option<Motion> {
-    let mut section = Section::new(item, "a velocity", problems)?;
+    let mut section = Section::inline(item, "a velocity", "{ v = [0, -1], w = 0 }", problems)?;
     let v = section.required("v", "v = [0, -1]").and_then(|item| vector(item, n, problems));
     let w = section.required("w", if n == 2 { "w = 0" } else { "w = [0, 0, 0]" }).and_then(|item| {
         let w = match n {

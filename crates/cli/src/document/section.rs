@@ -25,15 +25,24 @@ struct Missing<'a> {
 }
 
 impl<'a> Section<'a> {
-    /// Starts to read a table; anything else is recorded as an error. `name` is how messages call it: `[[orbit]]`.
-    pub fn new(item: &'a Item, name: impl Into<String>, problems: &mut Problems) -> Option<Self> {
-        let name = name.into();
+    /// Starts to read a table with a header of its own, which is how messages call it: `[[orbit]]`. Anything else is recorded as
+    /// an error.
+    pub fn new(item: &'a Item, name: &str, problems: &mut Problems) -> Option<Self> {
+        Self::read(item, name, format!("write {name} on a line of its own, and its keys below"), problems)
+    }
+
+    /// The same of a table within braces, of which `example` shows one.
+    pub fn inline(item: &'a Item, name: &str, example: &str, problems: &mut Problems) -> Option<Self> {
+        Self::read(item, name, format!("write for instance {example}"), problems)
+    }
+
+    fn read(item: &'a Item, name: &str, help: String, problems: &mut Problems) -> Option<Self> {
         match &item.value {
             Value::Table(entries) => {
-                Some(Self { name, span: item.span, entries, known: Vec::new(), missing: Vec::new() })
+                Some(Self { name: name.into(), span: item.span, entries, known: Vec::new(), missing: Vec::new() })
             }
             other => {
-                problems.add(item.span, format!("{name} must be a table, found {}", other.kind()));
+                problems.add_with_help(item.span, format!("{name} must be a table, found {}", other.kind()), help);
                 None
             }
         }

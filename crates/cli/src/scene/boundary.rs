@@ -220,11 +220,7 @@ pub(super) fn kinds(dimension: usize) -> &'static [&'static str] {
 pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Entry> {
     let mut section = Section::new(item, "[[table.boundary]]", problems)?;
     let law = law::at_most_one(&mut section, dimension, problems);
-    let (other, example) = if dimension == 2 {
-        (3, "circle = { center = [0, 0], radius = 1 }")
-    } else {
-        (2, "sphere = { center = [0, 0, 0], radius = 1 }")
-    };
+    let (other, example) = if dimension == 2 { (3, example_of("circle")) } else { (2, example_of("sphere")) };
     let keys: Vec<_> = section.others().map(|(key, _)| key).collect();
     let wall_in = |dimension| keys.iter().find(|key| kinds(dimension).contains(&&key.value[..]));
     if let (None, Some(key)) = (wall_in(dimension), wall_in(other)) {
@@ -235,11 +231,28 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     let found = section.one_of(kinds(dimension), example, problems);
     let border = found.and_then(|(key, item)| match key {
         "outline" => text(item, "write for instance \"room.svg\"", problems).map(|file| Border::Outline { file }),
-        _ => border(key, Section::new(item, key, problems)?, dimension, problems),
+        _ => border(key, Section::inline(item, key, example_of(key), problems)?, dimension, problems),
     });
     section.finish(problems);
     let span = found.map_or(item.span, |(_, item)| item.span);
     Some(Entry { span, border: border?, law })
+}
+
+/// How to write a kind of wall.
+fn example_of(key: &str) -> &'static str {
+    match key {
+        "chain" => "chain = { from = [0, 0], edges = [{ line_to = [1, 0] }] }",
+        "circle" => "circle = { center = [0, 0], radius = 1 }",
+        "sphere" => "sphere = { center = [0, 0, 0], radius = 1 }",
+        "ellipse" => "ellipse = { center = [0, 0], semi_axes = [2, 1] }",
+        "line" => "line = { through = [0, 0], direction = [1, 0] }",
+        "ray" => "ray = { from = [0, 0], direction = [1, 0] }",
+        "curve" => "curve = { polar = \"2 + 0.2*cos(5*t)\" }",
+        "plane" => "plane = { through = [0, 0, 0], normal = [0, 0, 1] }",
+        "mesh" => "mesh = { file = \"rock.obj\" }",
+        "shape" => "shape = { name = \"ball\", radius = 1 }",
+        _ => "loop = { from = [0, 0], edges = [{ line_to = [1, 0] }, { line_to = [0, 1] }, { line_to = [0, 0] }] }",
+    }
 }
 
 fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems) -> Option<Border> {
@@ -375,7 +388,7 @@ fn edges(item: &Item, closed: bool, problems: &mut Problems) -> Option<Vec<Edge>
 }
 
 fn edge(item: &Item, problems: &mut Problems) -> Option<Edge> {
-    let mut section = Section::new(item, "an edge", problems)?;
+    let mut section = Section::inline(item, "an edge", "{ line_to = [1, 0] }", problems)?;
     let law = law::at_most_one(&mut section, 2, problems);
     let path = match section.one_of(&["line_to", "arc_to"], "line_to = [1, 0]", problems) {
         Some(("line_to", item)) => point(item, 2, problems).map(|to| EdgePath::Line { to }),

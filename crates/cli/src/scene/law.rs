@@ -158,7 +158,7 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
         problems.add_with_help(item.span, format!("a law is a string or a table, not {}", item.value.kind()), help);
         return None;
     };
-    let mut section = Section::new(item, "law", problems)?;
+    let mut section = Section::inline(item, "law", "{ name = \"no-slip\" }", problems)?;
     if let Some(("rough", directions)) = section.at_most_one_of(&["name", "rough"], problems) {
         let kind = rough(directions, dimension, problems);
         section.finish(problems);

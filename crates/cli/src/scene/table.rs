@@ -160,7 +160,7 @@ fn piece_number(key: &Spanned<String>, problems: &mut Problems) -> Option<usize>
 }
 
 fn laws(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<PieceLaw>> {
-    let section = Section::new(item, "laws", problems)?;
+    let section = Section::inline(item, "laws", "laws = { 0 = \"specular\" }", problems)?;
     let read: Vec<_> = section
         .others()
         .map(|(key, item)| {
