@@ -14,8 +14,8 @@ pub struct Description {
     pub pieces: usize,
     /// Length of the boundary \[L\], per unit cell on a lattice.
     pub perimeter: f64,
-    /// Joints of two pieces at which the boundary turns, once each. ([`Table::corners`] are vertices at which the normal jumps, two for a
-    /// joint across cells of a lattice.)
+    /// Joints of two pieces at which the boundary turns, once each, and places where walls touch, once for each part of the table.
+    /// ([`Table::corners`] are vertices at which the normal jumps, two for a joint across cells of a lattice.)
     pub corners: usize,
     /// Those of them where the table's angle is greater than π.
     pub re_entrant_corners: usize,
@@ -52,18 +52,21 @@ impl Table {
     /// # Ok::<(), geometry::Error>(())
     /// ```
     pub fn describe(&self) -> Description {
-        let turns: Vec<f64> = joints(self).iter().map(|joint| joint.turn(self)).collect();
+        let parted = self.parted();
+        let walls = parted.as_ref().map_or(self, |(table, _)| table);
+        let turns: Vec<f64> = joints(walls).iter().map(|joint| joint.turn(walls)).collect();
         Description {
             pieces: self.pieces().len(),
             perimeter: self.perimeter(),
             corners: turns.iter().filter(|t| t.abs() > SMOOTH).count(),
             re_entrant_corners: turns.iter().filter(|&&t| t < -SMOOTH).count(),
-            components: self.components(),
+            components: components(walls, parted.as_ref().map(|(_, numbers)| &numbers[..])),
             largest_disk: self.largest_disk(),
         }
     }
 
-    /// The connected parts of the table, in the order of their lowest piece numbers.
+    /// The connected parts of the table, in the order of their lowest piece numbers: what a point can reach. Walls part it where they touch
+    /// at points, too, and a piece may bound several of them; where ellipses or curves by formulas touch, that is not seen.
     ///
     /// ```
     /// use geometry::tables;
@@ -73,57 +76,69 @@ impl Table {
     /// # Ok::<(), geometry::Error>(())
     /// ```
     pub fn components(&self) -> Vec<Component> {
-        let sight = Sight::new(self, 2.0);
-        let chains = &sight.chains;
-        let mut groups = Groups::new(chains.len());
-        let distant = sight.infinite();
-        // in one direction, every chain sees the next one of its part of the table, and the last of them its outer wall: upwards but for
-        // two degrees, as a drawn side or a line through two drawn vertices hardly ever is
-        let up = Vector2::new(0.032_475_5, 0.999_472_5);
-        let mut outside: Option<usize> = None;
-        for k in 0..chains.len() {
-            let others = distant.iter().filter(|&&other| other != k).map(|&other| Aim::At(other));
-            for aim in [Aim::Along(up), Aim::Inward].into_iter().chain(others) {
-                let until = |wall: &Wall| {
-                    let there = sight.chain_of[wall.number];
-                    if let Aim::At(other) = aim { there == other } else { there != k }
-                };
-                let Some((walls, escapes)) = sight.look(k, aim, until) else { continue };
-                for pair in walls.windows(2).filter(|pair| pair[0].into_table) {
-                    groups.unite(sight.chain_of[pair[0].number], sight.chain_of[pair[1].number]);
-                }
-                // without infinite walls there is one outside
-                if escapes
-                    && distant.is_empty()
-                    && self.shortest().is_none()
-                    && let Some(last) = walls.last().filter(|wall| wall.into_table)
-                {
-                    let last = sight.chain_of[last.number];
-                    groups.unite(*outside.get_or_insert(last), last);
-                }
+        match self.parted() {
+            Some((table, numbers)) => components(&table, Some(&numbers)),
+            None => components(self, None),
+        }
+    }
+}
+
+/// The connected parts of a table on whose boundary nothing touches, or of which the pieces are parts of those with the given numbers.
+fn components(table: &Table, numbers: Option<&[usize]>) -> Vec<Component> {
+    let sight = Sight::new(table, 2.0);
+    let chains = &sight.chains;
+    let mut groups = Groups::new(chains.len());
+    let distant = sight.infinite();
+    // in one direction, every chain sees the next one of its part of the table, and the last of them its outer wall: upwards but for
+    // two degrees, as a drawn side or a line through two drawn vertices hardly ever is
+    let up = Vector2::new(0.032_475_5, 0.999_472_5);
+    let mut outside: Option<usize> = None;
+    for k in 0..chains.len() {
+        let others = distant.iter().filter(|&&other| other != k).map(|&other| Aim::At(other));
+        for aim in [Aim::Along(up), Aim::Inward].into_iter().chain(others) {
+            let until = |wall: &Wall| {
+                let there = sight.chain_of[wall.number];
+                if let Aim::At(other) = aim { there == other } else { there != k }
+            };
+            let Some((walls, escapes)) = sight.look(k, aim, until) else { continue };
+            for pair in walls.windows(2).filter(|pair| pair[0].into_table) {
+                groups.unite(sight.chain_of[pair[0].number], sight.chain_of[pair[1].number]);
+            }
+            // without infinite walls there is one outside
+            if escapes
+                && distant.is_empty()
+                && table.shortest().is_none()
+                && let Some(last) = walls.last().filter(|wall| wall.into_table)
+            {
+                let last = sight.chain_of[last.number];
+                groups.unite(*outside.get_or_insert(last), last);
             }
         }
-        let infinite = |chain: &Vec<usize>| chain.iter().any(|&i| !self.pieces()[i].length().is_finite());
-        let mut components: Vec<Component> = vec![];
-        for group in groups.all() {
-            let members: Vec<&Vec<usize>> = group.iter().map(|&k| &chains[k]).collect();
-            let mut pieces: Vec<usize> = members.iter().flat_map(|c| c.iter().copied()).collect();
-            pieces.sort_unstable();
-            let area = if members.iter().any(|c| infinite(c)) {
-                f64::INFINITY
-            } else {
-                let enclosed = self.enclosed_by(members.iter().copied());
-                match self.shortest() {
-                    _ if enclosed > 0.0 => enclosed,
-                    Some(lattice) => lattice.cell_area() + enclosed,
-                    None => f64::INFINITY,
-                }
-            };
-            components.push(Component { pieces, area });
-        }
-        components.sort_by(|a, b| a.pieces.cmp(&b.pieces));
-        components
     }
+    let infinite = |chain: &Vec<usize>| chain.iter().any(|&i| !table.pieces()[i].length().is_finite());
+    let mut components: Vec<Component> = vec![];
+    for group in groups.all() {
+        let members: Vec<&Vec<usize>> = group.iter().map(|&k| &chains[k]).collect();
+        let mut pieces: Vec<usize> = members.iter().flat_map(|c| c.iter().copied()).collect();
+        pieces.sort_unstable();
+        let area = if members.iter().any(|c| infinite(c)) {
+            f64::INFINITY
+        } else {
+            let enclosed = table.enclosed_by(members.iter().copied());
+            match table.shortest() {
+                _ if enclosed > 0.0 => enclosed,
+                Some(lattice) => lattice.cell_area() + enclosed,
+                None => f64::INFINITY,
+            }
+        };
+        if let Some(numbers) = numbers {
+            pieces = pieces.into_iter().map(|i| numbers[i]).collect();
+            pieces.dedup();
+        }
+        components.push(Component { pieces, area });
+    }
+    components.sort_by(|a, b| a.pieces.cmp(&b.pieces));
+    components
 }
 
 /// Which of several things belong together.

@@ -71,8 +71,22 @@ pub(crate) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>)
     outgoing.map(clockwise).enumerate().min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(k, _)| k)
 }
 
-/// The joints of a table, on a lattice also those across cells.
+/// The joints of a table, on a lattice also those across cells where nothing starts within one.
 pub(crate) fn joints(table: &Table) -> Vec<Joint> {
+    joints_where(table, <[Candidate]>::is_empty)
+}
+
+/// The same where translates may touch what starts within a cell, for each part of the table by itself; of `n` pieces on a lattice in
+/// `n²` operations.
+pub(crate) fn joints_around_parts(table: &Table) -> Vec<Joint> {
+    joints_where(table, |_| true)
+}
+
+/// A piece that starts at a vertex, and by how many lattice vectors it is moved.
+type Candidate = (usize, [f64; 2]);
+
+/// Those of what starts within a cell, and across cells if these ask for it.
+fn joints_where(table: &Table, across: impl Fn(&[Candidate]) -> bool) -> Vec<Joint> {
     let pieces = table.pieces();
     let mut starts: Vec<(Vector2<f64>, usize)> = pieces
         .iter()
@@ -86,18 +100,16 @@ pub(crate) fn joints(table: &Table) -> Vec<Joint> {
     for (before, piece) in pieces.iter().enumerate() {
         let Some([_, vertex]) = piece.ends().filter(|[_, b]| is_finite(b)) else { continue };
         let first = starts.partition_point(|(a, _)| order(a, &vertex).is_some_and(core::cmp::Ordering::is_lt));
-        let mut candidates: Vec<(usize, [f64; 2])> =
+        let mut candidates: Vec<Candidate> =
             starts[first..].iter().take_while(|(a, _)| *a == vertex).map(|&(_, j)| (j, [0.0; 2])).collect();
-        if candidates.is_empty()
-            && let Some(lattice) = table.shortest()
-        {
-            for (a, j) in &starts {
-                candidates.extend(lattice.between(a, &vertex).map(|cell| (*j, cell)));
-            }
+        if let Some(lattice) = table.shortest().filter(|_| across(&candidates)) {
+            let moved = |&(a, j): &(Vector2<f64>, usize)| lattice.between(&a, &vertex).map(|cell| (j, cell));
+            let within = candidates.clone();
+            candidates.extend(starts.iter().filter_map(moved).filter(|moved| !within.contains(moved)));
         }
         // where several tables touch, each keeps to itself
         let incoming = Branch::of(&**piece, &vertex);
-        let start = |&(j, _): &(usize, [f64; 2])| pieces[j].ends().map_or(vertex, |[a, _]| a);
+        let start = |&(j, _): &Candidate| pieces[j].ends().map_or(vertex, |[a, _]| a);
         let outgoing = candidates.iter().map(|c| Branch::of(&*pieces[c.0], &start(c)));
         if let Some(k) = leftmost(incoming, outgoing) {
             let (after, cell) = candidates[k];

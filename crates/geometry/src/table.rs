@@ -1,8 +1,10 @@
 //! A table: its pieces, and how they hang together.
 mod cell;
 mod container;
+mod cuts;
 mod fastest;
 mod joined;
+mod parted;
 mod sides;
 mod succession;
 mod two_sided;

@@ -1,7 +1,10 @@
 //! Boundaries that stand on one another, as a box on a floor does, made one.
-use super::Table;
+use super::{
+    Table,
+    cuts::{Place, Vertices, stops, with_ends},
+};
 use crate::{
-    BoxTree, Extent, Figure, Landing, MeetingKind, Piece,
+    Figure, Landing, MeetingKind, Piece,
     copies::{Copies, Translate, finite_extent},
     intersect::direction_at,
     meetings,
@@ -25,9 +28,6 @@ struct Part {
     /// Whether it bounds nothing.
     is_idle: bool,
 }
-
-/// Arc length along a piece, and the point there.
-type Place = (f64, Vector2<f64>);
 
 /// The parts of those pieces that coincide with others, by number.
 type Parts = BTreeMap<usize, Vec<Part>>;
@@ -157,32 +157,6 @@ fn drawn_loops(pieces: &[Arc<dyn Piece>]) -> Vec<usize> {
     (0..pieces.len()).map(number).collect()
 }
 
-/// The ends of a piece and the places where it is cut, in order, none of them within rounding of another; around a closed one, back to the
-/// first.
-fn stops(piece: &dyn Piece, mut cuts: Vec<Place>, near: f64) -> Vec<Place> {
-    cuts.sort_by(|(s, _), (t, _)| s.total_cmp(t));
-    let length = piece.length();
-    let [first, last] = match (piece.ends(), cuts.first()) {
-        (Some([a, b]), _) => {
-            let to = if length.is_finite() { length } else { 0.0 };
-            [
-                (if is_finite(&a) { 0.0 } else { f64::NEG_INFINITY }, a),
-                (if is_finite(&b) { to } else { f64::INFINITY }, b),
-            ]
-        }
-        (None, Some(&(s, point))) => [(s, point), (s + length, point)],
-        (None, None) => return vec![],
-    };
-    let mut stops = vec![first];
-    for cut in cuts {
-        if cut.0 > stops[stops.len() - 1].0 + near && cut.0 < last.0 - near {
-            stops.push(cut);
-        }
-    }
-    stops.push(last);
-    stops
-}
-
 /// An arc length between two others, where nothing is special; where one is infinite, as far from the other as the table is large.
 fn well_between([from, to]: [f64; 2], size: f64) -> f64 {
     match (from.is_finite(), to.is_finite()) {
@@ -207,49 +181,4 @@ fn runs(parts: &[Part], is_closed: bool, left_out: impl Fn(&Part) -> bool) -> Ve
         goes_on = !left_out(part);
     }
     runs
-}
-
-/// Part of a figure, between two points of it.
-fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
-    let straight = |toward: Vector2<f64>| match ends.map(|end| is_finite(&end)) {
-        [true, true] => Figure::Segment { ends },
-        [true, false] => Figure::Ray { from: ends[0], direction: toward, left: true },
-        [false, true] => Figure::Ray { from: ends[1], direction: -toward, left: false },
-        [false, false] => figure,
-    };
-    match figure {
-        Figure::Segment { .. } => Figure::Segment { ends },
-        Figure::Ray { direction, left, .. } => straight(if left { direction } else { -direction }),
-        Figure::Line { direction, .. } => straight(direction),
-        Figure::Arc { center, radius, inside, .. } | Figure::Circle { center, radius, inside } => {
-            Figure::Arc { center, radius, ends, inside }
-        }
-        Figure::Other => Figure::Other,
-    }
-}
-
-/// Points where parts that are left out end, so that the pieces that are joined there have the same one.
-struct Vertices {
-    points: Vec<Vector2<f64>>,
-    tree: BoxTree,
-    near: f64,
-}
-
-impl Vertices {
-    fn new(points: impl Iterator<Item = Vector2<f64>>, near: f64) -> Vertices {
-        let points: Vec<Vector2<f64>> = points.filter(is_finite).collect();
-        let tree = BoxTree::new(points.iter().map(|&p| Extent { min: p, max: p }));
-        Vertices { points, tree, near }
-    }
-
-    /// The first of the points that are equal to this one but for rounding, or else this one.
-    fn snap(&self, point: Vector2<f64>) -> Vector2<f64> {
-        let here = Extent { min: point, max: point };
-        let mut first = None;
-        if is_finite(&point) {
-            self.tree
-                .search(|e| e.meets(&here, self.near), |k| first = Some(first.map_or(k, |known: usize| known.min(k))));
-        }
-        first.map_or(point, |k| self.points[k])
-    }
 }

@@ -1,0 +1,77 @@
+//! Pieces cut at places along them.
+use crate::{BoxTree, Extent, Figure, Piece, plane::is_finite};
+use nalgebra::Vector2;
+
+/// Arc length along a piece, and the point there.
+pub(super) type Place = (f64, Vector2<f64>);
+
+/// The ends of a piece and the places where it is cut, in order, none of them within rounding of another; around a closed one, back to the
+/// first.
+pub(super) fn stops(piece: &dyn Piece, mut cuts: Vec<Place>, near: f64) -> Vec<Place> {
+    cuts.sort_by(|(s, _), (t, _)| s.total_cmp(t));
+    let length = piece.length();
+    let [first, last] = match (piece.ends(), cuts.first()) {
+        (Some([a, b]), _) => {
+            let to = if length.is_finite() { length } else { 0.0 };
+            [
+                (if is_finite(&a) { 0.0 } else { f64::NEG_INFINITY }, a),
+                (if is_finite(&b) { to } else { f64::INFINITY }, b),
+            ]
+        }
+        (None, Some(&(s, point))) => [(s, point), (s + length, point)],
+        (None, None) => return vec![],
+    };
+    let mut stops = vec![first];
+    for cut in cuts {
+        if cut.0 > stops[stops.len() - 1].0 + near && cut.0 < last.0 - near {
+            stops.push(cut);
+        }
+    }
+    stops.push(last);
+    stops
+}
+
+/// Part of a figure, between two points of it.
+pub(super) fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
+    let straight = |toward: Vector2<f64>| match ends.map(|end| is_finite(&end)) {
+        [true, true] => Figure::Segment { ends },
+        [true, false] => Figure::Ray { from: ends[0], direction: toward, left: true },
+        [false, true] => Figure::Ray { from: ends[1], direction: -toward, left: false },
+        [false, false] => figure,
+    };
+    match figure {
+        Figure::Segment { .. } => Figure::Segment { ends },
+        Figure::Ray { direction, left, .. } => straight(if left { direction } else { -direction }),
+        Figure::Line { direction, .. } => straight(direction),
+        Figure::Arc { center, radius, inside, .. } | Figure::Circle { center, radius, inside } => {
+            Figure::Arc { center, radius, ends, inside }
+        }
+        Figure::Other => Figure::Other,
+    }
+}
+
+/// Points where pieces are cut, so that those that end there have the same one.
+pub(super) struct Vertices {
+    points: Vec<Vector2<f64>>,
+    tree: BoxTree,
+    near: f64,
+}
+
+impl Vertices {
+    pub(super) fn new(points: impl Iterator<Item = Vector2<f64>>, near: f64) -> Vertices {
+        let points: Vec<Vector2<f64>> = points.filter(is_finite).collect();
+        let tree = BoxTree::new(points.iter().map(|&p| Extent { min: p, max: p }));
+        Vertices { points, tree, near }
+    }
+
+    /// The first of the points that are equal to this one but for rounding, or else this one.
+    pub(super) fn snap(&self, point: Vector2<f64>) -> Vector2<f64> {
+        let here = Extent { min: point, max: point };
+        let mut first = None;
+        if is_finite(&point) {
+            self.tree
+                .search(|e| e.meets(&here, self.near), |k| first = Some(first.map_or(k, |known: usize| known.min(k))));
+        }
+        first.map_or(point, |k| self.points[k])
+    }
+}

@@ -1,0 +1,136 @@
+//! The connected parts of tables whose walls touch.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+
+use core::f64::consts::PI;
+use geometry::{
+    Lattice, Outline, Piece, Table, Turn, Vector2,
+    parry::{Placed, ShapeSpec, Side},
+    shapes::{Circle, FullLine},
+};
+
+fn v(x: f64, y: f64) -> Vector2<f64> {
+    Vector2::new(x, y)
+}
+
+fn closed(corners: &[Vector2<f64>]) -> Vec<Box<dyn Piece>> {
+    let outline = Outline::from(corners[0]);
+    let around = corners[1..].iter().chain(&corners[..1]);
+    around.fold(outline, |outline, &corner| outline.line_to(corner).unwrap()).close().unwrap()
+}
+
+fn room(width: f64, height: f64) -> Vec<Box<dyn Piece>> {
+    closed(&[v(0.0, 0.0), v(width, 0.0), v(width, height), v(0.0, height)])
+}
+
+fn disk(x: f64, y: f64, r: f64) -> Vec<Box<dyn Piece>> {
+    vec![Box::new(Circle::new(v(x, y), r, false).unwrap())]
+}
+
+fn screen(a: Vector2<f64>, b: Vector2<f64>) -> Vec<Box<dyn Piece>> {
+    Placed::from(ShapeSpec::Segment { a: a.into(), b: b.into() }).pieces(Side::Outside).unwrap()
+}
+
+#[track_caller]
+fn table(walls: impl IntoIterator<Item = Vec<Box<dyn Piece>>>) -> Table {
+    let table = Table::new(walls.into_iter().flatten().collect()).unwrap();
+    assert_eq!(table.validate(), Ok(()), "{:?}", table.pieces());
+    table
+}
+
+fn on(lattice: &[Vector2<f64>], walls: Vec<Box<dyn Piece>>) -> Table {
+    let table = Table::periodic(walls, Some(Lattice::new(lattice).unwrap())).unwrap();
+    table.validate().unwrap();
+    table
+}
+
+/// The areas of the parts, in rising order, which are as expected to rounding.
+#[track_caller]
+fn has_parts(table: &Table, expected: &[f64]) {
+    let mut found: Vec<f64> = table.components().iter().map(|part| part.area).collect();
+    found.sort_by(f64::total_cmp);
+    let near = |(a, b): (&f64, &f64)| a == b || (a - b).abs() < 1e-12;
+    assert!(found.len() == expected.len() && found.iter().zip(expected).all(near), "{found:?}, not {expected:?}");
+}
+
+#[test]
+fn walls_of_two_sides_part_a_room_where_they_reach_across() {
+    let across = |a, b| table([room(2.0, 1.0), screen(a, b)]);
+    has_parts(&across(v(0.5, 0.0), v(0.5, 1.0)), &[0.5, 1.5]);
+    has_parts(&across(v(0.0, 0.0), v(2.0, 1.0)), &[1.0, 1.0]);
+    has_parts(&across(v(0.0, 0.25), v(1.0, 1.0)), &[0.375, 1.625]);
+    // a baffle, and one that stands alone
+    has_parts(&across(v(0.5, 0.0), v(0.5, 0.75)), &[2.0]);
+    has_parts(&across(v(0.5, 0.25), v(0.5, 0.75)), &[2.0]);
+    // two that cross are four
+    let cross = [
+        screen(v(0.5, 0.0), v(0.5, 0.5)),
+        screen(v(0.5, 0.5), v(0.5, 1.0)),
+        screen(v(0.0, 0.5), v(0.5, 0.5)),
+        screen(v(0.5, 0.5), v(2.0, 0.5)),
+    ];
+    has_parts(&table([room(2.0, 1.0)].into_iter().chain(cross)), &[0.25, 0.25, 0.75, 0.75]);
+    // an arc there and back
+    let arc = Outline::from(v(1.0, 0.0)).arc_to(v(0.0, 1.0), v(0.0, 0.0), Turn::CounterClockwise).unwrap();
+    let arc = arc.arc_to(v(1.0, 0.0), v(0.0, 0.0), Turn::Clockwise).unwrap().close().unwrap();
+    has_parts(&table([room(2.0, 1.0), arc]), &[0.25 * PI, 2.0 - 0.25 * PI]);
+}
+
+#[test]
+fn walls_of_two_sides_make_a_cage_in_the_open_plane() {
+    let corners = [v(0.0, 0.0), v(1.0, 0.0), v(1.0, 1.0), v(0.0, 1.0)];
+    let side = |k: usize| screen(corners[k], corners[(k + 1) % 4]);
+    has_parts(&table([0, 1, 2, 3].map(side)), &[1.0, f64::INFINITY]);
+    has_parts(&table([0, 1, 2].map(side)), &[f64::INFINITY]);
+}
+
+#[test]
+fn obstacles_part_a_room_where_they_touch_it_and_each_other() {
+    // sides of 2 touched by a disk in the middle
+    let corner = 1.0 - 0.25 * PI;
+    has_parts(&table([room(2.0, 2.0), disk(1.0, 1.0, 1.0)]), &[corner; 4]);
+    has_parts(&table([room(2.0, 4.0), disk(1.0, 1.0, 1.0)]), &[corner, corner, 6.0 - 0.5 * PI]);
+    has_parts(&table([room(4.0, 4.0), disk(1.0, 1.0, 1.0)]), &[corner, 15.0 - 0.75 * PI]);
+    has_parts(&table([room(4.0, 4.0), disk(2.0, 1.0, 1.0)]), &[16.0 - PI]);
+    let wall = [disk(1.0, 0.5, 0.5), disk(1.0, 1.5, 0.5)];
+    let half = 1.0 * 2.0 - 0.25 * PI;
+    has_parts(&table([room(2.0, 2.0)].into_iter().chain(wall)), &[half, half]);
+    // a diamond with its corners on the walls
+    let diamond = closed(&[v(1.0, 0.0), v(0.0, 1.0), v(1.0, 2.0), v(2.0, 1.0)]);
+    has_parts(&table([room(2.0, 2.0), diamond]), &[0.5; 4]);
+}
+
+#[test]
+fn three_disks_that_touch_enclose_a_triangle() {
+    let top = 0.75_f64.sqrt();
+    let disks = [disk(0.0, 0.0, 0.5), disk(1.0, 0.0, 0.5), disk(0.5, top, 0.5)];
+    has_parts(&table(disks), &[0.5 * top - PI / 8.0, f64::INFINITY]);
+}
+
+#[test]
+fn disks_that_touch_on_a_lattice_leave_pores() {
+    let top = 0.75_f64.sqrt();
+    let pore = 0.5 * top - PI / 8.0;
+    has_parts(&on(&[v(1.0, 0.0), v(0.5, top)], disk(0.0, 0.0, 0.5)), &[pore, pore]);
+    has_parts(&on(&[v(1.0, 0.0), v(0.0, 1.0)], disk(0.25, 0.75, 0.5)), &[1.0 - 0.25 * PI]);
+    // rows that touch, with channels between them
+    has_parts(&on(&[v(1.0, 0.0), v(0.0, 2.0)], disk(0.0, 0.0, 0.5)), &[2.0 - 0.25 * PI]);
+    let rows: Vec<_> = [disk(0.0, 0.0, 0.5), disk(0.0, 2.0, 0.5)].into_iter().flatten().collect();
+    has_parts(&on(&[v(1.0, 0.0), v(0.0, 5.0)], rows), &[2.0 - 0.25 * PI, 3.0 - 0.25 * PI]);
+    let channel = || {
+        let lines = [(0.0, 1.0), (1.0, -1.0)];
+        lines.map(|(y, x)| Box::new(FullLine::new(v(0.0, y), v(x, 0.0)).unwrap()) as Box<dyn Piece>).into_iter()
+    };
+    has_parts(&on(&[v(2.0, 0.0)], channel().chain(disk(0.5, 0.5, 0.5)).collect()), &[2.0 - 0.25 * PI]);
+    let both = disk(0.5, 0.5, 0.5).into_iter().chain(disk(1.5, 0.5, 0.5));
+    let pore = 0.5 * (1.0 - 0.25 * PI);
+    has_parts(&on(&[v(3.0, 0.0)], channel().chain(both).collect()), &[pore, pore, 2.0 - 0.25 * PI]);
+}
+
+#[test]
+fn a_piece_that_bounds_two_parts_is_named_in_both() {
+    let parts = table([room(2.0, 1.0), screen(v(0.5, 0.0), v(0.5, 1.0))]).components();
+    let pieces: Vec<_> = parts.into_iter().map(|part| part.pieces).collect();
+    assert_eq!(pieces, [vec![0, 1, 2, 4], vec![0, 2, 3, 4]]);
+    let sinai = table([room(2.0, 2.0), disk(1.0, 1.0, 1.0)]).describe();
+    assert_eq!((sinai.components.len(), sinai.corners, sinai.re_entrant_corners), (4, 12, 0));
+}
