@@ -198,3 +198,17 @@ fn push_orthonormal(basis: &mut Vec<DVector<f64>>, others: &[DVector<f64>], x: D
     }
     basis.push(x);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_of_matrices_have_the_same_bits_on_every_cpu() {
+        // (1 + 2⁻³⁰)² − (1 + 2⁻²⁹) is 2⁻⁶⁰, or 0 where the square is rounded before it is added
+        let (one, size) = (1.0 + f64::from(1 << 30).recip(), 12);
+        let row = DMatrix::from_fn(size, size, |_, j| [-(2.0 * one - 1.0), one].get(j).copied().unwrap_or(0.0));
+        let column = DMatrix::from_fn(size, size, |i, _| [1.0, one].get(i).copied().unwrap_or(0.0));
+        assert_eq!(row * column, DMatrix::zeros(size, size));
+    }
+}
