@@ -1,5 +1,6 @@
 //! Many lanes: the vector registers of the CPU, through `pulp`.
 use crate::{Kernel, Lane, Mask, Task};
+#[cfg(target_arch = "x86_64")]
 use core::any::Any;
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
