@@ -52,7 +52,7 @@ fn one_by_one((billiard, starts): Ready) -> u64 {
 fn side_by_side((billiard, starts): Ready) -> u64 {
     let mut made = 0;
     let finished = &mut |finished: billiards::Finished<2, 1, _, ()>| made += finished.outcome.collisions;
-    billiard.run_side_by_side(&mut starts.iter().map(orbit), COLLISIONS, &mut (), finished);
+    billiard.run_side_by_side(&mut starts.iter().map(orbit), &Collisions(COLLISIONS), &mut (), finished);
     black_box(made)
 }
 

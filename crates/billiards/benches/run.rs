@@ -68,7 +68,9 @@ fn tables_and_laws(criterion: &mut Criterion) {
                 b.iter(|| {
                     let mut made = 0;
                     let mut orbits = starts.iter().map(orbit);
-                    billiard.run_side_by_side(&mut orbits, LONG, &mut (), &mut |f| made += f.outcome.collisions);
+                    billiard.run_side_by_side(&mut orbits, &Collisions(LONG), &mut (), &mut |f| {
+                        made += f.outcome.collisions
+                    });
                     made
                 });
             });
@@ -107,7 +109,9 @@ fn many_sides(criterion: &mut Criterion) {
             b.iter(|| {
                 let mut made = 0;
                 let mut orbits = starts.iter().map(orbit);
-                billiard.run_side_by_side(&mut orbits, COLLISIONS, &mut (), &mut |f| made += f.outcome.collisions);
+                billiard.run_side_by_side(&mut orbits, &Collisions(COLLISIONS), &mut (), &mut |f| {
+                    made += f.outcome.collisions
+                });
                 made
             });
         });
@@ -177,7 +181,7 @@ fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2
     group.bench_function(format!("{name}, side by side"), |b| {
         b.iter(|| {
             let mut made = 0;
-            run_side_by_side(&billiard, &mut starts.iter().map(orbit), COLLISIONS, &mut (), &mut |f| {
+            run_side_by_side(&billiard, &mut starts.iter().map(orbit), &Collisions(COLLISIONS), &mut (), &mut |f| {
                 made += f.outcome.collisions;
             });
             made

@@ -63,7 +63,7 @@ where
     Box::new(move || {
         let mut made = 0;
         let orbit = |(x, v, w): &Start<N, S>| Orbit::<f64, N, S, K, T>::new(*x, *v, *w, track.clone());
-        run_side_by_side(motion, &mut starts.iter().map(orbit), COLLISIONS, &mut observer, &mut |f| {
+        run_side_by_side(motion, &mut starts.iter().map(orbit), &Collisions(COLLISIONS), &mut observer, &mut |f| {
             made += f.outcome.collisions;
         });
         made

@@ -6,9 +6,10 @@ use crate::{
     error::finite,
     horizon::{Horizon, HorizonOn},
     in_lanes::InLanes,
+    limit::{LaneLimit, Limit},
     observe::{LaneObserver, Observer},
     orbit::Orbit,
-    run::{Limit, RunOn},
+    run::RunOn,
     side_by_side::{Finished, ManyOn},
     start::Start,
     stop::Outcome,
@@ -105,7 +106,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     pub fn run_side_by_side<K: Keeping<2, 1>, T: Tracking<2, 1>, O: LaneObserver<2, 1, K, T>>(
         &self,
         orbits: &mut dyn Iterator<Item = Orbit<f64, 2, 1, K, T>>,
-        collisions: u64,
+        limit: &impl LaneLimit<2, 1, T>,
         observer: &mut O,
         finished: &mut dyn FnMut(Finished<2, 1, K, T>),
     ) {
@@ -117,7 +118,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
             }
             orbit
         });
-        self.with_motion(ManyOn { orbits: &mut orbits, collisions, observer, finished });
+        self.with_motion(ManyOn { orbits: &mut orbits, limit, observer, finished });
     }
 
     /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see

@@ -3,11 +3,11 @@ use crate::{
     Error,
     billiard::BallLaw,
     energy::{EnergyKeeper, square_speed},
+    limit::Collisions,
     observe::ReducedPortrait,
     orbit::Orbit,
     planar::Planar,
     reverse::reverse,
-    run::Collisions,
     start::Start,
     track::Track,
 };

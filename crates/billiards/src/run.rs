@@ -3,52 +3,15 @@ use crate::{
     billiard::Motion,
     bounce::Bounce,
     energy::EnergyKeeper,
+    limit::Limit,
     observe::{Collision, Observer},
     orbit::Orbit,
     stop::{self, MOST_IDLE, Outcome, Stop},
-    track::{Timed, Track},
+    track::Track,
     with_motion::WithMotion,
 };
 use core::ops::ControlFlow;
 use lanes::Task;
-
-/// How long an orbit runs: a number of [`Collisions`], a [`Time`], or a pair of limits.
-pub trait Limit<T> {
-    /// Whether collision number `n` (from 1), `flight` after the last one, is beyond the limit.
-    fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool;
-}
-
-/// So many collisions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Collisions(pub u64);
-
-/// So much time \[T\] since the start, as a [`Clock`](crate::Clock) tracks it. The run ends at the last collision before;
-/// [`position_at`](crate::Orbit::position_at) knows the rest of the way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Time(pub f64);
-
-impl<T> Limit<T> for Collisions {
-    #[inline(always)]
-    fn is_beyond(&self, n: u64, _: &T, _: f64) -> bool {
-        n > self.0
-    }
-}
-
-impl<T: Timed> Limit<T> for Time {
-    #[inline(always)]
-    fn is_beyond(&self, _: u64, track: &T, flight: f64) -> bool {
-        // NaN is over at once
-        !(track.time() + flight <= self.0)
-    }
-}
-
-/// Both: whichever comes first.
-impl<T, A: Limit<T>, B: Limit<T>> Limit<T> for (A, B) {
-    #[inline(always)]
-    fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool {
-        self.0.is_beyond(n, track, flight) || self.1.is_beyond(n, track, flight)
-    }
-}
 
 /// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
 #[inline(always)]

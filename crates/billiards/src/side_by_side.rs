@@ -4,6 +4,7 @@ use crate::{
     bounce::Bounce,
     energy::Keeping,
     in_lanes::InLanes,
+    limit::LaneLimit,
     observe::LaneObserver,
     orbit::Orbit,
     stop::{MOST_IDLE, Outcome, Stop, ended, stays},
@@ -23,21 +24,22 @@ pub struct Finished<const N: usize, const S: usize, K, T> {
     pub outcome: Outcome,
 }
 
-/// Runs every orbit for so many collisions, as many side by side as this CPU has lanes, and hands over each one as it
+/// Runs every orbit up to a limit, as many side by side as this CPU has lanes, and hands over each one as it
 /// ends (in no particular order). The observer sees all collisions; `()` costs nothing.
 ///
 /// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next one at
 /// once, so that one early end or one long life holds nobody up.
-pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, O>(
+pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, L, O>(
     billiard: &B,
     orbits: &mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
-    collisions: u64,
+    limit: &L,
     observer: &mut O,
     finished: &mut dyn FnMut(Finished<N, S, K, T>),
 ) where
     B: Motion<N, S>,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    L: LaneLimit<N, S, T>,
     O: LaneObserver<N, S, K, T>,
 {
     // lanes that nobody has sat in yet hold the first orbit
@@ -47,20 +49,20 @@ pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, O>(
         orbits,
         upcoming: Some(first.clone()),
         first,
-        collisions,
+        limit,
         observer,
         finished,
         changed: false,
     });
 }
 
-struct Many<'a, B, const N: usize, const S: usize, K, T, O> {
+struct Many<'a, B, const N: usize, const S: usize, K, T, L, O> {
     billiard: &'a B,
     orbits: &'a mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
     /// The next of the orbits.
     upcoming: Option<Orbit<f64, N, S, K, T>>,
     first: Orbit<f64, N, S, K, T>,
-    collisions: u64,
+    limit: &'a L,
     observer: &'a mut O,
     finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
     /// Whether somebody else sits in some lane since the next end was looked for.
@@ -114,11 +116,12 @@ struct Seat {
     idle: u32,
 }
 
-impl<B, const N: usize, const S: usize, K, T, O> Many<'_, B, N, S, K, T, O>
+impl<B, const N: usize, const S: usize, K, T, L, O> Many<'_, B, N, S, K, T, L, O>
 where
     B: Motion<N, S>,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    L: LaneLimit<N, S, T>,
     O: LaneObserver<N, S, K, T>,
 {
     /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there: when the
@@ -153,7 +156,7 @@ where
                 (Some(0), Some(mut orbit)) => {
                     let index = *next;
                     // the last number is that of no step: nobody lives to see it
-                    (seat.index, seat.until) = (Some(index), step.saturating_add(self.collisions).min(u64::MAX - 1));
+                    (seat.index, seat.until) = (Some(index), step.saturating_add(self.limit.most()).min(u64::MAX - 1));
                     *next += 1;
                     idle[lane] = false;
                     self.upcoming = self.orbits.next();
@@ -199,7 +202,11 @@ where
         loop {
             let (hit, arrival) = self.billiard.flight(&group.orbit, &group.carried);
             let moves = zero.lt(hit.time) & hit.time.lt(zero.same(f64::INFINITY));
-            if (!moves | hit.corner).any() && self.look(group, hit.time, hit.corner, next, step) {
+            let mut special = !moves | hit.corner;
+            if let Some(beyond) = self.limit.may_be_beyond(&group.orbit.track, hit.time) {
+                special = special | beyond;
+            }
+            if special.any() && self.look(group, hit.time, hit.corner, next, step) {
                 continue;
             }
             let slides = self.billiard.collide(&mut group.orbit, &mut group.carried, &hit, &arrival, group.slow);
@@ -227,7 +234,7 @@ where
         self.change(group, next, step, &ended);
     }
 
-    /// Looks at a hit that is a corner, out of reach or without motion somewhere; whether an orbit ended.
+    /// Looks at a hit that is a corner, out of reach, without motion or beyond the limit somewhere; whether an orbit ended.
     #[cold]
     #[inline(never)]
     fn look<F: Lane>(
@@ -246,10 +253,16 @@ where
             if seat.index.is_none() {
                 continue;
             }
-            if !(time < f64::INFINITY) {
+            let (n, track) = (step - seat.since + 1, group.orbit.track.one(lane));
+            let is_beyond = |flight: f64| self.limit.is_beyond(n, &track, flight);
+            if is_beyond(time) && (time < f64::INFINITY || is_beyond(0.0)) {
+                *stop = Some(Stop::Finished);
+            } else if !(time < f64::INFINITY) {
                 let [position, velocity] =
                     [&group.orbit.position, &group.orbit.velocity].map(|x| x.map(|x| x.lane(lane)));
-                *stop = Some(self.billiard.without_hit(position, velocity));
+                let why = self.billiard.without_hit(position, velocity);
+                let is_over = why == Stop::Escaped && is_beyond(f64::INFINITY);
+                *stop = Some(if is_over { Stop::Finished } else { why });
             } else if corner.at(lane) {
                 *stop = Some(Stop::Corner);
             } else if !(time > 0.0) && seat.idle_at != step {
@@ -308,11 +321,12 @@ where
     }
 }
 
-impl<B, const N: usize, const S: usize, K, T, O> Kernel for Many<'_, B, N, S, K, T, O>
+impl<B, const N: usize, const S: usize, K, T, L, O> Kernel for Many<'_, B, N, S, K, T, L, O>
 where
     B: Motion<N, S>,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    L: LaneLimit<N, S, T>,
     O: LaneObserver<N, S, K, T>,
 {
     type Output = ();
@@ -330,29 +344,30 @@ where
 }
 
 /// [`run_side_by_side`], on whatever motion there is.
-pub(crate) struct ManyOn<'a, const N: usize, const S: usize, K, T, O> {
+pub(crate) struct ManyOn<'a, const N: usize, const S: usize, K, T, L, O> {
     pub(crate) orbits: &'a mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
-    pub(crate) collisions: u64,
+    pub(crate) limit: &'a L,
     pub(crate) observer: &'a mut O,
     pub(crate) finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
 }
 
-impl<const N: usize, const S: usize, K, T, O> WithMotion<N, S> for ManyOn<'_, N, S, K, T, O>
+impl<const N: usize, const S: usize, K, T, L, O> WithMotion<N, S> for ManyOn<'_, N, S, K, T, L, O>
 where
     K: Keeping<N, S>,
     T: Tracking<N, S>,
+    L: LaneLimit<N, S, T>,
     O: LaneObserver<N, S, K, T>,
 {
     type Output = ();
     fn run<B: Motion<N, S> + Bounce<N, S>>(self, motion: &B) {
-        run_side_by_side(motion, self.orbits, self.collisions, self.observer, self.finished);
+        run_side_by_side(motion, self.orbits, self.limit, self.observer, self.finished);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Billiard, Canonical, Clock, Conserved, Rolling, Starts, Timed, laws::Disk};
+    use crate::{Billiard, Canonical, Clock, Collisions, Conserved, Rolling, Starts, Timed, laws::Disk};
     use collision_laws::laws::NoSlip;
     use geometry::{
         Table, tables,
@@ -374,7 +389,7 @@ mod tests {
             orbits: &mut rest,
             upcoming: Some(orbits[0]),
             first: orbits[0],
-            collisions: 200,
+            limit: &Collisions(200),
             observer: &mut (),
             finished: &mut finished,
             changed: false,
@@ -394,7 +409,7 @@ mod tests {
         assert_eq!(ends(billiard, &orbits, two), alone);
         assert_eq!(ends(billiard, &orbits, four), alone);
         let mut widest = vec![];
-        run_side_by_side(billiard, &mut orbits.iter().copied(), 200, &mut (), &mut |end| widest.push(end));
+        run_side_by_side(billiard, &mut orbits.iter().copied(), &Collisions(200), &mut (), &mut |end| widest.push(end));
         widest.sort_by_key(|end| end.index);
         for (end, (_, bits, outcome)) in widest.iter().zip(alone) {
             assert_eq!((end.orbit.position.map(f64::to_bits), end.outcome), ([bits[0], bits[1]], outcome));

@@ -5,9 +5,10 @@ use crate::{
     energy::{EnergyKeeper, Keeping},
     error::finite,
     horizon::{Horizon, HorizonOn},
+    limit::{LaneLimit, Limit},
     observe::{LaneObserver, Observer},
     orbit::Orbit,
-    run::{Limit, RunOn},
+    run::RunOn,
     side_by_side::{Finished, ManyOn},
     start::Start,
     stop::Outcome,
@@ -90,7 +91,7 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     /// let canonical = CanonicalSpatial::new(&ball.table, 1.0, 7).unwrap();
     /// let mut orbits = (0..100).map(|i| canonical.start(i).orbit(()));
     /// let mut energies = vec![];
-    /// ball.run_side_by_side(&mut orbits, 1000, &mut (), &mut |finished| {
+    /// ball.run_side_by_side(&mut orbits, &Collisions(1000), &mut (), &mut |finished| {
     ///     let orbit: Orbit<f64, 3, 3, Conserved<f64, 3>> = finished.orbit;
     ///     energies.push(orbit.velocity.iter().chain(&orbit.spin).map(|v| v * v).sum::<f64>());
     /// });
@@ -100,11 +101,11 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     pub fn run_side_by_side<K: Keeping<3, 3>, T: Tracking<3, 3>, O: LaneObserver<3, 3, K, T>>(
         &self,
         orbits: &mut dyn Iterator<Item = Orbit<f64, 3, 3, K, T>>,
-        collisions: u64,
+        limit: &impl LaneLimit<3, 3, T>,
         observer: &mut O,
         finished: &mut dyn FnMut(Finished<3, 3, K, T>),
     ) {
-        self.with_motion(ManyOn { orbits, collisions, observer, finished });
+        self.with_motion(ManyOn { orbits, limit, observer, finished });
     }
 
     /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see

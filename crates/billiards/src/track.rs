@@ -27,6 +27,12 @@ pub trait Timed {
     fn time(&self) -> f64;
 }
 
+/// The same for many orbits side by side.
+pub trait Timing<const N: usize, const S: usize>: Tracking<N, S> + Timed {
+    /// The time since the start \[T\] in each lane: to the last bit as [`Timed::time`] has it.
+    fn time_in<F: Lane>(track: &Self::In<F>) -> F;
+}
+
 /// A track that knows the scaled spin position.
 pub trait Turned {
     /// The scaled spin position `x₀ = γ R θ` \[L\], not reduced modulo a turn.
@@ -109,10 +115,24 @@ impl Timed for Clock {
     }
 }
 
+impl<const N: usize, const S: usize> Timing<N, S> for Clock {
+    #[inline(always)]
+    fn time_in<F: Lane>(track: &Clock<F>) -> F {
+        track.0.value()
+    }
+}
+
 impl<B> Timed for (Clock, B) {
     #[inline(always)]
     fn time(&self) -> f64 {
         self.0.time()
+    }
+}
+
+impl<const N: usize, const S: usize, B: Tracking<N, S>> Timing<N, S> for (Clock, B) {
+    #[inline(always)]
+    fn time_in<F: Lane>(track: &(Clock<F>, B::In<F>)) -> F {
+        track.0.0.value()
     }
 }
 

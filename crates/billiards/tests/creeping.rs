@@ -48,7 +48,7 @@ fn what_creeps_along_a_focusing_wall_grazes_and_does_not_escape() {
             let orbit: Orbit<f64, 2, 1, Conserved<f64, 2>> = start.orbit(());
             orbit
         });
-        billiard.run_side_by_side(&mut orbits, 10_000, &mut (), &mut |f| {
+        billiard.run_side_by_side(&mut orbits, &Collisions(10_000), &mut (), &mut |f| {
             beside.insert(f.index, f.outcome);
         });
         assert_eq!(beside.into_values().collect::<Vec<_>>(), alone);

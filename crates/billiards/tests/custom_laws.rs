@@ -360,7 +360,7 @@ fn a_law_that_returns_no_velocity_is_told_as_what_it_is() {
             let alone = billiard.run(&mut orbit, &Collisions(1000), &mut ());
             assert_eq!((alone.stop, alone.stop.name()), (Stop::NotFinite, "not finite"), "{alone:?} {leaves}");
             let mut starts = (0..3).map(|_| start());
-            billiard.run_side_by_side(&mut starts, 1000, &mut (), &mut |f| assert_eq!(f.outcome, alone));
+            billiard.run_side_by_side(&mut starts, &Collisions(1000), &mut (), &mut |f| assert_eq!(f.outcome, alone));
             let mut timed =
                 Orbit::<f64, 2, 1, Conserved<f64, 2>, Clock>::new([0.4, 0.1], [0.8, 0.6], [0.0], Clock::new(0.0));
             assert_eq!(billiard.run(&mut timed, &Time(1e3), &mut ()), alone);
@@ -393,7 +393,7 @@ fn ends(table: &geometry::Table, law: &(impl BallLaw<2, 1> + Clone), orbits: u32
         ended.push((stop, collisions));
     }
     let mut starts = (0..orbits).map(start);
-    billiard.run_side_by_side(&mut starts, most, &mut (), &mut |f| {
+    billiard.run_side_by_side(&mut starts, &Collisions(most), &mut (), &mut |f| {
         let alone = ended[usize::try_from(f.index).unwrap()];
         assert_eq!((f.outcome.stop, f.outcome.collisions), alone, "{}", f.index);
     });

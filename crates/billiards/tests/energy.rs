@@ -43,7 +43,7 @@ fn energy_that_a_law_has_taken_once_is_never_given_back_by_the_keeper() {
     assert_eq!((kept.position, kept.velocity), (free.position, free.velocity));
     assert_eq!(kept.restored(), (free.velocity, free.spin));
     let mut beside = (0..3).map(|_| Disks::new(x, v, [0.0], ()));
-    billiard.run_side_by_side(&mut beside, 100_000, &mut (), &mut |f| assert_eq!(f.orbit, kept));
+    billiard.run_side_by_side(&mut beside, &Collisions(100_000), &mut (), &mut |f| assert_eq!(f.orbit, kept));
 }
 
 /// Leaves at an angle whose sine is `2 |sin| − 1` of that of arrival, at the speed of arrival: from along the wall to along the
@@ -156,7 +156,7 @@ fn a_particle_that_has_lost_its_speed_has_not_escaped() {
         assert!(matches!(ended.stop, Stop::Stalled | Stop::Grazing | Stop::Corner), "{ended:?}");
         let mut stops = vec![];
         let starts = &mut core::iter::repeat_n(start(), 3);
-        billiard.run_side_by_side(starts, 100_000, &mut (), &mut |finished| stops.push(finished.outcome));
+        billiard.run_side_by_side(starts, &Collisions(100_000), &mut (), &mut |finished| stops.push(finished.outcome));
         assert_eq!(stops, [ended; 3]);
     }
 }
@@ -184,7 +184,7 @@ fn between_parallel_planes_nothing_along_the_normal_is_ever_rounded() {
             (orbit.position, orbit.velocity, orbit.spin)
         })
         .collect();
-    slab.run_side_by_side(&mut (0..50).map(start), 20_000, &mut (), &mut |finished| {
+    slab.run_side_by_side(&mut (0..50).map(start), &Collisions(20_000), &mut (), &mut |finished| {
         let Orbit { position, velocity, spin, .. } = finished.orbit;
         assert_eq!((position, velocity, spin), alone[usize::try_from(finished.index).unwrap()]);
     });

@@ -56,7 +56,7 @@ fn agree<L: BallLaw<2, 1>>(name: &str, table: Result<Table, geometry::Error>, la
 
 fn agree_from<L: BallLaw<2, 1>>(name: &str, billiard: &Planar<L>, orbits: &[Disks]) -> Vec<Ended> {
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut orbits.iter().copied(), 300, &mut (), &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut orbits.iter().copied(), &Collisions(300), &mut (), &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
     assert_eq!(ended.len(), orbits.len(), "{name}");
     for (k, (orbit, lane)) in orbits.iter().zip(&ended).enumerate() {
@@ -79,7 +79,7 @@ fn orbits_on_a_circle_that_go_on_are_where_they_would_be_at_once() {
     let mut in_parts = at_once.clone();
     for _ in 0..1000 {
         let mut ended: Vec<Ended> = vec![];
-        billiard.run_side_by_side(&mut in_parts.iter().copied(), 20, &mut (), &mut |f| ended.push(f));
+        billiard.run_side_by_side(&mut in_parts.iter().copied(), &Collisions(20), &mut (), &mut |f| ended.push(f));
         ended.sort_by_key(|f| f.index);
         in_parts = ended.into_iter().map(|ended| ended.orbit).collect();
     }
@@ -197,7 +197,7 @@ fn walls_and_laws_of_your_own_run_in_two_vectors_of_as_many_lanes_as_there_are()
         Start { position: [0.5 * sin, 0.25], velocity: [cos, sin], spin: [0.5] }.orbit(Clock::new(0.0))
     };
     let mut ended: Vec<Ended> = vec![];
-    run_side_by_side(&billiard, &mut (0..50).map(orbit), 101, &mut (), &mut |f| ended.push(f));
+    run_side_by_side(&billiard, &mut (0..50).map(orbit), &Collisions(101), &mut (), &mut |f| ended.push(f));
     assert_eq!(lanes.load(Ordering::Relaxed), 2 * lanes::instruction_set().1);
     ended.sort_by_key(|f| f.index);
     for (k, f) in (0..50).zip(&ended) {
@@ -229,7 +229,7 @@ fn orbits_go_on_where_they_stopped_whatever_they_are_run_with() {
         billiard.run(orbit, &Collisions(k as u64 % 11), &mut ());
     }
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut orbits.iter().copied(), 100, &mut (), &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut orbits.iter().copied(), &Collisions(100), &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.len(), orbits.len());
     ended.sort_by_key(|f| f.index);
     for (f, start) in ended.iter().zip(&starts) {
@@ -245,7 +245,7 @@ fn a_first_orbit_without_a_future_holds_nobody_up() {
     let billiard = Planar { table: tables::wedge(1.0).unwrap(), law: Disk::new(&Specular, 1.0).unwrap() };
     let away: Disks = Start { position: [0.0, 2.0], velocity: [0.1, 1.0], spin: [0.0] }.orbit(Clock::new(0.0));
     let mut ended: Vec<Ended> = vec![];
-    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), 100, &mut (), &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut core::iter::repeat_n(away, 5), &Collisions(100), &mut (), &mut |f| ended.push(f));
     assert_eq!(ended.iter().map(|f| f.outcome.stop).collect::<Vec<_>>(), [Stop::Escaped; 5]);
 }
 
@@ -258,7 +258,7 @@ fn under_laws_that_lose_energy_an_orbit_is_as_flat_as_it_leaves() {
         assert_eq!((outcome.stop, outcome.collisions), expected);
         let mut ended = vec![];
         let orbits = &mut core::iter::repeat_n(orbit, 40);
-        run_side_by_side(billiard, orbits, 400, &mut (), &mut |f| ended.push(f));
+        run_side_by_side(billiard, orbits, &Collisions(400), &mut (), &mut |f| ended.push(f));
         assert_eq!(ended.len(), 40);
         assert!(ended.iter().all(|f| f.outcome == outcome && f.orbit.position == alone.position));
     }
@@ -299,7 +299,7 @@ fn an_orbit_that_ends_between_beats_leaves_its_lane_to_another() {
         starts[at] = short;
         let mut ended: Vec<Ended> = vec![];
         let mut orbits = starts.iter().map(|start| start.orbit(Clock::new(0.0)));
-        square.run_side_by_side(&mut orbits, 300, &mut (), &mut |f| ended.push(f));
+        square.run_side_by_side(&mut orbits, &Collisions(300), &mut (), &mut |f| ended.push(f));
         assert_eq!(ended.len(), starts.len());
         for f in ended {
             let expected = if f.index == at as u64 { (Stop::Corner, 1) } else { (Stop::Finished, 300) };
@@ -313,7 +313,7 @@ fn an_orbit_that_ends_between_beats_leaves_its_lane_to_another() {
     let canonical = Canonical::new(&billiard.table, 1.0, 3).unwrap();
     let mut ended: Vec<Ended> = vec![];
     let mut orbits = (0..2000).map(|i| canonical.start(i).orbit(Clock::new(0.0)));
-    billiard.run_side_by_side(&mut orbits, 18, &mut (), &mut |f| ended.push(f));
+    billiard.run_side_by_side(&mut orbits, &Collisions(18), &mut (), &mut |f| ended.push(f));
     ended.sort_by_key(|f| f.index);
     assert_eq!(ended.len(), 2000);
     for f in ended {
@@ -330,7 +330,7 @@ fn orbits_without_a_last_collision_run_until_they_end() {
     for most in [u64::MAX, u64::MAX - 1, u64::MAX - 5] {
         let mut orbits = (0..70).map(|k| inwards(k).orbit(Clock::new(0.0)));
         let mut ended: Vec<Ended> = vec![];
-        billiard.run_side_by_side(&mut orbits, most, &mut (), &mut |f| ended.push(f));
+        billiard.run_side_by_side(&mut orbits, &Collisions(most), &mut (), &mut |f| ended.push(f));
         assert_eq!(ended.len(), 70);
         assert!(ended.iter().all(|f| f.outcome.stop == Stop::Escaped && f.outcome.collisions > 0));
     }
@@ -390,7 +390,7 @@ fn an_observer_in_lanes_sees_all_collisions_of_all_orbits_in_order() {
         let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
         let mut counts = VelocityPortrait::new(Density::disk(20));
         let mut all = ((Diary::default(), EachOrbit::new(portrait)), &mut counts);
-        run_side_by_side(billiard, &mut starts.iter().map(orbit), 50, &mut all, &mut |_| {});
+        run_side_by_side(billiard, &mut starts.iter().map(orbit), &Collisions(50), &mut all, &mut |_| {});
         let ((mut diary, portraits), _) = all;
         diary.pages.sort_by_key(|page| page.0); // a stable sort
         let mut alone = vec![];
@@ -437,9 +437,9 @@ fn what_is_seen_of_each_orbit_in_two_runs_is_merged_in_their_order() {
     let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
     let seen = || (Diary::default(), EachOrbit::new(portrait));
     let (mut once, mut twice) = (seen(), seen());
-    run_side_by_side(&billiard, &mut starts.iter().map(orbit), 20, &mut once, &mut |_| {});
+    run_side_by_side(&billiard, &mut starts.iter().map(orbit), &Collisions(20), &mut once, &mut |_| {});
     for part in [&starts[..20], &starts[20..20], &starts[20..]] {
-        run_side_by_side(&billiard, &mut part.iter().map(orbit), 20, &mut twice, &mut |_| {});
+        run_side_by_side(&billiard, &mut part.iter().map(orbit), &Collisions(20), &mut twice, &mut |_| {});
     }
     let [once, twice] = [once, twice].map(|(_, seen)| seen.merged().unwrap());
     assert_eq!(once.points().len(), starts.len() * 20);
@@ -482,7 +482,7 @@ fn orbits_may_start_in_any_cell_of_a_lattice_and_are_followed_from_there() {
                 assert_eq!(known(&alone, &lattice, from(place)), first, "{center} {place:?}");
             }
             let mut starts = places.iter().map(|place| orbit(from(*place), &lattice));
-            billiard.run_side_by_side(&mut starts, 30, &mut (), &mut |ended| {
+            billiard.run_side_by_side(&mut starts, &Collisions(30), &mut (), &mut |ended| {
                 let place = places[usize::try_from(ended.index).unwrap()];
                 assert_eq!(known(&ended.orbit, &lattice, from(place)), first, "{center} {place:?}");
             });
@@ -499,7 +499,8 @@ fn every_track_grows_side_by_side_as_it_does_alone() {
     let track = || (Clock::new(0.0), (Angle::new(0.5), Cell::new(lattice.clone(), 0.0)));
     let orbit = |i| -> Orbit<f64, 2, 1, Conserved<f64, 2>, Tracks> { canonical.start(i).orbit(track()) };
     let mut ended = vec![];
-    billiard.run_side_by_side(&mut (0..40).map(orbit), 100, &mut (), &mut |f| ended.push((f.index, f.orbit)));
+    billiard
+        .run_side_by_side(&mut (0..40).map(orbit), &Collisions(100), &mut (), &mut |f| ended.push((f.index, f.orbit)));
     let mut far = 0.0_f64;
     for (index, together) in ended {
         let mut alone = orbit(index);

@@ -23,6 +23,9 @@
 //! | the collision map `C_q` | [`Pair::collide`], as a matrix [`Pair::collision_map`] |
 //! | the axioms, the moduli of strict maps | [`check`], [`classify()`] |
 //!
+//! Results have the same bits on every CPU. (Where another crate of a program turns on nalgebra's feature `std`, products of large matrices are
+//! fused where a CPU can, and the last digits of what [`check`] and [`classify()`] find depend on it; collisions do not.)
+//!
 //! A wall is a body that nothing moves, [`Fixed`]; a ball against a wall and two free bodies run the same code:
 //!
 //! ```

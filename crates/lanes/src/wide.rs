@@ -226,6 +226,13 @@ impl<S: Simd, A: Copy + Debug> Mask<Wide<S, A>> for WideMask<S> {
     }
 }
 
+/// What is done with the widest vectors of this CPU. In 32-bit programs on x86, where those of 512 bits have counted wrong, it is done
+/// number by number.
+#[inline(always)]
+fn widest<O: WithSimd>(operation: O) -> O::Output {
+    if cfg!(target_arch = "x86") { operation.with_simd(pulp::Scalar) } else { Arch::new().dispatch(operation) }
+}
+
 /// Runs a kernel in the widest lanes this CPU has.
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     struct Run<K>(K);
@@ -240,7 +247,7 @@ pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
             }
         }
     }
-    Arch::new().dispatch(Run(kernel))
+    widest(Run(kernel))
 }
 
 /// Runs a task compiled for the best instruction set of this CPU, still one number at a time: the three-operand
@@ -275,7 +282,7 @@ pub fn instruction_set() -> (&'static str, usize) {
             (path.rsplit("::").next().unwrap_or(path), S::F64_LANES)
         }
     }
-    Arch::new().dispatch(Name)
+    widest(Name)
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ use std::collections::BTreeMap;
 ///     path.follow(orbit);
 ///     path
 /// });
-/// square.run_side_by_side(&mut (0..1000).map(|i| canonical.start(i).orbit(())), 10, &mut paths, &mut |_| {});
+/// square.run_side_by_side(&mut (0..1000).map(|i| canonical.start(i).orbit(())), &Collisions(10), &mut paths, &mut |_| {});
 /// let time = paths.merged().map(|paths| paths.time());
 /// assert!(time.is_some_and(|time| time.count == 10_000 && (time.mean - 1.0).abs() < 0.1)); // 4A/P = 1
 /// # Ok::<(), Box<dyn std::error::Error>>(())

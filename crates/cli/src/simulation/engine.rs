@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use billiards::observe::LaneObserver;
 use billiards::{
-    Bounce, Clock, Collision, Collisions, Conserved, EnergyKeeper, Limit, Motion, Observer, Orbit, Outcome, Stop, Time,
-    Timed, WithMotion, run, run_side_by_side,
+    Bounce, Clock, Collision, Collisions, Conserved, EnergyKeeper, LaneLimit, Limit, Motion, Observer, Orbit, Outcome,
+    Stop, Time, Timed, WithMotion, run, run_side_by_side,
 };
 
 use super::event::Event;
@@ -120,8 +120,8 @@ pub(crate) trait Engine<const N: usize, const S: usize, T: Trail<N, S>>: Bounce<
     /// Runs an orbit that nobody watches.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs orbits that nobody watches, in the lanes of vector registers: the same collisions, bit by bit.
-    fn side_by_side(&self, orbits: &mut [Bare<N, S>], collisions: u64) -> Vec<Outcome>;
-    /// The same, counting every collision.
+    fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome>;
+    /// The same for so many collisions, counting every one.
     fn counted(&self, orbits: &mut [Bare<N, S>], collisions: u64, portraits: &mut T::Portraits) -> Vec<Outcome>;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome;
@@ -131,7 +131,7 @@ pub(crate) trait Engine<const N: usize, const S: usize, T: Trail<N, S>>: Bounce<
 fn side_by_side<B, O, const N: usize, const S: usize>(
     billiard: &B,
     orbits: &mut [Bare<N, S>],
-    collisions: u64,
+    limit: &impl LaneLimit<N, S, Clock>,
     observer: &mut O,
 ) -> Vec<Outcome>
 where
@@ -140,7 +140,7 @@ where
 {
     let mut outcomes = vec![Outcome { stop: Stop::Finished, collisions: 0 }; orbits.len()];
     let starts = orbits.to_vec();
-    run_side_by_side(billiard, &mut starts.into_iter(), collisions, observer, &mut |finished| {
+    run_side_by_side(billiard, &mut starts.into_iter(), limit, observer, &mut |finished| {
         #[allow(clippy::cast_possible_truncation, reason = "an index of this slice")]
         let index = finished.index as usize;
         (orbits[index], outcomes[index]) = (finished.orbit, finished.outcome);
@@ -173,11 +173,17 @@ where
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome {
         run(self, orbit, &until, &mut ())
     }
-    fn side_by_side(&self, orbits: &mut [Bare<N, S>], collisions: u64) -> Vec<Outcome> {
-        side_by_side(self, orbits, collisions, &mut ())
+    fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome> {
+        let Until { collisions, time } = until;
+        // where no time is up, nobody asks for it
+        if time < f64::INFINITY {
+            side_by_side(self, orbits, &(Collisions(collisions), Time(time)), &mut ())
+        } else {
+            side_by_side(self, orbits, &Collisions(collisions), &mut ())
+        }
     }
     fn counted(&self, orbits: &mut [Bare<N, S>], collisions: u64, portraits: &mut T::Portraits) -> Vec<Outcome> {
-        side_by_side(self, orbits, collisions, portraits)
+        side_by_side(self, orbits, &Collisions(collisions), portraits)
     }
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome {
         run(self, orbit, &until, watch)

@@ -151,50 +151,60 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             .zip(&orbits)
             .map(|(orbit, start)| Course { orbit, stop: None, collisions: 0, drift: EnergyDrift::of(start) })
             .collect();
-        for mut going in self.in_turn(first, launches.len()) {
+        let ends: Vec<f64> = scales.iter().map(|scale| scale.time_in(self.work.time)).collect();
+        let mut steps = vec![0; launches.len()];
+        for mut going in self.in_turn(first, &ends) {
+            let end = going.first().map_or(f64::INFINITY, |&k| ends[k]);
             let mut n = 0;
             while !going.is_empty() && !interrupted.load(Ordering::Relaxed) {
                 let begun = Instant::now();
                 let block = BLOCK.min(most - n);
-                for going in going.chunks(batch(block)).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
+                // until a time is up, there may be any number of collisions, and mostly fewer
+                let together = if end < f64::INFINITY { going.len() } else { batch(block) };
+                for going in going.chunks(together).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
                     let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
                     let outcomes = match &mut self.portraits {
                         Some(portraits) => {
                             portraits.side_by_side(going.iter().map(|&k| first + k as u64));
                             self.engine.counted(&mut these, block, portraits)
                         }
-                        None => self.engine.side_by_side(&mut these, block),
+                        None => self.engine.side_by_side(&mut these, Until { collisions: block, time: end }),
                     };
                     for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
                         orbits[k] = orbit;
                         let course = &mut courses[k];
                         course.collisions += outcome.collisions;
                         course.drift.see_restored(&orbits[k]);
-                        if outcome.stop != Stop::Finished || course.collisions == most {
-                            course.stop = Some(outcome.stop);
-                            progress.fetch_add(STEPS - progress_of(n, most), Ordering::Relaxed);
+                        let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == block;
+                        let goes_on = block_is_over && course.collisions < most;
+                        let now = if goes_on {
+                            progress_of(course.collisions, most).max(progress_of_time(orbits[k].track.time(), end))
                         } else {
-                            progress.fetch_add(progress_of(n + block, most) - progress_of(n, most), Ordering::Relaxed);
-                        }
+                            course.stop = Some(outcome.stop);
+                            STEPS
+                        };
+                        progress.fetch_add(now - steps[k], Ordering::Relaxed);
+                        steps[k] = now;
                     }
                 }
                 going.retain(|&k| courses[k].stop.is_none());
                 n += block;
                 self.busy += begun.elapsed();
             }
-            progress.fetch_add((STEPS - progress_of(n, most)) * going.len() as u64, Ordering::Relaxed);
+            progress.fetch_add(going.iter().map(|&k| STEPS - steps[k]).sum(), Ordering::Relaxed);
         }
         for ((orbit, scale), course) in orbits.into_iter().zip(scales).zip(courses) {
             self.end(&Running::Bare(orbit), scale, course);
         }
     }
 
-    /// So many orbits from the given one, as they run side by side: all together, or those that are counted in the same
-    /// layer of portraits, which then fits into the cache.
-    fn in_turn(&self, first: u64, count: usize) -> Vec<Vec<usize>> {
-        let mut all: Vec<usize> = (0..count).collect();
+    /// Orbits from the given one, which end at these times, as they run side by side: all that end at the same time together, or those
+    /// that are counted in the same layer of portraits, which then fits into the cache.
+    fn in_turn(&self, first: u64, ends: &[f64]) -> Vec<Vec<usize>> {
+        let mut all: Vec<usize> = (0..ends.len()).collect();
         if self.portraits.is_none() {
-            return vec![all];
+            all.sort_by(|a, b| ends[*a].total_cmp(&ends[*b]));
+            return all.chunk_by(|a, b| ends[*a] == ends[*b]).map(<[usize]>::to_vec).collect();
         }
         let layer = |k: &usize| layer(first + *k as u64);
         all.sort_by_key(layer);

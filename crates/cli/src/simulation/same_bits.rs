@@ -70,12 +70,13 @@ fn compare<const N: usize, const S: usize, T: Trail<N, S>>(
         (start.velocity[0], start.velocity[1]) = (cos * v1 - sin * v2, sin * v1 + cos * v2);
         bare(&launch(&start))
     };
+    let until = Until { collisions: COLLISIONS, time: f64::INFINITY };
     let mut lanes: Vec<_> = (0..ORBITS).map(orbit).collect();
-    let outcomes = engine.side_by_side(&mut lanes, COLLISIONS);
+    let outcomes = engine.side_by_side(&mut lanes, until);
     let mut collisions = 0;
     for ((i, lane), outcome) in (0..).zip(&lanes).zip(outcomes) {
         let mut alone = orbit(i);
-        let end = engine.bare(&mut alone, Until { collisions: COLLISIONS, time: f64::INFINITY });
+        let end = engine.bare(&mut alone, until);
         if (end, bits(&alone)) != (outcome, bits(lane)) {
             let [side_by_side, alone] = [words(outcome, lane), words(end, &alone)];
             return Err(OtherBits { orbit: i, side_by_side, alone });

@@ -84,9 +84,9 @@ pub(crate) struct Extent {
 }
 
 impl Work<'_> {
-    /// Whether nobody watches these orbits and all that ends them is a number of collisions: then they run side by side.
+    /// Whether nobody watches these orbits, or counts them up to some time: then they run side by side.
     pub(super) fn is_bare(&self, orbits: &Range<u64>) -> bool {
-        orbits.start >= self.watched_orbits() && self.time == f64::INFINITY
+        orbits.start >= self.watched_orbits() && !(self.counted && self.time < f64::INFINITY)
     }
 
     /// As many points as there may be in a portrait.

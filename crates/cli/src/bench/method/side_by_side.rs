@@ -5,7 +5,7 @@ use super::super::law::Law;
 use super::super::state::{State, first};
 use super::{End, Entry, Method, always, in_steps};
 use crate::simulation::{PlanarLaw, SpatialLaw};
-use billiards::{Conserved, EnergyKeeper, Finished, Orbit, Planar, Spatial, Stop};
+use billiards::{Collisions, Conserved, EnergyKeeper, Finished, Orbit, Planar, Spatial, Stop};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact, side by side",
@@ -68,14 +68,14 @@ fn share(starts: &[State<f64>], collisions: u64) -> u64 {
 impl Method for Plane {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
         follow(start, stops, look, |orbit, collisions, finished| {
-            self.billiard.run_side_by_side(&mut std::iter::once(orbit), collisions, &mut (), finished);
+            self.billiard.run_side_by_side(&mut std::iter::once(orbit), &Collisions(collisions), &mut (), finished);
         })
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
         let mut made = 0;
         let mut finished = |f: Finished<2, 1, Conserved<f64, 2>, ()>| made += f.outcome.collisions;
         let each = share(starts, collisions);
-        self.billiard.run_side_by_side(&mut many(starts), each, &mut (), &mut finished);
+        self.billiard.run_side_by_side(&mut many(starts), &Collisions(each), &mut (), &mut finished);
         made
     }
 }
@@ -83,14 +83,14 @@ impl Method for Plane {
 impl Method for Room {
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End {
         follow(start, stops, look, |orbit, collisions, finished| {
-            self.billiard.run_side_by_side(&mut std::iter::once(orbit), collisions, &mut (), finished);
+            self.billiard.run_side_by_side(&mut std::iter::once(orbit), &Collisions(collisions), &mut (), finished);
         })
     }
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64 {
         let mut made = 0;
         let mut finished = |f: Finished<3, 3, Conserved<f64, 3>, ()>| made += f.outcome.collisions;
         let each = share(starts, collisions);
-        self.billiard.run_side_by_side(&mut many(starts), each, &mut (), &mut finished);
+        self.billiard.run_side_by_side(&mut many(starts), &Collisions(each), &mut (), &mut finished);
         made
     }
 }
