@@ -152,6 +152,17 @@ mod tests {
     }
 
     #[test]
+    fn discs_around_the_diagonal_show_which_operators_lose_no_digit() {
+        let k = |a, b, c| Delassus::Dense(Matrix2::new(a, b, b, c)).is_well_conditioned();
+        // eigenvalues 1 and 16; 1 and 17; 2 and 18; 1 and 19
+        assert_eq!(
+            [k(1.0, 0.0, 16.0), k(1.0, 0.0, 17.0), k(10.0, -8.0, 10.0), k(10.0, -9.0, 10.0)],
+            [true, false, true, false]
+        );
+        assert!(Delassus::<2>::Isotropic { normal: 1.0, tangent: 1e9 }.is_well_conditioned());
+    }
+
+    #[test]
     fn the_condition_number_knows_what_is_no_number() {
         let of = |normal, tangent| Delassus::<3>::Isotropic { normal, tangent }.condition_number();
         assert_eq!([of(2.0, 8.0), of(8.0, 2.0), of(0.0, 1.0), of(-1.0, 1.0)], [4.0, 4.0, f64::INFINITY, f64::INFINITY]);
@@ -172,6 +183,15 @@ mod tests {
         assert_eq!(singular(&k(f64::NAN)), [true, true, true, true]);
         let ball = Delassus::Isotropic { normal: 1.0, tangent: f64::INFINITY };
         assert_eq!(singular(&ball), [false, true, true, true]);
+        // what gives way in no direction resists where the law pushes, and only there, in any units
+        for unit in [1.0, 1e-60, 1e60] {
+            let still = Delassus::Dense(Matrix3::from_diagonal(&Vector3::new(0.0, 1.0, 1.0)) * unit);
+            assert_eq!(singular(&still), [false, true, false, true], "{unit:e}");
+            assert_eq!(
+                singular(&Delassus::Dense(Matrix3::new(2.0, 0.3, 0.2, 0.3, 1.0, 0.1, 0.2, 0.1, 3.0) * unit)),
+                [false; 4]
+            );
+        }
         // askew, what the product leaves of the small eigenvalue is noise
         let askew = Delassus::Dense(Matrix2::new(0.64, -0.48, -0.48, 0.36) * 1e17 + Matrix2::identity());
         assert!(askew.is_singular_on(&Roughness::Smooth, &Unit::new_normalize(Vector2::new(0.6, 0.8))));

@@ -77,7 +77,9 @@ impl UlpsEq for DiskMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use approx::{assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq, assert_relative_ne, assert_ulps_eq};
+    use approx::{
+        assert_abs_diff_eq, assert_abs_diff_ne, assert_relative_eq, assert_relative_ne, assert_ulps_eq, assert_ulps_ne,
+    };
     use nalgebra::{SVector, Vector2, Vector4};
 
     #[test]
@@ -92,6 +94,7 @@ mod tests {
             off[i] *= 1.01;
             assert_relative_eq!(twist(off, &spin), exact, max_relative = 0.02);
             assert_relative_ne!(twist(off, &spin), exact, max_relative = 0.005);
+            assert_ulps_ne!(twist(off, &spin), exact);
             assert_abs_diff_ne!(twist(off, &spin), exact, epsilon = 0.005);
         }
         for i in 0..6 {
@@ -111,6 +114,16 @@ mod tests {
     }
 
     #[test]
+    fn unless_told_otherwise_near_is_what_it_is_for_numbers() {
+        assert_eq!(Twist::<2>::default_epsilon(), f64::default_epsilon());
+        assert_eq!(Twist::<2>::default_max_relative(), f64::default_max_relative());
+        assert_eq!(Twist::<2>::default_max_ulps(), f64::default_max_ulps());
+        assert_eq!(DiskMap::default_epsilon(), f64::default_epsilon());
+        assert_eq!(DiskMap::default_max_relative(), f64::default_max_relative());
+        assert_eq!(DiskMap::default_max_ulps(), f64::default_max_ulps());
+    }
+
+    #[test]
     fn a_disk_map_is_near_another_only_if_each_coefficient_is() {
         let map = |c: [f64; 5]| DiskMap {
             spin_spin: c[0],
@@ -126,7 +139,9 @@ mod tests {
             off[i] *= 1.01;
             assert_relative_eq!(map(off), map(exact), max_relative = 0.02);
             assert_relative_ne!(map(off), map(exact), max_relative = 0.005);
+            assert_abs_diff_eq!(map(off), map(exact), epsilon = 0.1);
             assert_abs_diff_ne!(map(off), map(exact), epsilon = 0.005);
+            assert_ulps_ne!(map(off), map(exact));
         }
     }
 }

@@ -164,7 +164,7 @@ impl<const N: usize> Basis<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Vector2, Vector3};
+    use nalgebra::{Vector2, Vector3, Vector4};
 
     #[test]
     fn only_the_span_with_the_normal_matters() {
@@ -198,6 +198,19 @@ mod tests {
     fn a_line_in_the_plane_is_all_of_the_contact_plane() {
         let roughness = Roughness::spanned_by(&Vector2::y_axis(), &[Vector2::new(1.0, 5.0)]);
         assert_eq!(roughness, Ok(Roughness::Rough));
+    }
+
+    #[test]
+    fn a_direction_almost_along_others_leaves_the_projector_exact() {
+        let normal = Unit::new_normalize(Vector4::new(1.0, -2.0, 0.5, 3.0));
+        let (first, aside) = (Vector4::new(0.3, 0.7, -0.2, 0.1), Vector4::new(-0.4, 0.2, 0.9, 0.5));
+        for share in [1.0, 1e-4, 1e-8, 1e-12] {
+            let second = normal.into_inner() + first + aside * share;
+            let projector = Roughness::spanned_by(&normal, &[first, second]).unwrap().projector(&normal);
+            // some roundings of numbers up to 1
+            assert!((projector * normal.as_ref()).norm() <= 4.0 * f64::EPSILON, "{share:e}");
+            assert!((projector * projector - projector).norm() <= 8.0 * f64::EPSILON, "{share:e}");
+        }
     }
 
     #[test]

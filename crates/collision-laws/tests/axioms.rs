@@ -357,3 +357,83 @@ fn no_axiom_is_broken_by_what_nothing_moves() {
     let walls = Pair::new(contact, (Fixed, SVector::zeros()), (Fixed, SVector::zeros()));
     assert_eq!(check::law(&walls, &NoSlip, Samples::default()).broken(check::TOLERANCE).count(), 0);
 }
+
+/// A map that breaks some axioms breaks these and no others: the identity, which goes on through the wall, and the half-turn of all velocities,
+/// which keeps no momentum and pushes everywhere.
+#[test]
+fn each_map_that_is_no_collision_breaks_the_axioms_that_it_should() {
+    for_all(scene::<3>(), |scene| {
+        let pair = Pair::new(scene.contact, (scene.bodies[0], scene.arms[0]), (scene.bodies[1], scene.arms[1]));
+        let space = pair.tangent_space();
+        let broken = |factor: f64| -> Vec<Axiom> {
+            check::map(&space, |v| v * factor, scene.samples).broken(check::TOLERANCE).map(|(axiom, _)| axiom).collect()
+        };
+        assert_eq!(broken(1.0), [Axiom::OutgoingToIngoing]);
+        assert_eq!(broken(-1.0), [Axiom::LinearMomentum, Axiom::AngularMomentum, Axiom::ContactImpulse]);
+    });
+}
+
+#[test]
+fn what_recedes_came_from_what_approached() {
+    for_all(scene::<3>(), |scene| {
+        let pair = Pair::new(scene.contact, (scene.bodies[0], scene.arms[0]), (scene.bodies[1], scene.arms[1]));
+        let space = pair.tangent_space();
+        let along = space.from_unit(space.normal());
+        for v in [&along, &-&along] {
+            assert_abs_diff_eq!(check::axioms::outgoing_to_ingoing(&space, v, v), 1.0, epsilon = ROUNDING);
+            assert_eq!(check::axioms::outgoing_to_ingoing(&space, v, &-v), 0.0);
+        }
+    });
+}
+
+#[test]
+fn the_impulse_that_is_told_makes_the_velocities_that_are_told() {
+    for slim in [1.0, 1e-6, 1e-12] {
+        let body = RigidBody::<2>::new(1.0, Inertia::Moment(slim)).expect("a body");
+        let contact = Contact::new(SVector::zeros(), [0.6, 0.8].into(), 0).expect("a normal");
+        let pair = Pair::new(contact, (body, [-0.7, 0.3].into()), (Fixed, SVector::zeros()));
+        let before = (Twist::planar([-1.3, -0.8].into(), 0.7), ());
+        let collision = pair.collide(&NoSlip, &before);
+        let made = pair.apply_impulse(&collision.impulse, &before).0;
+        // the spin is the impulse over the moment of inertia, the velocity no larger than the impulse
+        approx::assert_abs_diff_eq!(made.linear, collision.velocities.0.linear, epsilon = ROUNDING);
+        let spins = [made, collision.velocities.0].map(|v| v.spin_coordinates()[0]);
+        assert_abs_diff_eq!(spins[0] * slim, spins[1] * slim, epsilon = ROUNDING);
+    }
+}
+
+#[test]
+fn a_body_tells_the_mass_and_the_moment_of_inertia_it_was_made_of() {
+    let planar = Planar::new(2.5, 0.75).expect("a body");
+    assert_eq!([planar.mass(), planar.moment()], [2.5, 0.75]);
+    let ball = Ball::<3>::with_gamma_squared(3.0, 2.0, 0.25).expect("a ball");
+    assert_eq!([ball.mass(), ball.moment()], [3.0, 3.0]); // m γ² R²
+    let spatial = Spatial::new(2.5, Matrix3::identity()).expect("a body");
+    let rigid = RigidBody::<2>::new(2.5, Inertia::Moment(1.0)).expect("a body");
+    assert_eq!([spatial.mass(), rigid.mass(), Point::new(2.5).expect("a point").mass()], [2.5; 3]);
+}
+
+#[test]
+fn a_body_held_fixed_is_not_free_and_one_that_is_not_is_what_it_is() {
+    let ball = Ball::<3>::uniform(1.0, 1.0).expect("a ball");
+    assert!(ball.is_free() && Some(ball).is_free());
+    assert!(!Body::<3>::is_free(&None::<Ball<3>>) && !Body::<3>::is_free(&Fixed));
+}
+
+#[test]
+fn a_point_has_no_spin_so_that_a_rigid_motion_moves_it_by_the_velocity_at_its_centre() {
+    let (arm, a) = (SVector::<f64, 2>::new(0.5, 2.0), SVector::<f64, 2>::new(3.0, -1.0));
+    let spin = SMatrix::<f64, 2, 2>::new(0.0, -2.0, 2.0, 0.0);
+    let centre = SVector::of_rigid_motion(&arm, &a, &spin);
+    assert_eq!(centre, Twist::of_rigid_motion(&arm, &a, &spin).linear);
+    assert_eq!(centre + spin * arm, a);
+}
+
+/// The factors of half a turn of the velocities of a disk with γ ≫ 1: `cos β = −1`, `sin β = 2/γ`.
+#[test]
+fn no_slip_has_a_map_for_disks_of_which_the_square_of_gamma_is_out_of_range() {
+    use collision_laws::DiskLaw;
+    let map = NoSlip.disk_map(1e200);
+    assert_eq!([map.spin_spin, map.tangent_tangent, map.normal], [1.0, -1.0, -1.0]);
+    assert_eq!([map.spin_tangent, map.tangent_spin], [2e-200, 2e-200]);
+}

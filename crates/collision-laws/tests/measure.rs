@@ -107,7 +107,14 @@ fn reversibility_without_linearity_does_not_keep_the_measure() {
 
 #[test]
 fn the_report_flags_exactly_what_is_wrong_with_the_controls() {
-    let (pair, _) = approach(0.0);
+    for normal in [Vector3::z(), Vector3::x(), Vector3::new(-0.6, 0.48, 0.64)] {
+        flagged_at(normal);
+    }
+}
+
+fn flagged_at(normal: Vector3<f64>) {
+    let contact = Contact::new(Vector3::zeros(), normal, 0).expect("a normal");
+    let pair = Pair::new(contact, (ball(), normal * -ball().radius()), (Fixed, Vector3::zeros()));
     let broken = |law: &dyn CollisionLaw<3>| -> Vec<Axiom> {
         check::law(&pair, law, Samples::default()).broken(check::TOLERANCE).map(|(axiom, _)| axiom).collect()
     };
@@ -146,4 +153,40 @@ fn the_reduced_map_of_a_circle_keeps_the_measure() {
     let lossy = Restitution::new(1.0, 0.5).expect("coefficients in range");
     let determinant = jacobian_determinant(|x| circle_step(&lossy, x), &dvector![0.4, 0.3, -0.45], STEP);
     assert!((determinant.abs() - 0.5).abs() < TOLERANCE, "the slip halves: {determinant}");
+}
+
+#[test]
+fn a_law_that_does_not_say_so_is_not_strict() {
+    assert!(!Chasing.is_strict() && !CollisionLaw::<3>::is_strict(&ReversiblyChasing));
+}
+
+#[test]
+fn the_maps_that_are_tried_see_velocities_of_approach_with_unit_energy() {
+    let (pair, _) = approach(0.3);
+    let space = pair.tangent_space();
+    let seen = std::cell::RefCell::new(Vec::new());
+    let map = |v: &DVector<f64>| {
+        seen.borrow_mut().push(space.to_unit(v));
+        v.clone()
+    };
+    check::map(&space, map, Samples { count: 8, seed: 0 });
+    let unit = seen.into_inner().into_iter().filter(|y| (y.norm_squared() - 2.0).abs() < 1e-14);
+    let towards: Vec<bool> = unit.map(|y| space.normal().dot(&y) < 0.0).collect();
+    assert!(towards.len() >= 16 && towards.iter().all(|towards| *towards), "{towards:?}");
+}
+
+#[test]
+fn a_ball_in_a_slab_meets_the_ceiling_at_unit_speed_turned_by_its_spin() {
+    let slab = Slab { ball: ball(), height: 1.5 };
+    let (tangential, scaled) = (Vector2::new(0.31, -0.22), Vector3::new(0.27, 0.35, -0.18));
+    let start = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.3));
+    let state = SlabState::new(Vector2::new(0.2, -0.3), start, tangential, scaled);
+    let (turned, at_contact) = slab.meeting(&state);
+    let rise = (1.0 - tangential.norm_squared() - scaled.norm_squared()).sqrt();
+    let velocity = Vector3::new(tangential.x, tangential.y, rise);
+    let moving = ball().with_scaled_spin(velocity, scaled);
+    let spin = Vector3::from_column_slice(&moving.spin_coordinates());
+    let expected = UnitQuaternion::from_scaled_axis(spin * (slab.height / rise)) * start;
+    assert!(turned.angle_to(&expected) < 1e-14);
+    assert_abs_diff_eq!(at_contact, velocity + spin.cross(&(Vector3::z() * ball().radius())), epsilon = 1e-14);
 }

@@ -180,6 +180,10 @@ mod tests {
         );
         tensor[(0, 1)] = 0.5;
         assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotSymmetric { quantity: "the inertia", defect: 0.5 });
+        for unit in [1e-20, 1e20] {
+            let built = built(Inertia::Tensor(tensor * unit)); // in any units
+            assert_eq!(built, Error::InertiaNotSymmetric { quantity: "the inertia", defect: 0.5 * unit });
+        }
         let skew = RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::new(1.0, 0.5, 0.0, 1.0))).unwrap_err();
         assert!(skew.to_string().starts_with("S, the second moments, is not symmetric"), "{skew}");
         tensor = Matrix3::from_diagonal(&[1.0, -2.0, 1.0].into());

@@ -175,8 +175,11 @@ pub fn body<B: Body<N>, const N: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Delassus, bodies::Point};
-    use nalgebra::{Unit, Vector3};
+    use crate::{
+        Delassus, Twist,
+        bodies::{Planar, Point},
+    };
+    use nalgebra::{Unit, Vector2, Vector3};
 
     fn tried<B: Body<3>>(body: &B) -> BodyReport {
         let contact = Contact::new(Vector3::zeros(), Vector3::z(), 0).unwrap();
@@ -187,6 +190,56 @@ mod tests {
     fn the_maps_of_a_body_that_nothing_moves_fit_together() {
         let nothing = BodyReport { contact_velocity: 0.0, work: 0.0, symmetry: 0.0, rigid_motion: 0.0 };
         assert_eq!([tried(&Fixed), tried(&None::<Point>)], [nothing; 2]);
+    }
+
+    /// A disk whose maps are off, each by a factor.
+    struct Liar {
+        inertia: f64,
+        spin: f64,
+        answer: f64,
+    }
+
+    impl Body<2> for Liar {
+        type Velocity = Twist<2>;
+        fn inner_product(&self, v: &Twist<2>, w: &Twist<2>) -> f64 {
+            disk().inner_product(v, w) * self.inertia
+        }
+        fn contact_velocity(&self, arm: &Vector2<f64>, v: &Twist<2>) -> Vector2<f64> {
+            v.linear + (v.at(arm) - v.linear) * self.spin
+        }
+        fn apply_impulse(&self, arm: &Vector2<f64>, p: &Vector2<f64>, v: &Twist<2>) -> Twist<2> {
+            disk().apply_impulse(arm, &(p * self.answer), v)
+        }
+        fn delassus(&self, arm: &Vector2<f64>, normal: &Unit<Vector2<f64>>) -> Delassus<2> {
+            disk().delassus(arm, normal)
+        }
+    }
+
+    fn disk() -> Planar {
+        Planar::new(2.0, 0.75).unwrap()
+    }
+
+    #[test]
+    fn each_way_in_which_the_maps_of_a_body_do_not_fit_is_found_out() {
+        let contact = Contact::new(Vector2::zeros(), Vector2::new(0.6, 0.8), 0).unwrap();
+        for unit in [1.0, 1e-3, 1e3] {
+            let tried = |inertia, spin, answer| {
+                let arm = Vector2::new(-0.7, 0.3) * unit;
+                super::body(&Liar { inertia, spin, answer }, &contact, &arm, Samples::default())
+            };
+            let wrong = |report: BodyReport| {
+                [report.contact_velocity, report.work, report.symmetry, report.rigid_motion].map(|x| x > 1e-3)
+            };
+            // the truth; a metric that is none of its; a spin that turns the arm the other way; an answer to twice the impulse
+            assert_eq!(wrong(tried(1.0, 1.0, 1.0)), [false, false, false, false]);
+            assert_eq!(wrong(tried(2.0, 1.0, 1.0)), [false, true, false, false]);
+            assert!(tried(1.0, -1.0, 1.0).rigid_motion > 0.1);
+            assert_eq!(wrong(tried(1.0, 1.0, 2.0)), [true, true, false, false]);
+            for report in [tried(2.0, 1.0, 1.0), tried(1.0, -1.0, 1.0), tried(1.0, 1.0, 2.0)] {
+                let all = [report.contact_velocity, report.work, report.symmetry, report.rigid_motion];
+                assert_eq!(report.worst(), all.into_iter().fold(0.0, f64::max));
+            }
+        }
     }
 
     #[test]

@@ -107,6 +107,22 @@ mod tests {
     }
 
     #[test]
+    fn no_direction_is_specular_and_all_of_them_are_no_slip() {
+        let contact = Contact::new(Vector4::new(0.5, 0.0, 0.0, 1.0), Vector4::new(1.0, -2.0, 0.5, 3.0), 0).unwrap();
+        let drawn = |rank| RandomGrassmannian::<4>::new(rank, 7).unwrap().roughness(&contact);
+        assert_eq!([drawn(0), drawn(3)], [Roughness::Smooth, Roughness::Rough]);
+        assert_eq!([drawn(1).rank(), drawn(2).rank()], [1, 2]);
+    }
+
+    #[test]
+    fn every_input_bit_moves_every_output_bit() {
+        for bit in 0..64 {
+            let moved = (0..64_u64).map(|z| mix(mix(z)) ^ mix(mix(z) ^ (1 << bit))).fold(0, std::ops::BitOr::bitor);
+            assert_eq!(moved, u64::MAX, "bit {bit}");
+        }
+    }
+
+    #[test]
     fn no_more_directions_than_the_contact_plane_has_dimensions() {
         assert!(RandomGrassmannian::<4>::new(3, 0).is_ok());
         for rank in [4, usize::MAX] {

@@ -126,6 +126,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_coefficients_are_those_that_were_given() {
+        let law = Restitution::new(0.75, -0.5).unwrap();
+        assert_eq!([law.normal(), law.tangential()], [0.75, -0.5]);
+    }
+
+    #[test]
     fn coefficients_outside_their_range_are_refused() {
         assert!(matches!(Restitution::new(1.5, 0.0), Err(Error::RestitutionOutOfRange { which: "normal", .. })));
         assert!(matches!(Restitution::new(f64::NAN, 0.0), Err(Error::RestitutionOutOfRange { .. })));
