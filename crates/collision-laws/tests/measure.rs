@@ -190,3 +190,15 @@ fn a_ball_in_a_slab_meets_the_ceiling_at_unit_speed_turned_by_its_spin() {
     assert!(turned.angle_to(&expected) < 1e-14);
     assert_abs_diff_eq!(at_contact, velocity + spin.cross(&(Vector3::z() * ball().radius())), epsilon = 1e-14);
 }
+
+#[test]
+fn the_defect_of_linearity_does_not_depend_on_the_unit_of_velocity() {
+    let (pair, v) = approach(0.3);
+    let (space, w) = (pair.tangent_space(), approach(-1.9).1);
+    let map = |x: &DVector<f64>| pair.coordinates(&pair.collide(&Chasing, &pair.velocities(x.as_slice())).velocities);
+    let defect = |unit: f64| {
+        check::axioms::linearity(&space, map, &(pair.coordinates(&v) * unit), &(pair.coordinates(&w) * unit))
+    };
+    assert!(defect(1.0) > check::TOLERANCE);
+    assert_eq!([defect(1024.0), defect(1.0 / 1024.0)], [defect(1.0); 2]);
+}

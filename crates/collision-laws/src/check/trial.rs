@@ -243,6 +243,36 @@ mod tests {
     }
 
     #[test]
+    fn what_a_body_gets_wrong_does_not_depend_on_the_unit_of_mass() {
+        /// The same disk of another mass, turning the wrong way.
+        struct Heavy(Planar);
+        impl Body<2> for Heavy {
+            type Velocity = Twist<2>;
+            fn inner_product(&self, v: &Twist<2>, w: &Twist<2>) -> f64 {
+                self.0.inner_product(v, w)
+            }
+            fn contact_velocity(&self, arm: &Vector2<f64>, v: &Twist<2>) -> Vector2<f64> {
+                v.at(&-arm)
+            }
+            fn apply_impulse(&self, arm: &Vector2<f64>, p: &Vector2<f64>, v: &Twist<2>) -> Twist<2> {
+                self.0.apply_impulse(arm, p, v)
+            }
+            fn delassus(&self, arm: &Vector2<f64>, normal: &Unit<Vector2<f64>>) -> Delassus<2> {
+                self.0.delassus(arm, normal)
+            }
+        }
+        let contact = Contact::new(Vector2::zeros(), Vector2::new(0.6, 0.8), 0).unwrap();
+        let report = |unit: f64| {
+            let body = Heavy(Planar::new(2.0 * unit, 0.75 * unit).unwrap());
+            super::body(&body, &contact, &Vector2::new(-0.7, 0.3), Samples::default())
+        };
+        assert!(report(1.0).contact_velocity > 0.1);
+        for unit in [2.0_f64.powi(40), 2.0_f64.powi(-40)] {
+            assert_eq!(report(unit), report(1.0)); // a power of four changes no bit
+        }
+    }
+
+    #[test]
     fn a_body_that_moves_though_its_operator_says_that_nothing_does_is_found_out() {
         struct Ghost;
         impl Body<3> for Ghost {
