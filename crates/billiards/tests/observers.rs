@@ -1,7 +1,7 @@
 //! What the observers see, against closed forms.
 use billiards::{
-    Angle, Canonical, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit, Planar, Starts,
-    Stop, Time,
+    Angle, Canonical, CanonicalSpatial, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit,
+    Planar, Starts, Stop, Time,
     laws::{Disk, Specular},
     observe::{
         Density, EnergyDrift, FirstReturn, FreePath, Invariant, Nearest, Period, PlanarRow, Record, ReducedPortrait,
@@ -58,16 +58,16 @@ fn every_orbit_that_stays_in_a_wedge_of_these_angles_has_the_predicted_period() 
     let forms = closed_forms();
     let cases = forms["wedge_periodic"].as_array().unwrap();
     assert!(cases.len() >= 5);
-    for case in cases {
+    for (case, size) in cases.iter().flat_map(|case| [1.0, 1024.0].map(|size| (case, size))) {
         let (theta, gamma_squared) = (number(&case["theta"]), number(&case["gamma_squared"]));
         let wedge = Planar { table: tables::wedge(theta).unwrap(), law: no_slip(gamma_squared) };
         // about the axis of periodicity (sin(θ/2)/γ, 1, 0), by half of the radius of the cap of velocities that stay
         let axis = [libm::sin(0.5 * theta) / gamma_squared.sqrt(), 1.0, 0.0];
-        let size = axis[0].hypot(1.0);
+        let length = axis[0].hypot(1.0);
         let off = 0.5 * libm::tan(number(&case["cap_angular_radius"]));
-        let [v0, v1] = [axis[0] / size - 0.6 * off / size, axis[1] / size + 0.6 * off * axis[0] / size];
-        let mut orbit = orbit([0.0, 1.0], [v1, 0.8 * off], v0);
-        let mut period = Period::new(1e-11, 1.0);
+        let [v0, v1] = [axis[0] / length - 0.6 * off / length, axis[1] / length + 0.6 * off * axis[0] / length];
+        let mut orbit = orbit([0.0, size], [v1, 0.8 * off], v0);
+        let mut period = Period::new(1e-11, size);
         assert_eq!(wedge.run(&mut orbit, &Collisions(1000), &mut period).stop, Stop::Observer, "θ = {theta}");
         let found = period.found().unwrap();
         assert_eq!(found.period, case["reduced_period"].as_u64().unwrap(), "θ = {theta}");
@@ -342,7 +342,7 @@ fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
     let table = tables::stadium(1.0, 1.0).unwrap();
     let grid = Grid::new(&table, 2.0, [4, 3, 5]).unwrap();
     assert_eq!(grid.count(), 60);
-    let mut radii = [0; 3];
+    let (mut radii, mut cells) = ([0; 3], std::collections::HashSet::new());
     for i in 0..60 {
         let start = grid.start(i);
         assert!(table.signed_distance(&start.position.into()).abs() < 1e-15);
@@ -353,8 +353,17 @@ fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "r² is between 0 and 1")]
         let ring = ((1.0 - vn * vn) * 3.0) as usize;
         radii[ring] += 1;
+        // the start is in the middle of r² and of φ
+        let (cos, sin) = (start.spin[0], v2 * normal.x - v1 * normal.y);
+        let turns = (libm::atan2(sin, cos) / core::f64::consts::TAU).rem_euclid(1.0) * 5.0;
+        assert!((turns.fract() - 0.5).abs() < 1e-12 && (((1.0 - vn * vn) * 3.0).fract() - 0.5).abs() < 1e-12);
+        let place = start.position.map(f64::to_bits);
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "less than five")]
+        cells.insert((place, ring, turns as usize));
     }
     assert_eq!(radii, [20; 3]); // rings of equal r² have equal shares
+    let places: std::collections::HashSet<_> = cells.iter().map(|(place, ..)| *place).collect();
+    assert_eq!((cells.len(), places.len()), (60, 4));
     assert!(Grid::new(&table, 1.0, [0, 1, 1]).is_err() && Canonical::new(&table, -1.0, 0).is_err());
 }
 
@@ -417,6 +426,37 @@ fn a_path_from_beyond_a_wall_by_rounding_comes_no_nearer_to_a_point_than_it_is()
     let mut nearest = Nearest::to([1.5, 0.5], &orbit);
     square.run(&mut orbit, &Collisions(1), &mut nearest);
     assert!((nearest.distance() - 0.5).abs() < 1e-15);
+}
+
+#[test]
+fn a_path_passes_a_point_at_its_distance_across_the_path() {
+    let square = Planar { table: tables::square(1.0).unwrap(), law: Specular };
+    let mut orbit = orbit([0.1, 0.1], [0.6, 0.8], 0.0);
+    let mut nearest = Nearest::to([0.5, 0.2], &orbit);
+    square.run(&mut orbit, &Collisions(1), &mut nearest);
+    assert!((nearest.distance() - (0.4 * 0.8 - 0.1 * 0.6)).abs() < 1e-15, "{}", nearest.distance());
+}
+
+#[test]
+fn a_drift_below_the_rounding_of_the_energy_is_told() {
+    // squares of speed 1 + 2⁻⁶⁰ and (1 + ε)²
+    let (start, now) =
+        (orbit([0.0; 2], [1.0, 2.0_f64.powi(-30)], 0.0), orbit([0.0; 2], [1.0 + f64::EPSILON, 0.0], 0.0));
+    let expected = 2.0 * f64::EPSILON + (f64::EPSILON * f64::EPSILON - 2.0_f64.powi(-60));
+    assert_eq!(EnergyDrift::of(&start).now(&now), expected);
+}
+
+#[test]
+fn starts_in_space_at_another_speed_are_the_same_faster() {
+    let box_ = tables::cuboid([1.0, 2.0, 0.5]).unwrap();
+    let [slow, fast] = [1.0, 4.0].map(|speed| CanonicalSpatial::new(&box_, speed, 7).unwrap());
+    for i in 0..100 {
+        let (slow, fast) = (slow.start(i), fast.start(i));
+        assert_eq!(fast.position, slow.position);
+        assert_eq!((fast.velocity, fast.spin), (slow.velocity.map(|v| 4.0 * v), slow.spin.map(|w| 4.0 * w)));
+        let square = slow.velocity.iter().chain(&slow.spin).map(|v| v * v).sum::<f64>();
+        assert!((square - 1.0).abs() < 1e-15);
+    }
 }
 
 #[test]

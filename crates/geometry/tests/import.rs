@@ -137,6 +137,46 @@ fn shapes_are_exact() {
 }
 
 #[test]
+fn a_length_in_any_unit_is_what_css_makes_of_it() {
+    for inch in ["96", "96px", "1in", "72pt", "6pc", "25.4mm", "2.54cm", "101.6Q"] {
+        let square = table(&format!("<rect width='{inch}' height='{inch}'/>"));
+        assert!(is_near(square.area(), 96.0 * 96.0), "{inch}: {}", square.area());
+    }
+}
+
+#[test]
+fn corners_and_arcs_of_no_radius_are_straight() {
+    for radii in ["rx='0' ry='1'", "rx='1' ry='0'"] {
+        let rect = table(&format!("<rect width='4' height='3' {radii}/>"));
+        assert_eq!((rect.area(), rect.pieces().len(), rect.corners().len()), (12.0, 4, 4), "{radii}");
+    }
+    for arc in ["A0 5 0 0 1 4 0", "A5 0 0 0 1 4 0", "A0 0 0 0 1 4 0", "A5 5 0 0 1 0 0L4 0"] {
+        let triangle = path(&format!("M0 0{arc}L4 3Z"));
+        assert_eq!((triangle.area(), triangle.pieces().len()), (6.0, 3), "{arc}");
+    }
+}
+
+#[test]
+fn a_skew_keeps_areas_and_moves_a_side_by_the_tangent_of_its_angle() {
+    let width = |transform: &str| {
+        let skewed = table(&format!("<rect width='4' height='3' transform='{transform}'/>"));
+        assert!(is_near(skewed.area(), 12.0), "{transform}: {}", skewed.area());
+        skewed.extent().max - skewed.extent().min
+    };
+    let [x, y] = [width("skewX(30)"), width("skewY(-60)")];
+    assert!(is_near(x.x, 4.0 + 3.0 / 3.0_f64.sqrt()) && is_near(x.y, 3.0), "{x}");
+    assert!(is_near(y.x, 4.0) && is_near(y.y, 3.0 + 4.0 * 3.0_f64.sqrt()), "{y}");
+}
+
+#[test]
+fn a_rectangle_of_negative_size_is_refused() {
+    for size in ["width='-1' height='1'", "width='1' height='-1'"] {
+        let (_, said) = problem(&format!("<rect {size}/>"));
+        assert_eq!(said, "width and height must not be negative");
+    }
+}
+
+#[test]
 fn transformations_move_outlines() {
     let at = |transform: &str| table(&format!("<circle r='1' cx='2' transform='{transform}'/>"));
     let figure = |t: &Table| t.pieces()[0].figure();

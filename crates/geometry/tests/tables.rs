@@ -206,6 +206,7 @@ fn figures_have_their_symmetries_exactly() {
 
 #[test]
 fn every_table_lies_on_the_left_of_its_boundary() {
+    assert_eq!(tables::all().iter().filter(|e| e.dimension() == 3).count(), 3);
     for entry in tables::all().iter().filter(|e| e.dimension() == 2) {
         let table = entry.planar(&entry.typical()).unwrap();
         for (i, piece) in table.pieces().iter().enumerate() {
@@ -382,17 +383,19 @@ fn walls_of_a_table_in_space_are_as_far_as_its_solids() {
 
 #[test]
 fn a_ball_has_room_in_a_table_in_space_up_to_half_its_least_width() {
-    for (table, largest) in [(tables::slab(1.0), 0.5), (tables::cuboid([3.0, 1.0, 2.0]), 0.5), (tables::ball(2.0), 2.0)]
-    {
+    for (name, table, largest) in [
+        ("slab", tables::slab(1.0), 0.5),
+        ("box", tables::cuboid([3.0, 1.0, 2.0]), 0.5),
+        ("ball", tables::ball(2.0), 2.0),
+    ] {
         let table = table.unwrap();
+        assert_eq!(table.name(), name);
         let (centres, origin) = table.offset(0.25).unwrap();
-        let point = SVector::from([0.5; 3]);
-        assert_eq!(
-            centres.signed_distance(&(point - origin)),
-            table.signed_distance(&point) - 0.25,
-            "{}",
-            table.name()
-        );
+        // near the walls on either side
+        for point in [[0.5; 3], [0.5, 0.25, 0.25], [0.5, 0.75, 0.75]].map(SVector::from) {
+            let (less, all) = (centres.signed_distance(&(point - origin)), table.signed_distance(&point));
+            assert!((less - (all - 0.25)).abs() < 1e-15, "{name}: {less} {all}");
+        }
         assert_eq!(table.offset(largest).unwrap_err(), Error::NothingLeft { radius: largest, largest });
         assert_eq!(table.offset(-1.0).unwrap_err(), Error::Radius { radius: -1.0 });
         assert_eq!(table.offset(0.0).unwrap().0.extent(), table.extent());

@@ -120,3 +120,19 @@ impl<K, T> Observer<2, 1, K, T> for Period {
 fn norm3(a: f64, [b, c]: [f64; 2]) -> f64 {
     libm::hypot(a, libm::hypot(b, c))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_a_lattice_vector_apart_are_one() {
+        let lattice = Lattice::new(&[Vector2::new(2.0, 0.0), Vector2::new(1.0, 4.0)]).unwrap();
+        let period = Period::new(1e-12, 1.0).modulo(lattice);
+        for [i, j] in [[0.0, 0.0], [1.0, 0.0], [0.0, -1.0], [-3.0, 2.0]] {
+            let moved = [0.5 + 2.0 * i + j, 0.25 + 4.0 * j];
+            assert_eq!(period.distance(moved, [0.5, 0.25]), 0.0);
+            assert_eq!(period.distance(moved, [0.5, 0.5]), 0.25);
+        }
+    }
+}
