@@ -66,7 +66,8 @@ fn every_orbit_that_stays_in_a_wedge_of_these_angles_has_the_predicted_period() 
         let length = axis[0].hypot(1.0);
         let off = 0.5 * libm::tan(number(&case["cap_angular_radius"]));
         let [v0, v1] = [axis[0] / length - 0.6 * off / length, axis[1] / length + 0.6 * off * axis[0] / length];
-        let mut orbit = orbit([0.0, size], [v1, 0.8 * off], v0);
+        // as many lengths a time as a length has units
+        let mut orbit = orbit([0.0, size], [v1 * size, 0.8 * off * size], v0 * size);
         let mut period = Period::new(1e-11, size);
         assert_eq!(wedge.run(&mut orbit, &Collisions(1000), &mut period).stop, Stop::Observer, "θ = {theta}");
         let found = period.found().unwrap();
@@ -450,13 +451,22 @@ fn a_drift_below_the_rounding_of_the_energy_is_told() {
 fn starts_in_space_at_another_speed_are_the_same_faster() {
     let box_ = tables::cuboid([1.0, 2.0, 0.5]).unwrap();
     let [slow, fast] = [1.0, 4.0].map(|speed| CanonicalSpatial::new(&box_, speed, 7).unwrap());
+    let mut faces = std::collections::HashSet::new();
     for i in 0..100 {
         let (slow, fast) = (slow.start(i), fast.start(i));
+        for (axis, size) in [1.0, 2.0, 0.5].into_iter().enumerate() {
+            let (x, v) = (slow.position[axis], slow.velocity[axis]);
+            if x == 0.0 || x == size {
+                assert!(if x == 0.0 { v > 0.0 } else { v < 0.0 }, "into the box");
+                faces.insert((axis, x == 0.0));
+            }
+        }
         assert_eq!(fast.position, slow.position);
         assert_eq!((fast.velocity, fast.spin), (slow.velocity.map(|v| 4.0 * v), slow.spin.map(|w| 4.0 * w)));
         let square = slow.velocity.iter().chain(&slow.spin).map(|v| v * v).sum::<f64>();
         assert!((square - 1.0).abs() < 1e-15);
     }
+    assert_eq!(faces.len(), 6);
 }
 
 #[test]

@@ -624,3 +624,13 @@ fn an_end_that_is_no_place_is_refused() {
         assert!(matches!(table, Err(Error::Parameter { must: "a number", .. })), "{table:?}");
     }
 }
+
+#[test]
+fn a_triangle_is_counter_clockwise_wherever_it_lies() {
+    let (a, b, c) = (Vector2::new(1.0, 9.0), Vector2::new(4.0, 6.0), Vector2::new(5.0, 10.0));
+    for vertices in [[a, b, c], [b, c, a], [c, a, b]] {
+        assert_eq!(tables::triangle(vertices).unwrap().area(), 7.5);
+        let [a, b, c] = vertices;
+        assert_eq!(tables::triangle([a, c, b]).unwrap_err(), Error::Orientation { piece: 0 });
+    }
+}
