@@ -323,6 +323,16 @@ mod tests {
     }
 
     #[test]
+    fn a_floor_has_its_share_of_a_hemisphere() {
+        for radius in [0.3, 5.0] {
+            let room = Room::new(vec![plane([0.0, 0.0, 1.0], [0.0; 3]), ball(radius, [0.0; 3], Side::Inside)]);
+            let floor = share(&room, |p| p.z.abs() < 1e-12);
+            // one deviation is 0.0033
+            assert!((floor - 1.0 / 3.0).abs() < 0.015, "{radius}: {floor}");
+        }
+    }
+
+    #[test]
     fn thin_rooms_are_drawn_from() {
         for (radius, height) in [(1e-5, 1.0), (1.0, 1e-9)] {
             let can = SolidSpec::Cylinder { radius, height, rounding: 0.0 }.solid([0.0; 3], Side::Inside).unwrap();
