@@ -69,7 +69,7 @@ fn tables_and_laws(criterion: &mut Criterion) {
                     let mut made = 0;
                     let mut orbits = starts.iter().map(orbit);
                     billiard.run_side_by_side(&mut orbits, &Collisions(LONG), &mut (), &mut |f| {
-                        made += f.outcome.collisions
+                        made += f.outcome.collisions;
                     });
                     made
                 });
@@ -110,7 +110,7 @@ fn many_sides(criterion: &mut Criterion) {
                 let mut made = 0;
                 let mut orbits = starts.iter().map(orbit);
                 billiard.run_side_by_side(&mut orbits, &Collisions(COLLISIONS), &mut (), &mut |f| {
-                    made += f.outcome.collisions
+                    made += f.outcome.collisions;
                 });
                 made
             });
