@@ -297,7 +297,8 @@ impl Table {
         let sides = home.max - home.min;
         let field = Field::new(self, home);
         let square = |middle: Vector2<f64>, half: f64| {
-            let distance = field.copies.signed_distance(&middle);
+            // squares reach beyond the box, where not all translates are known
+            let distance = field.copies.signed_distance(&field.home(middle));
             Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
         };
         // squares as wide as the box is narrow, but not too many
