@@ -115,7 +115,7 @@ impl<'a> Perimeter<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tables;
+    use crate::{Lattice, Piece, shapes::Segment, tables};
 
     /// The additive recurrence of the plastic number: points that fill the square evenly.
     fn even() -> impl FnMut() -> f64 {
@@ -139,6 +139,27 @@ mod tests {
         assert!(points.iter().all(|p| table.contains(p)));
         let in_stem = points.iter().filter(|p| p.y < 0.0).count() as f64 / f64::from(n);
         assert!((in_stem - 0.375 / table.area()).abs() < 4e-3, "{in_stem}");
+    }
+
+    #[test]
+    fn points_of_a_channel_askew_are_spread_evenly_over_a_cell() {
+        let v = Vector2::new;
+        for (along, far) in [(v(2.0, 1.0), v(3.0, 7.0)), (v(0.5, -3.0), v(-20.0, 4.0)), (v(1.0, 0.0), v(0.0, 0.0))] {
+            let across = v(-along.y, along.x) * 0.75;
+            let wall = |a: Vector2<f64>, b: Vector2<f64>| Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>;
+            let walls = vec![wall(far, far + along), wall(far + along + across, far + across)];
+            let table = Table::periodic(walls, Some(Lattice::new(&[along]).unwrap())).unwrap();
+            let interior = Interior::of(&table).unwrap();
+            let (n, mut uniform, mut shares) = (4000, even(), [[0; 4]; 4]);
+            for _ in 0..n {
+                let off = interior.point(&mut uniform).unwrap() - far;
+                let [a, b] = [along, across].map(|edge| off.dot(&edge) / edge.norm_squared());
+                let share = |x: f64| (4.0 * x) as usize;
+                shares[share(a - a.floor())][share(b)] += 1;
+            }
+            let even = shares.as_flattened().iter().all(|share| (share * 16_i32 - n).abs() < n / 10);
+            assert!(even, "{along}: {shares:?}");
+        }
     }
 
     #[test]

@@ -33,7 +33,7 @@ fn has_no_larger(table: &Table, low: Vector2<f64>, sides: [Vector2<f64>; 2], nam
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig::with_cases(25))]
 
     #[test]
     fn no_place_of_a_room_is_farther_from_its_walls(
