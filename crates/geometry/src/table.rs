@@ -75,7 +75,8 @@ impl Table {
         Table::periodic(pieces, None)
     }
 
-    /// The same on the plane modulo a lattice. A piece may then end where a translate of another one starts.
+    /// The same on the plane modulo a lattice. A piece may then end where a translate of another one starts. A wall along the only vector
+    /// is a segment as long as that: a line along it is allowed, but has no length, nor its table an area, per cell.
     ///
     /// # Errors
     /// As [`Table::new`], [`Error::ManyCells`] if the pieces reach over a million cells, and [`Error::FarFromCell`] for one some 10¹⁵
