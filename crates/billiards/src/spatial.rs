@@ -85,7 +85,7 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
     /// Runs many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
     ///
     /// ```
-    /// use billiards::{CanonicalSpatial, Conserved, Orbit, Spatial, Starts, geometry::tables, laws::RoughBall};
+    /// use billiards::{CanonicalSpatial, Collisions, Conserved, Orbit, Spatial, Starts, geometry::tables, laws::RoughBall};
     ///
     /// let ball = Spatial { table: tables::ball(1.0)?, law: RoughBall::no_slip(0.4_f64.sqrt())? };
     /// let canonical = CanonicalSpatial::new(&ball.table, 1.0, 7).unwrap();
