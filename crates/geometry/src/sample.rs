@@ -154,7 +154,7 @@ mod tests {
             for _ in 0..n {
                 let off = interior.point(&mut uniform).unwrap() - far;
                 let [a, b] = [along, across].map(|edge| off.dot(&edge) / edge.norm_squared());
-                let share = |x: f64| (4.0 * x) as usize;
+                let share = |x: f64| [0.25, 0.5, 0.75].iter().filter(|&&bound| x >= bound).count();
                 shares[share(a - a.floor())][share(b)] += 1;
             }
             let even = shares.as_flattened().iter().all(|share| (share * 16_i32 - n).abs() < n / 10);
