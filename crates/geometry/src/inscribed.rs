@@ -335,7 +335,11 @@ impl Table {
                 }
             }
         }
-        field.climb(field.home(best.middle), best.half.max(best.distance.abs() * COARSE))
+        // in the very middle between walls there may be no slope, though it rises to both sides: the ascent begins beside it, too
+        let step = best.half.max(best.distance.abs() * COARSE);
+        let [here, beside] = [Vector2::zeros(), Vector2::new(0.61, 0.79) * step]
+            .map(|aside| field.climb(field.home(best.middle + aside), step));
+        if beside.radius > here.radius { beside } else { here }
     }
 
     /// A place far from all walls, on a lattice along one vector between finite pieces: on either side of these the table ends, or has no
