@@ -3,7 +3,7 @@ use crate::{
     LargestDisk, Table,
     joints::joints,
     sight::{Aim, Sight, Wall},
-    table::SMOOTH,
+    table::{Parted, SMOOTH},
 };
 use nalgebra::Vector2;
 
@@ -53,14 +53,16 @@ impl Table {
     /// ```
     pub fn describe(&self) -> Description {
         let parted = self.parted();
-        let walls = parted.as_ref().map_or(self, |(table, _)| table);
-        let turns: Vec<f64> = joints(walls).iter().map(|joint| joint.turn(walls)).collect();
+        let turns = match &parted {
+            Some(parted) => parted.turns.clone(),
+            None => joints(self).iter().map(|joint| joint.turn(self)).collect(),
+        };
         Description {
             pieces: self.pieces().len(),
             perimeter: self.perimeter(),
             corners: turns.iter().filter(|t| t.abs() > SMOOTH).count(),
             re_entrant_corners: turns.iter().filter(|&&t| t < -SMOOTH).count(),
-            components: components(walls, parted.as_ref().map(|(_, numbers)| &numbers[..])),
+            components: components_of(self, parted),
             largest_disk: self.largest_disk(),
         }
     }
@@ -76,15 +78,25 @@ impl Table {
     /// # Ok::<(), geometry::Error>(())
     /// ```
     pub fn components(&self) -> Vec<Component> {
-        match self.parted() {
-            Some((table, numbers)) => components(&table, Some(&numbers)),
-            None => components(self, None),
-        }
+        components_of(self, self.parted())
     }
 }
 
-/// The connected parts of a table on whose boundary nothing touches, or of which the pieces are parts of those with the given numbers.
-fn components(table: &Table, numbers: Option<&[usize]>) -> Vec<Component> {
+/// The connected parts of a table, which may be parted.
+fn components_of(table: &Table, parted: Option<Parted>) -> Vec<Component> {
+    let mut found = components(parted.as_ref().map_or(table, |parted| &parted.table));
+    if let Some(Parted { numbers, .. }) = parted {
+        for Component { pieces, .. } in &mut found {
+            pieces.iter_mut().for_each(|i| *i = numbers[*i]);
+            pieces.dedup();
+        }
+    }
+    found.sort_by(|a, b| a.pieces.cmp(&b.pieces));
+    found
+}
+
+/// The connected parts of a table on whose boundary nothing touches.
+fn components(table: &Table) -> Vec<Component> {
     let sight = Sight::new(table, 2.0);
     let chains = &sight.chains;
     let mut groups = Groups::new(chains.len());
@@ -131,13 +143,8 @@ fn components(table: &Table, numbers: Option<&[usize]>) -> Vec<Component> {
                 None => f64::INFINITY,
             }
         };
-        if let Some(numbers) = numbers {
-            pieces = pieces.into_iter().map(|i| numbers[i]).collect();
-            pieces.dedup();
-        }
         components.push(Component { pieces, area });
     }
-    components.sort_by(|a, b| a.pieces.cmp(&b.pieces));
     components
 }
 

@@ -21,6 +21,7 @@ use crate::{
 pub use cell::FundamentalCell;
 use container::Enclosed;
 use nalgebra::Vector2;
+pub(crate) use parted::Parted;
 use std::sync::{Arc, OnceLock};
 pub(crate) use succession::SMOOTH;
 use succession::Succession;

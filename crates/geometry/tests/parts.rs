@@ -100,6 +100,23 @@ fn obstacles_part_a_room_where_they_touch_it_and_each_other() {
 }
 
 #[test]
+fn parts_do_not_depend_on_where_and_how_a_table_lies() {
+    for k in 0..100 {
+        let (sin, cos) = libm::sincos(0.37 * f64::from(k));
+        let (dx, dy) = (3.1 * f64::from(k % 7), -7.7 * f64::from(k % 5));
+        let at = |x: f64, y: f64| v(x * cos - y * sin + dx, x * sin + y * cos + dy);
+        let room = || closed(&[at(0.0, 0.0), at(2.0, 0.0), at(2.0, 2.0), at(0.0, 2.0)]);
+        let disk = |x: f64, y: f64, r: f64| disk(at(x, y).x, at(x, y).y, r);
+        let [corner, half] = [1.0 - 0.25 * PI, 2.0 - 0.25 * PI];
+        has_parts(&table([room(), disk(1.0, 1.0, 1.0)]), &[corner; 4]);
+        has_parts(&table([room(), disk(1.0, 0.5, 0.5), disk(1.0, 1.5, 0.5)]), &[half; 2]);
+        has_parts(&table([room(), screen(at(0.5, 0.0), at(0.5, 2.0))]), &[1.0, 3.0]);
+        let diamond = closed(&[at(1.0, 0.0), at(0.0, 1.0), at(1.0, 2.0), at(2.0, 1.0)]);
+        has_parts(&table([room(), diamond]), &[0.5; 4]);
+    }
+}
+
+#[test]
 fn three_disks_that_touch_enclose_a_triangle() {
     let top = 0.75_f64.sqrt();
     let disks = [disk(0.0, 0.0, 0.5), disk(1.0, 0.0, 0.5), disk(0.5, top, 0.5)];
@@ -110,8 +127,19 @@ fn three_disks_that_touch_enclose_a_triangle() {
 fn disks_that_touch_on_a_lattice_leave_pores() {
     let top = 0.75_f64.sqrt();
     let pore = 0.5 * top - PI / 8.0;
-    has_parts(&on(&[v(1.0, 0.0), v(0.5, top)], disk(0.0, 0.0, 0.5)), &[pore, pore]);
-    has_parts(&on(&[v(1.0, 0.0), v(0.0, 1.0)], disk(0.25, 0.75, 0.5)), &[1.0 - 0.25 * PI]);
+    for (turn, x, y) in
+        [(0.0, 0.0, 0.0), (0.3, 0.1, 0.7), (1.0, -3.3, 20.0), (2.5, 1.0 / 3.0, -0.9), (-0.7, 150.0, 0.2)]
+    {
+        let (sin, cos) = libm::sincos(turn);
+        let turned = |a: f64, b: f64| v(a * cos - b * sin, a * sin + b * cos);
+        let packed = on(&[turned(1.0, 0.0), turned(0.5, top)], disk(x, y, 0.5));
+        has_parts(&packed, &[pore, pore]);
+        let packed = packed.describe();
+        assert_eq!((packed.corners, packed.re_entrant_corners), (6, 0), "{turn}"); // three cusps each
+    }
+    let square = on(&[v(1.0, 0.0), v(0.0, 1.0)], disk(0.25, 0.75, 0.5));
+    has_parts(&square, &[1.0 - 0.25 * PI]);
+    assert_eq!(square.describe().corners, 4);
     // rows that touch, with channels between them
     has_parts(&on(&[v(1.0, 0.0), v(0.0, 2.0)], disk(0.0, 0.0, 0.5)), &[2.0 - 0.25 * PI]);
     let rows: Vec<_> = [disk(0.0, 0.0, 0.5), disk(0.0, 2.0, 0.5)].into_iter().flatten().collect();

@@ -18,11 +18,19 @@ use std::sync::Arc;
 /// A piece, and the number of that which it is, or is part of.
 type Part = (Arc<dyn Piece>, usize);
 
+/// A table of pieces that end wherever another one touches them, and follow one another around each of its parts.
+pub(crate) struct Parted {
+    pub(crate) table: Table,
+    /// For each piece the number of that which it is part of.
+    pub(crate) numbers: Vec<usize>,
+    /// By how much the boundary turns where one piece follows another.
+    pub(crate) turns: Vec<f64>,
+}
+
 impl Table {
-    /// The same table of pieces that end wherever another one touches them and follow one another around each of its parts, and for each
-    /// the number of that which it is part of here; `None` where nothing touches but what follows one another anyway. Ellipses and other
-    /// curves are not cut: where they touch is not always found.
-    pub(crate) fn parted(&self) -> Option<(Table, Vec<usize>)> {
+    /// The same table, parted; `None` where nothing touches but what follows one another anyway. Ellipses and other curves are not cut:
+    /// where they touch is not always found.
+    pub(crate) fn parted(&self) -> Option<Parted> {
         let size = self.pieces.iter().map(|piece| piece.extent().size()).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
         let near = 4.0 * slack([size]);
@@ -47,14 +55,16 @@ impl Table {
             }
         }
         let table = Table::periodic(parts, self.lattice().cloned()).ok()?;
-        let Around { next, cells } = around_each_part(&table)?;
+        let joints = joints_around_parts(&table);
+        let turns = joints.iter().map(|joint| joint.turn(&table)).collect();
+        let Around { next, cells } = around_each_part(&table, joints)?;
         let moved = |(piece, cell): (&Arc<dyn Piece>, [f64; 2])| {
             let by = table.shortest().map_or_else(Vector2::zeros, |lattice| lattice.translation(cell));
             Box::new(Translated::new(Arc::clone(piece), by)) as Box<dyn Piece>
         };
         let moved = table.pieces.iter().zip(cells).map(moved).collect();
         let table = Table::periodic(moved, self.lattice().cloned()).ok()?;
-        Some((Table { next, unbounded: self.unbounded, ..table }, numbers))
+        Some(Parted { table: Table { next, unbounded: self.unbounded, ..table }, numbers, turns })
     }
 
     /// Where each of some pieces meets another one, and whether any two meet that do not follow one another.
@@ -136,11 +146,11 @@ struct Around {
 }
 
 /// `None` where rounding hides what follows what.
-fn around_each_part(table: &Table) -> Option<Around> {
+fn around_each_part(table: &Table, joints: Vec<Joint>) -> Option<Around> {
     let count = table.pieces.len();
     let mut after: Vec<Option<Joint>> = vec![None; count];
     let mut is_followed = vec![false; count];
-    for joint in joints_around_parts(table) {
+    for joint in joints {
         if std::mem::replace(&mut is_followed[joint.after], true) {
             return None;
         }
