@@ -173,14 +173,14 @@ where
                 (None, _) => {}
             }
         }
-        if !idle.contains(&true) {
-            return;
+        if idle.contains(&true) {
+            group.empty = group.lanes[..F::LANES].iter().all(|seat| seat.until == u64::MAX);
+            self.observer.end(&mut group.view, mask(&idle));
         }
-        group.empty = group.lanes[..F::LANES].iter().all(|seat| seat.until == u64::MAX);
-        self.observer.end(&mut group.view, mask(&idle));
-        // an idle lane follows an orbit, which has a future
+        // an idle lane follows an orbit, which has a future: one that has just ended would be looked at with every step
+        let idle = core::array::from_fn(|lane| lane < F::LANES && group.lanes[lane].index.is_none());
         let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
-        if let Some(model) = model {
+        if let Some(model) = model.filter(|_| idle.contains(&true)) {
             let mut orbit = group.orbit.one(model);
             for lane in (0..F::LANES).filter(|lane| idle[*lane]) {
                 self.seat(group, lane, &orbit);
