@@ -87,7 +87,7 @@ fn components_of(table: &Table, parted: Option<Parted>) -> Vec<Component> {
     let mut found = components(parted.as_ref().map_or(table, |parted| &parted.table));
     if let Some(Parted { numbers, .. }) = parted {
         for Component { pieces, .. } in &mut found {
-            pieces.iter_mut().for_each(|i| *i = numbers[*i]);
+            *pieces = pieces.iter().map(|&i| numbers[i]).collect();
             pieces.dedup();
         }
     }

@@ -84,7 +84,7 @@ pub(crate) struct Extent {
 }
 
 impl Work<'_> {
-    /// Whether nobody watches these orbits, or counts them up to some time: then they run side by side.
+    /// Whether nobody watches these orbits, nor counts their collisions up to some time: then they run side by side.
     pub(super) fn is_bare(&self, orbits: &Range<u64>) -> bool {
         orbits.start >= self.watched_orbits() && !(self.counted && self.time < f64::INFINITY)
     }
