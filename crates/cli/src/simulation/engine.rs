@@ -121,14 +121,33 @@ pub(crate) trait Engine<const N: usize, const S: usize, T: Trail<N, S>>: Bounce<
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs orbits that nobody watches, in the lanes of vector registers: the same collisions, bit by bit.
     fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome>;
-    /// The same for so many collisions, counting every one.
-    fn counted(&self, orbits: &mut [Bare<N, S>], collisions: u64, portraits: &mut T::Portraits) -> Vec<Outcome>;
+    /// The same, counting every collision.
+    fn counted(&self, orbits: &mut [Bare<N, S>], until: Until, portraits: &mut T::Portraits) -> Vec<Outcome>;
     /// Runs an orbit that somebody watches: the same collisions, bit by bit.
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome;
 }
 
-/// Runs orbits side by side, seen by an observer.
+/// Runs orbits side by side, seen by an observer. Where no time is up, nobody asks for it.
 fn side_by_side<B, O, const N: usize, const S: usize>(
+    billiard: &B,
+    orbits: &mut [Bare<N, S>],
+    until: Until,
+    observer: &mut O,
+) -> Vec<Outcome>
+where
+    B: Motion<N, S>,
+    O: LaneObserver<N, S, Conserved<f64, N>, Clock>,
+{
+    let Until { collisions, time } = until;
+    if time < f64::INFINITY {
+        up_to(billiard, orbits, &(Collisions(collisions), Time(time)), observer)
+    } else {
+        up_to(billiard, orbits, &Collisions(collisions), observer)
+    }
+}
+
+/// The same up to a limit.
+fn up_to<B, O, const N: usize, const S: usize>(
     billiard: &B,
     orbits: &mut [Bare<N, S>],
     limit: &impl LaneLimit<N, S, Clock>,
@@ -174,16 +193,10 @@ where
         run(self, orbit, &until, &mut ())
     }
     fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome> {
-        let Until { collisions, time } = until;
-        // where no time is up, nobody asks for it
-        if time < f64::INFINITY {
-            side_by_side(self, orbits, &(Collisions(collisions), Time(time)), &mut ())
-        } else {
-            side_by_side(self, orbits, &Collisions(collisions), &mut ())
-        }
+        side_by_side(self, orbits, until, &mut ())
     }
-    fn counted(&self, orbits: &mut [Bare<N, S>], collisions: u64, portraits: &mut T::Portraits) -> Vec<Outcome> {
-        side_by_side(self, orbits, &Collisions(collisions), portraits)
+    fn counted(&self, orbits: &mut [Bare<N, S>], until: Until, portraits: &mut T::Portraits) -> Vec<Outcome> {
+        side_by_side(self, orbits, until, portraits)
     }
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome {
         run(self, orbit, &until, watch)

@@ -163,12 +163,13 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                 let together = if end < f64::INFINITY { going.len() } else { batch(block) };
                 for going in going.chunks(together).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
                     let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
+                    let until = Until { collisions: block, time: end };
                     let outcomes = match &mut self.portraits {
                         Some(portraits) => {
                             portraits.side_by_side(going.iter().map(|&k| first + k as u64));
-                            self.engine.counted(&mut these, block, portraits)
+                            self.engine.counted(&mut these, until, portraits)
                         }
-                        None => self.engine.side_by_side(&mut these, Until { collisions: block, time: end }),
+                        None => self.engine.side_by_side(&mut these, until),
                     };
                     for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
                         orbits[k] = orbit;
@@ -198,22 +199,27 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         }
     }
 
-    /// Orbits from the given one, which end at these times, as they run side by side: all that end at the same time together, or those
-    /// that are counted in the same layer of portraits, which then fits into the cache.
+    /// Orbits from the given one, which end at these times, as they run side by side: all that end at the same time together, and of
+    /// them those that are counted in the same layer of portraits, which then fits into the cache.
     fn in_turn(&self, first: u64, ends: &[f64]) -> Vec<Vec<usize>> {
         let mut all: Vec<usize> = (0..ends.len()).collect();
+        all.sort_by(|a, b| ends[*a].total_cmp(&ends[*b]));
+        let at_once = all.chunk_by_mut(|a, b| ends[*a] == ends[*b]);
         if self.portraits.is_none() {
-            all.sort_by(|a, b| ends[*a].total_cmp(&ends[*b]));
-            return all.chunk_by(|a, b| ends[*a] == ends[*b]).map(<[usize]>::to_vec).collect();
+            return at_once.map(|all| all.to_vec()).collect();
         }
         let layer = |k: &usize| layer(first + *k as u64);
-        all.sort_by_key(layer);
         let mut turns: Vec<Vec<usize>> = vec![];
-        for of_layer in all.chunk_by(|a, b| layer(a) == layer(b)) {
-            match turns.last_mut() {
-                Some(few) if (few.len() as u64) < LEAST_SIDE_BY_SIDE => few.extend(of_layer),
-                _ => turns.push(of_layer.to_vec()),
+        for all in at_once {
+            all.sort_by_key(layer);
+            let mut of_these: Vec<Vec<usize>> = vec![];
+            for of_layer in all.chunk_by(|a, b| layer(a) == layer(b)) {
+                match of_these.last_mut() {
+                    Some(few) if (few.len() as u64) < LEAST_SIDE_BY_SIDE => few.extend(of_layer),
+                    _ => of_these.push(of_layer.to_vec()),
+                }
             }
+            turns.append(&mut of_these);
         }
         turns
     }

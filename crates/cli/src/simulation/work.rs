@@ -84,9 +84,9 @@ pub(crate) struct Extent {
 }
 
 impl Work<'_> {
-    /// Whether nobody watches these orbits, nor counts their collisions up to some time: then they run side by side.
+    /// Whether nobody watches these orbits: then they run side by side.
     pub(super) fn is_bare(&self, orbits: &Range<u64>) -> bool {
-        orbits.start >= self.watched_orbits() && !(self.counted && self.time < f64::INFINITY)
+        orbits.start >= self.watched_orbits()
     }
 
     /// As many points as there may be in a portrait.
@@ -120,7 +120,7 @@ impl Work<'_> {
     /// The next few orbits from the given one, for one thread.
     pub(super) fn next_job(&self, first: u64) -> Range<u64> {
         let bare = self.is_bare(&(first..first));
-        let end = if bare || self.time < f64::INFINITY { self.orbits } else { self.watched_orbits().min(self.orbits) };
+        let end = if bare { self.orbits } else { self.watched_orbits().min(self.orbits) };
         // as long as points are handed on one by one, nobody waits long for those of others
         let together = if bare && !self.shows_points() {
             // enough to fill the lanes again and again, and of what is left something for everybody, less and less

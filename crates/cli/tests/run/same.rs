@@ -1,5 +1,7 @@
 //! What does not change a result, and what does.
 
+use std::fs;
+
 use super::{Folder, SQUARE};
 
 #[test]
@@ -42,6 +44,34 @@ fn an_orbit_is_the_same_whether_or_not_anybody_watches() {
     assert_eq!(kept("collisions = \"csv\"", &["--threads", "1"]), bare);
     assert_eq!(kept("pictures = [\"orbit\"]", &["--threads", "2"]), bare);
     assert_eq!(kept("pictures = [\"velocity-portrait\", \"phase-portrait\"]", &[]), bare);
+}
+
+#[test]
+fn portraits_up_to_a_time_are_the_same_whether_or_not_their_orbits_are_recorded() {
+    let folder = Folder::new("counted");
+    for limit in ["time = 300", "collisions = 200"] {
+        let kept = |record: &str, threads: &str| {
+            let scene = format!(
+                r#"
+law = "no-slip"
+table = {{ name = "stadium" }}
+ensemble = {{ count = 400, seed = 5 }}
+run = {{ {limit} }}
+output = {{ pictures = ["velocity-portrait", "phase-portrait"]{record} }}
+"#
+            );
+            let summary = folder.done(&scene, &["--threads", threads]);
+            let portraits =
+                ["velocity", "phase"].map(|of| fs::read(folder.0.join(format!("out/{of}-portrait.png"))).unwrap());
+            (["collisions", "time", "energy_drift", "stops"].map(|key| summary[key].clone()), portraits)
+        };
+        // those that are recorded run one by one
+        let recorded = kept(", collisions = \"npy\"", "1");
+        assert!(recorded.0[0].as_u64() > Some(40_000), "{limit}: {recorded:?}");
+        for threads in ["1", "2"] {
+            assert!(kept("", threads) == recorded, "{limit}");
+        }
+    }
 }
 
 #[test]
