@@ -17,6 +17,7 @@ mod afar;
 mod boundary;
 mod boxes;
 pub mod check;
+mod components;
 mod copies;
 mod crossing;
 mod describe;
@@ -47,8 +48,9 @@ pub mod walls;
 
 pub use boundary::{Boundary, Hit};
 pub use boxes::BoxTree;
+pub use components::Component;
 pub use crossing::Crossing;
-pub use describe::{Component, Description};
+pub use describe::Description;
 pub use error::Error;
 pub use inscribed::LargestDisk;
 pub use intersect::{Meeting, MeetingKind, meetings};

@@ -34,7 +34,7 @@ pub(crate) struct Sight<'a> {
     /// Greatest finite coordinate; 1 where there is none (lines through the origin).
     pub(crate) size: f64,
     /// By how much points of pieces may be off.
-    rounding: f64,
+    pub(crate) rounding: f64,
     pub(crate) chains: Vec<Vec<usize>>,
     /// For each piece, its chain.
     pub(crate) chain_of: Vec<usize>,
