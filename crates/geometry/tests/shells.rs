@@ -116,3 +116,31 @@ fn a_surface_that_is_none_says_what_is_wrong_with_it() {
     let moebius = problem(strip, along.map(|t| t.map(vertex)).collect());
     assert!(moebius.contains("has only one side"), "{moebius}");
 }
+
+#[test]
+fn parts_that_stand_on_one_another_are_no_contradiction_however_they_are_turned() {
+    // three stacks of three boxes; as they are turned, all floors run along the first axis, but for rounding
+    let one = |low: [f64; 3], high: [f64; 3]| {
+        let (vertices, triangles) = cube(0.0, 0.5);
+        let place = |v: [f64; 3]| [0, 1, 2].map(|i| low[i] + (v[i] + 0.5) * (high[i] - low[i]));
+        (vertices.into_iter().map(place).collect::<Vec<_>>(), triangles)
+    };
+    for k in 0..100 {
+        let (sin, cos) = libm::sincos(0.1 + 0.06 * f64::from(k));
+        let (s, c) = libm::sincos(0.7 + 0.01 * f64::from(k));
+        let boxes = (0..3).flat_map(|column| {
+            let x = 0.4 * f64::from(column);
+            [
+                one([x, 0.1 + 0.2 * x, 0.0], [x + 0.3, 0.9, 0.35]),
+                one([x + 0.1, 0.3, 0.35], [x + 0.35, 0.7 + 0.2 * x, 0.8]),
+                one([x - 0.1, 0.2, 0.8], [x + 0.25, 0.6 + 0.1 * x, 1.4]),
+            ]
+        });
+        let turn = |[x, y, z]: [f64; 3]| {
+            let [x, y] = [c * x - s * y, s * x + c * y];
+            [x + 2.0, cos * y - sin * z, sin * y + cos * z - 1.0]
+        };
+        let parts = boxes.map(|(vertices, triangles)| (vertices.into_iter().map(turn).collect(), triangles));
+        assert_eq!(refused(&parts.collect::<Vec<_>>()), None, "{k}");
+    }
+}
