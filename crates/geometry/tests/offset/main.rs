@@ -1,4 +1,5 @@
 //! Where the centre of a disk can be.
+mod closed;
 mod cusps;
 mod flat_arcs;
 mod lattices;
