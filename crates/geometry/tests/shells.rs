@@ -147,15 +147,15 @@ fn parts_that_stand_on_one_another_are_no_contradiction_however_they_are_turned(
 
 #[test]
 fn a_part_with_a_dent_of_small_triangles_is_a_body() {
-    // a cube from whose top a narrow pit of many small triangles goes down, beside another cube
+    // a cube from whose top a wide pit of many small triangles goes down, beside another cube
     let (mut vertices, mut triangles) = cube(0.0, 1.0);
     triangles.retain(|t| !t.iter().all(|v| vertices[*v][2] == 1.0));
     let first = vertices.len();
-    let (sides, levels) = (8, 12);
+    let (sides, levels) = (32, 12);
     for level in 0..=levels {
         for k in 0..sides {
             let (sin, cos) = libm::sincos(core::f64::consts::TAU * k as f64 / sides as f64);
-            vertices.push([0.1 * cos, 0.1 * sin, 1.0 - 1.9 * level as f64 / levels as f64]);
+            vertices.push([0.9 * cos, 0.9 * sin, 1.0 - 1.9 * level as f64 / levels as f64]);
         }
     }
     let ring = |level: usize, k: usize| first + level * sides + k % sides;
@@ -164,15 +164,16 @@ fn a_part_with_a_dent_of_small_triangles_is_a_body() {
         triangles.extend([[a, c, b], [a, d, c]].map(|[a, b, c]| [a, c, b]));
     }
     triangles.extend((1..sides - 1).map(|k| [ring(levels, 0), ring(levels, k), ring(levels, k + 1)]));
-    // the rim of the pit, two of its corners to each corner of the top
+    // the rim of the pit, eight of its sides to each corner of the top
     let corners = [7, 6, 4, 5];
     for (quarter, &corner) in corners.iter().enumerate() {
-        let at = 2 * quarter;
-        triangles.extend([0, 1].map(|k| [corner, ring(0, at + k + 1), ring(0, at + k)]));
-        triangles.push([corner, corners[(quarter + 1) % 4], ring(0, at + 2)]);
+        let at = 8 * quarter;
+        triangles.extend((0..8).map(|k| [corner, ring(0, at + k + 1), ring(0, at + k)]));
+        triangles.push([corner, corners[(quarter + 1) % 4], ring(0, at + 8)]);
     }
-    // from the bottom of the pit first
-    triangles.reverse();
+    // seen from a corner in the pit, most triangles look down
+    let walls = 10;
+    triangles.rotate_left(walls + 2 * sides * levels);
     assert_eq!(refused(&[(vertices.clone(), triangles.clone()), cube(4.0, 0.5)]), None);
     let beside = triangles.len();
     assert_eq!(refused(&[(vertices, triangles), turned(cube(4.0, 0.5))]), Some(beside));
