@@ -94,7 +94,7 @@ mod tests {
         for chain in spec.edges() {
             assert_eq!(chain.first(), chain.last(), "{spec:?}");
             for w in chain.windows(2) {
-                let mut ends = [w[0], w[1]].map(|p| crate::plane::key::<3>(p));
+                let mut ends = [w[0], w[1]].map(crate::plane::key::<3>);
                 ends.sort_unstable();
                 if seen.insert(ends) {
                     all.push((w[1] - w[0]).norm());
