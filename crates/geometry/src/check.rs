@@ -227,7 +227,12 @@ mod tests {
             self.0.point_at(if self.1 == "clockwise" { -s } else { s })
         }
         fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
-            self.0.arc_length_at(point)
+            let s = self.0.arc_length_at(point);
+            match self.1 {
+                "seam" if s < 0.25 * self.length() => s + self.length(),
+                "half a turn" => s + 0.5 * self.length(),
+                _ => s,
+            }
         }
         fn closest(&self, point: &Vector2<f64>) -> Landing {
             self.0.closest(point)
@@ -252,6 +257,7 @@ mod tests {
     fn every_broken_promise_shows() {
         let whole = report("none");
         assert!(whole.missed == 0 && whole.rounding() < 1e-14, "{whole:?}");
+        assert!(whole.normal_direction < 1e-9 && whole.curvature < 1e-5, "{whole:?}");
         assert!(report("misses").missed > 30);
         assert!(report("late").missed > 30 && report("late").off_path > 1e-4);
         assert!(report("long normal").normal_length > 5e-4);
@@ -262,10 +268,19 @@ mod tests {
     }
 
     #[test]
+    fn a_closed_curve_may_tell_the_arc_length_of_a_place_from_either_side_of_its_seam() {
+        // a circle whose arc lengths run from a quarter of it to five quarters
+        let report = report("seam");
+        assert!(report.rounding() < 1e-14, "{report:?}");
+        // but not half a turn off
+        assert!(self::report("half a turn").arc_length > 1.0);
+    }
+
+    #[test]
     fn paths_beside_a_segment_are_not_missed_by_it() {
         let segment = Segment::new(Vector2::new(-0.3, 0.0), Vector2::new(0.3, 0.1)).unwrap();
         let region = Extent::of([Vector2::new(-1.0, -1.0), Vector2::new(1.0, 1.0)]);
         let report = piece(&segment, region, 200);
-        assert!(report.missed == 0 && report.hits > 5, "{report:?}");
+        assert!(report.missed == 0 && report.hits > 5 && report.rounding() < 1e-14, "{report:?}");
     }
 }

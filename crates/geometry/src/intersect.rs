@@ -85,7 +85,7 @@ fn along(normal: &Vector2<f64>) -> Vector2<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::shapes::{Arc, Circle, Ellipse, Ray, Segment};
+    use crate::shapes::{Arc, Bump, Circle, Ellipse, Ray, Segment};
 
     fn v(x: f64, y: f64) -> Vector2<f64> {
         Vector2::new(x, y)
@@ -171,6 +171,45 @@ mod tests {
             assert!((m.point.y.abs() - y).abs() < 1e-16 + 4.0 * f64::EPSILON * y, "{m:?}");
         }
         assert_eq!(kinds(&a, &b), [Crossing, Crossing]);
+    }
+
+    /// An arc of the given radius that bends a little to the left of the way between two points.
+    fn flat(a: Vector2<f64>, b: Vector2<f64>, radius: f64) -> Arc {
+        let chord = b - a;
+        let height = (radius * radius - 0.25 * chord.norm_squared()).sqrt();
+        let center = (a + b) * 0.5 + v(-chord.y, chord.x) * (height / chord.norm());
+        Arc::with_radius(center, radius, a, b, true).unwrap()
+    }
+
+    #[test]
+    fn a_flat_arc_meets_a_wall_on_the_wall() {
+        for k in 0..400 {
+            let t = f64::from(k);
+            let radius = libm::exp2(8.0 + 0.03 * t);
+            let arc = flat(v(-1.0, 0.1 * libm::sin(t)), v(1.0, 0.1 * libm::cos(2.0 * t)), radius);
+            let (sin, cos) = libm::sincos(1.0 + 0.002 * t);
+            let along = v(cos, sin);
+            let wall = Segment::new(v(0.3, 0.1) - along, v(0.3, 0.1) + along).unwrap();
+            let found = meetings(&wall, &arc);
+            let [Meeting { point, kind: Crossing, .. }] = found[..] else { panic!("{radius}: {found:?}") };
+            // whereas along the wall it is known as well as the arc only
+            let off = (point - v(0.3, 0.1)).dot(&wall.closest(&point).normal);
+            assert!(off.abs() < 3e-16, "{radius}: {off:e}");
+        }
+    }
+
+    #[test]
+    fn a_curve_shares_a_vertex_with_a_flat_arc_and_does_not_cross_it_there() {
+        for k in 0..200 {
+            let t = f64::from(k);
+            let (sin, cos) = libm::sincos(t);
+            let vertex = v(0.6, -0.3);
+            let arc = flat(v(-0.4, 0.2), vertex, libm::exp2(4.0 + 0.08 * t));
+            let bump = Bump::new(vertex, vertex + v(cos, sin), 0.2).unwrap();
+            let found = meetings(&arc, &bump);
+            let at_vertex: Vec<_> = found.iter().filter(|m| (m.point - vertex).norm() < 1e-6).map(|m| m.kind).collect();
+            assert_eq!(at_vertex, [End], "{k}: {found:?}");
+        }
     }
 
     #[test]

@@ -125,12 +125,11 @@ impl Table {
         let Error::Undecided { at, .. } = error else { return None };
         // on a lattice the kink may be that of a copy
         let is_there = |p: &Vector2<f64>| self.lattice().is_some() || (p - Vector2::from(*at)).norm() <= 1.5 * radius;
-        self.pieces().iter().enumerate().filter(|(_, curve)| curve.figure() == Figure::Other).find_map(
-            |(piece, curve)| {
-                let place = |k: u32| curve.length() * f64::from(k) / f64::from(PLACES);
-                let s = kink(&**curve, (0..PLACES).map(|k| [place(k), place(k + 1)]))?;
-                Some(curve.point_at(s)).filter(is_there).map(|at| Error::RoughPiece { piece, at: at.into() })
-            },
-        )
+        let is_curve = |p: &dyn Piece| p.figure() == Figure::Other && p.tips().is_none();
+        self.pieces().iter().enumerate().filter(|(_, curve)| is_curve(&***curve)).find_map(|(piece, curve)| {
+            let place = |k: u32| curve.length() * f64::from(k) / f64::from(PLACES);
+            let s = kink(&**curve, (0..PLACES).map(|k| [place(k), place(k + 1)]))?;
+            Some(curve.point_at(s)).filter(is_there).map(|at| Error::RoughPiece { piece, at: at.into() })
+        })
     }
 }

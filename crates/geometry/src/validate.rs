@@ -106,9 +106,10 @@ impl Table {
                         match m.kind {
                             MeetingKind::Crossing => error = Some(crossing),
                             MeetingKind::Overlap => {
-                                let [t, u] = [&copy.piece, &other.piece].map(|p| direction_at(&**p, &m.point));
-                                // two sides of one wall may coincide, one side twice may not
-                                if t.dot(&u) > 0.0 {
+                                let pieces = [&copy.piece, &other.piece];
+                                let [t, u] = pieces.map(|p| direction_at(&**p, &m.point));
+                                // two sides of one wall may coincide, one side twice may not, and what has no thickness has both
+                                if t.dot(&u) > 0.0 || pieces.iter().any(|p| p.tips().is_some()) {
                                     error = Some(crossing);
                                 }
                                 junctions.push(m.point);

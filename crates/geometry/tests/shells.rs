@@ -116,3 +116,65 @@ fn a_surface_that_is_none_says_what_is_wrong_with_it() {
     let moebius = problem(strip, along.map(|t| t.map(vertex)).collect());
     assert!(moebius.contains("has only one side"), "{moebius}");
 }
+
+#[test]
+fn parts_that_stand_on_one_another_are_no_contradiction_however_they_are_turned() {
+    // three stacks of three boxes; as they are turned, all floors run along the first axis, but for rounding
+    let one = |low: [f64; 3], high: [f64; 3]| {
+        let (vertices, triangles) = cube(0.0, 0.5);
+        let place = |v: [f64; 3]| [0, 1, 2].map(|i| low[i] + (v[i] + 0.5) * (high[i] - low[i]));
+        (vertices.into_iter().map(place).collect::<Vec<_>>(), triangles)
+    };
+    for k in 0..100 {
+        let (sin, cos) = libm::sincos(0.1 + 0.06 * f64::from(k));
+        let (s, c) = libm::sincos(0.7 + 0.01 * f64::from(k));
+        let boxes = (0..3).flat_map(|column| {
+            let x = 0.4 * f64::from(column);
+            [
+                one([x, 0.1 + 0.2 * x, 0.0], [x + 0.3, 0.9, 0.35]),
+                one([x + 0.1, 0.3, 0.35], [x + 0.35, 0.7 + 0.2 * x, 0.8]),
+                one([x - 0.1, 0.2, 0.8], [x + 0.25, 0.6 + 0.1 * x, 1.4]),
+            ]
+        });
+        let turn = |[x, y, z]: [f64; 3]| {
+            let [x, y] = [c * x - s * y, s * x + c * y];
+            [x + 2.0, cos * y - sin * z, sin * y + cos * z - 1.0]
+        };
+        let parts = boxes.map(|(vertices, triangles)| (vertices.into_iter().map(turn).collect(), triangles));
+        assert_eq!(refused(&parts.collect::<Vec<_>>()), None, "{k}");
+    }
+}
+
+#[test]
+fn a_part_with_a_dent_of_small_triangles_is_a_body() {
+    // a cube from whose top a wide pit of many small triangles goes down, beside another cube
+    let (mut vertices, mut triangles) = cube(0.0, 1.0);
+    triangles.retain(|t| !t.iter().all(|v| vertices[*v][2] == 1.0));
+    let first = vertices.len();
+    let (sides, levels) = (32, 12);
+    for level in 0..=levels {
+        for k in 0..sides {
+            let (sin, cos) = libm::sincos(core::f64::consts::TAU * k as f64 / sides as f64);
+            vertices.push([0.9 * cos, 0.9 * sin, 1.0 - 1.9 * level as f64 / levels as f64]);
+        }
+    }
+    let ring = |level: usize, k: usize| first + level * sides + k % sides;
+    for (level, k) in (0..levels).flat_map(|level| (0..sides).map(move |k| (level, k))) {
+        let [a, b, c, d] = [ring(level, k), ring(level, k + 1), ring(level + 1, k + 1), ring(level + 1, k)];
+        triangles.extend([[a, c, b], [a, d, c]].map(|[a, b, c]| [a, c, b]));
+    }
+    triangles.extend((1..sides - 1).map(|k| [ring(levels, 0), ring(levels, k), ring(levels, k + 1)]));
+    // the rim of the pit, eight of its sides to each corner of the top
+    let corners = [7, 6, 4, 5];
+    for (quarter, &corner) in corners.iter().enumerate() {
+        let at = 8 * quarter;
+        triangles.extend((0..8).map(|k| [corner, ring(0, at + k + 1), ring(0, at + k)]));
+        triangles.push([corner, corners[(quarter + 1) % 4], ring(0, at + 8)]);
+    }
+    // seen from a corner in the pit, most triangles look down
+    let walls = 10;
+    triangles.rotate_left(walls + 2 * sides * levels);
+    assert_eq!(refused(&[(vertices.clone(), triangles.clone()), cube(4.0, 0.5)]), None);
+    let beside = triangles.len();
+    assert_eq!(refused(&[(vertices, triangles), turned(cube(4.0, 0.5))]), Some(beside));
+}

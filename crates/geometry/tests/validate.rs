@@ -2,6 +2,7 @@
 use core::f64::consts::PI;
 use geometry::{
     Description, Error, Lattice, Outline, Piece, Table, Turn, Vector2,
+    parry::Screen,
     shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment},
     tables,
 };
@@ -543,4 +544,23 @@ fn ellipses_may_touch_straight_walls_and_one_another_but_not_cross() {
             "{a} {b}"
         );
     }
+}
+
+#[test]
+fn a_wall_without_thickness_along_another_wall_is_refused_whichever_way_it_is_drawn() {
+    let room = || polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+    let thin = |a: [f64; 2], b: [f64; 2]| Box::new(Screen::new(a.into(), b.into()).unwrap()) as Box<dyn Piece>;
+    // on the floor, and on one another
+    for (a, b) in [([1.0, 0.0], [2.0, 0.0]), ([0.0, 0.0], [4.0, 0.0])] {
+        for [from, to] in [[a, b], [b, a]] {
+            let along = check([room(), vec![thin(from, to)]]);
+            assert!(matches!(along, Err(Error::Crossing { first: 0, second: 4, .. })), "{from:?} {to:?}: {along:?}");
+            let raised = [from, to].map(|[x, y]| [x, y + 1.0]);
+            let two = check([room(), vec![thin(raised[0], raised[1]), thin([1.5, 1.0], [3.0, 1.0])]]);
+            assert!(matches!(two, Err(Error::Crossing { first: 4, second: 5, .. })), "{from:?} {to:?}: {two:?}");
+        }
+    }
+    // on it, in line with it, and from one to the other
+    let standing = vec![thin([1.0, 0.0], [1.0, 1.0]), thin([1.0, 1.0], [1.0, 2.0]), thin([1.0, 1.0], [0.0, 1.0])];
+    assert_eq!(check([room(), standing]), Ok(()));
 }

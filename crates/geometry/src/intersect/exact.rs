@@ -130,6 +130,14 @@ impl Curve {
         }
     }
 
+    /// A point beside it, brought onto it if it is straight.
+    fn straightened(&self, point: &Vector2<f64>) -> Vector2<f64> {
+        match self {
+            Curve::Straight(line) => line.origin + line.direction * (point - line.origin).dot(&line.direction),
+            Curve::Circular(_) => *point,
+        }
+    }
+
     /// Whether an arc length is that of an end.
     fn is_end(&self, s: f64) -> bool {
         self.ends().any(|(_, end)| end == s)
@@ -331,6 +339,8 @@ impl Pair {
             if ends.iter().any(|e| length(e - point) <= 4.0 * tolerance) {
                 continue;
             }
+            // the middle of a flat arc is far away, and so is the foot: what is straight is known better
+            let point = a.straightened(&b.straightened(&point));
             if let (Some(s), Some(t)) = (a.locate(&point, 2.0 * tolerance), b.locate(&point, 2.0 * tolerance)) {
                 let end = a.is_end(s) || b.is_end(t);
                 let kind = if end { MeetingKind::End } else { MeetingKind::Crossing };

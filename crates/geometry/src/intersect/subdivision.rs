@@ -6,6 +6,7 @@
 use super::{Meeting, MeetingKind, along};
 use crate::{
     Piece,
+    piece::rounding,
     plane::{is_finite, slack},
 };
 use nalgebra::Vector2;
@@ -133,8 +134,8 @@ fn range(piece: &dyn Piece, other: &dyn Piece) -> Option<[f64; 2]> {
 pub(super) fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
     let (Some(p), Some(q)) = (range(a, b), range(b, a)) else { return vec![] };
     let size = a.extent().size().max(b.extent().size());
-    // formula curves are solved to a few ulp more than coordinates
-    let tolerance = 4.0 * slack([size]);
+    // formula curves are solved to a few ulp more than coordinates; the points of a flat arc are known as well as its centre only
+    let tolerance = 4.0 * slack([size]).max(rounding(a)).max(rounding(b));
     let mut found = vec![];
     ends_on(a, b, tolerance, |point, s, t| Meeting { point, at: [s, t], kind: MeetingKind::End }, &mut found);
     ends_on(b, a, tolerance, |point, t, s| Meeting { point, at: [s, t], kind: MeetingKind::End }, &mut found);

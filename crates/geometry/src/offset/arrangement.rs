@@ -139,17 +139,21 @@ impl<'a> Arrangement<'a> {
         self.vertices.unite_near(&self.tolerances.of_vertices);
         for ((raw, cuts), tolerance) in self.raw.iter().zip(&mut self.cuts).zip(&self.tolerances.of_raw) {
             let mut single: Vec<Cut> = vec![];
+            let length = raw.piece.length();
             for cut in cuts.drain(..) {
                 // nothing as short as this is a piece
                 if let Some(last) = single.last_mut().filter(|last| cut.s - last.s <= 4.0 * tolerance) {
                     self.vertices.unite(last.site, cut.site);
+                    // where it ends is known to the last digit, where others meet it there is not
+                    if cut.s == 0.0 || cut.s == length {
+                        last.s = cut.s;
+                    }
                     last.leaves |= cut.leaves;
                     last.enters |= cut.enters;
                 } else {
                     single.push(cut);
                 }
             }
-            let length = raw.piece.length();
             if raw.piece.ends().is_none() && single.len() > 1 {
                 let (first, last) = (single[0], single[single.len() - 1]);
                 if first.s + length - last.s <= 4.0 * tolerance {

@@ -107,3 +107,42 @@ impl Vertices {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn v(x: f64, y: f64) -> Vector2<f64> {
+        Vector2::new(x, y)
+    }
+
+    #[test]
+    fn one_place_of_a_lattice_is_one_vertex_whichever_way_rounding_goes() {
+        let lattice = Lattice::new(&[v(1.0, 0.0), v(0.0, 2.0)]).unwrap();
+        // about a corner of cells, an edge, and within
+        for place in [v(0.0, 0.0), v(0.0, 0.75), v(0.5, 2.0), v(0.25, 0.5)] {
+            let off = [-1e-15, 1e-15];
+            for (i, j, k, l) in (0..16).map(|n| (n & 1, n >> 1 & 1, n >> 2 & 1, n >> 3)) {
+                let mut vertices = Vertices::new(Some(&lattice));
+                let a = vertices.add(place + v(off[i], off[j]));
+                let b = vertices.add(place + v(off[k], off[l]) + v(3.0, -4.0));
+                let other = vertices.add(place + v(0.125, 0.0));
+                vertices.unite_near(&[4e-15; 3]);
+                assert_eq!(vertices.find(a).vertex, vertices.find(b).vertex, "{place} {i} {j} {k} {l}");
+                assert_ne!(vertices.find(a).vertex, vertices.find(other).vertex);
+                // the one is the other, three cells on and two down
+                assert_eq!(vertices.at(b), vertices.at(a) + v(3.0, -4.0), "{place} {i} {j} {k} {l}");
+            }
+        }
+    }
+
+    #[test]
+    fn vertices_of_the_plane_are_united_where_they_are_near_and_nowhere_else() {
+        let mut vertices = Vertices::new(None);
+        let near = [v(0.0, 0.0), v(1e-15, -1e-15), v(-1e-15, 1e-15)].map(|p| vertices.add(p));
+        let far = [v(1e-12, 0.0), v(1.0, 0.0), v(0.0, -1.0)].map(|p| vertices.add(p));
+        vertices.unite_near(&[4e-15; 6]);
+        assert!(near.iter().all(|site| vertices.at(*site) == v(0.0, 0.0)));
+        assert_eq!(far.map(|site| vertices.at(site)), [v(1e-12, 0.0), v(1.0, 0.0), v(0.0, -1.0)]);
+    }
+}

@@ -374,17 +374,18 @@ impl Piece for Parallel {
         let [first, last] = [&self.nodes[0], &self.nodes[self.nodes.len() - 1]];
         let span = last.s - first.s;
         let turned = (span - last.along) / self.distance;
-        let foot = |n: &Node| n.point - first.point - n.normal * self.distance;
+        // not of the ends that were given, of which rounding is not that of the arc lengths
+        let [from, to] = [first, last].map(|n| self.base.point_at(n.s));
+        let feet = [Vector2::zeros(), to - from].map(|x| x - first.normal * self.distance);
         let base = if self.ends.is_none() {
             self.base.area()
         } else {
             let curve = Base(&*self.base);
             let table = ArcLength::new(&curve, self.nodes.iter().map(|n| n.s));
-            table.enclosed_area(&curve, first.point + foot(first)) + 0.5 * foot(first).perp(&foot(last))
+            table.enclosed_area(&curve, from) + 0.5 * feet[0].perp(&feet[1])
         };
         let r = self.distance;
-        base + 0.5 * r * (foot(last).perp(&last.normal) - foot(first).perp(&first.normal)) - r * span
-            + 0.5 * r * r * turned
+        base + 0.5 * r * (feet[1].perp(&last.normal) - feet[0].perp(&first.normal)) - r * span + 0.5 * r * r * turned
     }
 }
 
@@ -423,6 +424,22 @@ mod tests {
             // the ends of the seam are one point
             let apart = (arc_lengths[0] - arc_lengths[1]) / circle.length();
             assert!((apart - libm::round(apart)).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn ends_that_are_off_by_little_change_the_area_by_little() {
+        // by what lies between the chords, and not by a strip as wide as the distance
+        let base: Arc<dyn Piece> = Arc::new(ellipse(true));
+        for length in [1e-6, 1e-3, 1.0] {
+            let range = [0.7, 0.7 + length];
+            let exact = Parallel::new(Arc::clone(&base), 0.4, range, None).unwrap();
+            let [from, to] = exact.ends().unwrap();
+            for off in [Vector2::new(1e-11, 0.0), Vector2::new(0.0, -1e-11)] {
+                let other = Parallel::new(Arc::clone(&base), 0.4, range, Some([from, to + off])).unwrap();
+                let change = (other.area() - exact.area()).abs();
+                assert!(change <= 1e-11 * length + 1e-16, "{length} {off}: {change:e}");
+            }
         }
     }
 

@@ -242,6 +242,36 @@ mod tests {
     }
 
     #[test]
+    fn a_cell_holds_what_lies_between_its_edges_and_on_them() {
+        for corner in [[0.0, 0.0], [-0.5, -0.5], [0.2, 0.0]] {
+            let square = FundamentalCell {
+                corner,
+                ..FundamentalCell::at_origin(Lattice::new(&[v(1.0, 0.0), v(0.25, 1.0)]).unwrap())
+            };
+            for (i, j) in (-9..=9).flat_map(|i| (-9..=9).map(move |j| (i, j))) {
+                let parts = [i, j].map(|k| 0.125 * f64::from(k));
+                let point = v(corner[0] + parts[0] + 0.25 * (corner[1] + parts[1]), corner[1] + parts[1]);
+                let within = parts.iter().all(|part| (0.0..=1.0).contains(part));
+                assert_eq!(square.holds(&point), within, "{corner:?} {parts:?}");
+                // rounding counts for nothing, more than that does
+                for off in [1e-15, -1e-15] {
+                    assert_eq!(square.holds(&(point + v(off, off))), within, "{corner:?} {parts:?} {off}");
+                }
+                let clear = parts.iter().all(|part| (1e-9..=1.0 - 1e-9).contains(part));
+                for off in [v(1e-9, 0.0), v(-1e-9, 0.0), v(0.25e-9, 1e-9), v(-0.25e-9, -1e-9)] {
+                    assert!(!clear || square.holds(&(point + off)), "{corner:?} {parts:?}");
+                }
+                if within && parts[0] == 1.0 {
+                    assert!(!square.holds(&(point + v(1e-9, 0.0))), "{corner:?} {parts:?}");
+                }
+                if within && parts[1] == 0.0 {
+                    assert!(!square.holds(&(point - v(0.25e-9, 1e-9))), "{corner:?} {parts:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn points_come_home_and_back_by_the_vectors_as_they_were_given() {
         let skew = [v(1.0, 0.0), v(20.0, 1.0)];
         let cell = cell(&skew, &[(v(0.0, 0.0), 0.25)]);

@@ -1,6 +1,6 @@
 //! Arcs that are all but straight, of which a circle is as large as the rest is small; Bézier curves become such arcs.
 use super::*;
-use geometry::import;
+use geometry::{import, shapes::Bump};
 
 /// The greatest radius or coordinate: points of arcs are known to its rounding.
 fn greatest(drawn: &Table) -> f64 {
@@ -144,5 +144,24 @@ fn outlines_as_fine_as_scenes_read_them_take_every_disk_that_fits() {
             let offset = drawn.offset(part * largest).unwrap_or_else(|e| panic!("outline {seed}, part {part}: {e}"));
             assert_eq!(offset.table.validate(), Ok(()), "outline {seed}, part {part}");
         }
+    }
+}
+
+#[test]
+fn flat_arcs_may_stand_beside_curves_of_other_kinds() {
+    let mut random = spread(17);
+    for k in 0..30 {
+        let radius = libm::pow(10.0, 1.0 + f64::from(k) / 8.0);
+        let corners = [0.0, 1.0, 2.0, 3.0].map(|quarter| {
+            let angle = 0.5 * PI * (quarter + 0.5 * random());
+            v(2.0, 1.0) + v(libm::cos(angle), libm::sin(angle)) * (0.5 + 0.5 * random())
+        });
+        let side = |i: usize| [corners[i], corners[(i + 1) % 4]];
+        let outline = bent(Outline::from(corners[0]), side(0), radius, k % 2 == 0);
+        let bump = |i: usize, height: f64| Box::new(Bump::new(side(i)[0], side(i)[1], height).unwrap());
+        let outline = outline.piece(bump(1, 0.1 * random())).unwrap();
+        let outline = bent(outline, side(2), radius * (1.0 + random()), k % 3 == 0);
+        let drawn = table(outline.piece(bump(3, -0.1 * random())).unwrap().close().unwrap());
+        check_all(&format!("flat arcs of radius {radius} beside bumps"), &drawn);
     }
 }

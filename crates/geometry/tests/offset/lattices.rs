@@ -90,3 +90,21 @@ fn a_disk_larger_than_the_cells_of_a_torus_fits_nowhere_however_large() {
         assert!(asked == radius && (largest - free).abs() < 1e-9, "{radius}: {largest}");
     }
 }
+
+#[test]
+fn corridors_of_a_torus_exactly_as_wide_as_the_disk_are_closed() {
+    // square pillars, all corridors between which go from cell to cell
+    let pillars = |x: f64| {
+        let lattice = Lattice::new(&[v(1.0, 0.0), v(0.0, 1.0)]).unwrap();
+        let pillar = [[x, 0.25], [x, 0.75], [x + 0.5, 0.75], [x + 0.5, 0.25]];
+        Table::periodic(polygon(&pillar), Some(lattice)).unwrap()
+    };
+    for x in [0.25, 0.0, -0.5] {
+        let open = check("pillars", &pillars(x), 0.25 - 1e-9).table;
+        assert_eq!(open.chains().len(), 1, "{x}");
+        // only where corridors cross is room left, between the corners of four pillars
+        let closed = check("pillars", &pillars(x), 0.25).table;
+        assert_eq!((closed.chains().len(), closed.pieces().len()), (1, 4), "{x}");
+        assert!((closed.area() - (0.25 - PI * 0.0625)).abs() < 1e-15, "{x}: {}", closed.area());
+    }
+}

@@ -54,3 +54,13 @@ fn walls_without_thickness_have_round_tips() {
     let drawn = table(room().into_iter().chain(screens(&straight)).collect());
     assert_eq!(drawn.offset(0.125).unwrap().table.pieces().len(), 4 + 6);
 }
+
+#[test]
+fn a_thin_wall_has_no_kink_that_a_disk_cannot_be_followed_around() {
+    // one that lies on the floor makes no table, and which of the two a disk touches is not decided
+    let floor = polygon(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+    let drawn = table(floor.into_iter().chain(screens(&[[2.0, 0.0], [1.0, 0.0]])).collect());
+    for radius in [0.01, 0.25, 1.0] {
+        assert!(matches!(drawn.offset(radius), Err(Error::Undecided { .. })), "{radius}");
+    }
+}

@@ -1,4 +1,4 @@
-//! On which side of a mesh a point lies beside triangles with two sides.
+//! On which side of a mesh a point lies.
 use super::{Mesh, winding::Surface};
 use crate::plane::slack;
 use nalgebra::Vector3;
@@ -16,11 +16,11 @@ impl Mesh {
         Surface { vertices, triangles, normals, tree }
     }
 
-    /// Foot, unit normal there and distance of a point, as found by somebody who asks just one of several triangles
-    /// through the foot for the side: where the table is on both sides of one of these, the point lies beside the one
-    /// that looks at it.
+    /// Foot, unit normal there and distance of a point, as found by somebody who asks the triangles through the foot for the
+    /// side: where the table is on both sides of one of these, the point lies beside the one that looks at it.
     ///
-    /// Around a closed surface its winding number tells whether the table is there at all: two solid bodies may touch.
+    /// Around a closed surface its winding number tells whether the table is there at all: two solid bodies may touch, and a
+    /// triangle as narrow as rounding, which looks anywhere, may have a say in the side of all that is nearest to its edges.
     pub(crate) fn beside(
         &self,
         point: &Vector3<f64>,
@@ -35,19 +35,24 @@ impl Mesh {
                 (nearest, height) = (Some(k), this);
             }
         });
-        let Some(k) = nearest else { return (foot, normal, distance) };
         let size = away.norm();
-        let in_table = if self.closed {
-            // the axis along which the triangle is seen best
-            let around = self.surface().winding(point, self.normals[k].iamax(), |_| true);
-            (around == 0) == self.outside
-        } else {
-            height >= 0.0
-        };
-        let distance = if in_table { size } else { -size };
         let rounding = slack([self.size, point.amax()]);
+        let Some(k) = nearest else {
+            if !self.closed || size == 0.0 || self.is_in_table(point, &normal) == (distance > 0.0) {
+                return (foot, normal, distance);
+            }
+            return (foot, if size <= rounding { normal } else { away / size.copysign(-distance) }, -distance);
+        };
+        let in_table = if self.closed { self.is_in_table(point, &self.normals[k]) } else { height >= 0.0 };
+        let distance = if in_table { size } else { -size };
         let on_face = in_table && size <= CLEAR * self.size && height >= size - rounding;
         let normal = if on_face || size <= rounding { self.normals[k] } else { away / size.copysign(distance) };
         (foot, normal, distance)
+    }
+
+    /// Whether the table of a closed surface is at a point beside a triangle with this normal.
+    fn is_in_table(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
+        // the axis along which the triangle is seen best
+        (self.surface().winding(point, normal.iamax(), |_| true) == 0) == self.outside
     }
 }

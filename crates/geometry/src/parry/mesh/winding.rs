@@ -17,7 +17,8 @@ impl Surface<'_> {
     ///
     /// Neighbours agree on which side of the ray the edge between them passes: nothing leaks.
     pub(super) fn winding(&self, point: &Vector3<f64>, axis: usize, asked: impl Fn(usize) -> bool) -> i32 {
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let axes = [axis, (axis + 1) % 3, (axis + 2) % 3];
+        let [_, i, j] = axes;
         let ahead = |e: &Extent<3>| {
             let within = |i: usize| e.min[i] <= point[i] && point[i] <= e.max[i];
             within(i) && within(j) && e.max[axis] >= point[axis]
@@ -28,40 +29,63 @@ impl Surface<'_> {
                 return;
             }
             let corners = self.triangles[k].map(|v| self.vertices[v]);
-            let around: i32 = (0..3).map(|s| passes([i, j], point, &corners[s], &corners[(s + 1) % 3])).sum();
-            if around != 0 && self.is_ahead(k, point, axis) {
+            let levels = [0, 1, 2].map(|s| Level::of(axes, point, &corners[s], &corners[(s + 1) % 3]));
+            let levels = || levels.iter().flatten();
+            let around: i32 = levels().map(|level| level.passes(point[i])).sum();
+            if around != 0 && self.is_ahead(k, point, axis, levels().map(|level| level.along)) {
                 winding += around;
             }
         });
         winding
     }
 
-    /// Whether the line through a point along an axis meets the plane of a triangle ahead of the point.
-    fn is_ahead(&self, k: usize, point: &Vector3<f64>, axis: usize) -> bool {
-        let [a, b, c] = self.triangles[k].map(|v| self.vertices[v]);
-        if point[axis] < a[axis].min(b[axis]).min(c[axis]) {
+    /// Whether the line through a point along an axis meets a triangle ahead of the point, with the places along it of two sides of the
+    /// triangle between which that is.
+    fn is_ahead(&self, k: usize, point: &Vector3<f64>, axis: usize, mut sides: impl Iterator<Item = f64>) -> bool {
+        // a plane along the axis is met anywhere, within rounding, but not outside of the triangle
+        let (Some(a), Some(b)) = (sides.next(), sides.next()) else { return false };
+        if a > point[axis] && b > point[axis] {
             return true;
         }
+        if a < point[axis] && b < point[axis] {
+            return false;
+        }
+        let corner = self.vertices[self.triangles[k][0]];
         let normal = &self.normals[k];
-        (normal.dot(&(point - a)) < 0.0) == (normal[axis] > 0.0)
+        (normal.dot(&(point - corner)) < 0.0) == (normal[axis] > 0.0)
     }
 }
 
-/// Seen along an axis: +1 where the side from `a` to `b` passes the point on its right upwards, −1 downwards.
-fn passes([i, j]: [usize; 2], point: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> i32 {
-    let upwards = a[j] <= point[j] && point[j] < b[j];
-    let downwards = b[j] <= point[j] && point[j] < a[j];
-    if !(upwards || downwards) {
-        return 0;
+/// Where the side of a triangle, seen along an axis, is as high as a point.
+struct Level {
+    upwards: bool,
+    at: f64,
+    /// Along the axis.
+    along: f64,
+}
+
+impl Level {
+    /// On the side from `a` to `b`, if it has such a place.
+    fn of([axis, i, j]: [usize; 3], point: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> Option<Level> {
+        let upwards = a[j] <= point[j] && point[j] < b[j];
+        let downwards = b[j] <= point[j] && point[j] < a[j];
+        if !(upwards || downwards) {
+            return None;
+        }
+        // from the lower end, whichever way it is passed: the same for both neighbours
+        let (low, high) = if upwards { (a, b) } else { (b, a) };
+        let place = |i: usize| low[i] + (point[j] - low[j]) * ((high[i] - low[i]) / (high[j] - low[j]));
+        Some(Level { upwards, at: place(i), along: place(axis) })
     }
-    // from the lower end, whichever way it is passed: the same for both neighbours
-    let (low, high) = if upwards { (a, b) } else { (b, a) };
-    let at = low[i] + (point[j] - low[j]) * ((high[i] - low[i]) / (high[j] - low[j]));
-    if at <= point[i] {
-        0
-    } else if upwards {
-        1
-    } else {
-        -1
+
+    /// +1 where it passes a point on its right upwards, −1 downwards.
+    fn passes(&self, point: f64) -> i32 {
+        if self.at <= point {
+            0
+        } else if self.upwards {
+            1
+        } else {
+            -1
+        }
     }
 }

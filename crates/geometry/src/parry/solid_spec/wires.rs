@@ -87,6 +87,48 @@ mod tests {
     use super::*;
     use crate::parry::Side;
 
+    /// The lengths of the parts of closed chains, each part once.
+    fn lengths(spec: &SolidSpec) -> Vec<f64> {
+        let mut seen = std::collections::HashSet::new();
+        let mut all = vec![];
+        for chain in spec.edges() {
+            assert_eq!(chain.first(), chain.last(), "{spec:?}");
+            for w in chain.windows(2) {
+                let mut ends = [w[0], w[1]].map(crate::plane::key::<3>);
+                ends.sort_unstable();
+                if seen.insert(ends) {
+                    all.push((w[1] - w[0]).norm());
+                }
+            }
+        }
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    #[test]
+    fn the_edges_of_a_box_are_four_along_each_axis() {
+        let size = [1.25, 1.75, 0.5];
+        let found = lengths(&SolidSpec::Cuboid { size, rounding: 0.0 });
+        assert_eq!(found, [[0.5; 4], [1.25; 4], [1.75; 4]].concat());
+        assert!(SolidSpec::Cuboid { size, rounding: 0.1 }.edges().is_empty());
+    }
+
+    #[test]
+    fn the_edges_of_cylinders_and_cones_are_circles() {
+        let (radius, height) = (0.8, 1.1);
+        let around = |spec: SolidSpec, circles: usize| {
+            let found = lengths(&spec);
+            assert_eq!((spec.edges().len(), found.len()), (circles, circles * POINTS as usize), "{spec:?}");
+            // all as long as the sides of a regular polygon
+            let side = 2.0 * radius * libm::sin(0.5 * TAU / f64::from(POINTS));
+            assert!(found.iter().all(|length| (length - side).abs() < 1e-15), "{spec:?}");
+        };
+        around(SolidSpec::Cylinder { radius, height, rounding: 0.0 }, 2);
+        around(SolidSpec::Cone { radius, height, rounding: 0.0 }, 1);
+        let base = SolidSpec::Cone { radius, height, rounding: 0.0 }.edges();
+        assert!(base.iter().flatten().all(|p| p.z == -0.5 * height));
+    }
+
     #[test]
     fn what_is_farthest_is_on_the_surface_and_no_other_point_is_farther() {
         let points = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.1, 0.0], [0.1, 0.0, 1.2]];
