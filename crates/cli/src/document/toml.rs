@@ -19,8 +19,13 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     for fault in &faults {
         let (span, after) = (place(fault), upset);
         upset = Some(line(span) + 1);
-        if after.is_none_or(|after| line(span) > after) {
-            problems.add(span, fault.message());
+        if after.is_some_and(|after| line(span) <= after) {
+            continue;
+        }
+        let there = source.text().get(span.start..).unwrap_or_default();
+        match mend(fault.message(), there) {
+            Some(help) => problems.add_with_help(span, fault.message(), help),
+            None => problems.add(span, fault.message()),
         }
     }
     if !faults.is_empty() {
@@ -32,6 +37,22 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     }
     let whole = Span::new(0, 0);
     Some(Spanned::new(table(document.into_inner()), whole))
+}
+
+/// How to mend a number that is none in TOML, by what its parser says and what stands there.
+fn mend(fault: &str, there: &str) -> Option<&'static str> {
+    let says = |beginning| fault.starts_with(beginning);
+    if says("string values must be quoted") {
+        Some(r#"write texts and expressions in quotes, as in "no-slip" or "sqrt(2)/2""#)
+    } else if says("invalid mantissa") || says("invalid fraction") {
+        Some("write digits before and after the point, as in 0.5 or 2.0")
+    } else if says("unexpected leading zero") {
+        Some("write the number without zeros in front")
+    } else if says("unexpected key or value") && there.starts_with(',') {
+        Some("write a point before the decimals, as in 0.5, and a list in brackets, as in [1, 0]")
+    } else {
+        None
+    }
 }
 
 fn table(table: DeTable<'_>) -> Value {
@@ -91,6 +112,25 @@ mod tests {
         let mut problems = Problems::new(&Source::new("x.toml", &format!("a = {number}")));
         let Some(Value::Table(mut entries)) = parse(&mut problems).map(|item| item.value) else { panic!("{number}") };
         entries.remove(0).1.value
+    }
+
+    #[test]
+    fn a_number_as_other_languages_write_it_is_told_how_to_be_written() {
+        for (number, mend) in [
+            ("1/2", "in quotes"),
+            ("sqrt(2)", "in quotes"),
+            (".5", "before and after the point"),
+            ("-.5", "before and after the point"),
+            ("5.", "before and after the point"),
+            ("[1, .5]", "before and after the point"),
+            ("01", "without zeros"),
+            ("0,5", "a point before the decimals"),
+        ] {
+            let mut problems = Problems::new(&Source::new("x.toml", &format!("a = {number}\n")));
+            assert!(parse(&mut problems).is_none(), "{number}");
+            let help = problems.into_diagnostics().swap_remove(0).help.unwrap_or_default();
+            assert!(help.contains(mend), "{number}: {help}");
+        }
     }
 
     #[test]
