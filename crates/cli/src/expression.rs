@@ -18,7 +18,7 @@ use std::fmt;
 pub use curve::{ImplicitCurve, PolarCurve};
 pub use program::Program;
 
-use constant::{Constant, Literal};
+use constant::{Constant, LARGEST_ANGLE, Literal};
 use number::Number;
 use parser::{Parser, tokens};
 
@@ -267,6 +267,10 @@ impl Node {
             Self::Unary(Function::Acos, a) => {
                 (format!("acos of {}, which is outside [-1, 1]", values[a]), "its argument must lie between -1 and 1")
             }
+            Self::Unary(Function::Sin | Function::Cos | Function::Tan, a) if values[a].abs() > LARGEST_ANGLE => (
+                format!("the angle {:?}, whose digits do not tell where on the circle it is", values[a]),
+                "angles are in radians: write one between -1e30 and 1e30",
+            ),
             Self::Unary(Function::Tan, _) => (
                 "tan of an odd multiple of pi/2, which has none".into(),
                 "its argument must not be an odd multiple of pi/2",
