@@ -178,7 +178,7 @@ impl Groups {
 mod tests {
     use super::*;
     use crate::{
-        Lattice, Outline, Piece,
+        Error, Lattice, Outline, Piece, Turn,
         shapes::{Circle, FullLine, Segment},
         tables,
     };
@@ -217,6 +217,26 @@ mod tests {
     }
 
     #[test]
+    fn areas_and_senses_do_not_depend_on_where_a_table_is() {
+        for far in [0.0, 1e6, 1e8, 1e12] {
+            let room = |hole: bool| Table::new(square(far + 0.25, 0.5 - far, 1.0, hole)).unwrap();
+            assert_eq!((room(false).area(), room(false).describe().area()), (1.0, 1.0), "{far:e}");
+            let inner = room(false).offset(0.25).unwrap().table.describe();
+            assert_eq!((inner.area(), inner.largest_disk.radius), (0.25, 0.25), "{far:e}");
+            assert!(room(false).validate().is_ok());
+            assert!(matches!(room(true).validate(), Err(Error::Orientation { .. })), "{far:e}");
+            assert!(room(true).unbounded().validate().is_ok());
+            assert!(room(true).largest_disk().radius.is_infinite());
+            let cap = |x: f64, y: f64| v(far + x, y - far);
+            let o = Outline::from(cap(-1.0, -1.0)).line_to(cap(1.0, -1.0)).unwrap();
+            let o = o.arc_to(cap(1.0, 1.0), cap(1.0, 0.0), Turn::CounterClockwise).unwrap();
+            let o = o.line_to(cap(-1.0, 1.0)).unwrap().line_to(cap(-1.0, -1.0)).unwrap();
+            let area = Table::new(o.close().unwrap()).unwrap().area();
+            assert!((area - (4.0 + 0.5 * PI)).abs() < 1e-14, "{far:e}: {area}");
+        }
+    }
+
+    #[test]
     fn the_open_plane_is_one_part() {
         let table = Table::new(vec![disk(0.0, 0.0, 1.0), disk(3.0, 0.0, 1.0), disk(1.0, 9.0, 1.0)]).unwrap();
         let found = table.components();
@@ -240,7 +260,7 @@ mod tests {
         // outside of the room there is no table
         let loops = [square(0.0, 0.0, 9.0, false), slit(10.0)];
         let beside = Table::new(loops.into_iter().flatten().collect()).unwrap().validate();
-        assert!(matches!(beside, Err(crate::Error::Orientation { piece: 4..=5 })), "{beside:?}");
+        assert!(matches!(beside, Err(Error::Orientation { piece: 4..=5 })), "{beside:?}");
     }
 
     #[test]
@@ -273,6 +293,17 @@ mod tests {
     }
 
     #[test]
+    fn scatterers_on_a_lattice_that_see_only_themselves_leave_one_part() {
+        let corners = [(0.5957, 0.447), (0.5516, 0.474), (0.5776, 0.513), (0.6159, 0.4951), (0.5975, 0.4477)];
+        let pentagon =
+            corners.into_iter().fold(Outline::from(v(0.5975, 0.4477)), |o, (x, y)| o.line_to(v(x, y)).unwrap());
+        let pieces = [disk(0.43, 0.56, 0.047)].into_iter().chain(pentagon.close().unwrap()).collect();
+        let lattice = Lattice::new(&[v(1.0, 0.0), v(0.0, 1.0)]).unwrap();
+        let found = Table::periodic(pieces, Some(lattice)).unwrap().components();
+        assert_eq!(found.len(), 1, "{found:?}");
+    }
+
+    #[test]
     fn a_wall_that_goes_on_for_ever_parts_a_lattice_in_whatever_direction_it_runs() {
         // nearly upwards, as lines of sight go elsewhere
         for forward in [v(1.0, 0.0), v(0.0, 1.0), v(0.03, 1.0), v(0.032_475_5, 0.999_472_5)] {
@@ -282,18 +313,19 @@ mod tests {
                 let ends = [from, to].map(|part| forward * part + across * s);
                 Box::new(Segment::new(ends[0], ends[1]).unwrap()) as Box<dyn Piece>
             };
-            let disk = |part: f64, s: f64| {
-                let center = forward * part + across * s;
-                Box::new(Circle::new(center, 0.02, false).unwrap()) as Box<dyn Piece>
+            // that along which it is looked away from it runs along the walls
+            let slit = |part: f64, s: f64| {
+                let [from, to] = [s, s + 0.02].map(|s| forward * part + across * s);
+                Outline::from(from).line_to(to).unwrap().line_to(from).unwrap().close().unwrap()
             };
-            // two bands of table, of heights 0.4 and 0.15, each with two scatterers; the upper one is drawn across the cell's edge
+            // two bands of table, of heights 0.4 and 0.15, each with two slits across it; the upper one is drawn across the cell's edge
             let walls = [line(0.0, 1.0, 0.1), line(1.0, 0.0, 0.5), line(0.0, 1.0, 0.9), line(1.0, 0.0, 0.05)];
-            let disks = [disk(0.2, 0.3), disk(0.7, 0.2), disk(0.3, 0.95), disk(0.9, 1.0)];
-            let pieces: Vec<Box<dyn Piece>> = walls.into_iter().chain(disks).collect();
+            let slits = [slit(0.2, 0.3), slit(0.7, 0.2), slit(0.3, 0.95), slit(0.9, 1.0)];
+            let pieces: Vec<Box<dyn Piece>> = walls.into_iter().chain(slits.into_iter().flatten()).collect();
             let found = Table::periodic(pieces, Some(lattice)).unwrap().components();
             let parts: Vec<&[usize]> = found.iter().map(|part| &part.pieces[..]).collect();
-            assert_eq!(parts, [&[0, 1, 4, 5][..], &[2, 3, 6, 7]], "{forward}");
-            let areas = [0.4, 0.15].map(|height| height - 2.0 * PI * 0.02 * 0.02);
+            assert_eq!(parts, [&[0, 1, 4, 5, 6, 7][..], &[2, 3, 8, 9, 10, 11]], "{forward}");
+            let areas = [0.4, 0.15];
             assert!(found.iter().zip(areas).all(|(part, area)| (part.area - area).abs() < 1e-14), "{found:?}");
         }
     }

@@ -55,42 +55,7 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::{Error, Outline, Piece, Turn, tables};
-    use core::f64::consts::PI;
-    use nalgebra::Vector2;
-
-    fn v(x: f64, y: f64) -> Vector2<f64> {
-        Vector2::new(x, y)
-    }
-    fn square(x: f64, y: f64, side: f64, hole: bool) -> Vec<Box<dyn Piece>> {
-        let mut corners = [v(x, y), v(x + side, y), v(x + side, y + side), v(x, y + side)];
-        if hole {
-            corners.reverse();
-        }
-        let o = Outline::from(corners[3]);
-        corners.into_iter().fold(o, |o, c| o.line_to(c).unwrap()).close().unwrap()
-    }
-
-    #[test]
-    fn areas_and_senses_do_not_depend_on_where_a_table_is() {
-        for far in [0.0, 1e6, 1e8, 1e12] {
-            let room = |hole: bool| Table::new(square(far + 0.25, 0.5 - far, 1.0, hole)).unwrap();
-            assert_eq!((room(false).area(), room(false).describe().area()), (1.0, 1.0), "{far:e}");
-            let inner = room(false).offset(0.25).unwrap().table.describe();
-            assert_eq!((inner.area(), inner.largest_disk.radius), (0.25, 0.25), "{far:e}");
-            assert!(room(false).validate().is_ok());
-            assert!(matches!(room(true).validate(), Err(Error::Orientation { .. })), "{far:e}");
-            assert!(room(true).unbounded().validate().is_ok());
-            assert!(room(true).largest_disk().radius.is_infinite());
-            let cap = |x: f64, y: f64| v(far + x, y - far);
-            let o = Outline::from(cap(-1.0, -1.0)).line_to(cap(1.0, -1.0)).unwrap();
-            let o = o.arc_to(cap(1.0, 1.0), cap(1.0, 0.0), Turn::CounterClockwise).unwrap();
-            let o = o.line_to(cap(-1.0, 1.0)).unwrap().line_to(cap(-1.0, -1.0)).unwrap();
-            let area = Table::new(o.close().unwrap()).unwrap().area();
-            assert!((area - (4.0 + 0.5 * PI)).abs() < 1e-14, "{far:e}: {area}");
-        }
-    }
+    use crate::tables;
 
     #[test]
     fn descriptions_count_corners() {
