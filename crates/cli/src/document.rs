@@ -9,7 +9,7 @@ mod section;
 mod source;
 mod toml;
 
-pub use diagnostic::{Diagnostic, Place, Problems};
+pub use diagnostic::{Diagnostic, Place, Problems, plain};
 pub use json::parse as parse_json;
 pub use number::{
     LARGEST, SMALLEST, count, formula, nonnegative, number, polar_formula, positive, real, seed, spell, vector, whole,

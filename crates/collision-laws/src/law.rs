@@ -14,6 +14,9 @@ use std::sync::Arc;
 /// several types.
 pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
+    ///
+    /// In a collision `u` approaches, `u·n < 0`. One that departs has an answer as well, and not NaN: [`check`](crate::check) applies the
+    /// law to any velocity, and to what it made of one.
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
 
     /// The impulse that is still missing where the law was to lead from `u_minus` to a contact velocity `u*` and `u_plus` came out.

@@ -12,12 +12,16 @@ mod tips;
 mod tolerances;
 mod vertices;
 
-use crate::{Error, Figure, Piece, Table, shapes::kink};
+use crate::{Error, Extent, Figure, Piece, Table, shapes::kink};
 use arrangement::Arrangement;
 use nalgebra::Vector2;
 
 /// Parts of a curve in which a kink is looked for.
 const PLACES: u32 = 256;
+
+/// A region between parallels of curves that is no wider than this many times the rounding of the table's coordinates is refused: points
+/// of the curves are known to a few times that, so of a region as thin orbits would leave at the vertices, one flight in a million.
+const THIN: f64 = 262_144.0; // 2¹⁸
 
 /// Which piece of the drawn boundary a piece of an offset comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -97,7 +101,23 @@ impl Table {
             loops.map_err(|error| self.rough_piece(radius, &error).unwrap_or(error))?
         };
         if loops.is_empty() {
-            return Err(Error::NothingLeft { radius, largest: self.largest_disk().radius });
+            let largest = self.largest_disk();
+            // one that all but fits
+            let fits = largest.radius > radius;
+            return Err(if fits {
+                undecided(radius, largest.center)
+            } else {
+                Error::NothingLeft { radius, largest: largest.radius }
+            });
+        }
+        let size = self.extent().size();
+        for around in &loops {
+            let extent = around.iter().map(|(piece, _)| piece.extent()).fold(Extent::EMPTY, Extent::union);
+            let width = (extent.max - extent.min).min();
+            let are_curves = around.iter().any(|(piece, _)| piece.figure() == Figure::Other);
+            if are_curves && width <= THIN * f64::EPSILON * size {
+                return Err(undecided(radius, 0.5 * (extent.min + extent.max)));
+            }
         }
         let (mut pieces, mut origins): (Vec<Box<dyn Piece>>, Vec<Origin>) = (vec![], vec![]);
         for (piece, origin) in loops.into_iter().flatten() {
@@ -132,4 +152,8 @@ impl Table {
             Some(curve.point_at(s)).filter(is_there).map(|at| Error::RoughPiece { piece, at: at.into() })
         })
     }
+}
+
+fn undecided(radius: f64, at: Vector2<f64>) -> Error {
+    Error::Undecided { radius, at: at.into() }
 }

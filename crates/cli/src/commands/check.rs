@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{Failure, patience};
 use crate::args;
-use crate::document::{Source, spell};
+use crate::document::{Source, plain, spell};
 use crate::scene::{Request, Scene};
 use crate::simulation::{Description, Region, SameBits, Simulation, plural, point, short};
 
@@ -56,7 +56,7 @@ fn measure(x: Option<f64>) -> String {
 
 fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if let Some(title) = &scene.title {
-        writeln!(out, "{title}")?;
+        writeln!(out, "{}", plain(title))?;
     }
     let plane = scene.dimension == 2;
     writeln!(out, "  table       {}", scene.table)?;

@@ -11,7 +11,7 @@ use indicatif::{HumanDuration, ProgressBar, ProgressStyle};
 
 use super::{Failure, patience};
 use crate::args;
-use crate::document::{Diagnostic, Source, spell};
+use crate::document::{Diagnostic, Source, plain, spell};
 use crate::scene::{Request, Scene};
 use crate::simulation::{Control, Done, Simulation};
 
@@ -62,7 +62,7 @@ fn outlook(elapsed: Duration, done: u64, steps: u64) -> String {
 fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Write) -> io::Result<()> {
     let summary = &done.summary;
     if let Some(title) = &simulation.scene().title {
-        writeln!(out, "{title}")?;
+        writeln!(out, "{}", plain(title))?;
     }
     writeln!(out, "  table       {}", summary.table)?;
     writeln!(out, "  law         {}, gamma^2 = {}", summary.law, spell(summary.gamma_squared))?;

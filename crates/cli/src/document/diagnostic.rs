@@ -73,8 +73,8 @@ impl Place {
         let marked = text[start..end.min(line_end)].chars().count();
         // Of a very long line, show the part around the column.
         let skipped = before.saturating_sub(SHOWN / 2);
-        let shown = |c: char| if c.is_control() { ' ' } else { c };
-        let excerpt: String = text[line_start..line_end].chars().skip(skipped).take(SHOWN).map(shown).collect();
+        let excerpt: String = text[line_start..line_end].chars().skip(skipped).take(SHOWN).collect();
+        let excerpt = plain(&excerpt);
         Self {
             line: 1 + text[..start].matches('\n').count(),
             column: before + 1,
@@ -83,6 +83,15 @@ impl Place {
             width: marked.clamp(1, SHOWN / 2),
         }
     }
+}
+
+/// One line of text that a terminal shows and does not obey: a blank for each control character.
+///
+/// ```
+/// assert_eq!(billiards_cli::document::plain("red \u{1b}[31m\nor not"), "red  [31m or not");
+/// ```
+pub fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
 fn floor_char_boundary(text: &str, mut at: usize) -> usize {
@@ -95,17 +104,18 @@ fn floor_char_boundary(text: &str, mut at: usize) -> usize {
 
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (file, what) = (plain(&self.file), plain(&self.what));
         match &self.place {
-            None => write!(f, "{}: error: {}", self.file, self.what)?,
+            None => write!(f, "{file}: error: {what}")?,
             Some(place) => {
                 let Place { line, column, excerpt, indent, width } = place;
-                writeln!(f, "{}:{line}:{column}: error: {}", self.file, self.what)?;
+                writeln!(f, "{file}:{line}:{column}: error: {what}")?;
                 writeln!(f, "{line:>5} | {excerpt}")?;
                 write!(f, "      | {:indent$}{:^>width$}", "", "")?;
             }
         }
         match &self.help {
-            Some(help) => write!(f, "\nhelp: {help}"),
+            Some(help) => write!(f, "\nhelp: {}", plain(help)),
             None => Ok(()),
         }
     }

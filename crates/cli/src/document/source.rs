@@ -1,9 +1,14 @@
 //! An input file and places in it.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::Diagnostic;
+
+/// No file written by anybody is longer (bytes); what has no end, as `/dev/zero`, is.
+const LONGEST: u64 = 1 << 30;
 
 /// The text of an input file under the name the user gave. Cheap to clone.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -23,10 +28,10 @@ impl Source {
     /// Reads a file.
     ///
     /// # Errors
-    /// The file cannot be read, or is not UTF-8.
+    /// The file cannot be read, is longer than a gibibyte, or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
         let name = path.display().to_string();
-        let bytes = std::fs::read(path)
+        let bytes = up_to(LONGEST, path)
             .map_err(|error| Box::new(Diagnostic::of_file(&name, format!("cannot read it: {error}"))))?;
         Ok(Self { path: path.into(), ..Self::from_bytes(&name, &bytes)? })
     }
@@ -71,6 +76,15 @@ impl Source {
     pub fn diagnostic(&self, span: Span, what: impl Into<String>) -> Diagnostic {
         Diagnostic::at(self, span, what.into())
     }
+}
+
+/// What a file holds, if that is not longer than this.
+fn up_to(longest: u64, path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = vec![];
+    if File::open(path)?.take(longest + 1).read_to_end(&mut bytes)? as u64 > longest {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {longest} bytes")));
+    }
+    Ok(bytes)
 }
 
 /// A range of bytes of a source.
@@ -119,5 +133,26 @@ impl<T> Spanned<T> {
     /// The same place with another value.
     pub fn map<U>(self, f: impl FnOnce(T) -> U) -> Spanned<U> {
         Spanned::new(f(self.value), self.span)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_whole_or_found_too_long() {
+        let path = std::env::temp_dir().join(format!("billiards-source-{}", std::process::id()));
+        std::fs::write(&path, b"four").unwrap();
+        let [long, short] = [4, 3].map(|longest| up_to(longest, &path));
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(long.unwrap(), b"four");
+        assert_eq!(short.unwrap_err().to_string(), "it is longer than 3 bytes");
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_file_without_end_is_too_long() {
+        assert!(up_to(1000, Path::new("/dev/zero")).is_err());
     }
 }

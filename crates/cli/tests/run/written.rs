@@ -27,6 +27,18 @@ fn the_record_has_one_row_per_collision_in_the_order_of_the_orbits() {
 }
 
 #[test]
+fn a_title_is_shown_and_not_obeyed_by_the_terminal() {
+    let folder = Folder::new("title");
+    let scene = format!("title = \"\\u001b[31mred\\nor not\"\n{SQUARE}");
+    for command in [&["run", "scene.toml"][..], &["check", "scene.toml"]] {
+        fs::write(folder.0.join("scene.toml"), &scene).unwrap();
+        let output = Command::cargo_bin("billiards").unwrap().current_dir(&folder.0).args(command).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(text.lines().next(), Some(" [31mred or not"), "{command:?}");
+    }
+}
+
+#[test]
 fn every_row_has_the_energy_of_the_start() {
     let folder = Folder::new("energy");
     for table in ["stadium", "circle", "sinai"] {

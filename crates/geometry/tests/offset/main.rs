@@ -3,6 +3,7 @@ mod closed;
 mod cusps;
 mod flat_arcs;
 mod lattices;
+mod nearly_largest;
 mod normals;
 mod thin_walls;
 
