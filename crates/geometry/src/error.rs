@@ -130,6 +130,14 @@ pub enum Error {
         /// About where it does not.
         at: [f64; 2],
     },
+    /// Formulas of a parameter that do not give a curve.
+    #[error("the curve of the formulas must {must}; this fails near t = {:?}", six_digits(*parameter))]
+    Parametrised {
+        /// What the curve must do.
+        must: &'static str,
+        /// About which parameter it does not.
+        parameter: f64,
+    },
     /// Sides that do not bound a convex (and, where asked for, centrally symmetric) polygon.
     #[error("the sides do not bound a convex polygon of the kind asked for")]
     NotConvex,

@@ -1,6 +1,7 @@
 //! Smooth curves given by formulas, and the tools they share.
 //!
-//! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre. Both are met by the majorant
+//! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre, [`ParametricCurve`] one of points `c(t)`. The
+//! first two are met by the majorant
 //! method ([`first_rise`]), which cannot step over a root; what makes it sound is an enclosure of the second
 //! derivatives in [`Interval`] arithmetic.
 //!
@@ -17,6 +18,7 @@ mod jump;
 mod kinks;
 mod majorant;
 mod nearest;
+mod parametric_curve;
 mod polar;
 mod polar_arc;
 mod root;
@@ -32,6 +34,7 @@ pub use implicit::{Implicit, ImplicitFormula};
 pub use interval::Interval;
 pub use majorant::{Smooth, first_rise};
 pub(crate) use nearest::Blocks;
+pub use parametric_curve::{ParametricCurve, ParametricFormula};
 pub use polar::{Polar, PolarFormula};
 pub use polar_arc::PolarArc;
 pub(crate) use root::{rising_root, rising_root_near};

@@ -1,0 +1,378 @@
+//! A curve given by its point for every parameter.
+use super::{
+    ArcLength, Graph, Interval, Parametric, Ray,
+    kinks::{kinks, places},
+    rough_graphs,
+};
+use crate::{
+    Error,
+    crossing::Crossing,
+    path::Line,
+    piece::{Extent, Landing, Piece},
+    plane::slack,
+};
+use core::f64::consts::PI;
+use core::fmt::Debug;
+use nalgebra::Vector2;
+use std::sync::Arc;
+
+/// A point `c(t)` as a function of a parameter: twice differentiable but for kinks.
+///
+/// At a kink `c′` is either slope, and over parameters that contain one `c″` has no bound: [`Interval::ENTIRE`].
+pub trait ParametricFormula: Debug + Send + Sync {
+    /// `c`, `c′` and `c″` \[L\] at a parameter of the range.
+    fn jet(&self, t: f64) -> [[f64; 2]; 3];
+
+    /// Intervals that contain the coordinates of `c`, `c′` and `c″` everywhere between two parameters of the range; the narrower, the
+    /// better kinks are told from narrow bends.
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3];
+}
+
+/// The curve `c(t)` for `t` from one parameter to another, smooth, with the table on one side: closed, or an arc between two ends.
+///
+/// Traversed with the table on the left. Paths meet its polynomial [`graphs`](super::graphs()); everything else is asked of the formula.
+///
+/// ```
+/// use geometry::{Piece, shapes::curve::{Interval, ParametricCurve, ParametricFormula}};
+///
+/// /// The curve of constant width 2 with the support function `h = 1 + a cos 3t`: `c = h e + h′ e′`, `e = (cos t, sin t)`.
+/// #[derive(Debug)]
+/// struct ConstantWidth {
+///     a: f64,
+/// }
+/// impl ParametricFormula for ConstantWidth {
+///     fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+///         let ((sin, cos), (wave, crest)) = (libm::sincos(t), libm::sincos(3.0 * t));
+///         let [h, slope] = [1.0 + self.a * crest, -3.0 * self.a * wave];
+///         // the radius of curvature h + h″, and its derivative
+///         let [rho, rate] = [1.0 - 8.0 * self.a * crest, 24.0 * self.a * wave];
+///         [
+///             [h * cos - slope * sin, h * sin + slope * cos],
+///             [-rho * sin, rho * cos],
+///             [-rate * sin - rho * cos, rate * cos - rho * sin],
+///         ]
+///     }
+///     fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+///         let ([sin, cos], [wave, crest]) = (t.sin_cos(), (t * 3.0).sin_cos());
+///         let [h, slope] = [crest * self.a + 1.0, wave * (-3.0 * self.a)];
+///         let [rho, rate] = [crest * (-8.0 * self.a) + 1.0, wave * (24.0 * self.a)];
+///         [
+///             [h * cos - slope * sin, h * sin + slope * cos],
+///             [-(rho * sin), rho * cos],
+///             [-(rate * sin) - rho * cos, rate * cos - rho * sin],
+///         ]
+///     }
+/// }
+/// let turn = [0.0, 2.0 * core::f64::consts::PI];
+/// let pieces = ParametricCurve::around(ConstantWidth { a: 0.1 }, turn, true)?;
+/// assert_eq!(pieces.len(), 1);
+/// // Barbier: the length is π times the width
+/// assert!((pieces[0].length() - turn[1]).abs() < 1e-14);
+/// # Ok::<(), geometry::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct ParametricCurve<F> {
+    formula: Arc<InTurns<F>>,
+    /// The parameters of its ends, rising, in units of the whole range over a turn.
+    range: [f64; 2],
+    /// The points there, as its neighbours know them; of a closed curve twice the same.
+    vertices: [Vector2<f64>; 2],
+    is_closed: bool,
+    /// Whether it is traversed from the lower parameter to the higher one.
+    rises: bool,
+    graphs: Vec<Graph>,
+    table: ArcLength,
+    area: f64,
+    extent: Extent,
+    slack: f64,
+}
+
+impl<F> Clone for ParametricCurve<F> {
+    fn clone(&self) -> Self {
+        let (formula, graphs, table) = (Arc::clone(&self.formula), self.graphs.clone(), self.table.clone());
+        ParametricCurve { formula, graphs, table, ..*self }
+    }
+}
+
+/// Parts of the whole range in which the second derivative must be calm.
+const PARTS: u32 = 4096;
+
+/// Parts from which the length is tabulated: four of those above in each, so that nothing that is calm in them is passed over.
+const TABULATED: u32 = 1024;
+
+/// Parts of the whole range no graph reaches beyond: of their 26 points each one is as near to the next as five of the first parts.
+const STRETCHES: f64 = 32.0;
+
+/// Most parts of one width that kinks are looked for in: two about each of 2000 kinks.
+const MOST_PARTS: usize = 4096;
+
+/// The ends of a closed curve may be as far apart, relative to its size: the end of the range is rounded, and formulas multiply it.
+const CLOSED: f64 = 1e-9;
+
+/// Directions at the seam of a closed curve that differ by less (radians) go on in one another.
+const SMOOTH: f64 = 2e-7;
+
+/// Some ulp of a turn.
+const NARROW: f64 = 16.0 * f64::EPSILON;
+
+/// A formula whose range is made one turn long.
+#[derive(Debug)]
+struct InTurns<F> {
+    formula: F,
+    start: f64,
+    /// Parameters per radian.
+    rate: f64,
+}
+
+impl<F: ParametricFormula> InTurns<F> {
+    fn parameter(&self, u: f64) -> f64 {
+        self.start + self.rate * u
+    }
+
+    fn jet(&self, u: f64) -> [Vector2<f64>; 3] {
+        let [c, first, second] = self.formula.jet(self.parameter(u)).map(Vector2::from);
+        [c, first * self.rate, second * (self.rate * self.rate)]
+    }
+
+    fn jet_over(&self, u: Interval) -> [[Interval; 2]; 3] {
+        // the ends are rounded as parameters are, and none is beyond the range
+        let [low, high] = [u.low, u.high].map(|end| self.parameter(end));
+        let [c, first, second] = self.formula.jet_over(Interval::new(low, high));
+        [c, first.map(|x| x * self.rate), second.map(|x| x * (self.rate * self.rate))]
+    }
+}
+
+impl<F: ParametricFormula> Parametric for InTurns<F> {
+    fn at(&self, u: f64) -> [Vector2<f64>; 2] {
+        let [c, first, _] = self.jet(u);
+        [c, first]
+    }
+}
+
+fn part(k: u32, of: u32) -> f64 {
+    2.0 * PI * (f64::from(k) / f64::from(of))
+}
+
+impl<F: ParametricFormula> ParametricCurve<F> {
+    /// The closed curve of a range of parameters as pieces, in the order of traversal, with the table inside (`inside`) or outside: itself
+    /// if it is smooth, or else the arcs between its kinks and the start of the range.
+    ///
+    /// Whether it crosses itself is left to [`Table::validate`](crate::Table::validate).
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a range that is empty or not finite, [`Error::Parametrised`] unless the curve is finite, comes back to where it
+    /// starts (to 10⁻⁹), never stands still (`c′ = 0`), and is smooth but for kinks that the bounds on `c″` tell.
+    pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
+        let (formula, kinks) = looked_at(formula, range)?;
+        let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
+        let whole = ArcLength::new(&*formula, (0..=TABULATED).map(|k| part(k, TABULATED)));
+        if (end[0] - start[0]).amax() > CLOSED * whole.extent(&*formula).size() {
+            return Err(failing(&formula, 2.0 * PI, "come back to where it starts"));
+        }
+        let rises = (whole.enclosed_area(&*formula, start[0]) > 0.0) == inside;
+        let turn = libm::atan2(start[1].perp(&end[1]), start[1].dot(&end[1]));
+        if kinks.is_empty() && turn.abs() <= SMOOTH {
+            return Ok(vec![ParametricCurve::new(&formula, [0.0, 2.0 * PI], [start[0]; 2], true, rises)?]);
+        }
+        // where each arc ends and the next one begins
+        let inner = kinks.iter().filter(|kink| kink.low > NARROW && kink.high < 2.0 * PI - NARROW);
+        let mut cuts: Vec<_> =
+            inner.map(|kink| (kink.low, kink.high, formula.at(0.5 * (kink.low + kink.high))[0])).collect();
+        if cuts.is_empty() {
+            // an arc has two ends
+            cuts.push((PI, PI, formula.at(PI)[0]));
+        }
+        // a kink there is not seen from the other side
+        let first = kinks.first().filter(|kink| kink.low <= NARROW).map_or(0.0, |kink| kink.high);
+        let last = kinks.last().filter(|kink| kink.high >= 2.0 * PI - NARROW).map_or(2.0 * PI, |kink| kink.low);
+        cuts.push((last, first, start[0]));
+        let from = cuts.iter().cycle().skip(cuts.len() - 1);
+        let arcs = from
+            .zip(&cuts)
+            .map(|(&(_, low, a), &(high, _, b))| ParametricCurve::new(&formula, [low, high], [a, b], false, rises));
+        let mut arcs = arcs.collect::<Result<Vec<_>, _>>()?;
+        if !rises {
+            arcs.reverse();
+        }
+        Ok(arcs)
+    }
+
+    /// The arc between two parameters, with the table on its left as `t` runs from the first to the second, which may be less; `ends` are its
+    /// points there as its neighbours know them.
+    ///
+    /// # Errors
+    /// As [`around`](Self::around); an arc has no kinks.
+    pub fn arc(formula: F, [start, end]: [f64; 2], ends: [Vector2<f64>; 2]) -> Result<ParametricCurve<F>, Error> {
+        let rises = start < end;
+        let (range, ends) = if rises { ([start, end], ends) } else { ([end, start], [ends[1], ends[0]]) };
+        let (formula, kinks) = looked_at(formula, range)?;
+        if let Some(kink) = kinks.first() {
+            return Err(failing(&formula, kink.low, "have no kink"));
+        }
+        ParametricCurve::new(&formula, [0.0, 2.0 * PI], ends, false, rises)
+    }
+
+    fn new(
+        formula: &Arc<InTurns<F>>,
+        range: [f64; 2],
+        vertices: [Vector2<f64>; 2],
+        is_closed: bool,
+        rises: bool,
+    ) -> Result<ParametricCurve<F>, Error> {
+        let between = |share: f64| range[0] + (range[1] - range[0]) * share;
+        let count = libm::ceil((range[1] - range[0]) / (2.0 * PI) * f64::from(TABULATED)).max(2.0);
+        let seeds = (0..).map(f64::from).take_while(|k| *k < count).map(|k| between(k / count)).chain([range[1]]);
+        let table = ArcLength::new(&**formula, seeds);
+        if table.is_full() {
+            return Err(Error::Winding);
+        }
+        if let Some(u) = table.endless() {
+            return Err(failing(formula, u, "be finite"));
+        }
+        let extent = table.extent(&**formula).union(Extent::of(vertices));
+        let size = extent.size();
+        let mut cuts: Vec<(f64, Vector2<f64>)> = vec![(range[0], vertices[0])];
+        let stretches = libm::ceil(STRETCHES * (range[1] - range[0]) / (2.0 * PI));
+        let inner = (1..).map(f64::from).take_while(|k| *k < stretches).map(|k| between(k / stretches));
+        cuts.extend(inner.map(|u| (u, formula.at(u)[0])));
+        cuts.push((range[1], vertices[1]));
+        if !rises {
+            cuts.reverse();
+        }
+        let mut graphs = vec![];
+        for ends in cuts.windows(2) {
+            let parameters = [ends[0].0, ends[1].0];
+            let some = rough_graphs(&**formula, parameters, [ends[0].1, ends[1].1], size);
+            graphs.extend(some.ok_or_else(|| failing(formula, parameters[0], "be smooth"))?);
+        }
+        let swept = table.enclosed_area(&**formula, vertices[0]);
+        let area = if rises { swept } else { -swept };
+        let formula = Arc::clone(formula);
+        Ok(ParametricCurve {
+            formula,
+            range,
+            vertices,
+            is_closed,
+            rises,
+            graphs,
+            table,
+            area,
+            extent,
+            slack: slack([size]),
+        })
+    }
+
+    /// The formula.
+    pub fn formula(&self) -> &F {
+        &self.formula.formula
+    }
+
+    /// The point at a parameter in turns, and the normal there.
+    fn at_parameter(&self, u: f64) -> Landing {
+        let [point, along] = self.formula.at(u);
+        let speed = libm::hypot(along.x, along.y) * if self.rises { 1.0 } else { -1.0 };
+        let end = self.range.iter().position(|end| *end == u);
+        Landing { point: end.map_or(point, |end| self.vertices[end]), normal: Vector2::new(-along.y, along.x) / speed }
+    }
+
+    fn parameter_of(&self, point: &Vector2<f64>) -> f64 {
+        self.table.closest(&*self.formula, point)
+    }
+
+    /// From arc length along rising parameters to arc length in the sense of traversal, and back.
+    fn traversed(&self, s: f64) -> f64 {
+        if self.rises { s } else { self.table.length() - s }
+    }
+}
+
+/// A formula with its range made one turn long, and its kinks.
+fn looked_at<F: ParametricFormula>(
+    formula: F,
+    [start, end]: [f64; 2],
+) -> Result<(Arc<InTurns<F>>, Vec<Interval>), Error> {
+    let length = end - start;
+    if !(length > 0.0 && length.is_finite()) {
+        return Err(Error::Parameter { name: "range", must: "run from a number to a greater one", value: length });
+    }
+    // of a turn itself, parameters are what they are
+    let rate = if length == 2.0 * PI { 1.0 } else { length / (2.0 * PI) };
+    let formula = Arc::new(InTurns { formula, start, rate });
+    let sector = |k: u32| Interval::new(part(k, PARTS), part(k + 1, PARTS));
+    let is_finite = |u: f64| formula.jet(u)[0].iter().all(|x| x.is_finite());
+    if let Some(u) = (0..=PARTS).map(|k| part(k, PARTS)).find(|u| !is_finite(*u)) {
+        return Err(failing(&formula, u, "be finite"));
+    }
+    let jets: Vec<_> = (0..PARTS).map(|k| formula.jet_over(sector(k))).collect();
+    // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
+    let most = |x: &[Interval; 2]| x[0].magnitude().max(x[1].magnitude());
+    let bends = jets.iter().map(|[_, first, second]| most(second).max(most(first)));
+    let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+    let is_calm = |[.., second]: &[[Interval; 2]; 3]| second.iter().all(|x| x.width() <= varies);
+    let rough = (0..PARTS).zip(&jets).filter(|(_, jet)| !is_calm(jet)).map(|(k, _)| k);
+    let first = rough.clone().next().map_or(0.0, |k| part(k, PARTS));
+    let calm_over = |over: Interval| is_calm(&formula.jet_over(over));
+    let kinks = kinks(rough.map(sector), calm_over, MOST_PARTS);
+    let kinks = kinks.ok_or_else(|| failing(&formula, first, "be smooth but for some kinks"))?;
+    // near a kink the bounds are those of both sides
+    let at_kink = |u: Interval| kinks.iter().any(|kink| u.low <= kink.high + NARROW && kink.low - NARROW <= u.high);
+    let stands = |[_, first, _]: &[[Interval; 2]; 3]| first.iter().all(|x| x.contains(0.0));
+    let doubtful = (0..PARTS).zip(&jets).filter(|(_, jet)| stands(jet)).map(|(k, _)| sector(k));
+    let moves = |u: Interval| (u.width() <= NARROW && at_kink(u)) || !stands(&formula.jet_over(u));
+    match places(doubtful, moves, true, MOST_PARTS).as_deref() {
+        Some([]) => Ok((formula, kinks)),
+        Some([place, ..]) => Err(failing(&formula, place.low, "not stand still, with x' and y' both 0")),
+        None => Err(failing(&formula, first, "not stand still, with x' and y' both 0")),
+    }
+}
+
+fn failing<F: ParametricFormula>(formula: &InTurns<F>, u: f64, must: &'static str) -> Error {
+    Error::Parametrised { must, parameter: formula.parameter(u) }
+}
+
+impl<F: ParametricFormula + 'static> Piece for ParametricCurve<F> {
+    fn crossing(&self, path: &Line<2>) -> Crossing {
+        let ray = Ray::new(path.point.into(), path.velocity.into());
+        let times = self.graphs.iter().map(|graph| graph.time(&ray, self.slack));
+        Crossing { num: times.fold(f64::INFINITY, f64::min), den: 1.0 }
+    }
+    fn landing(&self, path: &Line<2>, time: f64) -> Landing {
+        self.closest(&path.at(time))
+    }
+    fn curvature(&self, point: &Vector2<f64>) -> f64 {
+        let [_, first, second] = self.formula.jet(self.parameter_of(point));
+        let speed = libm::hypot(first.x, first.y);
+        let curvature = (first / speed).perp(&(second / speed)) / speed;
+        if self.rises { curvature } else { -curvature }
+    }
+    fn length(&self) -> f64 {
+        self.table.length()
+    }
+    fn point_at(&self, s: f64) -> Vector2<f64> {
+        self.landing_at(s).point
+    }
+    fn landing_at(&self, s: f64) -> Landing {
+        let length = self.length();
+        let s = if self.is_closed { s - libm::floor(s / length) * length } else { s };
+        self.at_parameter(self.table.parameter(&*self.formula, self.traversed(s)))
+    }
+    fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
+        self.traversed(self.table.at_parameter(&*self.formula, self.parameter_of(point)))
+    }
+    fn closest(&self, point: &Vector2<f64>) -> Landing {
+        self.at_parameter(self.parameter_of(point))
+    }
+    fn ends(&self) -> Option<[Vector2<f64>; 2]> {
+        let [low, high] = self.vertices;
+        let ends = if self.rises { [low, high] } else { [high, low] };
+        (!self.is_closed).then_some(ends)
+    }
+    fn extent(&self) -> Extent {
+        self.extent
+    }
+    fn graphs(&self) -> Option<Vec<Graph>> {
+        Some(self.graphs.clone())
+    }
+    fn area(&self) -> f64 {
+        self.area
+    }
+}

@@ -1,0 +1,226 @@
+//! Curves given by their points.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+use core::f64::consts::{PI, TAU};
+use geometry::{
+    Error, Line, Piece, Table, Vector2, enclosed_area,
+    shapes::{
+        Ellipse,
+        curve::{Interval, ParametricCurve, ParametricFormula},
+    },
+};
+
+/// `(a cos ωt, b sin ωt)`, with further waves of `k` times the frequency.
+#[derive(Clone, Copy, Debug)]
+struct Waves {
+    axes: [f64; 2],
+    rate: f64,
+    size: [f64; 2],
+    number: f64,
+    /// Whether the further waves of the second coordinate have kinks.
+    is_bent: bool,
+}
+
+const ELLIPSE: Waves = Waves { axes: [2.0, 1.0], rate: 1.0, size: [0.0; 2], number: 1.0, is_bent: false };
+
+impl ParametricFormula for Waves {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let Waves { axes: [a, b], rate, size: [c, d], number: k, is_bent } = *self;
+        let ((sin, cos), (wave, crest)) = (libm::sincos(rate * t), libm::sincos(k * rate * t));
+        let sign = if is_bent { libm::copysign(1.0, wave) } else { 1.0 };
+        let [w, w2, k2] = [rate, rate * rate, k * rate];
+        [
+            [a * cos + c * crest, b * sin + d * wave * sign],
+            [-a * w * sin - c * k2 * wave, b * w * cos + d * k2 * crest * sign],
+            [-a * w2 * cos - c * k2 * k2 * crest, -b * w2 * sin - d * k2 * k2 * wave * sign],
+        ]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let Waves { axes: [a, b], rate, size: [c, d], number: k, is_bent } = *self;
+        let ([sin, cos], [wave, crest]) = ((t * rate).sin_cos(), (t * (k * rate)).sin_cos());
+        let [w, w2, k2] = [rate, rate * rate, k * rate];
+        let sign = libm::copysign(1.0, wave.low);
+        let [height, slope, bend] = if !is_bent {
+            [wave, crest, wave]
+        } else if wave.contains(0.0) {
+            [wave.abs(), crest.union(-crest), Interval::ENTIRE]
+        } else {
+            [wave.abs(), crest * sign, wave.abs()]
+        };
+        [
+            [cos * a + crest * c, sin * b + height * d],
+            [sin * (-a * w) + wave * (-c * k2), cos * (b * w) + slope * (d * k2)],
+            [cos * (-a * w2) + crest * (-c * k2 * k2), sin * (-b * w2) + bend * (-d * k2 * k2)],
+        ]
+    }
+}
+
+fn around(formula: Waves, inside: bool) -> Vec<ParametricCurve<Waves>> {
+    ParametricCurve::around(formula, [0.0, TAU / formula.rate.abs()], inside).unwrap()
+}
+
+/// Paths from points well inside in many directions.
+fn paths() -> impl Iterator<Item = Line<2>> {
+    (0..2000).map(|k| {
+        let turn = 0.7 * f64::from(k);
+        let point = Vector2::new(0.6 * libm::sin(3.0 * turn), 0.3 * libm::cos(2.0 * turn));
+        Line { point, velocity: Vector2::new(libm::cos(turn), libm::sin(turn)) * 1.5 }
+    })
+}
+
+fn first(pieces: &[ParametricCurve<Waves>], path: &Line<2>) -> (usize, f64) {
+    let times = pieces.iter().map(|piece| piece.crossing(path).time());
+    times.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
+}
+
+#[test]
+fn an_ellipse_by_its_points_is_the_ellipse() {
+    let exact = Ellipse::new(Vector2::zeros(), [2.0, 1.0], 0.0, true).unwrap();
+    // run through either way, in a turn or in any other range
+    for rate in [1.0, -1.0, 1000.0, -1e-3, 0.3] {
+        let pieces = around(Waves { rate, ..ELLIPSE }, true);
+        let [curve] = &pieces[..] else { panic!("{} pieces", pieces.len()) };
+        assert!((curve.length() / exact.length() - 1.0).abs() < 4e-15, "{rate}");
+        assert!((curve.area() / (2.0 * PI) - 1.0).abs() < 4e-15, "{rate}");
+        let (extent, of_exact) = (curve.extent(), exact.extent());
+        assert!((extent.min - of_exact.min).amax().max((extent.max - of_exact.max).amax()) < 1e-15);
+        for path in paths() {
+            let time = curve.crossing(&path).time();
+            assert!((time - exact.crossing(&path).time()).abs() < 2e-15, "{rate} {path:?}");
+            let (here, there) = (curve.landing(&path, time), exact.landing(&path, time));
+            assert!((here.point - there.point).amax() < 4e-15, "{rate} {path:?}");
+            assert!((here.normal - there.normal).amax() < 4e-15, "{rate} {path:?}");
+            let bend = curve.curvature(&here.point) / exact.curvature(&there.point);
+            assert!((bend - 1.0).abs() < 1e-13, "{rate} {path:?} {bend}");
+            let s = curve.arc_length_at(&here.point);
+            assert!((curve.point_at(s) - here.point).amax() < 4e-15, "{rate} {path:?}");
+        }
+    }
+}
+
+#[test]
+fn from_outside_a_curve_is_met_on_its_other_side() {
+    let pieces = around(ELLIPSE, false);
+    assert!(pieces[0].area() < 0.0);
+    let path = Line { point: Vector2::new(-5.0, 0.5), velocity: Vector2::x() };
+    let time = pieces[0].crossing(&path).time();
+    // x = −2 √(1 − ¼)
+    assert!((time - (5.0 - 3_f64.sqrt())).abs() < 2e-15);
+    assert!(pieces[0].landing(&path, time).normal.x < 0.0);
+    assert!((around(ELLIPSE, true)[0].crossing(&path).time() - (5.0 + 3_f64.sqrt())).abs() < 2e-15);
+}
+
+#[test]
+fn a_curve_is_cut_at_its_kinks_and_where_its_range_begins() {
+    for inside in [true, false] {
+        for number in [2.0, 3.0, 8.0] {
+            let bent = Waves { size: [0.0, 0.05], number, is_bent: true, ..ELLIPSE };
+            let pieces = around(bent, inside);
+            assert_eq!(pieces.len() as f64, 2.0 * number);
+            let ends: Vec<_> = pieces.iter().map(|piece| piece.ends().unwrap()).collect();
+            assert!((0..ends.len()).all(|k| ends[k][1] == ends[(k + 1) % ends.len()][0]));
+            // ∮ x dy of the further waves is 2 d ∫ |sin kt| sin t dt, odd about π
+            let area = enclosed_area(pieces.iter().map(|piece| piece as &dyn Piece)) * if inside { 1.0 } else { -1.0 };
+            assert!((area - 2.0 * PI).abs() < 4e-14, "{number} {area}");
+            let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+            let table = if inside { table } else { table.unbounded() };
+            assert_eq!(table.validate(), Ok(()));
+        }
+    }
+}
+
+#[test]
+fn a_path_ends_where_the_formula_says() {
+    for formula in [
+        Waves { size: [0.05, 0.1], number: 3.0, ..ELLIPSE },
+        Waves { size: [0.05, 0.1], number: 7.0, ..ELLIPSE },
+        Waves { size: [0.0, 0.05], number: 5.0, is_bent: true, ..ELLIPSE },
+    ] {
+        let pieces = around(formula, true);
+        for path in paths() {
+            let (k, time) = first(&pieces, &path);
+            let landing = pieces[k].landing(&path, time);
+            assert!((landing.point - path.at(time)).amax() < 4e-15, "{formula:?} {path:?}");
+            // nothing was crossed before: halfway it is inside
+            let half = path.at(0.5 * time);
+            let near = pieces.iter().map(|piece| piece.closest(&half));
+            let near = near.min_by(|a, b| (a.point - half).norm().total_cmp(&(b.point - half).norm())).unwrap();
+            assert!(near.normal.dot(&(half - near.point)) > 0.0, "{formula:?} {path:?}");
+        }
+    }
+}
+
+#[test]
+fn a_curve_may_have_a_corner_where_its_range_begins() {
+    /// `(sin πt, t (1 − t)(1 − 2t))` for `t` in [0, 1]
+    #[derive(Debug)]
+    struct Drop;
+    impl ParametricFormula for Drop {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let (sin, cos) = libm::sincos(PI * t);
+            let y = [t * (1.0 - t) * (1.0 - 2.0 * t), 1.0 - 6.0 * t + 6.0 * t * t, 12.0 * t - 6.0];
+            [[sin, y[0]], [PI * cos, y[1]], [-PI * PI * sin, y[2]]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let [sin, cos] = (t * PI).sin_cos();
+            let one = Interval::from(1.0);
+            let y = [t * (one - t) * (one - t * 2.0), one - t * 6.0 + t.square() * 6.0, t * 12.0 - Interval::from(6.0)];
+            [[sin, y[0]], [cos * PI, y[1]], [-sin * (PI * PI), y[2]]]
+        }
+    }
+    let pieces = ParametricCurve::around(Drop, [0.0, 1.0], true).unwrap();
+    let boxed: Vec<Box<dyn Piece>> = pieces.into_iter().map(|piece| Box::new(piece) as _).collect();
+    let table = Table::new(boxed).unwrap();
+    assert_eq!((table.validate(), table.pieces().len(), table.corners().len()), (Ok(()), 2, 1));
+    assert!(table.corners()[0].amax() < 1e-15);
+    // |∫ y x′ dt| = |∫ (1 − 6t + 6t²) sin πt dt|
+    assert!((table.area() - (24.0 / (PI * PI * PI) - 2.0 / PI)).abs() < 1e-15, "{}", table.area());
+}
+
+#[test]
+fn what_is_no_curve_is_refused() {
+    let refused = |formula: Waves, range: [f64; 2]| ParametricCurve::around(formula, range, true).unwrap_err();
+    let must = |error: Error| match error {
+        Error::Parametrised { must, parameter } => (must, parameter),
+        other => panic!("{other}"),
+    };
+    let (open, at) = must(refused(ELLIPSE, [0.0, PI]));
+    assert!(open.contains("come back") && at == PI, "{open}");
+    // an astroid, (3 cos t + cos 3t, 3 sin t − sin 3t), has cusps at the quarters
+    let astroid = Waves { axes: [3.0; 2], size: [1.0, -1.0], number: 3.0, ..ELLIPSE };
+    let (cusp, at) = must(refused(astroid, [0.0, TAU]));
+    assert!(cusp.contains("stand still") && at.abs() < 1e-6, "{cusp} {at}");
+    for range in [[0.0, 0.0], [1.0, 0.0], [0.0, f64::NAN], [0.0, f64::INFINITY]] {
+        assert!(matches!(refused(ELLIPSE, range), Error::Parameter { name: "range", .. }));
+    }
+    // a figure of eight crosses itself
+    let eight = Waves { axes: [1.0, 0.1], size: [0.0, 0.5], number: 2.0, ..ELLIPSE };
+    let boxed = around(eight, true).into_iter().map(|piece| Box::new(piece) as _).collect();
+    assert!(Table::new(boxed).unwrap().validate().is_err());
+}
+
+#[test]
+fn an_arc_has_the_table_on_its_left() {
+    for (range, inside) in [([0.0, PI], true), ([PI, 0.0], false)] {
+        let ends = range.map(|t| Vector2::from(ELLIPSE.jet(t)[0]));
+        let arc = ParametricCurve::arc(ELLIPSE, range, ends).unwrap();
+        assert_eq!(arc.ends(), Some(ends));
+        let top = arc.closest(&Vector2::new(0.0, 0.5));
+        assert_eq!(top.normal.y < 0.0, inside);
+        assert!((top.point - Vector2::new(0.0, 1.0)).amax() < 1e-15);
+        assert!((arc.area() - if inside { PI } else { -PI }).abs() < 4e-15);
+    }
+}
+
+#[test]
+fn a_disk_fits_into_a_curve_as_into_the_ellipse_that_it_is() {
+    let table = |piece: Box<dyn Piece>| Table::new(vec![piece]).unwrap();
+    let exact = table(Box::new(Ellipse::new(Vector2::zeros(), [2.0, 1.0], 0.0, true).unwrap()));
+    let [curve] = <[_; 1]>::try_from(around(ELLIPSE, true)).unwrap();
+    let curve = table(Box::new(curve));
+    for radius in [0.1, 0.45, 0.7] {
+        let [here, there] = [&curve, &exact].map(|table| table.offset(radius).unwrap().table);
+        assert_eq!(here.pieces().len(), there.pieces().len());
+        assert!((here.area() - there.area()).abs() < 1e-13, "{radius}: {} {}", here.area(), there.area());
+        assert!((here.perimeter() - there.perimeter()).abs() < 1e-13, "{radius}");
+    }
+}
