@@ -42,6 +42,26 @@ impl Curve for Peanut {
     }
 }
 
+/// `(cos t + b cos 2t, sin t + b sin 2t)`, table inside.
+#[derive(Clone, Debug)]
+pub(crate) struct Limacon(pub f64);
+
+impl Curve for Limacon {
+    fn parts(&self) -> usize {
+        2
+    }
+    fn steps(&self) -> u32 {
+        16
+    }
+    fn at(&self, part: usize, u: &Big) -> [Vector; 2] {
+        let [d, t] = round(part, u);
+        // of the doubled angle
+        let twice = [&d[0] * &d[0] - &d[1] * &d[1], big(2.0) * &d[0] * &d[1]];
+        let b = big(self.0);
+        [add(&d, &scale(&twice, &b)), add(&t, &scale(&left(&twice), &(big(2.0) * b)))]
+    }
+}
+
 /// `r = 1 + a |cos φ|^(5/2)`, whose third derivative has no bound at the ends of the parts, table inside.
 #[derive(Clone, Debug)]
 pub(crate) struct Softened(pub f64);

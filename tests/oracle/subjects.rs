@@ -1,6 +1,6 @@
 //! Pieces and tables whose hits are measured.
 use super::curve::{Both, Cut, Oval, Truth, truth_of};
-use super::curves::{Bulge, Offset, Peanut, Quartic};
+use super::curves::{self, Bulge, Offset, Peanut, Quartic};
 use super::errors::Subject;
 use super::number::vector;
 use super::tables::each_table;
@@ -9,9 +9,10 @@ use billiards::geometry::{
     parry::Screen,
     shapes::{
         Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Parallel, Ray, Segment,
-        curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
+        curve::{Implicit, ImplicitFormula, Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula},
     },
 };
+use core::f64::consts::TAU;
 use std::sync::Arc as Shared;
 
 /// Where a subject is and how large.
@@ -75,6 +76,29 @@ impl PolarFormula for Waist {
     }
 }
 
+/// `(cos t + b cos 2t, sin t + b sin 2t)`
+#[derive(Debug)]
+struct Limacon(f64);
+
+impl ParametricFormula for Limacon {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let ((sin, cos), (wave, crest), b) = (libm::sincos(t), libm::sincos(2.0 * t), self.0);
+        [
+            [cos + b * crest, sin + b * wave],
+            [-sin - 2.0 * b * wave, cos + 2.0 * b * crest],
+            [-cos - 4.0 * b * crest, -sin - 4.0 * b * wave],
+        ]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let ([sin, cos], [wave, crest], b) = (t.sin_cos(), (t * 2.0).sin_cos(), self.0);
+        [
+            [cos + crest * b, sin + wave * b],
+            [wave * (-2.0 * b) - sin, cos + crest * (2.0 * b)],
+            [crest * (-4.0 * b) - cos, wave * (-4.0 * b) - sin],
+        ]
+    }
+}
+
 /// A piece and the truth about it.
 type Known = (&'static str, f64, Box<dyn Piece>, Box<dyn Truth>);
 
@@ -132,16 +156,18 @@ fn pieces(frame: &Frame) -> Result<Vec<Known>, Error> {
     let base = Bulge { a: vector(a.into()), b: vector(b.into()), height };
     all.push(("parallel of a bump", 1.0, Box::new(moved), Box::new(Cut::new(Offset { base, distance }))));
     if frame.name == "plain" {
-        let [quartic, peanut] = formulas()?;
+        let [quartic, peanut, limacon] = formulas()?;
         all.push(("formula x⁴ + y⁴ = 1", 1.0, quartic, Box::new(Cut::new(Quartic))));
         all.push(("formula 1 + ¼ cos 2φ", 1.25, peanut, Box::new(Cut::new(Peanut(0.25)))));
+        all.push(("points e(t) + ¼ e(2t)", 1.25, limacon, Box::new(Cut::new(curves::Limacon(0.25)))));
     }
     Ok(all)
 }
 
-pub(crate) fn formulas() -> Result<[Box<dyn Piece>; 2], Error> {
+pub(crate) fn formulas() -> Result<[Box<dyn Piece>; 3], Error> {
     let polar = Polar::new(Vector2::zeros(), Waist(0.25), true)?;
-    Ok([Box::new(Implicit::new(Fermat, true)?), Box::new(polar)])
+    let points = ParametricCurve::around(Limacon(0.25), [0.0, TAU], true)?.pop().ok_or(Error::Empty)?;
+    Ok([Box::new(Implicit::new(Fermat, true)?), Box::new(polar), Box::new(points)])
 }
 
 /// Shows every subject in a frame.

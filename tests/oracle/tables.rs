@@ -1,6 +1,6 @@
 //! Tables, as the fastest walls for them answer.
 use super::curve::{Cut, Meeting, Oval, Truth, truth_of};
-use super::curves::{Bulge, Kinked, Offset, Peanut, Quartic, Softened};
+use super::curves::{Bulge, Kinked, Limacon, Offset, Peanut, Quartic, Softened};
 use super::errors::Subject;
 use super::number::{Vector, add, small, sub, vector};
 use super::subjects::{Frame, formulas};
@@ -229,12 +229,17 @@ fn of_curves(frame: &Frame) -> Result<Vec<Known>, Error> {
     if frame.name != "plain" {
         return Ok(all);
     }
-    let truths: [Box<dyn Truth>; 2] = [Box::new(Cut::new(Quartic)), Box::new(Cut::new(Peanut(0.25)))];
-    let named = [("formula x⁴ + y⁴ = 1 (Graphs)", 1.0), ("formula 1 + ¼ cos 2φ (Graphs)", 1.25)];
+    let truths: [Box<dyn Truth>; 3] =
+        [Box::new(Cut::new(Quartic)), Box::new(Cut::new(Peanut(0.25))), Box::new(Cut::new(Limacon(0.25)))];
+    let named = [
+        ("formula x⁴ + y⁴ = 1 (Graphs)", 1.0),
+        ("formula 1 + ¼ cos 2φ (Graphs)", 1.25),
+        ("points e(t) + ¼ e(2t) (Graphs)", 1.25),
+    ];
     for ((piece, truth), (name, extent)) in formulas()?.into_iter().zip(truths).zip(named) {
         all.push((name, extent, Table::new(vec![piece])?, vec![truth]));
     }
-    let [_, peanut] = formulas()?;
+    let [_, peanut, _] = formulas()?;
     let length = peanut.length();
     let moved = Parallel::new(peanut.into(), 0.125, [0.0, length], None)?;
     let truth = Cut::new(Offset { base: Peanut(0.25), distance: 0.125 });

@@ -12,7 +12,8 @@ mod toml;
 pub use diagnostic::{Diagnostic, Place, Problems, plain};
 pub use json::parse as parse_json;
 pub use number::{
-    LARGEST, SMALLEST, count, formula, nonnegative, number, polar_formula, positive, real, seed, spell, vector, whole,
+    LARGEST, SMALLEST, coordinate_formula, count, formula, nonnegative, number, polar_formula, positive, real, seed,
+    spell, vector, whole,
 };
 pub use section::Section;
 pub use source::{Source, Span, Spanned};

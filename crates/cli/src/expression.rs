@@ -15,7 +15,7 @@ mod turn;
 
 use std::fmt;
 
-pub use curve::{ImplicitCurve, PolarCurve};
+pub use curve::{ImplicitCurve, ParametricCurve, PolarCurve};
 pub use program::Program;
 
 use constant::{Constant, LARGEST_ANGLE, Literal};

@@ -12,7 +12,7 @@ use crate::expression::{self, Expression, PolarCurve};
 pub const SMALLEST: f64 = 1e-150;
 /// Largest accepted length, coordinate or speed: squares of such numbers still are finite.
 pub const LARGEST: f64 = 1e150;
-/// Directions in which the size of a polar curve is looked at.
+/// Parameters at which the size of a curve is looked at.
 const PLACES: u32 = 64;
 /// Largest accepted count.
 const LARGEST_COUNT: u64 = 1_000_000_000_000;
@@ -56,19 +56,39 @@ pub fn formula(text: &Spanned<String>, variables: &[&str], problems: &mut Proble
 
 /// A radius as a formula in the polar angle `t`, with a real value in every direction.
 pub fn polar_formula(text: &Spanned<String>, problems: &mut Problems) -> Option<Expression> {
-    let radius = formula(text, &["t"], problems)?;
-    if let Some((mut error, at)) = radius.unreal(Interval::new(0.0, 2.0 * PI)) {
-        error.what = format!("near t = {at:.4}: {}", error.what);
-        error.help = Some("r must be a positive finite number for every t from 0 to 2*pi".into());
-        complain(&text.value, text.span, &error, problems);
-        return None;
-    }
+    let help = "r must be a positive finite number for every t from 0 to 2*pi";
+    let radius = real_formula(text, [0.0, 2.0 * PI], help, problems)?;
     if let Some((at, r)) = beyond(&radius) {
         let what = format!("near t = {at:.4} the radius is {}", spell(r));
         problems.add_with_help(text.span, what, format!("lengths lie between {SMALLEST:e} and {LARGEST:e}"));
         return None;
     }
     Some(radius)
+}
+
+/// A coordinate as a formula in the parameter `t`, with a real value all over a range.
+pub fn coordinate_formula(text: &Spanned<String>, over: [f64; 2], problems: &mut Problems) -> Option<Expression> {
+    let help = "a coordinate must be a finite number for every t of the curve";
+    let coordinate = real_formula(text, over, help, problems)?;
+    let mut places = (0..=PLACES).map(|k| over[0] + (over[1] - over[0]) * f64::from(k) / f64::from(PLACES));
+    if let Some(at) = places.find(|t| coordinate.evaluate(&[*t]).abs() > LARGEST) {
+        let what = format!("near t = {at:.4} the coordinate is {}", spell(coordinate.evaluate(&[at])));
+        problems.add_with_help(text.span, what, format!("write a formula that stays below {LARGEST:e}"));
+        return None;
+    }
+    Some(coordinate)
+}
+
+/// A formula in `t` with a real value all over a range.
+fn real_formula(text: &Spanned<String>, over: [f64; 2], help: &str, problems: &mut Problems) -> Option<Expression> {
+    let real = formula(text, &["t"], problems)?;
+    if let Some((mut error, at)) = real.unreal(Interval::new(over[0], over[1])) {
+        error.what = format!("near t = {at:.4}: {}", error.what);
+        error.help = Some(help.into());
+        complain(&text.value, text.span, &error, problems);
+        return None;
+    }
+    Some(real)
 }
 
 /// Some angle at which a radius is longer or shorter than lengths are, and the radius.

@@ -1,8 +1,8 @@
-//! Formulas as boundaries: what the geometry of curves asks of `r(t)` and `f(x, y)`.
+//! Formulas as boundaries: what the geometry of curves asks of `r(t)`, `(x(t), y(t))` and `f(x, y)`.
 
 use core::f64::consts::TAU;
 
-use billiards::geometry::shapes::curve::{ImplicitFormula, Interval, PolarFormula};
+use billiards::geometry::shapes::curve::{ImplicitFormula, Interval, ParametricFormula, PolarFormula};
 use billiards::geometry::{Extent, Vector2};
 
 use super::{Expression, Program};
@@ -63,6 +63,34 @@ impl PolarFormula for PolarCurve {
 /// The smallest intervals around both.
 fn union(a: [Interval; 3], b: [Interval; 3]) -> [Interval; 3] {
     [0, 1, 2].map(|i| a[i].union(b[i]))
+}
+
+/// A point `(x(t), y(t))` as two formulas, with their first two derivatives.
+#[derive(Clone, Debug)]
+pub struct ParametricCurve {
+    jet: Program<6>,
+}
+
+impl ParametricCurve {
+    /// The curve of two formulas in one variable, the parameter.
+    pub fn new([x, y]: [&Expression; 2]) -> Self {
+        let [dx, dy] = [x, y].map(|of| of.derivative(0));
+        Self { jet: Program::new([x, y, &dx, &dy, &dx.derivative(0), &dy.derivative(0)]) }
+    }
+}
+
+impl ParametricFormula for ParametricCurve {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        pairs(self.jet.evaluate(&[t]))
+    }
+
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        pairs(self.jet.evaluate(&[t]))
+    }
+}
+
+fn pairs<T>([a, b, c, d, e, f]: [T; 6]) -> [[T; 2]; 3] {
+    [[a, b], [c, d], [e, f]]
 }
 
 /// A function `f(x, y)` as a formula, with its gradient and Hessian, and a box that holds its zeros.

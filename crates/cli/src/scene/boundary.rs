@@ -1,9 +1,13 @@
 //! `[[table.boundary]]`: a boundary piece by piece.
 
+use core::f64::consts::TAU;
+
 use super::law::{self, Law};
 use super::shapes::{self, Shape};
 use super::{choice, direction, list, point, text};
-use crate::document::{Item, Problems, Section, Span, Spanned, formula, polar_formula, positive, real, vector};
+use crate::document::{
+    Item, Problems, Section, Span, Spanned, coordinate_formula, formula, polar_formula, positive, real, vector,
+};
 use crate::expression::Expression;
 
 /// One entry of an explicit boundary.
@@ -75,7 +79,8 @@ pub enum Border {
         /// Direction into the domain.
         normal: Spanned<Vec<f64>>,
     },
-    /// `curve = { polar = "1 + 0.2*cos(5*t)", center = [0, 0] }` or
+    /// `curve = { polar = "1 + 0.2*cos(5*t)", center = [0, 0] }`,
+    /// `curve = { x = "2*cos(t)", y = "sin(t)", over = [0, "2*pi"] }` or
     /// `curve = { implicit = "x^2/4 + y^2 - 1", within = [[-3, -2], [3, 2]] }`.
     Curve {
         /// Its formula.
@@ -189,7 +194,7 @@ pub enum Side {
     Right,
 }
 
-/// A smooth closed curve given by a formula.
+/// A closed curve given by a formula.
 #[derive(Clone, Debug)]
 pub enum Curve {
     /// The distance `r(t) > 0` from a centre in the direction `t`, with period 2π.
@@ -198,6 +203,13 @@ pub enum Curve {
         radius: Expression,
         /// The centre; the origin unless the scene says otherwise.
         center: Spanned<Vec<f64>>,
+    },
+    /// The points `(x(t), y(t))`.
+    Parametric {
+        /// `x` and `y`.
+        point: [Expression; 2],
+        /// First and last `t`; 0 and 2π unless the scene says otherwise.
+        over: Spanned<[f64; 2]>,
     },
     /// The zeros of a function that is negative inside.
     Implicit {
@@ -342,7 +354,7 @@ fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -
 
 fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
     let domain = domain(section, Domain::Inside, problems);
-    let (curve, text) = match section.one_of(&["polar", "implicit"], "polar = \"2 + 0.2*cos(5*t)\"", problems)? {
+    let (curve, text) = match section.one_of(&["polar", "x", "implicit"], "polar = \"2 + 0.2*cos(5*t)\"", problems)? {
         ("polar", item) => {
             let center = section
                 .optional("center")
@@ -350,6 +362,20 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
             let text = text(item, "write for instance \"2 + 0.2*cos(5*t)\"", problems)?;
             let radius = polar_formula(&text, problems)?;
             (Curve::Polar { radius, center: center? }, text)
+        }
+        ("x", x) => {
+            let over = section
+                .optional("over")
+                .map_or(Some(Spanned::new([0.0, TAU], section.span())), |item| range(item, problems));
+            let y = section.required("y", "y = \"sin(t)\"");
+            let over = over?;
+            let coordinate = |item: &Item, problems: &mut Problems| {
+                let text = text(item, "write for instance \"2*cos(t)\"", problems)?;
+                Some((coordinate_formula(&text, over.value, problems)?, text))
+            };
+            let (x, y) = (coordinate(x, problems), y.and_then(|y| coordinate(y, problems)));
+            let ((x, text), (y, _)) = (x?, y?);
+            (Curve::Parametric { point: [x, y], over }, text)
         }
         (_, item) => {
             let within = section
@@ -361,6 +387,23 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
         }
     };
     Some(Border::Curve { curve, formula: text, domain: domain? })
+}
+
+/// A parameter and a greater one.
+fn range(item: &Item, problems: &mut Problems) -> Option<Spanned<[f64; 2]>> {
+    let ends: Vec<_> = list(item, "a range", problems)?.iter().map(|item| real(item, problems)).collect();
+    let ends: Vec<_> = ends.into_iter().collect::<Option<_>>()?;
+    match ends[..] {
+        [from, to] if from.value < to.value => Some(Spanned::new([from.value, to.value], item.span)),
+        _ => {
+            problems.add_with_help(
+                item.span,
+                "a range has two ends, the lower one first",
+                "write for instance [0, \"2*pi\"]",
+            );
+            None
+        }
+    }
 }
 
 /// Two opposite corners of a box, the lower left one first.

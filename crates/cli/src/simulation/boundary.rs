@@ -119,8 +119,8 @@ pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
     all
 }
 
-/// Angles at which a polar formula is asked how large it is.
-const ANGLES: u32 = 16;
+/// Parameters at which formulas are asked how large they are.
+const PLACES: u32 = 16;
 
 fn of_border(border: &Border, all: &mut Vec<f64>) {
     match border {
@@ -140,7 +140,12 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         Border::Curve { curve: Curve::Polar { radius, center }, .. } => {
             all.extend(&center.value);
             // a formula says how large it is by what it comes to
-            all.extend((0..ANGLES).map(|k| radius.evaluate(&[TAU * f64::from(k) / f64::from(ANGLES)])));
+            all.extend((0..PLACES).map(|k| radius.evaluate(&[TAU * f64::from(k) / f64::from(PLACES)])));
+        }
+        Border::Curve { curve: Curve::Parametric { point, over }, .. } => {
+            let [start, end] = over.value;
+            let places = (0..PLACES).map(|k| start + (end - start) * f64::from(k) / f64::from(PLACES));
+            all.extend(places.flat_map(|t| point.iter().map(move |x| x.evaluate(&[t]))));
         }
         Border::Curve { curve: Curve::Implicit { within, .. }, .. } => all.extend(within.value.as_flattened()),
         Border::Shape { lengths, .. } => all.extend(lengths),

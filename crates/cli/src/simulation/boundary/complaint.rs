@@ -134,9 +134,18 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "make the box `within` larger: the whole curve lies in it"
         }
         Error::Curve { must, .. } if must.contains("only") => "draw the box `within` closer around one of them",
-        Error::Curve { .. } => "an implicit formula has no kinks; a polar one may have them, written with abs",
+        Error::Curve { .. } => "an implicit formula has no kinks; a formula of t may have them, written with abs",
+        Error::Parametrised { must, .. } if must.contains("back") => {
+            "let \"over\" run once around the curve; from 0 to 2*pi, unless it is written"
+        }
+        Error::Parametrised { must, .. } if must.contains("still") => {
+            "a cusp is no place to be reflected from: keep x' and y' from vanishing together, as polar formulas do"
+        }
+        Error::Parametrised { .. } => {
+            "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and keep the curvature bounded"
+        }
         Error::RoughPiece { .. } => {
-            "take radius = 0, or write kinks with abs in a polar formula, as in abs(sin(t)): its powers below 2 have slopes or \
+            "take radius = 0, or write kinks with abs in a formula of t, as in abs(sin(t)): its powers below 2 have slopes or \
              curvatures without bound, and an implicit formula has no kinks"
         }
         Error::Bend { .. } => "take another radius, or a formula with a curvature that has a bound",

@@ -1,6 +1,6 @@
 //! The pieces of an explicit boundary.
 
-use billiards::geometry::shapes::curve::{Implicit, Polar};
+use billiards::geometry::shapes::curve::{self, Implicit, Polar};
 use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
 use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, enclosed_area, import, parry};
 
@@ -8,7 +8,7 @@ use super::Drawn;
 use super::complaint::{about, in_user_units, with_advice};
 use super::scaled::Scaled;
 use crate::document::{Diagnostic, Span, Spanned};
-use crate::expression::{ImplicitCurve, PolarCurve};
+use crate::expression::{ImplicitCurve, ParametricCurve, PolarCurve};
 use crate::scene::{self, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, Turn};
 use crate::simulation::drawing::{self, Reader};
 use crate::simulation::scale;
@@ -140,6 +140,11 @@ impl Collected<'_> {
             Curve::Polar { radius, center } => {
                 let formula = Scaled { formula: PolarCurve::new(radius), factor: self.factor };
                 Polar::new(self.at(&center.value), formula, inside)?.pieces()
+            }
+            Curve::Parametric { point: [x, y], over } => {
+                let formula = Scaled { formula: ParametricCurve::new([x, y]), factor: self.factor };
+                let pieces = curve::ParametricCurve::around(formula, over.value, inside)?;
+                pieces.into_iter().map(|piece| Box::new(piece) as _).collect()
             }
             Curve::Implicit { function, within } => {
                 let formula = Scaled { formula: ImplicitCurve::new(function, within.value), factor: self.factor };

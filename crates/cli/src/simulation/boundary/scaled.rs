@@ -1,7 +1,7 @@
 //! Curves of formulas, scaled.
 
 use billiards::geometry::Extent;
-use billiards::geometry::shapes::curve::{ImplicitFormula, Interval, PolarFormula};
+use billiards::geometry::shapes::curve::{ImplicitFormula, Interval, ParametricFormula, PolarFormula};
 
 /// A curve whose formula is in the user's units, all lengths multiplied by a power of two.
 #[derive(Clone, Debug)]
@@ -16,6 +16,15 @@ impl<F: PolarFormula> PolarFormula for Scaled<F> {
     }
     fn jet_over(&self, angle: Interval) -> [Interval; 3] {
         self.formula.jet_over(angle).map(|r| scaled(r, self.factor))
+    }
+}
+
+impl<F: ParametricFormula> ParametricFormula for Scaled<F> {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        self.formula.jet(t).map(|pair| pair.map(|x| x * self.factor))
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        self.formula.jet_over(t).map(|pair| pair.map(|x| scaled(x, self.factor)))
     }
 }
 
