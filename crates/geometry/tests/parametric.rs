@@ -202,12 +202,17 @@ fn what_is_no_curve_is_refused() {
 fn an_arc_has_the_table_on_its_left() {
     for (range, inside) in [([0.0, PI], true), ([PI, 0.0], false)] {
         let ends = range.map(|t| Vector2::from(ELLIPSE.jet(t)[0]));
-        let arc = ParametricCurve::arc(ELLIPSE, range, ends).unwrap();
+        let [arc] = &ParametricCurve::along(ELLIPSE, range, ends).unwrap()[..] else { panic!("it has no kinks") };
         assert_eq!(arc.ends(), Some(ends));
         let top = arc.closest(&Vector2::new(0.0, 0.5));
         assert_eq!(top.normal.y < 0.0, inside);
         assert!((top.point - Vector2::new(0.0, 1.0)).amax() < 1e-15);
         assert!((arc.area() - if inside { PI } else { -PI }).abs() < 4e-15);
+        let bent = Waves { size: [0.0, 0.05], number: 3.0, is_bent: true, ..ELLIPSE };
+        let arcs = ParametricCurve::along(bent, range, ends).unwrap();
+        assert_eq!(arcs.len(), 3);
+        assert_eq!([arcs[0].ends().unwrap()[0], arcs[2].ends().unwrap()[1]], ends);
+        assert!((0..2).all(|k| arcs[k].ends().unwrap()[1] == arcs[k + 1].ends().unwrap()[0]));
     }
 }
 

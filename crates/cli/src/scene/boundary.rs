@@ -165,6 +165,26 @@ pub enum EdgePath {
         /// Sense in which it is run through.
         turn: Turn,
     },
+    /// `{ x = "t", y = "t^2", over = [0, 1] }`: the points of a curve.
+    Curve {
+        /// The point at the last parameter.
+        to: Spanned<Vec<f64>>,
+        /// That at the first one.
+        from: [f64; 2],
+        /// `x` and `y`.
+        point: [Expression; 2],
+        /// First and last parameter.
+        over: [f64; 2],
+    },
+}
+
+impl EdgePath {
+    /// Where it ends.
+    pub(crate) fn end(&self) -> &Spanned<Vec<f64>> {
+        match self {
+            EdgePath::Line { to } | EdgePath::Arc { to, .. } | EdgePath::Curve { to, .. } => to,
+        }
+    }
 }
 
 /// Sense of rotation.
@@ -369,13 +389,13 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
                 .map_or(Some(Spanned::new([0.0, TAU], section.span())), |item| range(item, problems));
             let y = section.required("y", "y = \"sin(t)\"");
             let over = over?;
-            let coordinate = |item: &Item, problems: &mut Problems| {
-                let text = text(item, "write for instance \"2*cos(t)\"", problems)?;
-                Some((coordinate_formula(&text, over.value, problems)?, text))
-            };
-            let (x, y) = (coordinate(x, problems), y.and_then(|y| coordinate(y, problems)));
-            let ((x, text), (y, _)) = (x?, y?);
-            (Curve::Parametric { point: [x, y], over }, text)
+            if over.value[0] > over.value[1] {
+                let help = "write the lower end first: a closed curve may run either way";
+                problems.add_with_help(over.span, "the range of a closed curve runs downwards", help);
+                return None;
+            }
+            let (point, text) = coordinates([x, y?], over.value, problems)?;
+            (Curve::Parametric { point, over }, text)
         }
         (_, item) => {
             let within = section
@@ -389,18 +409,28 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
     Some(Border::Curve { curve, formula: text, domain: domain? })
 }
 
-/// A parameter and a greater one.
+/// Formulas of both coordinates, and the first as written.
+fn coordinates(
+    items: [&Item; 2],
+    over: [f64; 2],
+    problems: &mut Problems,
+) -> Option<([Expression; 2], Spanned<String>)> {
+    let [x, y] = items.map(|item| {
+        let text = text(item, "write for instance \"2*cos(t)\"", problems)?;
+        Some((coordinate_formula(&text, over, problems)?, text))
+    });
+    let ((x, text), (y, _)) = (x?, y?);
+    Some(([x, y], text))
+}
+
+/// Two parameters that differ.
 fn range(item: &Item, problems: &mut Problems) -> Option<Spanned<[f64; 2]>> {
     let ends: Vec<_> = list(item, "a range", problems)?.iter().map(|item| real(item, problems)).collect();
     let ends: Vec<_> = ends.into_iter().collect::<Option<_>>()?;
     match ends[..] {
-        [from, to] if from.value < to.value => Some(Spanned::new([from.value, to.value], item.span)),
+        [from, to] if from.value != to.value => Some(Spanned::new([from.value, to.value], item.span)),
         _ => {
-            problems.add_with_help(
-                item.span,
-                "a range has two ends, the lower one first",
-                "write for instance [0, \"2*pi\"]",
-            );
+            problems.add_with_help(item.span, "a range has two ends that differ", "write for instance [0, \"2*pi\"]");
             None
         }
     }
@@ -433,8 +463,18 @@ fn edges(item: &Item, closed: bool, problems: &mut Problems) -> Option<Vec<Edge>
 fn edge(item: &Item, problems: &mut Problems) -> Option<Edge> {
     let mut section = Section::inline(item, "an edge", "{ line_to = [1, 0] }", problems)?;
     let law = law::at_most_one(&mut section, 2, problems);
-    let path = match section.one_of(&["line_to", "arc_to"], "line_to = [1, 0]", problems) {
+    let path = match section.one_of(&["line_to", "arc_to", "x"], "line_to = [1, 0]", problems) {
         Some(("line_to", item)) => point(item, 2, problems).map(|to| EdgePath::Line { to }),
+        Some(("x", x)) => {
+            let y = section.required("y", "y = \"t^2\"");
+            let over = section.required("over", "over = [0, 1]").and_then(|item| range(item, problems));
+            (|| {
+                let (y, over) = (y?, over?.value);
+                let (point, text) = coordinates([x, y], over, problems)?;
+                let [from, to] = over.map(|t| [0, 1].map(|i| point[i].evaluate(&[t])));
+                Some(EdgePath::Curve { to: Spanned::new(to.into(), text.span), from, point, over })
+            })()
+        }
         Some((_, item)) => {
             let to = point(item, 2, problems);
             let center = section.required("center", "center = [0, 0]").and_then(|item| point(item, 2, problems));

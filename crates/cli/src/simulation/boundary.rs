@@ -127,9 +127,9 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         Border::Loop { from, edges, .. } => {
             all.extend(&from.value);
             for edge in edges {
-                match &edge.path {
-                    EdgePath::Line { to } => all.extend(&to.value),
-                    EdgePath::Arc { to, center, .. } => all.extend(to.value.iter().chain(&center.value)),
+                all.extend(&edge.path.end().value);
+                if let EdgePath::Arc { center, .. } = &edge.path {
+                    all.extend(&center.value);
                 }
             }
         }

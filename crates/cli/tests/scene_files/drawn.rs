@@ -42,6 +42,54 @@ fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
 }
 
 #[test]
+fn curves_by_their_points_are_told_what_they_must_do() {
+    for (curve, expected, mend) in [
+        ("x = \"t\", y = \"t^2\"", "must come back to where it starts; this fails near t = 6.28319", "run once around"),
+        ("x = \"cos(t)\", y = \"sin(t)\", over = [0, 3]", "this fails near t = 3.0", "run once around"),
+        ("x = \"cos(t)^3\", y = \"sin(t)^3\"", "x' and y' both 0; this fails near t = 0.0", "cusp"),
+        ("x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(abs(sin(t-1)))\"", "this fails near t = ", "write kinks with abs"),
+        ("x = \"cos(t)\", y = \"sin(2*t)\"", "crosses itself near", "change its formula"),
+    ] {
+        let (what, help) = drawn_wrong(&format!("[[table.boundary]]\ncurve = {{ {curve} }}"));
+        assert!(what.contains(expected) && help.contains(mend), "{curve}: {what}; {help}");
+    }
+    for (edges, expected, mend) in [
+        (
+            "{ x = \"t\", y = \"1.5+t^2\", over = [-1, 1] }, { line_to = [-1, 1] }",
+            "starts 1.5 away",
+            "the edge before it",
+        ),
+        ("{ x = \"t\", y = \"t^2\", over = [-1, 1] }, { line_to = [-1, 2] }", "its last edge ends 1 away", "\"from\""),
+        ("{ line_to = [0, 0] }, { x = \"-t\", y = \"2*t-t^2\", over = [0, 1.5] }", "ends 0.559017 away", "\"from\""),
+    ] {
+        let (what, help) = drawn_wrong(&format!("[[table.boundary]]\nloop = {{ from = [-1, 1], edges = [{edges}] }}"));
+        assert!(what.contains(expected) && help.contains(mend), "{edges}: {what}; {help}");
+    }
+}
+
+#[test]
+fn formulas_of_coordinates_are_read_with_their_range() {
+    let read = |curve: &str| {
+        let orbit = "[[orbit]]\nposition = [0, 0]\nvelocity = [0.6, 0.8]\n[run]\ncollisions = 1\n";
+        parse(&format!("law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n{orbit}"))
+    };
+    for (curve, expected) in [
+        ("x = \"cos(t)\"", "curve lacks the key \"y\""),
+        ("x = \"cos(t)\", y = \"sqrt(cos(t))\"", "sqrt of the negative number"),
+        ("x = \"1e200*cos(t)\", y = \"sin(t)\"", "near t = 0.0000 the coordinate is 1e200"),
+        ("x = \"cos(t)\", y = \"sin(t)\", over = [0, 0]", "a range has two ends that differ"),
+        ("x = \"cos(t)\", y = \"sin(t)\", over = [0]", "a range has two ends that differ"),
+        ("x = \"cos(t)\", y = \"sin(t)\", over = [1, 0]", "the range of a closed curve runs downwards"),
+        ("x = \"cos(u)\", y = \"sin(t)\"", "unknown name \"u\""),
+        ("x = \"cos(t)\", y = \"sin(t)\", polar = \"1\"", "curve has both \"polar\" and \"x\""),
+    ] {
+        let errors = read(curve).expect_err(curve);
+        assert!(errors.iter().any(|error| error.contains(expected)), "{curve}: {errors:?}");
+    }
+    assert!(read("x = \"cos(2*pi*t)\", y = \"sin(2*pi*t)\", over = [0, 1]").is_ok());
+}
+
+#[test]
 fn a_triangle_has_three_corners_as_a_shape_too() {
     for (n, corners) in [(4, "[0, 0], [1, 0], [1, 1], [0, 1]"), (2, "[0, 0], [1, 0]")] {
         for rounding in ["", ", rounding = 0.25"] {

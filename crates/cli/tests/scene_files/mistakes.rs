@@ -64,7 +64,7 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (NAMED, "\"No-slip stadium\"", "3", "2:9: expected a string, found an integer"),
         (BOUNDARY, "turn = \"ccw\"", "turn = \"left\"", "8:46: unknown turn \"left\""),
         (BOUNDARY, ", turn = \"ccw\"", "", "8:3: an edge lacks the key \"turn\""),
-        (BOUNDARY, "line_to = [1, -1]", "curve_to = [1, -1]", "7:3: an edge needs \"line_to\" or \"arc_to\""),
+        (BOUNDARY, "line_to = [1, -1]", "curve_to = [1, -1]", "7:3: an edge needs \"line_to\", \"arc_to\" or \"x\""),
         (BOUNDARY, "[1, 0] }\n", "[0, 0] }\n", "17:40: the zero vector has no direction"),
         (BOUNDARY, "1+0.2*cos(5*t)", "1+0.2*cos(5*x)", "21:32: unknown name \"x\""),
         (BOUNDARY, "[[-3, -2], [3, 2]]", "[[3, -2], [-3, 2]]", "24:46: a box is given by"),

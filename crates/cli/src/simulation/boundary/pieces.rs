@@ -8,7 +8,7 @@ use super::Drawn;
 use super::complaint::{about, in_user_units, with_advice};
 use super::scaled::Scaled;
 use crate::document::{Diagnostic, Span, Spanned};
-use crate::expression::{ImplicitCurve, ParametricCurve, PolarCurve};
+use crate::expression::{Expression, ImplicitCurve, ParametricCurve, PolarCurve};
 use crate::scene::{self, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, Turn};
 use crate::simulation::drawing::{self, Reader};
 use crate::simulation::scale;
@@ -141,16 +141,18 @@ impl Collected<'_> {
                 let formula = Scaled { formula: PolarCurve::new(radius), factor: self.factor };
                 Polar::new(self.at(&center.value), formula, inside)?.pieces()
             }
-            Curve::Parametric { point: [x, y], over } => {
-                let formula = Scaled { formula: ParametricCurve::new([x, y]), factor: self.factor };
-                let pieces = curve::ParametricCurve::around(formula, over.value, inside)?;
-                pieces.into_iter().map(|piece| Box::new(piece) as _).collect()
+            Curve::Parametric { point, over } => {
+                boxed(curve::ParametricCurve::around(self.points(point), over.value, inside)?)
             }
             Curve::Implicit { function, within } => {
                 let formula = Scaled { formula: ImplicitCurve::new(function, within.value), factor: self.factor };
                 vec![Box::new(Implicit::new(formula, inside)?)]
             }
         })
+    }
+
+    fn points(&self, [x, y]: &[Expression; 2]) -> Scaled<ParametricCurve> {
+        Scaled { formula: ParametricCurve::new([x, y]), factor: self.factor }
     }
 
     fn edges(
@@ -163,18 +165,17 @@ impl Collected<'_> {
         let start = self.at(from);
         let size = edges
             .iter()
-            .flat_map(|edge| match &edge.path {
-                EdgePath::Line { to } | EdgePath::Arc { to, .. } => self.at(&to.value).data.0[0],
-            })
+            .flat_map(|edge| self.at(&edge.path.end().value).data.0[0])
             .chain([start.x, start.y])
             .fold(0.0, |m: f64, x| m.max(x.abs()));
+        let rounding = 16.0 * f64::EPSILON * size;
         let mut at = start;
         for (i, edge) in edges.iter().enumerate() {
-            let (EdgePath::Line { to } | EdgePath::Arc { to, .. }) = &edge.path;
+            let to = edge.path.end();
             let mut end = self.at(&to.value);
             let last = closed && i + 1 == edges.len();
             // a first vertex written as another formula, such as sin(pi/3) for sqrt(3)/2, is still the first vertex
-            if last && (end - start).amax() <= 16.0 * f64::EPSILON * size {
+            if last && (end - start).amax() <= rounding {
                 end = start;
             }
             if last && end != start {
@@ -184,15 +185,25 @@ impl Collected<'_> {
                     self.scene.source.diagnostic(to.span, what).with_help("let the last edge end where \"from\" is"),
                 ));
             }
-            let piece: Result<Box<dyn Piece>, Error> = match &edge.path {
-                EdgePath::Line { .. } => Segment::new(at, end).map(|segment| Box::new(segment) as _),
+            let pieces: Result<Vec<Box<dyn Piece>>, Error> = match &edge.path {
+                EdgePath::Line { .. } => Segment::new(at, end).map(|segment| vec![Box::new(segment) as _]),
                 EdgePath::Arc { center, turn, .. } => {
                     let inside = *turn == Turn::CounterClockwise;
-                    Arc::new(self.at(&center.value), at, end, inside).map(|arc| Box::new(arc) as _)
+                    Arc::new(self.at(&center.value), at, end, inside).map(|arc| vec![Box::new(arc) as _])
+                }
+                EdgePath::Curve { from, point, over, .. } => {
+                    let gap = (self.at(from) - at).norm();
+                    if gap > rounding {
+                        let what = format!("the curve starts {} away from where it should", short(gap / self.factor));
+                        let help = "let it start at the vertex where the edge before it ends";
+                        return Err(Box::new(self.scene.source.diagnostic(to.span, what).with_help(help)));
+                    }
+                    curve::ParametricCurve::along(self.points(point), *over, [at, end]).map(boxed)
                 }
             };
-            let piece = piece.map_err(|error| self.wrong(edge.span, &error))?;
-            self.push(piece, edge.span, edge.law.as_ref().or(law));
+            for piece in pieces.map_err(|error| self.wrong(edge.span, &error))? {
+                self.push(piece, edge.span, edge.law.as_ref().or(law));
+            }
             at = end;
         }
         Ok(())
@@ -222,6 +233,10 @@ impl Collected<'_> {
         let geojson: Reader<Vec<Box<dyn Piece>>> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
         drawing::read(self.scene, file, kinds, &[("svg", svg), ("json", geojson), ("geojson", geojson)])
     }
+}
+
+fn boxed<P: Piece + 'static>(pieces: Vec<P>) -> Vec<Box<dyn Piece>> {
+    pieces.into_iter().map(|piece| Box::new(piece) as _).collect()
 }
 
 /// A direction of a length near one.

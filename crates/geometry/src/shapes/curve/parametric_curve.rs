@@ -174,42 +174,53 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         if kinks.is_empty() && turn.abs() <= SMOOTH {
             return Ok(vec![ParametricCurve::new(&formula, [0.0, 2.0 * PI], [start[0]; 2], true, rises)?]);
         }
-        // where each arc ends and the next one begins
+        // an arc has two ends
+        ParametricCurve::cut(&formula, &kinks, [start[0]; 2], 2, rises)
+    }
+
+    /// The arcs between the kinks of a curve that has ends, in the order of traversal, with the table on the left as `t` runs from the first
+    /// parameter to the second, which may be less; `ends` are its points there as its neighbours know them.
+    ///
+    /// # Errors
+    /// As [`around`](Self::around).
+    pub fn along(
+        formula: F,
+        [start, end]: [f64; 2],
+        ends: [Vector2<f64>; 2],
+    ) -> Result<Vec<ParametricCurve<F>>, Error> {
+        let rises = start < end;
+        let (range, ends) = if rises { ([start, end], ends) } else { ([end, start], [ends[1], ends[0]]) };
+        let (formula, kinks) = looked_at(formula, range)?;
+        ParametricCurve::cut(&formula, &kinks, ends, 1, rises)
+    }
+
+    /// The arcs between kinks, at least so many.
+    fn cut(
+        formula: &Arc<InTurns<F>>,
+        kinks: &[Interval],
+        vertices: [Vector2<f64>; 2],
+        least: usize,
+        rises: bool,
+    ) -> Result<Vec<ParametricCurve<F>>, Error> {
+        let at = |u: f64| formula.at(u)[0];
         let inner = kinks.iter().filter(|kink| kink.low > NARROW && kink.high < 2.0 * PI - NARROW);
-        let mut cuts: Vec<_> =
-            inner.map(|kink| (kink.low, kink.high, formula.at(0.5 * (kink.low + kink.high))[0])).collect();
-        if cuts.is_empty() {
-            // an arc has two ends
-            cuts.push((PI, PI, formula.at(PI)[0]));
+        // where each arc ends and the next one begins
+        let mut cuts: Vec<_> = inner.map(|kink| (kink.low, kink.high, at(0.5 * (kink.low + kink.high)))).collect();
+        if cuts.len() + 1 < least {
+            cuts.push((PI, PI, at(PI)));
         }
-        // a kink there is not seen from the other side
+        // a kink at an end is not seen from the other side
         let first = kinks.first().filter(|kink| kink.low <= NARROW).map_or(0.0, |kink| kink.high);
         let last = kinks.last().filter(|kink| kink.high >= 2.0 * PI - NARROW).map_or(2.0 * PI, |kink| kink.low);
-        cuts.push((last, first, start[0]));
-        let from = cuts.iter().cycle().skip(cuts.len() - 1);
-        let arcs = from
-            .zip(&cuts)
-            .map(|(&(_, low, a), &(high, _, b))| ParametricCurve::new(&formula, [low, high], [a, b], false, rises));
+        let starts = [(first, vertices[0])].into_iter().chain(cuts.iter().map(|&(_, after, p)| (after, p)));
+        let ends = cuts.iter().map(|&(before, _, p)| (before, p)).chain([(last, vertices[1])]);
+        let arcs = starts.zip(ends);
+        let arcs = arcs.map(|((low, a), (high, b))| ParametricCurve::new(formula, [low, high], [a, b], false, rises));
         let mut arcs = arcs.collect::<Result<Vec<_>, _>>()?;
         if !rises {
             arcs.reverse();
         }
         Ok(arcs)
-    }
-
-    /// The arc between two parameters, with the table on its left as `t` runs from the first to the second, which may be less; `ends` are its
-    /// points there as its neighbours know them.
-    ///
-    /// # Errors
-    /// As [`around`](Self::around); an arc has no kinks.
-    pub fn arc(formula: F, [start, end]: [f64; 2], ends: [Vector2<f64>; 2]) -> Result<ParametricCurve<F>, Error> {
-        let rises = start < end;
-        let (range, ends) = if rises { ([start, end], ends) } else { ([end, start], [ends[1], ends[0]]) };
-        let (formula, kinks) = looked_at(formula, range)?;
-        if let Some(kink) = kinks.first() {
-            return Err(failing(&formula, kink.low, "have no kink"));
-        }
-        ParametricCurve::new(&formula, [0.0, 2.0 * PI], ends, false, rises)
     }
 
     fn new(
