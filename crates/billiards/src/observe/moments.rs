@@ -67,17 +67,18 @@ impl FromIterator<f64> for Moments {
 
 impl Merge for Moments {
     fn merge(self, other: Self) -> Self {
-        let count = self.count + other.count;
-        if count == 0 {
-            return self;
+        // of nothing there is no mean, from which the others could be far off
+        if self.count == 0 || other.count == 0 {
+            return if self.count == 0 { other } else { self };
         }
+        let count = self.count + other.count;
         let share = other.count as f64 / count as f64;
         let off = other.mean - self.mean;
         Moments {
             count,
             mean: self.mean + off * share,
             squares: self.squares + other.squares + off * off * (self.count as f64 * share),
-            scattered: self.scattered || other.scattered || (off != 0.0 && self.count > 0 && other.count > 0),
+            scattered: self.scattered || other.scattered || off != 0.0,
         }
     }
 }
@@ -121,6 +122,14 @@ mod tests {
         }
         for same in [Moments::from_iter([1e-200; 3]), Moments::from_iter([0.1; 2]).merge(Moments::from_iter([0.1]))] {
             assert_eq!(same.mean().standard_error, 0.0, "{same:?}");
+        }
+    }
+
+    #[test]
+    fn an_empty_sample_changes_nothing_however_large_the_numbers_are() {
+        let large = Moments::from_iter([1e200; 2]); // off a mean of 0 by more than squares go
+        for merged in [large.merge(Moments::default()), Moments::default().merge(large)] {
+            assert_eq!(merged.mean(), large.mean());
         }
     }
 
