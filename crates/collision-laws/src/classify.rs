@@ -23,7 +23,8 @@ pub struct Classification<const N: usize> {
 /// [`check::tolerance`](crate::check::tolerance) any).
 ///
 /// A strict map is `C = 1 − 2P`, `P` the projector, orthogonal for the kinetic-energy metric, onto `W = G⁻¹Jᵀ span(ν, R)`; here `W` is
-/// read off `C` on the impulse space and `R` off `W`. Source: Cox, Feres and Ward, arXiv:1501.06536; in Cox and Feres, *No-slip
+/// read off `C` on the impulse space and `R` off `W`. Two bodies that nothing moves have no velocities, so that no axiom is broken and no
+/// map is strict. Source: Cox, Feres and Ward, arXiv:1501.06536; in Cox and Feres, *No-slip
 /// billiards in dimension two*, Theorem 1.1.
 ///
 /// # Errors
@@ -59,6 +60,9 @@ pub fn classify<const N: usize>(
     }
     if map.iter().any(|x| !x.is_finite()) {
         return Err(Error::NotFinite { quantity: "the matrix" });
+    }
+    if space.dimension() == 0 {
+        return Ok(Classification { report: Report::EMPTY, strict: None });
     }
     let c = space.map_to_unit(map);
     let report = defects(space, &c);

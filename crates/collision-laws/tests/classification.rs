@@ -174,3 +174,12 @@ fn a_matrix_of_the_wrong_size_is_an_error() {
     assert_eq!(classify(&space, &nan, TOLERANCE), Err(Error::NotFinite { quantity: "the matrix" }));
     assert!(classify(&space, &pair.collision_map(&NoSlip), TOLERANCE).is_ok_and(|found| found.strict.is_some()));
 }
+
+#[test]
+fn where_nothing_moves_no_axiom_is_broken_and_no_map_is_strict() {
+    let walls = Pair::new(pair().contact, (Fixed, Vector3::zeros()), (Fixed, Vector3::zeros()));
+    let found =
+        classify(&walls.tangent_space(), &walls.collision_map(&NoSlip), TOLERANCE).expect("no rows, no columns");
+    assert_eq!(found.report, check::law(&walls, &NoSlip, check::Samples::default()));
+    assert_eq!((found.report.broken(TOLERANCE).count(), found.strict), (0, None));
+}
