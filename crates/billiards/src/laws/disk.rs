@@ -31,7 +31,7 @@ impl Disk {
     /// # Errors
     /// [`Error::Ball`] unless γ is finite and not negative; [`Error::NoContactImpulse`] of a law whose map is not one of impulses at
     /// the contact, within 10⁻⁹ of its entries.
-    pub fn new(law: &impl DiskLaw, gamma: f64) -> Result<Disk, Error> {
+    pub fn new(law: &(impl DiskLaw + ?Sized), gamma: f64) -> Result<Disk, Error> {
         let gamma = checked_gamma(gamma)?;
         let map = law.disk_map(gamma);
         if !acts_at_the_contact(&map, gamma) {
@@ -180,6 +180,13 @@ mod tests {
                 assert_eq!((found, spun), (expected, spin), "{law:?} {normal:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_law_chosen_at_run_time_is_a_disk_s_law() {
+        let laws: [Box<dyn DiskLaw>; 2] = [Box::new(Specular), Box::new(NoSlip)];
+        let disks = laws.map(|law| Disk::new(&*law, 0.6).unwrap());
+        assert_eq!(disks.map(|disk| disk.smooth), [true, false]);
     }
 
     #[test]
