@@ -9,10 +9,10 @@ use billiards::geometry::{
     },
     tables, walls,
 };
-use billiards::laws::{Custom, Disk, Specular};
+use billiards::laws::{Custom, Disk, PerPiece, Specular};
 use billiards::observe::{Collision, Observer};
 use billiards::{
-    Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Planar, Start, Starts, Stop, Time, Timed, run,
+    Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Outcome, Planar, Start, Starts, Stop, Time, Timed, run,
 };
 use core::ops::ControlFlow;
 use std::collections::BTreeMap;
@@ -167,6 +167,25 @@ fn spin_that_never_becomes_velocity_makes_nothing_graze() {
             let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.125, 0.25], [0.6, 0.7], [spin], ());
             assert_eq!(lossy.run(&mut orbit, &Collisions(10), &mut ()).stop, Stop::Finished);
         }
+    }
+}
+
+#[test]
+fn pieces_that_are_all_specular_by_whatever_name_leave_spin_alone_as_one_law_does() {
+    let [smooth, named] = [Disk::new(&Specular, 0.5), Disk::new(&Restitution::new(1.0, -1.0).unwrap(), 0.5)];
+    let law = PerPiece::new(smooth.unwrap(), [named.unwrap()]);
+    for table in [tables::circle(1.0), tables::square(1.0), tables::strip(1.0)] {
+        let table = table.unwrap();
+        let end = |law: &dyn Fn(&mut Orbit<f64, 2, 1>) -> Outcome| {
+            let mut orbit: Orbit<f64, 2, 1> = Orbit::new([0.125, 0.25], [0.6, 0.7], [1e20], ());
+            (law(&mut orbit), orbit)
+        };
+        let each =
+            end(&|orbit| Planar { table: table.clone(), law: law.clone() }.run(orbit, &Collisions(100), &mut ()));
+        assert_eq!(each.0.stop, Stop::Finished);
+        let one = end(&|orbit| Planar { table: table.clone(), law: Specular }.run(orbit, &Collisions(100), &mut ()));
+        let off = |i: usize| (each.1.position[i] - one.1.position[i]).abs();
+        assert!(off(0) + off(1) < 1e-12 && each.1.spin == one.1.spin, "{each:?} {one:?}");
     }
 }
 

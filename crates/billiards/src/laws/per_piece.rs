@@ -1,5 +1,6 @@
 //! A law of its own for each piece.
 use super::{
+    Mirror,
     coefficients::Coefficients,
     disk::{Disk, in_frame, in_plane},
 };
@@ -13,6 +14,8 @@ pub struct PerPiece {
     laws: Vec<Disk>,
     /// Whether each of them is.
     strict: bool,
+    /// Whether each of them is specular, by whatever name: then spin has no part in anything.
+    specular: bool,
 }
 
 impl PerPiece {
@@ -20,7 +23,8 @@ impl PerPiece {
     pub fn new(first: Disk, others: impl IntoIterator<Item = Disk>) -> PerPiece {
         let laws: Vec<Disk> = core::iter::once(first).chain(others).collect();
         let strict = laws.iter().all(BallLaw::is_strict);
-        PerPiece { laws, strict }
+        let specular = laws.iter().all(|law| law.mirror().is_some_and(Mirror::is_specular));
+        PerPiece { laws, strict, specular }
     }
 }
 
@@ -47,5 +51,8 @@ impl BallLaw<2, 1> for PerPiece {
     #[inline(always)]
     fn is_strict(&self) -> bool {
         self.strict
+    }
+    fn mirror(&self) -> Option<Mirror> {
+        self.specular.then(Mirror::specular)
     }
 }
