@@ -89,11 +89,13 @@ where
             if observer.looks() || orbit.track.looks() {
                 billiard.settle(orbit, &carried);
             }
-            if let ControlFlow::Break(()) = observer.collision(&Collision { n, hit: &hit, orbit }) {
-                break Stop::Observer;
-            }
+            let seen = observer.collision(&Collision { n, hit: &hit, orbit });
+            // an observer may let the orbit go on later, where it goes on
             if stays {
                 break Stop::Grazing;
+            }
+            if let ControlFlow::Break(()) = seen {
+                break Stop::Observer;
             }
         };
         billiard.settle(orbit, &carried);

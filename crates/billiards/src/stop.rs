@@ -7,7 +7,7 @@ use lanes::{Lane, dot};
 pub enum Stop {
     /// The limit was reached.
     Finished,
-    /// An observer had seen enough.
+    /// An observer had seen enough of an orbit that goes on. Where the collision that it saw last ends the orbit, that is told.
     Observer,
     /// The path ends in a corner, where no normal is defined.
     Corner,

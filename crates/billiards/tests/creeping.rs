@@ -10,7 +10,7 @@ use billiards::geometry::{
     tables, walls,
 };
 use billiards::laws::{Custom, Disk, PerPiece, Specular};
-use billiards::observe::{Collision, Observer};
+use billiards::observe::{Collision, Observer, Watch};
 use billiards::{
     Billiard, Canonical, Clock, Collisions, Conserved, Orbit, Outcome, Planar, Start, Starts, Stop, Time, Timed, run,
 };
@@ -187,6 +187,23 @@ fn pieces_that_are_all_specular_by_whatever_name_leave_spin_alone_as_one_law_doe
         let off = |i: usize| (each.1.position[i] - one.1.position[i]).abs();
         assert!(off(0) + off(1) < 1e-12 && each.1.spin == one.1.spin, "{each:?} {one:?}");
     }
+}
+
+#[test]
+fn an_observer_that_has_seen_enough_does_not_hide_that_an_orbit_ends() {
+    let table = tables::circle(1.0).unwrap();
+    let billiard = Planar { table, law: damping() };
+    let start: Orbit<f64, 2, 1> = Orbit::new([0.05, 0.55], [0.6, 0.37], [0.4], ());
+    let (mut whole, mut bit) = (start, start);
+    let at_once = billiard.run(&mut whole, &Collisions(1000), &mut ());
+    assert_eq!(at_once.stop, Stop::Grazing);
+    // collision by collision: the last one is no place to go on from
+    let mut enough = Watch::new(|_: &Collision<'_, 2, 1, (), ()>| ControlFlow::Break(()));
+    for n in 1..at_once.collisions {
+        assert_eq!(billiard.run(&mut bit, &Collisions(1000), &mut enough).stop, Stop::Observer, "{n}");
+    }
+    let last = billiard.run(&mut bit, &Collisions(1000), &mut enough);
+    assert_eq!((last.stop, last.collisions), (Stop::Grazing, 1));
 }
 
 /// The circle of radius 1, as a formula.
