@@ -52,6 +52,12 @@ pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     fn lack(&self, velocity: &[F; N], _spin: &[F; S]) -> F {
         velocity[0].same(0.0)
     }
+    /// How much of what they lack velocity and spin make up for, in parts of what they would if they grew alike: 1 and 1, or all of it the
+    /// velocity and nothing the spin, where that is as it was at the start and no law has touched it.
+    #[inline(always)]
+    fn shares(&self, velocity: &[F; N], _spin: &[F; S]) -> [F; 2] {
+        [velocity[0].same(1.0); 2]
+    }
     /// `|v|² + |w|²` as it should be, in one lane; `None` where no energy is kept.
     fn square(&self, _lane: usize) -> Option<Double> {
         None
@@ -93,6 +99,12 @@ pub(crate) fn square_speed<F: Lane, const N: usize, const S: usize>(velocity: &[
         sum = sum + *w * *w;
     }
     sum
+}
+
+/// `|of|²`
+#[inline(always)]
+fn square<F: Lane, const N: usize>(zero: F, of: &[F; N]) -> F {
+    of.iter().fold(zero, |sum, x| sum + *x * *x)
 }
 
 /// The sum of all components without their signs: between the length of `(velocity, spin)` and its multiple by the root of their number,
@@ -149,6 +161,8 @@ pub struct Conserved<F, const N: usize> {
     /// `|v|² + |w|²` at the start, as a sum.
     high: F,
     low: F,
+    /// `|w|²` at the start, as [`square`] rounds it.
+    spin: F,
     /// A component whose square is below this has next to no energy to correct.
     little: F,
     /// `½/(|v|² + |w|²)`, or 0 where nothing is kept.
@@ -189,16 +203,26 @@ fn square_in_parts<F: Lane>(grid: F, x: F) -> (F, F) {
 impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserved<F, N> {
     #[inline(always)]
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self {
-        let square = square_speed(velocity, spin);
-        let grid = square.each(|k| {
-            let (_, exponent) = libm::frexp(libm::sqrt(square.lane(k)));
+        let all = square_speed(velocity, spin);
+        let grid = all.each(|k| {
+            let (_, exponent) = libm::frexp(libm::sqrt(all.lane(k)));
             libm::ldexp(3.0, exponent + 25)
         });
         let (high, low) = precise_square(grid, velocity, spin);
-        let recurring = Recurring::nothing(square.same(0.0));
+        let zero = all.same(0.0);
         // of speeds so small that their squares vanish nothing is missing, and no part of it infinite
-        let share = square.same(0.5) / square.max(square.same(f64::MIN_POSITIVE));
-        Conserved { grid, high, low, little: square * LITTLE, share, twice: square.same(2.0), beat: 0, recurring }
+        let share = all.same(0.5) / all.max(all.same(f64::MIN_POSITIVE));
+        Conserved {
+            grid,
+            high,
+            low,
+            spin: square(zero, spin),
+            little: all * LITTLE,
+            share,
+            twice: all.same(2.0),
+            beat: 0,
+            recurring: Recurring::nothing(zero),
+        }
     }
     #[inline(always)]
     fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F {
@@ -282,6 +306,15 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         let missing = self.missing(velocity, spin);
         self.is_rounding(missing).select(missing, missing.same(0.0)) * (self.share + self.share)
     }
+    #[inline(always)]
+    fn shares(&self, velocity: &[F; N], spin: &[F; S]) -> [F; 2] {
+        let [zero, one] = [velocity[0].same(0.0), velocity[0].same(1.0)];
+        let [of_velocity, of_spin] = [square(zero, velocity), square(zero, spin)];
+        let all = of_velocity + of_spin;
+        let untouched = !(of_spin.lt(self.spin) | self.spin.lt(of_spin));
+        let alone = untouched & (all * LITTLE).lt(of_velocity);
+        [alone.select(all / of_velocity, one), alone.select(zero, one)]
+    }
     fn square(&self, lane: usize) -> Option<Double> {
         (self.twice.lane(lane) > 0.0).then(|| Double { high: self.high.lane(lane), low: self.low.lane(lane) })
     }
@@ -301,6 +334,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             grid: self.grid.lane(lane),
             high: self.high.lane(lane),
             low: self.low.lane(lane),
+            spin: self.spin.lane(lane),
             little: self.little.lane(lane),
             share: self.share.lane(lane),
             twice: self.twice.lane(lane),
@@ -313,6 +347,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
             grid: zero.same(one.grid),
             high: zero.same(one.high),
             low: zero.same(one.low),
+            spin: zero.same(one.spin),
             little: zero.same(one.little),
             share: zero.same(one.share),
             twice: zero.same(one.twice),
@@ -324,6 +359,7 @@ impl<F: Lane, const N: usize> InLanes<F> for Conserved<F, N> {
         self.grid.put(lane, one.grid);
         self.high.put(lane, one.high);
         self.low.put(lane, one.low);
+        self.spin.put(lane, one.spin);
         self.little.put(lane, one.little);
         self.share.put(lane, one.share);
         self.twice.put(lane, one.twice);

@@ -56,8 +56,9 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
     /// Velocity and spin with the energy of the start to the last digit: `|E − E₀| ≤ 2⁻⁵¹ E₀` wherever the orbit is.
     ///
     /// The orbit itself goes on without: its energy is restored at every [`BEAT`](crate::BEAT)th collision and off by what the ones
-    /// since then round, up to 10⁻¹⁴. All components grow by the same factor; what is right already stays as it is, and so does
-    /// everything where no energy is kept.
+    /// since then round, up to 10⁻¹⁴. All components grow by the same factor, but for a spin that is what it was at the start: the specular law
+    /// leaves it alone, and so does this, unless nearly all energy is spin. What is right already stays as it is, and so does everything where
+    /// no energy is kept.
     ///
     /// ```
     /// use billiards::{Collisions, Conserved, Orbit, Planar, laws::Disk};
@@ -74,8 +75,12 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
         let (mut velocity, mut spin) = (self.velocity, self.spin);
         let lack = self.keeper.lack(&velocity, &spin);
         if lack.abs() > f64::EPSILON {
-            for x in velocity.iter_mut().chain(&mut spin) {
-                *x += *x * (0.5 * lack);
+            let [of_velocity, of_spin] = self.keeper.shares(&velocity, &spin).map(|share| 0.5 * lack * share);
+            for v in &mut velocity {
+                *v += *v * of_velocity;
+            }
+            for w in &mut spin {
+                *w += *w * of_spin;
             }
         }
         (velocity, spin)

@@ -124,7 +124,7 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         let place = self.walls.place(&hit);
         let along = |along: [Double; 2]| {
             let swing = Swing::recurring(normal, along[1]);
-            let [spin, tangential] = rounded(normal.high, along, square);
+            let [spin, tangential] = rounded(normal.high, along, square, self.specular);
             let time = self.walls.chord(&place, normal.high, tangential).time;
             Along { tangential, time, spin, swing }
         };
@@ -155,13 +155,14 @@ fn with_energy(velocity: [Double; 2], spin: f64, square: Option<Double>) -> [Dou
 }
 
 /// Spin and tangential velocity, each rounded up or down so that with the normal velocity they have the energy nearest to what it
-/// should be.
-fn rounded(normal: f64, [spin, tangential]: [Double; 2], square: Option<Double>) -> [f64; 2] {
+/// should be; the spin stays as it is under a law that leaves it alone.
+fn rounded(normal: f64, [spin, tangential]: [Double; 2], square: Option<Double>, leaves_spin: bool) -> [f64; 2] {
     let [w, t] = [spin.high, tangential.high];
     let Some(all) = square else { return [w, t] };
     let lacks = [normal, w, t].iter().fold(all, |all, x| all.plus(-Double::product(*x, *x))).value();
     // what is 0 stays 0
-    let steps = [w, t].map(|x| if x == 0.0 { 0.0 } else { x.abs().next_up() - x.abs() });
+    let steps = [(w, leaves_spin), (t, false)];
+    let steps = steps.map(|(x, stays)| if stays || x == 0.0 { 0.0 } else { x.abs().next_up() - x.abs() });
     let mut best = (lacks.abs(), [w, t]);
     for (i, j) in [(-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1)] {
         let [by_w, by_t] = [f64::from(i) * steps[0], f64::from(j) * steps[1]];

@@ -112,6 +112,28 @@ fn energy_is_kept_in_a_circle_under_a_law_of_ones_own() {
 }
 
 #[test]
+fn a_spin_that_the_law_leaves_alone_is_told_as_it_was_given() {
+    let tables = [tables::circle(1.0), tables::strip(1.0), tables::stadium(1.0, 1.0), tables::ellipse([2.0, 1.0])];
+    for (table, spin) in tables.into_iter().flat_map(|table| [0.1, 0.3, -5.0, 1e9].map(|spin| (table.clone(), spin))) {
+        let billiard = Planar { table: table.unwrap(), law: Specular };
+        let mut orbit: Disks = Orbit::new([0.1, 0.2], [0.6, 0.37], [spin], ());
+        let energy = 0.6 * 0.6 + 0.37 * 0.37 + spin * spin;
+        for n in 0..2000 {
+            billiard.run(&mut orbit, &Collisions(1), &mut ());
+            let ([v1, v2], told) = orbit.restored();
+            assert_eq!((orbit.spin, told), ([spin], [spin]), "{n}");
+            assert!((v1 * v1 + v2 * v2 + spin * spin - energy).abs() <= 3.0 * f64::EPSILON * energy, "{n}: {spin}");
+        }
+    }
+    let room = Spatial { table: tables::ball(1.0).unwrap(), law: Specular };
+    let mut orbit: Balls = Orbit::new([0.1, 0.2, 0.3], [0.6, 0.37, 0.2], [0.3, 0.4, -0.7], ());
+    for n in 0..2000 {
+        room.run(&mut orbit, &Collisions(1), &mut ());
+        assert_eq!(orbit.restored().1, [0.3, 0.4, -0.7], "{n}");
+    }
+}
+
+#[test]
 fn energy_is_kept_where_every_collision_grazes() {
     // the square of the normal component is below a thousandth of the energy
     let drift = drift(Disk::new(&Specular, 0.5).unwrap(), [1.0, 0.001], 0.1);
