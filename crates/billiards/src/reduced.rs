@@ -53,7 +53,8 @@ impl ReducedState {
         ReducedState { v0: self.v0 / self.speed, vt: self.vt / self.speed, speed: 1.0, ..self }
     }
 
-    /// Arc length along the whole boundary, from the start of piece 0, all pieces laid end to end; then `v₀` and `vₜ`.
+    /// Arc length along the whole boundary, from the start of piece 0, all pieces laid end to end; then `v₀` and `vₜ`. After a piece without
+    /// end, as the first wall of a strip, it is infinite and tells no place: there `piece` and `s` do.
     pub fn coordinates(&self, table: &Table) -> [f64; 3] {
         let before: f64 = table.pieces().iter().take(self.piece).map(geometry::Piece::length).sum();
         [before + self.s, self.v0, self.vt]
