@@ -2,7 +2,7 @@
 
 use billiards::BallLaw;
 use billiards::collision_laws::laws::{NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
-use billiards::collision_laws::{self, AnyLaw, Contact, Roughness, StrictLaw};
+use billiards::collision_laws::{self, AnyLaw};
 use billiards::geometry::{Figure, Piece, Vector2, Vector3, WallHit};
 use billiards::laws::{Custom, Disk, Mirror, PerPiece, RoughBall, Specular};
 use lanes::Lane;
@@ -168,37 +168,12 @@ impl BallLaw<3, 3> for SpatialLaw {
     }
 }
 
-/// Where contacts are for the user: what laws that depend on the place are asked.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Places {
-    /// Of the ball, in the engine's unit.
-    pub(crate) radius: f64,
-    /// From the engine's origin to the user's, in the engine's unit.
-    pub(crate) shift: Vector3<f64>,
-    /// By which the user's lengths are multiplied.
-    pub(crate) factor: f64,
-}
-
-/// A law as the user sees the place of a contact.
-#[derive(Debug)]
-struct Placed<L> {
-    law: L,
-    places: Places,
-}
-
-impl<L: StrictLaw<3>> StrictLaw<3> for Placed<L> {
-    fn roughness(&self, contact: &Contact<3>) -> Roughness<3> {
-        let point = (contact.point + self.places.shift) / self.places.factor;
-        self.law.roughness(&Contact { point, ..*contact })
-    }
-}
-
 impl SpatialLaw {
     /// The laws of numbered walls for a ball with γ.
     ///
     /// # Errors
     /// A parameter of a law is wrong.
-    pub(crate) fn new(walls: &[&LawKind], gamma: f64, places: Places) -> Result<SpatialLaw, String> {
+    pub(crate) fn new(walls: &[&LawKind], gamma: f64) -> Result<SpatialLaw, String> {
         let walls: Vec<&LawKind> = walls.iter().map(|kind| plain(kind)).collect();
         let first = walls.first().copied().unwrap_or(&LawKind::Specular);
         let rough = |ball: Result<RoughBall, _>| {
@@ -216,19 +191,12 @@ impl SpatialLaw {
                 _ => {}
             }
         }
-        let any = |kind: &LawKind| match kind {
-            LawKind::Random { rank, seed } => {
-                let law = RandomGrassmannian::new(*rank, *seed).map_err(|error| error.to_string())?;
-                Ok(AnyLaw::new(Placed { law, places }))
-            }
-            kind => any_law(kind).map_err(|error| error.to_string()),
-        };
+        let any = |kind| any_law(kind).map_err(|error| error.to_string());
         let mut laws = PerSurface::new(any(first)?);
         for (wall, kind) in walls.iter().enumerate() {
             laws = laws.with(wall, any(kind)?);
         }
-        let law = Custom::ball(laws, gamma).and_then(|law| law.with_radius(places.radius));
-        let law = law.map_err(|error| error.to_string())?;
+        let law = Custom::ball(laws, gamma).map_err(|error| error.to_string())?;
         // none of them notices the unit of the slip
         Ok(SpatialLaw::Any(Box::new(law.with_scaled_slip())))
     }
@@ -287,37 +255,19 @@ pub(crate) fn keeps_spin<const N: usize, const S: usize>(law: &impl BallLaw<N, S
 mod tests {
     use super::*;
 
-    const PLACES: Places = Places { radius: 0.0, shift: Vector3::new(0.0, 0.0, 0.0), factor: 1.0 };
-
-    #[test]
-    fn a_random_law_is_asked_for_the_place_of_the_contact_as_the_user_has_it() {
-        let random = LawKind::Random { rank: 1, seed: 7 };
-        let after = |places: Places, centre: [f64; 3]| {
-            let law = SpatialLaw::new(&[&random], 0.6, places).unwrap();
-            let (mut velocity, mut spin) = ([0.3, 0.2, -0.9], [0.5, -0.1, 0.7]);
-            law.collide(&WallHit { normal: [0.0, 0.0, 1.0], ..WallHit::never(centre) }, &mut velocity, &mut spin);
-            (velocity, spin)
-        };
-        // a ball of radius 1/8 on the floor, four times as large, seen from where its centre is in the corner of the table
-        let places = Places { radius: 0.5, shift: Vector3::repeat(0.5), factor: 4.0 };
-        let expected = after(PLACES, [0.25, 0.75, 0.0]);
-        assert_eq!(after(places, [0.5, 2.5, 0.0]), expected);
-        assert_ne!(after(PLACES, [0.5, 0.75, 0.0]), expected);
-    }
-
     #[test]
     fn a_law_in_space_is_the_same_by_whatever_name() {
         let restitution = |tangential| LawKind::Restitution { normal: 1.0, tangential };
         let random = |rank| LawKind::Random { rank, seed: 7 };
         for kind in [restitution(-1.0), random(0), LawKind::Rough(vec![])] {
             let mixed = [&LawKind::Specular, &kind, &kind];
-            assert!(matches!(SpatialLaw::new(&mixed, 0.6, PLACES), Ok(SpatialLaw::Specular)), "{kind:?}");
+            assert!(matches!(SpatialLaw::new(&mixed, 0.6), Ok(SpatialLaw::Specular)), "{kind:?}");
         }
         for kind in [restitution(1.0), random(2)] {
             let mixed = [&LawKind::NoSlip, &kind, &kind];
-            assert!(matches!(SpatialLaw::new(&mixed, 0.6, PLACES), Ok(SpatialLaw::Rough(_))), "{kind:?}");
+            assert!(matches!(SpatialLaw::new(&mixed, 0.6), Ok(SpatialLaw::Rough(_))), "{kind:?}");
         }
-        assert!(matches!(SpatialLaw::new(&[&random(1)], 0.6, PLACES), Ok(SpatialLaw::Any(_))));
+        assert!(matches!(SpatialLaw::new(&[&random(1)], 0.6), Ok(SpatialLaw::Any(_))));
     }
 
     #[test]

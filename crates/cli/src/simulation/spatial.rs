@@ -8,7 +8,7 @@ use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, O
 use super::boundary;
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
-use super::law::{Places, SpatialLaw, keeps_spin};
+use super::law::{SpatialLaw, keeps_spin};
 use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Start, Starts};
@@ -143,9 +143,7 @@ impl Spatial {
         boundary::own_laws(scene, &mut laws).map_err(|d| vec![*d])?;
         let kinds: Vec<_> = laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind)).collect();
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
-        let places = Places { radius: scene.particle.radius.value * factor, shift, factor };
-        let law = SpatialLaw::new(&kinds, gamma, places)
-            .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
+        let law = SpatialLaw::new(&kinds, gamma).map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
         let strict = law.is_strict();
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => {
