@@ -5,6 +5,7 @@ mod refused;
 mod rooms;
 mod same;
 mod scale;
+mod shown;
 mod tables;
 mod written;
 

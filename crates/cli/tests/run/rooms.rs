@@ -276,3 +276,31 @@ fn a_start_outside_is_told_of_which_piece_and_by_how_much() {
         assert!(told.contains(what) && told.contains("move the start"), "{told}");
     }
 }
+
+#[test]
+fn a_wall_in_space_may_have_a_law_of_its_own() {
+    let folder = Folder::new("laws-in-space");
+    let orbit = "[[orbit]]\nposition = [0.5, 0.5, 0.5]\nvelocity = [0.25, 0, -1]\nspin = [0.5, 0.25, 0.125]\n\
+                 [run]\ncollisions = 2\n[output]\ncollisions = \"csv\"\n";
+    let planes = |own: [&str; 2]| {
+        let plane = |at: u32, up: i32, own: &str| {
+            format!("[[table.boundary]]\nplane = {{ through = [0, 0, {at}], normal = [0, 0, {up}] }}\n{own}\n")
+        };
+        format!("[table]\ndimension = 3\n{}{}", plane(0, 1, own[0]), plane(1, -1, own[1]))
+    };
+    let slab = |laws: &str| format!("[table]\nname = \"slab\"\ndimension = 3\nlaws = {{ {laws} }}\n");
+    // the floor is hit first: whether a wall turns the spin
+    let turns = |law: &str, table: &str| {
+        folder.done(&format!("law = \"{law}\"\n{table}{orbit}"), &[]);
+        let spins: Vec<_> = folder.rows().into_iter().map(|row| row[10..].to_vec()).collect();
+        [spins[0] != [0.5, 0.25, 0.125], spins[1] != spins[0]]
+    };
+    for (law, other) in [("specular", "no-slip"), ("no-slip", "specular")] {
+        let rough = law == "no-slip";
+        let own = format!("law = \"{other}\"");
+        assert_eq!(turns(law, &planes(["", ""])), [rough; 2]);
+        assert_eq!(turns(law, &planes([&own, ""])), [!rough, rough], "{law}");
+        assert_eq!(turns(law, &planes(["", &own])), [rough, !rough], "{law}");
+        assert_eq!(turns(law, &slab(&format!("1 = \"{other}\""))), [rough, !rough], "{law}");
+    }
+}

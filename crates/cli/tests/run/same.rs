@@ -47,6 +47,25 @@ fn an_orbit_is_the_same_whether_or_not_anybody_watches() {
 }
 
 #[test]
+fn orbits_side_by_side_make_as_many_collisions_as_are_asked_for() {
+    let folder = Folder::new("blocks");
+    let kept = |record: &str| {
+        let summary = folder.done(
+            &format!(
+                "law = \"no-slip\"\ntable = {{ name = \"stadium\" }}\nensemble = {{ count = 20, seed = 5 }}\n\
+                 run = {{ collisions = 5000 }}\n{record}\n"
+            ),
+            &[],
+        );
+        ["collisions", "time", "energy_drift", "stops"].map(|key| summary[key].clone())
+    };
+    let together = kept("");
+    assert_eq!(together[0], 100_000);
+    // those that are recorded run one by one
+    assert_eq!(kept("output = { collisions = \"npy\" }"), together);
+}
+
+#[test]
 fn portraits_up_to_a_time_are_the_same_whether_or_not_their_orbits_are_recorded() {
     let folder = Folder::new("counted");
     for limit in ["time = 300", "collisions = 200"] {

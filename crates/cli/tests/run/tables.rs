@@ -140,6 +140,34 @@ collisions = "csv"
 }
 
 #[test]
+fn a_rough_direction_along_the_normal_of_a_straight_wall_of_any_kind_is_smooth() {
+    let folder = Folder::new("normal");
+    let keeps_spin = |walls: &str, direction: [f64; 2]| {
+        let scene = format!(
+            "rough = [{direction:?}]\ntable = {{ boundary = [{{ {walls} }}] }}\nrun = {{ collisions = 1 }}\n\
+             orbit = [{{ position = [2, 1], velocity = [0.25, -1], spin = 0.5 }}]\noutput = {{ collisions = \"csv\" }}\n"
+        );
+        folder.done(&scene, &[]);
+        (folder.rows()[0][7] - 0.5).abs() < 1e-12
+    };
+    for walls in [
+        "line = { through = [0, 0], direction = [1, 0] }",
+        "ray = { from = [0, 0], direction = [1, 0] } }, { ray = { from = [0, 0], direction = [0, 1], domain = \"right\" }",
+        "loop = { from = [0, 0], edges = [{ line_to = [4, 0] }, { line_to = [4, 4] }, { line_to = [0, 0] }] }",
+    ] {
+        assert!(keeps_spin(walls, [0.0, -3.0]), "{walls}");
+        assert!(!keeps_spin(walls, [0.001, -3.0]), "{walls}");
+    }
+    // within rounding
+    for k in 1..20 {
+        let across = 0.1 * f64::from(k);
+        let askew = format!("line = {{ through = [2, 0], direction = [7, {k}] }}");
+        assert!(keeps_spin(&askew, [-across, 0.7]), "{k}");
+        assert!(!keeps_spin(&askew, [-across, 0.700_000_001]), "{k}");
+    }
+}
+
+#[test]
 fn a_disk_of_positive_radius_moves_within_the_walls_that_are_drawn() {
     let folder = Folder::new("disk");
     let scene = SQUARE.replace("[table]", "[particle]\nradius = 0.125\n[table]");

@@ -96,6 +96,8 @@ fn the_summary_has_every_promised_key() {
     }
     assert_eq!((summary["collisions"].as_u64(), summary["stops"]["finished"].as_u64()), (Some(6), Some(2)));
     assert_eq!(summary["energy_drift"].as_f64(), Some(0.0));
+    let [seconds, each] = ["seconds", "ns_per_collision"].map(|key| summary[key].as_f64().unwrap());
+    assert!((each * 6e-9 / seconds - 1.0).abs() < 1e-9, "{seconds} {each}");
     assert_eq!(summary["version"], env!("CARGO_PKG_VERSION"));
     // the hash of the file as it is, whatever the command line says beside it
     let hash = summary["scene"].clone();

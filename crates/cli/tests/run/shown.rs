@@ -1,0 +1,194 @@
+//! What pictures show: the numbers of the record, at their places.
+
+use super::{Folder, SQUARE, same::CHAOS};
+
+/// The numbers in a text.
+fn numbers(text: &str) -> Vec<f64> {
+    text.split(|c: char| !(c.is_ascii_digit() || "-.".contains(c))).filter_map(|word| word.parse().ok()).collect()
+}
+
+/// The places of the dots of a portrait.
+fn dots(svg: &str) -> Vec<[f64; 2]> {
+    let paths = svg.split("<path d=\"").filter_map(|path| path.split('"').next());
+    let dots = paths.filter(|path| path.contains("h0")).flat_map(|path| path.split("h0")).map(numbers);
+    dots.filter_map(|place| place.first_chunk().copied()).collect()
+}
+
+/// Whether each of these places is one of the others, as nearly as dots are drawn.
+fn are_among(places: &[[f64; 2]], others: &[[f64; 2]]) -> bool {
+    places.iter().all(|a| others.iter().any(|b| (a[0] - b[0]).abs() < 0.06 && (a[1] - b[1]).abs() < 0.06))
+}
+
+#[test]
+fn portraits_show_each_collision_at_its_arc_length_and_velocity() {
+    let folder = Folder::new("places");
+    let side = 4.0;
+    let scene = SQUARE.replace("\"square\"", "\"square\"\nside = 4").replace("collisions = 3", "collisions = 7")
+        + "pictures = [\"velocity-portrait\", \"phase-portrait\"]\n";
+    for law in ["\"specular\"", "\"no-slip\"", "{ name = \"restitution\", normal = 0.5, tangential = 0.25 }"] {
+        folder.done(&scene.replace("\"specular\"", law), &[]);
+        let (mut velocities, mut reduced) = (vec![], vec![]);
+        for row in folder.rows() {
+            let ([x1, x2], [spin, v1, v2]) = ([row[5], row[6]], [row[7], row[8], row[9]]);
+            // counter-clockwise around the square, from the corner at the origin
+            let (s, along) = match row[3] {
+                0.0 => (x1, v1),
+                1.0 => (side + x2, v2),
+                2.0 => (3.0 * side - x1, -v1),
+                _ => (4.0 * side - x2, -v2),
+            };
+            let speed = (spin * spin + v1 * v1 + v2 * v2).sqrt();
+            // the tangent is the normal turned left: the boundary runs against it
+            let (rolls, slides) = (spin / speed, -along / speed);
+            // both frames are 192.8 points wide: the disk with its margin 2.12, the other one 2.6
+            velocities.push([127.4 + 192.8 / 2.12 * rolls, 99.4 - 192.8 / 2.12 * slides]);
+            reduced.push([31.0 + 192.8 * s / (4.0 * side), 3.0 + 192.8 / 2.6 * (1.0 - slides)]);
+        }
+        for (name, expected) in [("velocity", velocities), ("phase", reduced)] {
+            let found = dots(&folder.read(&format!("out/{name}-portrait.svg")));
+            assert!(are_among(&found, &expected) && are_among(&expected, &found), "{law}: {found:?} {expected:?}");
+        }
+    }
+    let svg = folder.read("out/phase-portrait.svg");
+    // lines part the sides, and numbers stand at their arc lengths
+    for x in ["79.2", "127.4", "175.6"] {
+        assert!(svg.contains(&format!("<path d=\"M{x} 151.308L{x} 3\"")), "{x}: {svg}");
+    }
+    for (s, x) in [("0", "31"), ("5", "91.25"), ("10", "151.5"), ("15", "211.75")] {
+        let number = format!("<text x=\"{x}\" y=\"159.933\" font-size=\"7.5\" text-anchor=\"middle\">{s}</text>");
+        assert!(svg.contains(&number), "{s}: {svg}");
+    }
+}
+
+/// A scene in which numbers between bars are lengths, speeds or times, by the letters after them.
+fn of_size(scene: &str, length: f64, speed: f64) -> String {
+    let unit = |letter: &str| match letter {
+        "L" => length,
+        "V" => speed,
+        _ => length / speed,
+    };
+    let number = |text: &str| {
+        let (number, letter) = text.split_at(text.len() - 1);
+        format!("{:e}", number.parse::<f64>().unwrap() * unit(letter))
+    };
+    scene.split('|').enumerate().map(|(i, part)| if i % 2 == 0 { part.into() } else { number(part) }).collect()
+}
+
+#[test]
+fn an_orbit_is_drawn_alike_at_every_size_and_speed() {
+    let folder = Folder::new("alike");
+    let room = r#"
+table = { boundary = [
+  { loop = { from = ["|0L|", "|0L|"], edges = [
+    { line_to = ["|3L|", "|0L|"] }, { arc_to = ["|3L|", "|2L|"], center = ["|3L|", "|1L|"], turn = "ccw" }, { line_to = ["|1L|", "|2L|"] },
+    { arc_to = ["|0L|", "|1L|"], center = ["|0L|", "|2L|"], turn = "cw" }, { line_to = ["|0L|", "|0L|"] } ] } },
+  { circle = { center = ["|2L|", "|1L|"], radius = "|0.25L|", domain = "outside" } },
+  { ellipse = { center = ["|3L|", "|1L|"], semi_axes = ["|0.5L|", "|0.25L|"], domain = "outside" } } ] }
+orbit = [{ position = ["|0.5L|", "|0.5L|"], velocity = ["|0.75V|", "|0.5V|"], spin = "|0.25V|" }]
+"#;
+    let torus = r#"
+[table]
+lattice = [["|1L|", "|0L|"], ["|3.5L|", "|1L|"]]
+[[table.boundary]]
+circle = { center = ["|0L|", "|0L|"], radius = "|0.25L|", domain = "outside" }
+[[orbit]]
+position = ["|-8.375L|", "|3.75L|"]
+velocity = ["|1V|", "|0.125V|"]
+"#;
+    let hall = r#"
+[table]
+dimension = 3
+[[table.boundary]]
+sphere = { center = ["|0L|", "|0L|", "|0L|"], radius = "|3L|" }
+[[table.boundary]]
+plane = { through = ["|0L|", "|0L|", "|-1L|"], normal = [0, 1, 2] }
+[[table.boundary]]
+shape = { name = "cuboid", center = ["|1L|", "|1L|", "|1L|"], size = ["|1L|", "|0.5L|", "|0.75L|"] }
+[[orbit]]
+position = ["|0L|", "|0L|", "|0L|"]
+velocity = ["|1V|", "|0.5V|", "|0.25V|"]
+"#;
+    for table in [room, torus, hall] {
+        let scene = format!(
+            "law = \"no-slip\"\nparticle = {{ radius = \"|0.0625L|\", gamma_squared = 0.5 }}\n\
+             run = {{ time = \"|40T|\" }}\noutput = {{ pictures = [\"orbit\"] }}\n{table}"
+        );
+        let drawn = |length: f64, speed: f64| {
+            folder.done(&of_size(&scene, length, speed), &[]);
+            folder.read("out/orbit.svg")
+        };
+        let one = drawn(1.0, 1.0);
+        for (length, speed) in [(2.0, 1.0), (1.0, 0.125), (2.0_f64.powi(-40), 2.0_f64.powi(70))] {
+            assert!(drawn(length, speed) == one, "{length} {speed} {table}");
+        }
+    }
+}
+
+/// The legs of the orbit of a colour.
+fn legs<'a>(svg: &'a str, colour: &str) -> &'a str {
+    let orbit = svg.split(&format!("<g fill=\"none\" stroke=\"{colour}\"")).nth(1).unwrap_or_default();
+    orbit.split("</g>").next().unwrap_or_default()
+}
+
+#[test]
+fn orbits_share_the_legs_that_are_drawn() {
+    let folder = Folder::new("legs");
+    // on a lattice a leg is folded into several
+    let torus = CHAOS.replace("name = \"sinai\"", "name = \"sinai-torus\"\nradius = 0.1").replace("20000", "9000");
+    for scene in [CHAOS, &torus] {
+        for output in ["", "collisions = \"npy\"\n"] {
+            folder.done(&format!("{scene}[output]\npictures = [\"orbit\"]\n{output}"), &[]);
+            let svg = folder.read("out/orbit.svg");
+            assert_eq!(["#144a87", "#c14a24"].map(|colour| legs(&svg, colour).matches('L').count()), [10_000; 2]);
+        }
+    }
+}
+
+#[test]
+fn the_flight_up_to_the_end_of_time_is_drawn() {
+    let folder = Folder::new("flight");
+    let square = SQUARE.replace("collisions = 3", "time = 1") + "pictures = [\"orbit\"]\n";
+    let torus = "law = \"no-slip\"\ntable = { name = \"sinai-torus\" , radius = 0.25 }\nrun = { time = 1.5 }\n\
+                 orbit = [{ position = [0.125, 0.125], velocity = [1, 0.0625] }]\noutput = { pictures = [\"orbit\"] }\n";
+    for (scene, end) in [(&square[..], [0.75, 0.75]), (torus, [0.625, 0.21875])] {
+        folder.done(scene, &[]);
+        let svg = folder.read("out/orbit.svg");
+        let last = numbers(legs(&svg, "#144a87").rsplit('L').next().unwrap());
+        // 220.8 points between margins of 3, and a thousandth around
+        let place = [end[0], 1.0 - end[1]].map(|x| 3.0 + 220.8 * (x + 1e-3) / 1.002);
+        assert!((last[0] - place[0]).abs() < 2e-3 && (last[1] - place[1]).abs() < 2e-3, "{last:?} {place:?}");
+    }
+}
+
+#[test]
+fn walls_are_drawn_along_their_segments_and_arcs_and_all_of_them_is_shown() {
+    let folder = Folder::new("walls");
+    let scene = r#"
+law = "no-slip"
+[[table.boundary]]
+loop = { from = [0, 0], edges = [
+  { line_to = [2, 0] }, { arc_to = [2, 2], center = [2, 1], turn = "ccw" }, { line_to = [1, 2] },
+  { arc_to = [0, 1], center = [0, 2], turn = "cw" }, { line_to = [0, 0] } ] }
+[[orbit]]
+position = [1, 0.5]
+velocity = [1, 0]
+[run]
+collisions = 1
+[output]
+pictures = ["orbit"]
+"#;
+    folder.done(scene, &[]);
+    let svg = folder.read("out/orbit.svg");
+    let walls = svg.split("<path d=\"").find(|path| path.contains("stroke=\"#1a1a1a\"")).unwrap();
+    // 220.8 points between margins of 3 for a width of 3, and a thousandth of that around; each arc in two halves, the flag
+    // before its end is 1 where it turns clockwise
+    let scale = 220.8 / 3.006;
+    let place = |[x, y]: [f64; 2]| [3.0 + (x + 0.003) * scale, 3.0 + (2.003 - y) * scale];
+    let arc = |to: [f64; 2], flag: f64| [&[scale, scale, 0.0, 0.0, flag][..], &place(to)].concat();
+    let (slant, half) = (0.5_f64.sqrt(), [place([0.0, 0.0]), place([2.0, 0.0])].concat());
+    let up = [arc([3.0, 1.0], 0.0), arc([2.0, 2.0], 0.0), place([1.0, 2.0]).into()].concat();
+    let down = [arc([slant, 2.0 - slant], 1.0), arc([0.0, 1.0], 1.0), place([0.0, 0.0]).into()].concat();
+    let (found, expected) = (numbers(walls.split('"').next().unwrap()), [half, up, down].concat());
+    assert_eq!(found.len(), expected.len(), "{walls}");
+    assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 2e-3), "{found:?} {expected:?}");
+}
