@@ -88,7 +88,7 @@ impl<P> Watch<'_, P> {
         &self,
         collision: &Collision<'_, N, S, K, (Clock, T)>,
     ) -> Event {
-        let Collision { n, hit, orbit } = collision;
+        let Collision { n, orbit, .. } = collision;
         let (clock, trail) = &orbit.track;
         let (velocity, spin) = orbit.restored();
         let (place, cell) = self.frame.place(&orbit.position, trail.cell());
@@ -97,16 +97,13 @@ impl<P> Watch<'_, P> {
             n: self.before + n,
             time: self.scale.time_out(clock.time()),
             piece: self.pieces.get(collision.piece()).copied().unwrap_or(collision.piece() as u64),
-            own_piece: collision.piece(),
             angle: self.scale.length_out(trail.angle()),
             cell,
             ..Event::default()
         };
-        let normal = hit.unit_normal();
         for i in 0..N {
             event.position[i] = self.scale.length_out(place[i]);
             event.velocity[i] = self.scale.speed_out(velocity[i]);
-            event.normal[i] = normal[i];
         }
         for i in 0..S {
             event.spin[i] = self.scale.speed_out(spin[i]);

@@ -2,7 +2,7 @@
 
 /// A collision in the user's units. In the plane only the first two components of vectors count, and the first of the
 /// spin.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Event {
     /// Number of the orbit, from 0.
     pub(crate) orbit: u64,
@@ -12,8 +12,6 @@ pub(crate) struct Event {
     pub(crate) time: f64,
     /// The piece hit, as the user numbers them.
     pub(crate) piece: u64,
-    /// The same in the numbers of the region of centres.
-    pub(crate) own_piece: usize,
     /// Centre of the particle.
     pub(crate) position: [f64; 3],
     /// Velocity after the collision.
@@ -24,6 +22,4 @@ pub(crate) struct Event {
     pub(crate) angle: f64,
     /// Accumulated translation, in lattice vectors.
     pub(crate) cell: [f64; 2],
-    /// Inward unit normal.
-    pub(crate) normal: [f64; 3],
 }
