@@ -109,11 +109,12 @@ fn fold(
                 return drawn;
             }
             let middle = from + leg * (0.5 * (begun + end));
-            let home = lattice.translation(lattice.reduce(&middle).1);
+            let cell = lattice.reduce(&middle).1;
+            let home = lattice.translation(cell);
             let point = |part: f64| -> [f64; 2] { (from + leg * part - home).into() };
             match chains.last_mut() {
-                // the first part goes on where the orbit is
-                Some(chain) if begun == 0.0 => chain.push(point(end)),
+                // the first part goes on where the orbit is, unless that is an edge of the cell and it leaves there
+                Some(chain) if begun == 0.0 && cell == [0.0; 2] => chain.push(point(end)),
                 _ => chains.push(vec![point(begun), point(end)]),
             }
             begun = end;
@@ -215,6 +216,28 @@ mod tests {
             let last = paths.drawn[0].chains.last().cloned();
             assert_eq!(last, Some(vec![[0.75, 0.5], [0.25, 0.5]]), "{cells:?}");
             assert_eq!(lines(paths), MOST_FOLDS + 1, "{cells:?}");
+        }
+    }
+
+    #[test]
+    fn a_flight_out_of_the_cell_from_its_edge_goes_on_at_the_other_edge() {
+        let mut paths = on_torus(10);
+        for (from, to, cells, on) in [
+            ([0.0, 0.25], [0.75, 0.5], [-1.0, 0.0], [1.0, 0.25]),
+            ([0.0, 0.0], [0.75, 0.5], [-1.0, -1.0], [1.0, 1.0]),
+            ([0.5, 0.0], [0.75, 0.5], [0.0, -1.0], [0.5, 1.0]),
+        ] {
+            paths.start(from);
+            paths.fly(to, cells);
+            assert_eq!(paths.drawn.last().unwrap().chains, [vec![from], vec![on, to]]);
+        }
+        // into the cell, or along its edge
+        for to in [[0.25, 0.5], [0.0, 0.75]] {
+            paths.start([0.0, 0.5]);
+            paths.fly(to, [0.0, 0.0]);
+            paths.fly([0.25, 0.25], [0.0, 1.0]);
+            assert_eq!(paths.drawn.last().unwrap().chains[0][..2], [[0.0, 0.5], to]);
+            assert_eq!(paths.drawn.last().unwrap().chains.len(), 2);
         }
     }
 

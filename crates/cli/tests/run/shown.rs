@@ -192,3 +192,82 @@ pictures = ["orbit"]
     assert_eq!(found.len(), expected.len(), "{walls}");
     assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 2e-3), "{found:?} {expected:?}");
 }
+
+#[test]
+fn where_a_band_is_closed_lines_go_across_it() {
+    let folder = Folder::new("band");
+    let scene = "law = \"no-slip\"\ntable = { lattice = [[2, 0]], boundary = [{ line = { through = [0, 0], direction = [1, 0] } }, \
+                 { line = { through = [0, 1], direction = [-1, 0] } }] }\norbit = [{ position = [1, 0.5], velocity = [0, 1] }]\n\
+                 run = { collisions = 1 }\noutput = { pictures = [\"orbit\"] }\n";
+    folder.done(scene, &[]);
+    let svg = folder.read("out/orbit.svg");
+    let guides = svg.split("<path d=\"").find(|path| path.contains("stroke=\"#8a8a8a\"")).unwrap();
+    let ends = numbers(guides.split('"').next().unwrap());
+    assert_eq!(ends.len(), 8, "{guides}");
+    // 220.8 points between margins of 3 for a width of 2, and a thousandth of that around
+    let scale = 220.8 / 2.004;
+    let [left, right] = [0.0, 2.0].map(|x| 3.0 + (x + 0.002) * scale);
+    for (end, x) in ends.chunks_exact(2).zip([left, left, right, right]) {
+        assert!((end[0] - x).abs() < 2e-3, "{ends:?}");
+    }
+    let height = 1.004 * scale;
+    assert!(ends.chunks_exact(4).all(|line| ((line[1] - line[3]).abs() - height).abs() < 2e-3), "{ends:?}");
+}
+
+#[test]
+fn rays_are_drawn_from_their_ends_on() {
+    let folder = Folder::new("rays");
+    let scene = "law = \"no-slip\"\ntable = { boundary = [{ ray = { from = [0, 0], direction = [1, 0] } }, \
+                 { ray = { from = [0, 0], direction = [0, 1], domain = \"right\" } }] }\nrun = { collisions = 1 }\n\
+                 orbit = [{ position = [2, 1], velocity = [-1, -1] }]\noutput = { pictures = [\"orbit\"] }\n";
+    folder.done(scene, &[]);
+    let svg = folder.read("out/orbit.svg");
+    let walls = svg.split("<path d=\"").find(|path| path.contains("stroke=\"#1a1a1a\"")).unwrap();
+    let ends = numbers(walls.split('"').next().unwrap());
+    // from the corner to the right, and up
+    let [x, y] = [ends[0], ends[1]];
+    assert!(ends[2] > x && ends[3] == y && ends[4..6] == [x, y] && ends[6] == x && ends[7] < y, "{walls}");
+    assert_eq!(ends.len(), 8, "{walls}");
+}
+
+#[test]
+fn on_a_lattice_the_lines_of_an_orbit_are_as_long_as_its_way() {
+    let folder = Folder::new("way");
+    for (start, time) in [([0.125, 0.0], 40.0), ([7.0, -3.125], 0.5), ([0.0, 0.0], 3.0)] {
+        let scene = format!(
+            "law = \"specular\"\ntable = {{ name = \"sinai-torus\", radius = 0.25 }}\nrun = {{ time = {time} }}\n\
+             orbit = [{{ position = {start:?}, velocity = [-0.6, 0.8] }}]\noutput = {{ pictures = [\"orbit\"] }}\n"
+        );
+        let summary = folder.done(&scene, &[]);
+        let svg = folder.read("out/orbit.svg");
+        let chains = legs(&svg, "#144a87").split('M').skip(1).map(|chain| numbers(chain.split('"').next().unwrap()));
+        let length: f64 = chains
+            .flat_map(|chain| {
+                let points: Vec<_> = chain.chunks_exact(2).map(|p| [p[0], p[1]]).collect();
+                points
+                    .windows(2)
+                    .map(|ends| (ends[1][0] - ends[0][0]).hypot(ends[1][1] - ends[0][1]))
+                    .collect::<Vec<_>>()
+            })
+            .sum();
+        let way = length * 1.002 / 220.8;
+        assert!((way - time).abs() < 1e-3 * time, "{start:?} {time}: {way} {summary}");
+    }
+}
+
+#[test]
+fn the_open_dot_lies_where_the_last_known_collision_is() {
+    let folder = Folder::new("known");
+    let scene = "law = \"specular\"\ntable = { name = \"stadium\" }\nrun = { collisions = 100 }\n\
+                 orbit = [{ position = [0.1, 0.2], velocity = [0.6, 0.8] }]\n\
+                 output = { pictures = [\"orbit\"], collisions = \"csv\" }\n";
+    let known = folder.done(scene, &[])["horizon"]["collisions"].as_u64().unwrap();
+    let row = folder.rows().into_iter().find(|row| row[1] == known as f64).unwrap();
+    // 220.8 points between margins of 3 for a width of 4, and a thousandth of that around
+    let scale = 220.8 / 4.008;
+    let place = [3.0 + (row[5] + 2.004) * scale, 3.0 + (1.004 - row[6]) * scale];
+    let svg = folder.read("out/orbit.svg");
+    let dot = svg.split("<circle ").find(|circle| circle.contains("r=\"1.5\" fill=\"#ffffff\"")).unwrap();
+    let found = numbers(dot);
+    assert!((found[0] - place[0]).abs() < 2e-3 && (found[1] - place[1]).abs() < 2e-3, "{dot} {place:?}");
+}
