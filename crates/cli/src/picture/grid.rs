@@ -196,6 +196,17 @@ mod tests {
     }
 
     #[test]
+    fn a_cell_has_the_mean_colour_of_its_points() {
+        let (blue, red) = (Colour(0, 40, 200), Colour(180, 40, 0));
+        let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [2.0, 1.0] }, 2, &[blue, red]);
+        for colour in [blue, red, blue, blue] {
+            grid.add([0.5, 0.5], colour);
+        }
+        let tally = grid.tally();
+        assert_eq!((&tally.counts[..], &tally.tints[..]), (&[4, 0][..], &[Colour(45, 40, 150), Colour::WHITE][..]));
+    }
+
+    #[test]
     fn single_points_are_spread_to_be_seen() {
         let mut grid = Grid::new(Window { low: [0.0, 0.0], high: [100.0, 100.0] }, 100, &[Colour::BLACK]);
         grid.add([50.5, 50.5], Colour::BLACK);

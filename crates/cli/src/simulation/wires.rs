@@ -198,6 +198,14 @@ mod tests {
     }
 
     #[test]
+    fn the_plane_of_the_centres_is_a_radius_farther_in() {
+        let plane = wall(SolidSpec::HalfSpace { normal: [0.0, 0.0, -2.0] }, [0.5, 0.5, 1.0], Side::Outside);
+        let centres = plane.of_centres(0.25).unwrap();
+        assert_eq!(centres.center, [0.5, 0.5, 0.75]);
+        assert_eq!(centres.normal(), plane.normal());
+    }
+
+    #[test]
     fn outlines_go_round_and_obstacles_are_filled() {
         let capsule = SolidSpec::Capsule { from: [-1.0, 0.0, 5.0], to: [1.0, 0.0, -5.0], radius: 0.5 };
         let drawn = of(&[wall(capsule, [10.0, 0.0, 0.0], Side::Outside)], [[0.0; 3], [1.0; 3]], &VIEW);

@@ -27,6 +27,16 @@ fn the_record_has_one_row_per_collision_in_the_order_of_the_orbits() {
 }
 
 #[test]
+fn the_rows_of_a_long_orbit_are_numbered_through() {
+    let folder = Folder::new("long");
+    folder.done(SQUARE, &["-n", "9000"]);
+    let numbers = |row: &Vec<f64>| [row[0], row[1]];
+    let expected: Vec<_> =
+        [0.0, 1.0].into_iter().flat_map(|orbit| (1..=9000).map(move |n| [orbit, f64::from(n)])).collect();
+    assert!(folder.rows().iter().map(numbers).eq(expected));
+}
+
+#[test]
 fn a_title_is_shown_and_not_obeyed_by_the_terminal() {
     let folder = Folder::new("title");
     let scene = format!("title = \"\\u001b[31mred\\nor not\"\n{SQUARE}");
@@ -104,6 +114,44 @@ fn the_summary_has_every_promised_key() {
     assert_eq!(hash.as_str().unwrap().len(), 64);
     assert_eq!(folder.done(SQUARE, &["--law", "no-slip", "-n", "2"])["scene"], hash);
     assert_ne!(folder.done(&SQUARE.replace("0.125", "0.25"), &[])["scene"], hash);
+}
+
+#[test]
+fn the_summary_says_what_was_run() {
+    let folder = Folder::new("what");
+    let keys = ["table", "seed", "collisions_per_orbit", "time_per_orbit", "orbits"];
+    let told = |scene: &str, arguments: &[&str]| {
+        let summary = folder.done(scene, arguments);
+        keys.map(|key| summary[key].clone())
+    };
+    let none = Value::Null;
+    assert_eq!(told(SQUARE, &[]), ["square".into(), 0.into(), 3.into(), none.clone(), 2.into()]);
+    let walls = "boundary = [{ circle = { center = [0, 0], radius = 1 } }]";
+    let scene = format!(
+        "law = \"no-slip\"\ntable = {{ {walls} }}\nensemble = {{ count = 5, seed = 7 }}\nrun = {{ time = 2.5 }}\n"
+    );
+    assert_eq!(told(&scene, &[]), ["boundary".into(), 7.into(), none.clone(), 2.5.into(), 5.into()]);
+    assert_eq!(told(&scene, &["-n", "4"]), ["boundary".into(), 7.into(), 4.into(), none, 5.into()]);
+}
+
+#[test]
+fn the_energy_of_the_summary_is_that_of_the_orbit_that_drifts_most() {
+    let folder = Folder::new("drift");
+    let slanting = ("position = [0.25, 0.5], velocity = [0.5, 0.25], spin = 0.125", 0.328_125);
+    let straight = ("position = [0.5, 0.5], velocity = [0, -1]", 1.0);
+    for [first, second] in [[slanting, straight], [straight, slanting]] {
+        let scene = format!(
+            "law = {{ name = \"restitution\", normal = 0.5, tangential = 0.25 }}\ntable = {{ name = \"square\" }}\n\
+             orbit = [{{ {} }}, {{ {} }}]\nrun = {{ collisions = 3 }}\noutput = {{ collisions = \"csv\" }}\n",
+            first.0, second.0
+        );
+        let told = folder.done(&scene, &[])["energy_drift"].as_f64().unwrap();
+        let rows = folder.rows();
+        // the third row is the last of the first orbit, the sixth that of the second
+        let [a, b] = [(&rows[2], first.1), (&rows[5], second.1)]
+            .map(|(row, start)| 1.0 - row[7..10].iter().map(|v| v * v).sum::<f64>() / start);
+        assert!((told - a.max(b)).abs() < 1e-14 && (a - b).abs() > 0.01, "{told} {a} {b}");
+    }
 }
 
 #[test]
