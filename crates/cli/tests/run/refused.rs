@@ -206,6 +206,7 @@ fn a_polar_formula_without_a_radius_somewhere_is_refused_at_once() {
         ("2+0.1*atan(tan(t))", 19, "the curve is open: r(φ) jumps from 2.157"),
         ("2+0.1*atan2(sin(t),cos(t))", 19, "at φ = 3.1416"),
         ("1e160*(2+cos(t))", 19, "lengths lie between 1e-150 and 1e150"),
+        ("1e-160*(2+cos(t))", 19, "lengths lie between 1e-150 and 1e150"),
     ] {
         let scene = format!(
             "law = \"no-slip\"\n[[table.boundary]]\ncurve = {{ polar = \"{formula}\" }}\n\

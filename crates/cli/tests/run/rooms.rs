@@ -253,6 +253,28 @@ fn a_start_on_an_edge_must_leave_all_faces_of_a_container() {
 }
 
 #[test]
+fn a_start_that_moves_along_a_wall_in_space_is_refused() {
+    let folder = Folder::new("rooms-along");
+    let floor = "plane = { through = [0, 0, 0], normal = [0, 0, 1] }";
+    let output = folder.run(&one(&[floor], "[1, 2, 0]", "[1, -0.5, 0]"), &[]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && told.contains("does not move into the table"), "{told}");
+    assert_eq!(folder.done(&one(&[floor], "[1, 2, 0]", "[1, -0.5, 1e-9]"), &[])["stops"]["escaped"], 1);
+}
+
+#[test]
+fn a_start_outside_two_walls_is_told_of_the_one_it_is_farther_beyond() {
+    let folder = Folder::new("rooms-farther");
+    let [x, y] =
+        ["[1, 0, 0]", "[0, 1, 0]"].map(|normal| format!("plane = {{ through = [0, 0, 0], normal = {normal} }}"));
+    for (walls, piece) in [([&x[..], &y], 1), ([&y, &x], 0)] {
+        let output = folder.run(&one(&walls, "[-0.25, -0.5, 0]", "[1, 1, 0]"), &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(told.contains(&format!("0.5 beyond piece {piece}")), "{told}");
+    }
+}
+
+#[test]
 fn a_start_outside_is_told_of_which_piece_and_by_how_much() {
     let folder = Folder::new("rooms-outside");
     let walls = [

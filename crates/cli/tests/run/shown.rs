@@ -271,3 +271,45 @@ fn the_open_dot_lies_where_the_last_known_collision_is() {
     let found = numbers(dot);
     assert!((found[0] - place[0]).abs() < 2e-3 && (found[1] - place[1]).abs() < 2e-3, "{dot} {place:?}");
 }
+
+#[test]
+fn a_particle_of_some_radius_is_drawn_at_its_start_and_the_walls_of_its_centre_too() {
+    let folder = Folder::new("centres");
+    let (disk, ball) = ("name = \"square\"", "dimension = 3, name = \"box\"");
+    for (table, third) in [(disk, ""), (ball, ", 0.25")] {
+        for (radius, guides) in [("0", 0), ("0.125", 1)] {
+            let scene = format!(
+                "law = \"specular\"\ntable = {{ {table} }}\nparticle = {{ radius = {radius} }}\nrun = {{ collisions = 2 }}\n\
+                 orbit = [{{ position = [0.25, 0.25{third}], velocity = [1, 0.5{third}] }}]\n\
+                 output = {{ pictures = [\"orbit\"] }}\n"
+            );
+            folder.done(&scene, &[]);
+            let svg = folder.read("out/orbit.svg");
+            assert_eq!(svg.matches("stroke=\"#8a8a8a\"").count(), guides, "{table}");
+            let circles =
+                svg.split("<circle ").skip(1).filter(|circle| circle.contains("fill=\"none\" stroke=\"#144a87\""));
+            assert_eq!(circles.count(), guides, "{table}");
+        }
+    }
+}
+
+#[test]
+fn of_a_slab_all_is_shown_up_to_walls_that_are_not_far() {
+    let folder = Folder::new("slab");
+    let ball = |x: f64| format!("{{ shape = {{ name = \"ball\", center = [{x}, 0, 0.5], radius = 0.25 }} }}");
+    let scene = format!(
+        "law = \"specular\"\ntable = {{ dimension = 3, boundary = [{}, {}, {{ plane = {{ through = [0, 0, 0], normal = [0, 0, 1] }} }}, \
+         {{ plane = {{ through = [0, 0, 1], normal = [0, 0, -1] }} }}] }}\nrun = {{ collisions = 3 }}\n\
+         orbit = [{{ position = [0, 0, 0.5], velocity = [0, 0, 1] }}]\noutput = {{ pictures = [\"orbit\"] }}\n",
+        ball(-2.5),
+        ball(2.5)
+    );
+    folder.done(&scene, &[]);
+    let svg = folder.read("out/orbit.svg");
+    let balls: Vec<_> = svg.split("<path d=\"").filter(|path| path.contains("fill=\"#e6e6e6\"")).collect();
+    assert_eq!(balls.len(), 2);
+    for ball in balls {
+        let outline = numbers(ball.split('"').next().unwrap());
+        assert!(outline.chunks_exact(2).all(|p| (3.0..223.8).contains(&p[0]) && p[1] > 3.0), "{ball}");
+    }
+}
