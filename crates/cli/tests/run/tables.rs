@@ -140,6 +140,77 @@ collisions = "csv"
 }
 
 #[test]
+fn the_law_of_an_entry_is_that_of_all_its_pieces() {
+    let folder = Folder::new("entry-laws");
+    let svg = "<svg xmlns='http://www.w3.org/2000/svg'><path d='M-1 -1H1V1H-1Z'/></svg>";
+    std::fs::write(folder.0.join("room.svg"), svg).unwrap();
+    for entry in [
+        "outline = \"room.svg\"",
+        "shape = { name = \"cuboid\", size = [2, 2], domain = \"inside\" }",
+        "curve = { polar = \"1 + 0.1*abs(cos(t))\" }",
+        "loop = { from = [-1, -1], edges = [{ line_to = [1, -1] }, { line_to = [0, 1] }, { line_to = [-1, -1] }] }",
+    ] {
+        let spins = |own: &str| {
+            folder.done(
+                &format!(
+                    "law = \"no-slip\"\ntable = {{ boundary = [{{ {entry}{own} }}] }}\nrun = {{ collisions = 3 }}\n\
+                     orbit = [{{ position = [0, 0], velocity = [1, 0.25], spin = 0.5 }}]\noutput = {{ collisions = \"csv\" }}\n"
+                ),
+                &[],
+            );
+            folder.rows().iter().map(|row| (row[7] - 0.5).abs() < 1e-9).collect::<Vec<_>>()
+        };
+        assert_eq!(spins(", law = \"specular\""), [true; 3], "{entry}");
+        assert!(!spins("")[0], "{entry}");
+    }
+}
+
+#[test]
+fn a_loop_closes_where_its_last_edge_ends_within_rounding() {
+    let folder = Folder::new("closes");
+    let scene = |end: &str| {
+        format!(
+            "law = \"specular\"\ntable = {{ boundary = [{{ loop = {{ from = [0.1, 0.3], edges = [{{ line_to = [2, 0] }}, \
+             {{ line_to = [1, 2] }}, {{ line_to = [0.1, {end}] }}] }} }}] }}\nrun = {{ collisions = 30 }}\n\
+             orbit = [{{ position = [1, 1], velocity = [1, 0.25] }}]\n"
+        )
+    };
+    assert_eq!(folder.done(&scene("0.30000000000000004"), &[])["stops"]["finished"], 1);
+    let told = String::from_utf8(folder.run(&scene("0.3000000000001"), &[]).stderr).unwrap();
+    assert!(told.contains("the loop is open"), "{told}");
+}
+
+#[test]
+fn a_shape_is_turned_by_its_angle() {
+    let folder = Folder::new("turned");
+    folder.done(
+        "law = \"specular\"\ntable = { boundary = [{ shape = { name = \"cuboid\", size = [2, 0.5], angle = \"pi/2\" } }] }\n\
+         orbit = [{ position = [3, 0.75], velocity = [-1, 0] }]\nrun = { collisions = 1 }\noutput = { collisions = \"csv\" }\n",
+        &[],
+    );
+    let [row] = &folder.rows()[..] else { panic!("one collision") };
+    assert!((row[5] - 0.25).abs() < 1e-15, "{row:?}");
+}
+
+#[test]
+fn orbits_of_an_ensemble_have_the_speed_that_is_asked_for_or_one() {
+    let folder = Folder::new("speed");
+    for (asked, speed) in [("", 1.0), (", speed = 2.5", 2.5)] {
+        folder.done(
+            &format!(
+                "law = \"no-slip\"\ntable = {{ name = \"circle\" }}\nensemble = {{ count = 5{asked} }}\n\
+                 run = {{ collisions = 2 }}\noutput = {{ collisions = \"csv\" }}\n"
+            ),
+            &[],
+        );
+        for row in folder.rows() {
+            let found = row[7..10].iter().map(|v| v * v).sum::<f64>().sqrt();
+            assert!((found / speed - 1.0).abs() < 1e-15, "{asked}: {row:?}");
+        }
+    }
+}
+
+#[test]
 fn a_rough_direction_along_the_normal_of_a_straight_wall_of_any_kind_is_smooth() {
     let folder = Folder::new("normal");
     let keeps_spin = |walls: &str, direction: [f64; 2]| {
