@@ -140,6 +140,23 @@ fn what_is_told_of_a_table_is_in_numbers_and_plain_words() {
 }
 
 #[test]
+fn a_start_is_told_where_it_is_in_the_unit_of_the_scene() {
+    let orbit = |third: &str| {
+        format!(
+            "law = \"no-slip\"\nparticle = {{ radius = 0.25, gamma_squared = 0.5 }}\nrun = {{ collisions = 3 }}\n\
+             orbit = [{{ position = [0.5, 3{third}], velocity = [0, 1{third}] }}]\n"
+        )
+    };
+    for (table, third) in
+        [("name = \"rectangle\", size = [1, 8]", ""), ("dimension = 3, name = \"box\", size = [1, 8, 1]", ", 0.5")]
+    {
+        let told = checked("start", &format!("{}table = {{ {table} }}\n", orbit(third)));
+        let place = format!("starts at (0.5, 3{third}), 0.25 from a wall; hits piece");
+        assert!(told.contains(&place), "{told}");
+    }
+}
+
+#[test]
 fn the_largest_disk_of_a_lattice_lies_in_the_unit_cell() {
     let start = "[[orbit]]\nposition = [0.5, 0.01]\nvelocity = [0.6, 0.8]\n";
     for (name, table) in [
