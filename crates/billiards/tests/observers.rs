@@ -111,6 +111,9 @@ fn a_period_and_a_first_return_are_counted_over_several_runs() {
         square.run(&mut diamond, &Collisions(first), &mut period);
         square.run(&mut diamond, &Collisions(9), &mut period);
         assert_eq!(period.found().map(|found| found.period), Some(4), "after {first}");
+        // it goes on to the next return, which is not the first
+        assert_eq!(square.run(&mut diamond, &Collisions(9), &mut period).stop, Stop::Observer);
+        assert_eq!(period.found().map(|found| found.period), Some(4), "after {first}");
     }
 }
 

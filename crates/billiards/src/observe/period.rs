@@ -6,7 +6,7 @@ use lanes::Double;
 
 /// Finds the smallest number of collisions after which an orbit returns to where its first collision left it, in the
 /// reduced phase space: the piece, the position and the velocities, but not the spin position `x₀`. Then it stops the run.
-/// It counts itself, so one orbit may come to it in several runs.
+/// It counts itself, so one orbit may come to it in several runs; one that goes on after that is stopped at each further return.
 ///
 /// Many no-slip orbits have a period there and yet turn a little further each time: whether `x₀` returns too,
 /// [`Return::drift`] says.
@@ -110,7 +110,8 @@ impl<K, T> Observer<2, 1, K, T> for Period {
         if error <= self.tolerance {
             let drift = reference.turned.value();
             let drift_free = drift.abs() <= self.tolerance * self.length;
-            self.found = Some(Return { period: reference.collisions, error, drift, drift_free });
+            // an orbit that goes on returns again, after twice as many
+            self.found.get_or_insert(Return { period: reference.collisions, error, drift, drift_free });
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())

@@ -114,7 +114,9 @@ impl std::str::FromStr for LawKind {
                 }
                 None => Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
                     Some(near) => format!("unknown law; did you mean \"{near}\"?"),
-                    None => "unknown law; `billiards laws` lists them".into(),
+                    None => "unknown law; specular and no-slip have no parameters, and `billiards laws` lists those that stand in a \
+                             scene"
+                        .into(),
                 }),
             },
         }
