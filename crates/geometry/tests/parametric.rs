@@ -229,3 +229,42 @@ fn a_disk_fits_into_a_curve_as_into_the_ellipse_that_it_is() {
         assert!((here.perimeter() - there.perimeter()).abs() < 1e-13, "{radius}");
     }
 }
+
+#[test]
+fn a_narrow_bump_is_counted_or_refused() {
+    /// `(cos t, sin t + exp(−s²)/20)` with `s = (t − 1)/w`
+    #[derive(Debug)]
+    struct Bump(f64);
+    impl ParametricFormula for Bump {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let ((sin, cos), w, s) = (libm::sincos(t), self.0, (t - 1.0) / self.0);
+            let g = 0.05 * libm::exp(-s * s);
+            [[cos, sin + g], [-sin, cos - 2.0 * s * g / w], [-cos, -sin + (4.0 * s * s - 2.0) * g / (w * w)]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let ([sin, cos], w, s) = (t.sin_cos(), self.0, (t + -1.0) * (1.0 / self.0));
+            let g = (-s.square()).exp() * 0.05;
+            let bend = (s.square() * 4.0 + -2.0) * g * (1.0 / (w * w));
+            [[cos, sin + g], [-sin, cos - s * g * (2.0 / w)], [-cos, bend - sin]]
+        }
+    }
+    let mut refused = 0;
+    for width in [0.1, 0.03, 0.02, 0.01, 7e-3, 5e-3, 3e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 1e-6] {
+        let Ok(pieces) = ParametricCurve::around(Bump(width), [0.0, TAU], true) else {
+            refused += 1;
+            continue;
+        };
+        assert_eq!((pieces.len(), refused), (1, 0), "{width}");
+        // on both sides of the bump it is a circle
+        let count = 100_000;
+        let at = |k: i32| Vector2::from(Bump(width).jet(1.0 + 10.0 * width * f64::from(k) / f64::from(count))[0]);
+        let bump: f64 = (-count..count).map(|k| (at(k + 1) - at(k)).norm()).sum();
+        let length = TAU - 20.0 * width + bump;
+        assert!((pieces[0].length() / length - 1.0).abs() < 1e-8, "{width}: {} {length}", pieces[0].length());
+        // a path that meets the top of the bump from below
+        let (start, top) = (Vector2::new(libm::cos(1.0), 0.0), libm::sin(1.0) + 0.05);
+        let time = pieces[0].crossing(&Line { point: start, velocity: Vector2::y() }).time();
+        assert!((time - top).abs() < 1e-15, "{width}: {time} {top}");
+    }
+    assert!(refused > 0);
+}

@@ -97,8 +97,12 @@ impl<F> Clone for ParametricCurve<F> {
 /// Parts of the whole range in which the second derivative must be calm.
 const PARTS: u32 = 4096;
 
-/// Parts from which the length is tabulated: four of those above in each, so that nothing that is calm in them is passed over.
-const TABULATED: u32 = 1024;
+/// As many times more, where there is something that these do not tell: bends down to a thousandth of the range wide.
+const FINER: [u32; 3] = [1, 4, 16];
+
+/// Parts from which the length is tabulated: it is asked at thirty places of each, so that nothing is passed over that is calm in sixteen of
+/// those above.
+const TABULATED: u32 = 256;
 
 /// Parts of the whole range no graph reaches beyond: of their 26 points each one is as near to the next as five of the first parts.
 const STRETCHES: f64 = 32.0;
@@ -122,6 +126,8 @@ struct InTurns<F> {
     start: f64,
     /// Parameters per radian.
     rate: f64,
+    /// As many times more parts tell what is there as it bends more narrowly than others.
+    fineness: u32,
 }
 
 impl<F: ParametricFormula> InTurns<F> {
@@ -153,6 +159,10 @@ fn part(k: u32, of: u32) -> f64 {
     2.0 * PI * (f64::from(k) / f64::from(of))
 }
 
+fn sector(k: u32, of: u32) -> Interval {
+    Interval::new(part(k, of), part(k + 1, of))
+}
+
 impl<F: ParametricFormula> ParametricCurve<F> {
     /// The closed curve of a range of parameters as pieces, in the order of traversal, with the table inside (`inside`) or outside: itself
     /// if it is smooth, or else the arcs between its kinks and the start of the range.
@@ -165,7 +175,8 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
         let (formula, kinks) = looked_at(formula, range)?;
         let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
-        let whole = ArcLength::new(&*formula, (0..=TABULATED).map(|k| part(k, TABULATED)));
+        let tabulated = TABULATED * formula.fineness;
+        let whole = ArcLength::new(&*formula, (0..=tabulated).map(|k| part(k, tabulated)));
         if (end[0] - start[0]).amax() > CLOSED * whole.extent(&*formula).size() {
             return Err(failing(&formula, 2.0 * PI, "come back to where it starts"));
         }
@@ -231,7 +242,8 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         rises: bool,
     ) -> Result<ParametricCurve<F>, Error> {
         let between = |share: f64| range[0] + (range[1] - range[0]) * share;
-        let count = libm::ceil((range[1] - range[0]) / (2.0 * PI) * f64::from(TABULATED)).max(2.0);
+        let fineness = (range[1] - range[0]) / (2.0 * PI) * f64::from(formula.fineness);
+        let count = libm::ceil(fineness * f64::from(TABULATED)).max(2.0);
         let seeds = (0..).map(f64::from).take_while(|k| *k < count).map(|k| between(k / count)).chain([range[1]]);
         let table = ArcLength::new(&**formula, seeds);
         if table.is_full() {
@@ -243,7 +255,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         let extent = table.extent(&**formula).union(Extent::of(vertices));
         let size = extent.size();
         let mut cuts: Vec<(f64, Vector2<f64>)> = vec![(range[0], vertices[0])];
-        let stretches = libm::ceil(STRETCHES * (range[1] - range[0]) / (2.0 * PI));
+        let stretches = libm::ceil(fineness * STRETCHES);
         let inner = (1..).map(f64::from).take_while(|k| *k < stretches).map(|k| between(k / stretches));
         cuts.extend(inner.map(|u| (u, formula.at(u)[0])));
         cuts.push((range[1], vertices[1]));
@@ -307,33 +319,47 @@ fn looked_at<F: ParametricFormula>(
     }
     // of a turn itself, parameters are what they are
     let rate = if length == 2.0 * PI { 1.0 } else { length / (2.0 * PI) };
-    let formula = Arc::new(InTurns { formula, start, rate });
-    let sector = |k: u32| Interval::new(part(k, PARTS), part(k + 1, PARTS));
+    let mut formula = InTurns { formula, start, rate, fineness: 1 };
     let is_finite = |u: f64| formula.jet(u)[0].iter().all(|x| x.is_finite());
     if let Some(u) = (0..=PARTS).map(|k| part(k, PARTS)).find(|u| !is_finite(*u)) {
         return Err(failing(&formula, u, "be finite"));
     }
-    let jets: Vec<_> = (0..PARTS).map(|k| formula.jet_over(sector(k))).collect();
+    let told = FINER.into_iter().map(|fineness| (fineness, kinks_of(&formula, fineness)));
+    let mut kinks = Err(0.0);
+    for (fineness, found) in told {
+        kinks = found;
+        if kinks.is_ok() {
+            formula.fineness = fineness;
+            break;
+        }
+    }
+    let must = "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range";
+    let kinks = kinks.map_err(|u| failing(&formula, u, must))?;
+    // near a kink the bounds are those of both sides
+    let at_kink = |u: Interval| kinks.iter().any(|kink| u.low <= kink.high + NARROW && kink.low - NARROW <= u.high);
+    let moves = |u: Interval| {
+        let [_, first, _] = formula.jet_over(u);
+        (u.width() <= NARROW && at_kink(u)) || !first.iter().all(|x| x.contains(0.0))
+    };
+    let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, true, MOST_PARTS);
+    match standing.map(|places| places.first().map(|place| place.low)) {
+        Some(None) => Ok((Arc::new(formula), kinks)),
+        place => Err(failing(&formula, place.flatten().unwrap_or(0.0), "not stand still, with x' and y' both 0")),
+    }
+}
+
+/// The kinks that are told in so many times [`PARTS`]; or else about where something else is rough.
+fn kinks_of<F: ParametricFormula>(formula: &InTurns<F>, fineness: u32) -> Result<Vec<Interval>, f64> {
+    let parts = PARTS * fineness;
+    let jets: Vec<_> = (0..parts).map(|k| formula.jet_over(sector(k, parts))).collect();
     // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
     let most = |x: &[Interval; 2]| x[0].magnitude().max(x[1].magnitude());
     let bends = jets.iter().map(|[_, first, second]| most(second).max(most(first)));
     let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
     let is_calm = |[.., second]: &[[Interval; 2]; 3]| second.iter().all(|x| x.width() <= varies);
-    let rough = (0..PARTS).zip(&jets).filter(|(_, jet)| !is_calm(jet)).map(|(k, _)| k);
-    let first = rough.clone().next().map_or(0.0, |k| part(k, PARTS));
-    let calm_over = |over: Interval| is_calm(&formula.jet_over(over));
-    let kinks = kinks(rough.map(sector), calm_over, MOST_PARTS);
-    let kinks = kinks.ok_or_else(|| failing(&formula, first, "be smooth but for some kinks"))?;
-    // near a kink the bounds are those of both sides
-    let at_kink = |u: Interval| kinks.iter().any(|kink| u.low <= kink.high + NARROW && kink.low - NARROW <= u.high);
-    let stands = |[_, first, _]: &[[Interval; 2]; 3]| first.iter().all(|x| x.contains(0.0));
-    let doubtful = (0..PARTS).zip(&jets).filter(|(_, jet)| stands(jet)).map(|(k, _)| sector(k));
-    let moves = |u: Interval| (u.width() <= NARROW && at_kink(u)) || !stands(&formula.jet_over(u));
-    match places(doubtful, moves, true, MOST_PARTS).as_deref() {
-        Some([]) => Ok((formula, kinks)),
-        Some([place, ..]) => Err(failing(&formula, place.low, "not stand still, with x' and y' both 0")),
-        None => Err(failing(&formula, first, "not stand still, with x' and y' both 0")),
-    }
+    let rough = (0..parts).zip(&jets).filter(|(_, jet)| !is_calm(jet)).map(|(k, _)| sector(k, parts));
+    let first = rough.clone().next().map_or(0.0, |sector| sector.low);
+    kinks(rough, |over| is_calm(&formula.jet_over(over)), MOST_PARTS).ok_or(first)
 }
 
 fn failing<F: ParametricFormula>(formula: &InTurns<F>, u: f64, must: &'static str) -> Error {
