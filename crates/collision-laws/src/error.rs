@@ -103,7 +103,7 @@ pub enum Error {
         most: usize,
     },
     /// A rough direction that is the normal, or zero, up to rounding.
-    #[error("rough direction {index} is zero or along the normal: it has no part in the contact plane")]
+    #[error("rough direction {index} is along the normal, or zero: it has no part in the contact plane")]
     RoughDirectionAlongNormal {
         /// Its position in the list, from 0.
         index: usize,
