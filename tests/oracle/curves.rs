@@ -62,6 +62,28 @@ impl Curve for Limacon {
     }
 }
 
+/// The upper (part 0) or lower half of the cardioid `(cos t + ½ cos 2t, sin t + ½ sin 2t)`, which has a cusp at `t = π`, table inside.
+#[derive(Clone, Debug)]
+pub(crate) struct Cardioid(pub usize);
+
+impl Curve for Cardioid {
+    fn parts(&self) -> usize {
+        1
+    }
+    fn steps(&self) -> u32 {
+        16
+    }
+    fn at(&self, _: usize, u: &Big) -> [Vector; 2] {
+        let [d, t] = round(self.0, u);
+        let [d, t] = [left(&d), left(&t)];
+        let twice = [&d[0] * &d[0] - &d[1] * &d[1], big(2.0) * &d[0] * &d[1]];
+        [add(&d, &scale(&twice, &big(0.5))), add(&t, &left(&twice))]
+    }
+    fn vertices(&self) -> Vec<Vector> {
+        [[1.5, 0.0], [-0.5, 0.0]].map(vector).into()
+    }
+}
+
 /// `r = 1 + a |cos φ|^(5/2)`, whose third derivative has no bound at the ends of the parts, table inside.
 #[derive(Clone, Debug)]
 pub(crate) struct Softened(pub f64);

@@ -170,6 +170,12 @@ pub(crate) fn formulas() -> Result<[Box<dyn Piece>; 3], Error> {
     Ok([Box::new(Implicit::new(Fermat, true)?), Box::new(polar), Box::new(points)])
 }
 
+/// A curve with a cusp.
+pub(crate) fn cardioid() -> Result<Vec<Box<dyn Piece>>, Error> {
+    let halves = ParametricCurve::around(Limacon(0.5), [0.0, TAU], true)?;
+    Ok(halves.into_iter().map(|half| Box::new(half) as _).collect())
+}
+
 /// Shows every subject in a frame.
 ///
 /// # Errors

@@ -1,9 +1,9 @@
 //! Tables, as the fastest walls for them answer.
 use super::curve::{Cut, Meeting, Oval, Truth, truth_of};
-use super::curves::{Bulge, Kinked, Limacon, Offset, Peanut, Quartic, Softened};
+use super::curves::{Bulge, Cardioid, Kinked, Limacon, Offset, Peanut, Quartic, Softened};
 use super::errors::Subject;
 use super::number::{Vector, add, small, sub, vector};
-use super::subjects::{Frame, formulas};
+use super::subjects::{Frame, cardioid, formulas};
 use billiards::geometry::{
     Error, Figure, FundamentalCell, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
     shapes::{
@@ -239,6 +239,8 @@ fn of_curves(frame: &Frame) -> Result<Vec<Known>, Error> {
     for ((piece, truth), (name, extent)) in formulas()?.into_iter().zip(truths).zip(named) {
         all.push((name, extent, Table::new(vec![piece])?, vec![truth]));
     }
+    let truths: Vec<Box<dyn Truth>> = vec![Box::new(Cut::new(Cardioid(0))), Box::new(Cut::new(Cardioid(1)))];
+    all.push(("points e(t) + ½ e(2t), with a cusp (Graphs)", 1.5, Table::new(cardioid()?)?, truths));
     let [_, peanut, _] = formulas()?;
     let length = peanut.length();
     let moved = Parallel::new(peanut.into(), 0.125, [0.0, length], None)?;

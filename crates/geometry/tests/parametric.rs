@@ -185,10 +185,6 @@ fn what_is_no_curve_is_refused() {
     };
     let (open, at) = must(refused(ELLIPSE, [0.0, PI]));
     assert!(open.contains("come back") && at == PI, "{open}");
-    // an astroid, (3 cos t + cos 3t, 3 sin t − sin 3t), has cusps at the quarters
-    let astroid = Waves { axes: [3.0; 2], size: [1.0, -1.0], number: 3.0, ..ELLIPSE };
-    let (cusp, at) = must(refused(astroid, [0.0, TAU]));
-    assert!(cusp.contains("stand still") && at.abs() < 1e-6, "{cusp} {at}");
     for range in [[0.0, 0.0], [1.0, 0.0], [0.0, f64::NAN], [0.0, f64::INFINITY]] {
         assert!(matches!(refused(ELLIPSE, range), Error::Parameter { name: "range", .. }));
     }
@@ -267,4 +263,131 @@ fn a_narrow_bump_is_counted_or_refused() {
         assert!((time - top).abs() < 1e-15, "{width}: {time} {top}");
     }
     assert!(refused > 0);
+}
+
+/// `(1 + k) a (cos t, sin t) − a (cos, sin)((1 + k) t)`: an epicycloid with `k` cusps, or for `k < 0`, with the sign of the second sine
+/// turned, a hypocycloid with `|k|` of them.
+fn cycloid(cusps: f64) -> Waves {
+    let number = 1.0 + cusps;
+    Waves { axes: [number; 2], size: [-1.0; 2], number, ..ELLIPSE }
+}
+
+#[test]
+fn a_curve_is_cut_at_its_cusps() {
+    // cardioid, nephroid, deltoid, astroid
+    for cusps in [1.0, 2.0, 5.0, -3.0, -4.0_f64] {
+        for inside in [true, false] {
+            let pieces = around(cycloid(cusps), inside);
+            let count = cusps.abs();
+            assert_eq!(pieces.len() as f64, count.max(2.0));
+            let length: f64 = pieces.iter().map(|piece| piece.length()).sum();
+            let expected = 8.0 * (1.0 + cusps).abs();
+            assert!((length / expected - 1.0).abs() < 1e-14, "{cusps}: {length} {expected}");
+            let area = enclosed_area(pieces.iter().map(|piece| piece as &dyn Piece)).abs();
+            let expected = PI * ((1.0 + cusps) * (2.0 + cusps)).abs();
+            assert!((area / expected - 1.0).abs() < 1e-14, "{cusps}: {area} {expected}");
+            let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+            let table = if inside { table } else { table.unbounded() };
+            assert_eq!(table.validate(), Ok(()));
+            // the tips are as far from the middle as there are cusps, and from each other
+            let tips: Vec<Vector2<f64>> = table.corners().iter().map(|tip| (*tip).into()).collect();
+            assert_eq!(tips.len() as f64, count);
+            for (k, tip) in tips.iter().enumerate() {
+                let turn = tips[0].perp(tip).atan2(tips[0].dot(tip)) * count / TAU;
+                assert!((tip.norm() / count - 1.0).abs() < 1e-15, "{cusps}: {tip}");
+                assert!((turn - turn.round()).abs() < 4e-16 * count * count, "{cusps}: {turn}");
+                assert!(tips[..k].iter().all(|other| (other - tip).norm() > 1.0));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_sides_of_a_cusp_have_one_tangent_at_its_tip_and_bend_without_end() {
+    // of the cardioid, (1 + s − …, ± s^(3/2) …) at a way s from the tip
+    let tip = Vector2::new(1.0, 0.0);
+    for piece in around(cycloid(1.0), true) {
+        let starts = piece.ends().unwrap()[0] == tip;
+        let side = if starts { 1.0 } else { -1.0 };
+        let away = |s: f64| piece.landing_at(if starts { s } else { piece.length() - s });
+        let at_tip = away(0.0);
+        assert_eq!(at_tip.point, tip);
+        assert!((at_tip.normal - Vector2::new(0.0, side)).amax() < 1e-15, "{at_tip:?}");
+        for s in [1e-12, 1e-10, 1e-8, 1e-6, 1e-4_f64] {
+            // the next terms are so much less; ways are known to a rounding of the length
+            let (next, rounding) = (4.0 * s, 8.0 * f64::EPSILON);
+            let (root, landing) = (s.sqrt(), away(s));
+            assert!((landing.point.x - 1.0 - s).abs() < next * s + rounding, "{s:e}");
+            assert!((landing.point.y - side * s * root).abs() < next * s * root + rounding * 1.5 * root, "{s:e}");
+            let slope = -side * landing.normal.x / landing.normal.y * side;
+            assert!((slope - 1.5 * root * side).abs() < next * root + rounding * 0.75 / root, "{s:e} {slope}");
+            let bend = piece.curvature(&landing.point) * root / 0.75;
+            assert!((bend - 1.0).abs() < next + rounding / s, "{s:e} {bend}");
+        }
+    }
+}
+
+#[test]
+fn where_a_curve_stands_still_otherwise_it_is_refused() {
+    /// `(cos t, sin t)` at the angle `t + a sin kt`
+    #[derive(Debug)]
+    struct Uneven(f64, f64);
+    impl ParametricFormula for Uneven {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let Uneven(a, k) = *self;
+            let (wave, crest) = libm::sincos(k * t);
+            let [angle, rate, change] = [t + a * wave, 1.0 + a * k * crest, -a * k * k * wave];
+            let (sin, cos) = libm::sincos(angle);
+            let square = rate * rate;
+            [[cos, sin], [-sin * rate, cos * rate], [-cos * square - sin * change, cos * change - sin * square]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let Uneven(a, k) = *self;
+            let [wave, crest] = (t * k).sin_cos();
+            let [angle, rate, change] = [t + wave * a, crest * (a * k) + 1.0, wave * (-a * k * k)];
+            let [sin, cos] = angle.sin_cos();
+            let square = rate.square();
+            [[cos, sin], [-(sin * rate), cos * rate], [-(cos * square) - sin * change, cos * change - sin * square]]
+        }
+    }
+    let around = |a: f64, k: f64| ParametricCurve::around(Uneven(a, k), [0.0, TAU], true);
+    assert_eq!(around(0.25, 3.0).unwrap().len(), 1);
+    // the angle goes on beyond a place where its rate vanishes with the rate of the rate, and turns back twice where it is negative
+    let Err(Error::Parametrised { must, parameter }) = around(-0.5, 2.0) else { panic!("it stands still") };
+    assert!(must.contains("stand still") && (parameter / PI - libm::round(parameter / PI)).abs() < 1e-6);
+    let turning = around(-0.75, 2.0).map(|pieces| {
+        let boxed = pieces.into_iter().map(|piece| Box::new(piece) as _).collect();
+        Table::new(boxed).unwrap().validate()
+    });
+    assert!(!matches!(turning, Ok(Ok(()))), "{turning:?}");
+}
+
+#[test]
+fn two_cusps_too_near_to_be_told_apart_are_refused() {
+    /// `(t³/3 − a²t, t⁴/4 − a²t²/2)`: cusps at `t = ±a`
+    #[derive(Debug)]
+    struct Swallowtail(f64);
+    impl ParametricFormula for Swallowtail {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let (a2, t2) = (self.0 * self.0, t * t);
+            let c = [t * (t2 / 3.0 - a2), t2 * (t2 / 4.0 - a2 / 2.0)];
+            [c, [t2 - a2, t * (t2 - a2)], [2.0 * t, 3.0 * t2 - a2]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let (a2, t2) = (self.0 * self.0, t.square());
+            let c = [t * (t2 * (1.0 / 3.0) + -a2), t2 * (t2 * 0.25 + -a2 / 2.0)];
+            [c, [t2 + -a2, t * (t2 + -a2)], [t * 2.0, t2 * 3.0 + -a2]]
+        }
+    }
+    for (a, apart) in [(0.5, true), (0.1, true), (0.01, true), (1e-6, false), (1e-8, false), (0.0, false)] {
+        let ends = [-1.0, 1.0].map(|t| Vector2::from(Swallowtail(a).jet(t)[0]));
+        match ParametricCurve::along(Swallowtail(a), [-1.0, 1.0], ends) {
+            Ok(pieces) => {
+                assert!(apart && pieces.len() == 3, "{a}");
+                let inner = pieces[1].ends().unwrap();
+                assert!((inner[0].x - inner[1].x - 4.0 / 3.0 * a * a * a).abs() < 1e-15, "{a}: {inner:?}");
+            }
+            Err(error) => assert!(!apart && error.to_string().contains("stand still"), "{a}: {error}"),
+        }
+    }
 }

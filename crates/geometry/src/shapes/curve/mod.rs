@@ -9,6 +9,7 @@
 //! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks, or with a curvature
 //! that has no bound.
 mod arc_length;
+mod cusp;
 mod fit;
 mod graph;
 mod hidden;

@@ -1,6 +1,7 @@
 //! A curve given by its point for every parameter.
 use super::{
     ArcLength, Graph, Interval, Parametric, Ray,
+    cusp::Cusp,
     kinks::{kinks, places},
     rough_graphs,
 };
@@ -128,6 +129,7 @@ struct InTurns<F> {
     rate: f64,
     /// As many times more parts tell what is there as it bends more narrowly than others.
     fineness: u32,
+    cusps: Vec<Cusp>,
 }
 
 impl<F: ParametricFormula> InTurns<F> {
@@ -135,7 +137,15 @@ impl<F: ParametricFormula> InTurns<F> {
         self.start + self.rate * u
     }
 
+    /// The cusp beside which a parameter lies.
+    fn cusp(&self, u: f64) -> Option<&Cusp> {
+        self.cusps.iter().find(|cusp| cusp.around().contains(u))
+    }
+
     fn jet(&self, u: f64) -> [Vector2<f64>; 3] {
+        if let Some(cusp) = self.cusp(u) {
+            return cusp.jet(u);
+        }
         let [c, first, second] = self.formula.jet(self.parameter(u)).map(Vector2::from);
         [c, first * self.rate, second * (self.rate * self.rate)]
     }
@@ -171,7 +181,8 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a range that is empty or not finite, [`Error::Parametrised`] unless the curve is finite, comes back to where it
-    /// starts (to 10⁻⁹), never stands still (`c′ = 0`), and is smooth but for kinks that the bounds on `c″` tell.
+    /// starts (to 10⁻⁹), stands still (`c′ = 0`) nowhere but in cusps
+    /// (where `c″` is not 0 as well), and is smooth but for kinks that the bounds on `c″` tell.
     pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
         let (formula, kinks) = looked_at(formula, range)?;
         let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
@@ -257,7 +268,11 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         let mut cuts: Vec<(f64, Vector2<f64>)> = vec![(range[0], vertices[0])];
         let stretches = libm::ceil(fineness * STRETCHES);
         let inner = (1..).map(f64::from).take_while(|k| *k < stretches).map(|k| between(k / stretches));
-        cuts.extend(inner.map(|u| (u, formula.at(u)[0])));
+        // from where on the formula itself is asked
+        let beside = formula.cusps.iter().flat_map(|cusp| [cusp.around().low, cusp.around().high]);
+        let mut inner: Vec<f64> = inner.chain(beside.filter(|u| range[0] < *u && *u < range[1])).collect();
+        inner.sort_by(f64::total_cmp);
+        cuts.extend(inner.into_iter().map(|u| (u, formula.at(u)[0])));
         cuts.push((range[1], vertices[1]));
         if !rises {
             cuts.reverse();
@@ -265,7 +280,12 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         let mut graphs = vec![];
         for ends in cuts.windows(2) {
             let parameters = [ends[0].0, ends[1].0];
-            let some = rough_graphs(&**formula, parameters, [ends[0].1, ends[1].1], size);
+            let vertices = [ends[0].1, ends[1].1];
+            let middle = 0.5 * (parameters[0] + parameters[1]);
+            let some = match formula.cusp(middle) {
+                Some(cusp) => cusp.graphs(parameters, vertices, size),
+                None => rough_graphs(&**formula, parameters, vertices, size),
+            };
             graphs.extend(some.ok_or_else(|| failing(formula, parameters[0], "be smooth"))?);
         }
         let swept = table.enclosed_area(&**formula, vertices[0]);
@@ -319,10 +339,14 @@ fn looked_at<F: ParametricFormula>(
     }
     // of a turn itself, parameters are what they are
     let rate = if length == 2.0 * PI { 1.0 } else { length / (2.0 * PI) };
-    let mut formula = InTurns { formula, start, rate, fineness: 1 };
-    let is_finite = |u: f64| formula.jet(u)[0].iter().all(|x| x.is_finite());
-    if let Some(u) = (0..=PARTS).map(|k| part(k, PARTS)).find(|u| !is_finite(*u)) {
-        return Err(failing(&formula, u, "be finite"));
+    let mut formula = InTurns { formula, start, rate, fineness: 1, cusps: vec![] };
+    let mut size = 0.0_f64;
+    for u in (0..=PARTS).map(|k| part(k, PARTS)) {
+        let [c, ..] = formula.jet(u);
+        if !c.iter().all(|x| x.is_finite()) {
+            return Err(failing(&formula, u, "be finite"));
+        }
+        size = size.max(c.amax());
     }
     let told = FINER.into_iter().map(|fineness| (fineness, kinks_of(&formula, fineness)));
     let mut kinks = Err(0.0);
@@ -334,18 +358,30 @@ fn looked_at<F: ParametricFormula>(
         }
     }
     let must = "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range";
-    let kinks = kinks.map_err(|u| failing(&formula, u, must))?;
+    let mut kinks = kinks.map_err(|u| failing(&formula, u, must))?;
     // near a kink the bounds are those of both sides
     let at_kink = |u: Interval| kinks.iter().any(|kink| u.low <= kink.high + NARROW && kink.low - NARROW <= u.high);
     let moves = |u: Interval| {
         let [_, first, _] = formula.jet_over(u);
         (u.width() <= NARROW && at_kink(u)) || !first.iter().all(|x| x.contains(0.0))
     };
+    const STANDS: &str = "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)";
     let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, true, MOST_PARTS);
-    match standing.map(|places| places.first().map(|place| place.low)) {
-        Some(None) => Ok((Arc::new(formula), kinks)),
-        place => Err(failing(&formula, place.flatten().unwrap_or(0.0), "not stand still, with x' and y' both 0")),
+    let standing = standing.ok_or_else(|| failing(&formula, 0.0, STANDS))?;
+    let mut cusps: Vec<Cusp> = vec![];
+    for place in standing {
+        // what is about the last one is a part of it
+        if cusps.last().is_some_and(|last| last.around().contains(place.low)) {
+            continue;
+        }
+        let at = 0.5 * (place.low + place.high);
+        let cusp = Cusp::of(|u| formula.jet(u), |u| formula.jet_over(u)[2], at, size);
+        cusps.push(cusp.ok_or_else(|| failing(&formula, at, STANDS))?);
     }
+    kinks.extend(cusps.iter().map(Cusp::place));
+    kinks.sort_by(|a, b| a.low.total_cmp(&b.low));
+    formula.cusps = cusps;
+    Ok((Arc::new(formula), kinks))
 }
 
 /// The kinks that are told in so many times [`PARTS`]; or else about where something else is rough.
