@@ -391,3 +391,28 @@ fn two_cusps_too_near_to_be_told_apart_are_refused() {
         }
     }
 }
+
+#[test]
+fn a_range_may_end_next_to_a_cusp() {
+    /// The astroid `(cos³ t, sin³ t)`, which stands still at 2π and not at the nearest double
+    #[derive(Debug)]
+    struct Cubes;
+    impl ParametricFormula for Cubes {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let (s, c) = libm::sincos(t);
+            let [x, y] = [c * (6.0 * s * s - 3.0 * c * c), s * (6.0 * c * c - 3.0 * s * s)];
+            [[c * c * c, s * s * s], [-3.0 * c * c * s, 3.0 * s * s * c], [x, y]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let [s, c] = t.sin_cos();
+            let [s2, c2] = [s.square(), c.square()];
+            let [x, y] = [c * (s2 * 6.0 - c2 * 3.0), s * (c2 * 6.0 - s2 * 3.0)];
+            [[c * c2, s * s2], [c2 * s * -3.0, s2 * c * 3.0], [x, y]]
+        }
+    }
+    let pieces = ParametricCurve::around(Cubes, [0.0, TAU], true).unwrap();
+    assert_eq!(pieces.len(), 4);
+    assert!(pieces.iter().all(|piece| (piece.length() - 1.5).abs() < 2e-15));
+    assert_eq!(pieces[0].ends().unwrap(), [Vector2::x(), pieces[1].ends().unwrap()[0]]);
+    assert_eq!(pieces[3].ends().unwrap()[1], Vector2::x());
+}

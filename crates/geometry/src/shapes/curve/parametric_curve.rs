@@ -368,13 +368,19 @@ fn looked_at<F: ParametricFormula>(
     const STANDS: &str = "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)";
     let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, true, MOST_PARTS);
     let standing = standing.ok_or_else(|| failing(&formula, 0.0, STANDS))?;
+    // the ends of a range are rounded, and it may stand still just beyond them
+    let stands_at = |u: &f64| {
+        let [_, first, second] = formula.jet(*u);
+        first.norm() <= NARROW * second.norm()
+    };
+    let within = standing.into_iter().map(|place| 0.5 * (place.low + place.high));
+    let [start, end] = [0.0, 2.0 * PI].map(|end| Some(end).filter(stands_at));
     let mut cusps: Vec<Cusp> = vec![];
-    for place in standing {
+    for at in start.into_iter().chain(within).chain(end) {
         // what is about the last one is a part of it
-        if cusps.last().is_some_and(|last| last.around().contains(place.low)) {
+        if cusps.last().is_some_and(|last| last.around().contains(at)) {
             continue;
         }
-        let at = 0.5 * (place.low + place.high);
         let cusp = Cusp::of(|u| formula.jet(u), |u| formula.jet_over(u)[2], at, size);
         cusps.push(cusp.ok_or_else(|| failing(&formula, at, STANDS))?);
     }
