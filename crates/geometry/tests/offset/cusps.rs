@@ -1,6 +1,7 @@
 //! Cusps within a piece.
 use super::*;
-use geometry::shapes::curve::{Interval, Polar, PolarFormula};
+use core::f64::consts::TAU;
+use geometry::shapes::curve::{Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula};
 
 /// `r = 2 − a |sin(n φ + c)|ᵖ`: cusps for `p < 1`.
 #[derive(Clone, Copy, Debug)]
@@ -57,6 +58,45 @@ fn a_disk_goes_right_between_the_flanks_of_cusps_or_not_at_all() {
                     Err(error) => panic!("{power} {waves} {radius}: {error}"),
                 }
             }
+        }
+    }
+}
+
+/// `(1 + k) e(t) − e((1 + k) t)`, `e(t) = (cos t, sin t)`: a cycloid about a circle with `k` cusps, or in one with `−k`.
+#[derive(Debug)]
+struct Cycloid(f64);
+
+impl ParametricFormula for Cycloid {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let k = 1.0 + self.0;
+        let ((sin, cos), (wave, crest)) = (libm::sincos(t), libm::sincos(k * t));
+        [
+            [k * cos - crest, k * sin - wave],
+            [k * (wave - sin), k * (cos - crest)],
+            [k * (k * crest - cos), k * (k * wave - sin)],
+        ]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let k = 1.0 + self.0;
+        let ([sin, cos], [wave, crest]) = (t.sin_cos(), (t * k).sin_cos());
+        [
+            [cos * k - crest, sin * k - wave],
+            [(wave - sin) * k, (cos - crest) * k],
+            [(crest * k - cos) * k, (wave * k - sin) * k],
+        ]
+    }
+}
+
+#[test]
+fn a_disk_goes_right_about_the_tips_of_cycloids_and_between_their_flanks() {
+    for cusps in [1.0, 2.0, -3.0, -4.0_f64] {
+        let pieces = ParametricCurve::around(Cycloid(cusps), [0.0, TAU], true).unwrap();
+        let drawn = table(pieces.into_iter().map(|piece| Box::new(piece) as _).collect());
+        for radius in [1e-3, 0.1, 0.45, 0.9] {
+            let centres = check("cycloid", &drawn, radius).table;
+            let (tips, pieces) = (cusps.abs(), centres.pieces().len() as f64);
+            // about tips that point into the table there are arcs; the cardioid has a vertex also where its range begins
+            assert_eq!(pieces, if cusps > 0.0 { tips.max(2.0) + tips } else { tips }, "{cusps} {radius}");
         }
     }
 }
