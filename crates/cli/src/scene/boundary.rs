@@ -374,6 +374,9 @@ fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -
 
 fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
     let domain = domain(section, Domain::Inside, problems);
+    if lacks_x(section, &["polar", "x", "implicit"]) {
+        return None;
+    }
     let (curve, text) = match section.one_of(&["polar", "x", "implicit"], "polar = \"2 + 0.2*cos(5*t)\"", problems)? {
         ("polar", item) => {
             let center = section
@@ -407,6 +410,18 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
         }
     };
     Some(Border::Curve { curve, formula: text, domain: domain? })
+}
+
+/// Whether of several kinds of curves one is meant of which only the second coordinate is there; the first is missed then.
+fn lacks_x(section: &mut Section<'_>, kinds: &[&str]) -> bool {
+    let given = |key: &str| section.others().any(|(k, _)| k.value == key);
+    let lacks = given("y") && !kinds.iter().any(|kind| given(kind));
+    if lacks {
+        section.required("x", "x = \"cos(t)\"");
+        section.optional("y");
+        section.optional("over");
+    }
+    lacks
 }
 
 /// Formulas of both coordinates, and the first as written.
@@ -463,6 +478,10 @@ fn edges(item: &Item, closed: bool, problems: &mut Problems) -> Option<Vec<Edge>
 fn edge(item: &Item, problems: &mut Problems) -> Option<Edge> {
     let mut section = Section::inline(item, "an edge", "{ line_to = [1, 0] }", problems)?;
     let law = law::at_most_one(&mut section, 2, problems);
+    if lacks_x(&mut section, &["line_to", "arc_to", "x"]) {
+        section.finish(problems);
+        return None;
+    }
     let path = match section.one_of(&["line_to", "arc_to", "x"], "line_to = [1, 0]", problems) {
         Some(("line_to", item)) => point(item, 2, problems).map(|to| EdgePath::Line { to }),
         Some(("x", x)) => {

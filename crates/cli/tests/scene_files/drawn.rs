@@ -46,7 +46,11 @@ fn curves_by_their_points_are_told_what_they_must_do() {
     for (curve, expected, mend) in [
         ("x = \"t\", y = \"t^2\"", "must come back to where it starts; this fails near t = 6.28319", "run once around"),
         ("x = \"cos(t)\", y = \"sin(t)\", over = [0, 3]", "this fails near t = 3.0", "run once around"),
-        ("x = \"cos(t)^3\", y = \"sin(t)^3\"", "x' and y' both 0; this fails near t = 0.0", "cusp"),
+        (
+            "x = \"cos(t-sin(2*t)/2)\", y = \"sin(t-sin(2*t)/2)\"",
+            "x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3); this fails near t = ",
+            "take a parameter that does so as well",
+        ),
         ("x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(abs(sin(t-1)))\"", "this fails near t = ", "write kinks with abs"),
         ("x = \"cos(t)\", y = \"sin(2*t)\"", "crosses itself near", "change its formula"),
     ] {
@@ -86,6 +90,16 @@ fn formulas_of_coordinates_are_read_with_their_range() {
         let errors = read(curve).expect_err(curve);
         assert!(errors.iter().any(|error| error.contains(expected)), "{curve}: {errors:?}");
     }
+    // what is there of the points tells what is meant
+    let errors = read("y = \"sin(t)\", over = [0, 1]").expect_err("there is no x");
+    assert!(errors.len() == 1 && errors[0].contains("curve lacks the key \"x\""), "{errors:?}");
+    let edges = "{ line_to = [0, 0] }, { y = \"t\", over = [0, 1] }";
+    let errors = parse(&format!(
+        "law = \"specular\"\n[[table.boundary]]\nloop = {{ from = [-1, 1], edges = [{edges}] }}\n\
+         [[orbit]]\nposition = [0, 0]\nvelocity = [0.6, 0.8]\n[run]\ncollisions = 1\n"
+    ));
+    let errors = errors.expect_err("there is no x");
+    assert!(errors.len() == 1 && errors[0].contains("an edge lacks the key \"x\""), "{errors:?}");
     assert!(read("x = \"cos(2*pi*t)\", y = \"sin(2*pi*t)\", over = [0, 1]").is_ok());
 }
 

@@ -139,7 +139,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "let \"over\" run once around the curve; from 0 to 2*pi, unless it is written"
         }
         Error::Parametrised { must, .. } if must.contains("still") => {
-            "a cusp is no place to be reflected from: keep x' and y' from vanishing together, as polar formulas do"
+            "where the curve goes on, take a parameter that does so as well, as t for t^3"
         }
         Error::Parametrised { .. } => {
             "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and keep the curvature bounded"
