@@ -83,7 +83,13 @@ impl ContactFile {
         });
         match file {
             Some(file) if problems.is_empty() => Ok(file),
-            _ => Err(problems.into_diagnostics()),
+            _ => {
+                let mut wrong = problems.into_diagnostics();
+                for help in wrong.iter_mut().filter_map(|wrong| wrong.help.as_mut()).filter(|_| json) {
+                    *help = document::in_json(help);
+                }
+                Err(wrong)
+            }
         }
     }
 }

@@ -10,7 +10,7 @@ mod source;
 mod toml;
 
 pub use diagnostic::{Diagnostic, Place, Problems, plain};
-pub use json::parse as parse_json;
+pub use json::{in_json, parse as parse_json};
 pub use number::{
     LARGEST, SMALLEST, coordinate_formula, count, formula, nonnegative, number, polar_formula, positive, real, seed,
     spell, vector, whole,

@@ -334,6 +334,15 @@ fn each_mistake_has_status_2_and_its_own_message() {
 }
 
 #[test]
+fn a_contact_in_json_is_mended_in_json() {
+    let (status, _, err) = collide_text("json", "{ \"dim\": 2, \"law\": \"no-slip\" }", &[]);
+    let help = "help: write for instance \"pre\": [{ \"v\": [0, -1], \"w\": 0 }, { \"v\": [0, 0], \"w\": 0 }]\n";
+    assert!(status == 2 && err.contains(help) && !err.contains(" = "), "{err}");
+    let (_, _, err) = collide_text("toml", "dim = 2\nlaw = \"no-slip\"\n", &[]);
+    assert!(err.contains("help: write for instance pre = [{ v = [0, -1], w = 0 }"), "{err}");
+}
+
+#[test]
 fn a_spin_that_is_not_skew_is_refused() {
     let zeros = |n: usize| json!(vec![vec![0; n]; n]);
     let unit = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]);

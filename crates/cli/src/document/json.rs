@@ -23,6 +23,23 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     }
 }
 
+/// Advice with its examples written as in JSON.
+///
+/// ```
+/// use billiards_cli::document::in_json;
+/// assert_eq!(in_json("write for instance pre = [{ v = [0, -1] }]"), "write for instance \"pre\": [{ \"v\": [0, -1] }]");
+/// ```
+pub fn in_json(advice: &str) -> String {
+    let mut parts = advice.split(" = ");
+    let mut text = String::from(parts.next().unwrap_or_default());
+    for part in parts {
+        let is_of_key = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let key = text.trim_end_matches(is_of_key).len();
+        text = format!("{}\"{}\": {part}", &text[..key], &text[key..]);
+    }
+    text
+}
+
 type Fault = (Span, String);
 
 #[derive(Debug)]
