@@ -23,6 +23,9 @@ pub struct Graphs(ByLane<All>);
 /// So many graphs are looked at in a go.
 const WIDTH: usize = 8;
 
+/// Beyond this many times what counts as a corner no hit is one, but on paths that come from so many sizes away.
+const ROOM: f64 = 1_048_576.0; // 2²⁰
+
 #[derive(Clone, Debug, Default)]
 struct All {
     /// The ends of the graphs, coordinate by coordinate: graph `k` runs from `k` to `k + 1`. Behind the last graph of a closed curve,
@@ -89,7 +92,7 @@ impl All {
     /// A graph in its own coordinates.
     #[inline(always)]
     fn local(&self, graph: usize) -> Local<f64> {
-        Local::of(0.0, |_| &self.rows[graph])
+        Local::of(0.0, |_| &self.rows[graph]).0
     }
 
     /// Adds a graph, or one that does not exist.
@@ -99,7 +102,10 @@ impl All {
         }
         self.near.push(near);
         self.reach.push(reach);
-        self.rows.push(graph.local.row());
+        // between these places there is no corner
+        let near = 4.0 * (ROOM * CORNER) * self.size / graph.length();
+        let [low, high] = corners.map(|corner| if corner { 1.0 - near } else { f64::INFINITY });
+        self.rows.push(graph.local.row([-low, high]));
         #[allow(clippy::cast_possible_truncation, reason = "pieces are numbered by 32 bits in all trees")]
         self.numbers.push(number as u32);
         self.corners.push(corners);
@@ -174,7 +180,7 @@ impl All {
     #[inline(always)]
     fn try_all<F: Lane>(&self, zero: F, ray: &Ray<f64>, groups: &[u32]) -> (Meeting<f64>, usize) {
         let (x, v) = ([zero.same(ray.x[0]), zero.same(ray.x[1])], [zero.same(ray.v[0]), zero.same(ray.v[1])]);
-        let mut best = (Meeting { time: f64::INFINITY, point: ray.x, normal: ray.v }, 0);
+        let mut best = (Meeting { time: f64::INFINITY, point: ray.x, place: 0.0, normal: ray.v }, 0);
         for group in groups {
             let first = *group as usize;
             let ([through, mut maybe], _) = self.eight(x, v, first);
@@ -261,6 +267,8 @@ struct Hits {
     point: [[f64; MOST_LANES]; 2],
     normal: [[f64; MOST_LANES]; 2],
     graph: [usize; MOST_LANES],
+    /// Those that may be corners, as bits.
+    doubtful: u64,
 }
 
 impl Kernel for SideBySide<'_> {
@@ -316,7 +324,7 @@ impl All {
             through[lane] = if pick.through { 1.0 } else { 0.0 };
             (ways[lane], others[lane]) = (pick.way, pick.others);
         }
-        let local = Local::of(zero, |lane| &self.rows[graph[lane]]);
+        let (local, [low, high]) = Local::of(zero, |lane| &self.rows[graph[lane]]);
         let wanted = zero.load(&ways).lt(zero.same(f64::INFINITY));
         let best = local.meet(&ray, zero.lt(zero.load(&through)), wanted, self.slack);
         let doubtful = is_doubtful(&ray, best.time, zero.load(&others));
@@ -327,7 +335,9 @@ impl All {
             normal[i].store(&mut hits.normal[i][from..]);
         }
         hits.graph[from..from + F::LANES].copy_from_slice(&graph[..F::LANES]);
+        let far = zero.same(ROOM * self.size).lt(ray.x[0].abs().max(ray.x[1].abs()));
         let mut doubtful = doubtful.bits();
+        hits.doubtful |= ((best.place.lt(low) | high.lt(best.place) | far).bits() | doubtful) << from;
         while doubtful != 0 {
             let lane = doubtful.trailing_zeros() as usize;
             doubtful &= doubtful - 1;
@@ -359,7 +369,7 @@ impl Walls<2> for Graphs {
             return self.0.first_hit(x, v);
         }
         let none = [0.0; MOST_LANES];
-        let mut hits = Hits { time: none, point: [none; 2], normal: [none; 2], graph: [0; MOST_LANES] };
+        let mut hits = Hits { time: none, point: [none; 2], normal: [none; 2], graph: [0; MOST_LANES], doubtful: 0 };
         // in a function of its own, which is compiled once and not for every engine
         lanes::dispatch(SideBySide { all, lanes: F::LANES, x: &stored(x), v: &stored(v), hits: &mut hits });
         let zero = v[0].same(0.0);
@@ -367,12 +377,17 @@ impl Walls<2> for Graphs {
         let [point, normal] = [&hits.point, &hits.normal].map(|a| [zero.load(&a[0]), zero.load(&a[1])]);
         let piece = zero.each(|lane| f64::from(all.numbers[hits.graph[lane]]));
         let mut corner = zero.never();
-        if !all.corners.is_empty() {
-            let is = |lane: usize| {
+        if !all.corners.is_empty() && hits.doubtful != 0 {
+            let (mut doubtful, mut corners) = (hits.doubtful, [0.0; MOST_LANES]);
+            while doubtful != 0 {
+                let lane = doubtful.trailing_zeros() as usize;
+                doubtful &= doubtful - 1;
                 let at = |a: [F; 2]| a.map(|a| a.lane(lane));
-                if all.is_corner(hits.graph[lane], at(*x), at(point)) { 1.0 } else { 0.0 }
-            };
-            corner = zero.lt(zero.each(is));
+                if all.is_corner(hits.graph[lane], at(*x), at(point)) {
+                    corners[lane] = 1.0;
+                }
+            }
+            corner = zero.lt(zero.load(&corners));
         }
         WallHit { time, point, normal, inverse: zero.same(1.0), piece, corner }
     }

@@ -76,3 +76,27 @@ fn lanes_have_the_bits_of_single_numbers() {
         }
     }
 }
+
+#[test]
+fn corners_of_graphs_are_told_in_lanes_too_from_near_and_far() {
+    let table = tables::perturbed_polygon(5, 1.0, 0.0625).unwrap();
+    let mut random = Random(11);
+    let mut paths = vec![];
+    for k in 0..4096 {
+        let corner = table.corners()[k % 5];
+        let turn = 6.3 * random.uniform();
+        // within the table, or from as far as 2⁴⁰ sizes, some of them straight at a corner and others beside it
+        let way = libm::exp2(if k % 2 == 0 { -3.0 * random.uniform() } else { 40.0 * random.uniform() });
+        let beside = f64::EPSILON * libm::exp2(8.0 * random.uniform() - 3.0) * way.max(1.0);
+        let direction =
+            if k % 2 == 0 { (corner / corner.norm()).into() } else { Vector2::new(libm::cos(turn), libm::sin(turn)) };
+        let across = Vector2::new(-direction.y, direction.x) * beside;
+        paths.push(Line { point: Vector2::from(corner) - direction * way + across, velocity: direction });
+    }
+    let single = |path: &Line<2>| table.with_walls(Ask(*path));
+    let corners = paths.iter().filter_map(single).map(|hit| hit.corner);
+    let (told, not) =
+        corners.fold((0, 0), |(told, not), corner| if corner { (told + 1, not) } else { (told, not + 1) });
+    assert!(told > 400 && not > 400, "{told} {not}");
+    table.with_walls(SameBits { name: "pentagon", paths: &paths });
+}

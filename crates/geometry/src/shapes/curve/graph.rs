@@ -38,6 +38,8 @@ pub(crate) struct Meeting<F: Lane> {
     /// Infinite where it does not.
     pub(crate) time: F,
     pub(crate) point: [F; 2],
+    /// The same along the chord, from −1 to 1.
+    pub(crate) place: F,
     /// Into the table, not of unit length.
     pub(crate) normal: [F; 2],
 }
@@ -163,24 +165,25 @@ impl Graph {
 pub(crate) struct Row([[f64; 4]; 5]);
 
 impl Local<f64> {
-    pub(crate) fn row(&self) -> Row {
+    /// Its numbers, and two more.
+    pub(crate) fn row(&self, [low, high]: [f64; 2]) -> Row {
         let Local { origin: [x, y], outward: [n0, n1], inverse, heights, third } = *self;
         let four = |k: usize| core::array::from_fn(|i| heights[4 * k + i]);
-        Row([[x, y, n0, n1], four(0), four(1), four(2), [inverse, third, 0.0, 0.0]])
+        Row([[x, y, n0, n1], four(0), four(1), four(2), [inverse, third, low, high]])
     }
 }
 
 impl<F: Lane> Local<F> {
-    /// The graphs of some rows, one per lane.
+    /// The graphs of some rows, one per lane, and what else the rows hold.
     #[inline(always)]
-    pub(crate) fn of<'a>(zero: F, row: impl Fn(usize) -> &'a Row) -> Self {
+    pub(crate) fn of<'a>(zero: F, row: impl Fn(usize) -> &'a Row) -> (Self, [F; 2]) {
         let [x, y, n0, n1] = zero.columns(|lane| &row(lane).0[0]);
         let [a, b, c, d] = zero.columns(|lane| &row(lane).0[1]);
         let [e, f, g, h] = zero.columns(|lane| &row(lane).0[2]);
         let [i, j, k, l] = zero.columns(|lane| &row(lane).0[3]);
-        let [inverse, third, _, _] = zero.columns(|lane| &row(lane).0[4]);
+        let [inverse, third, low, high] = zero.columns(|lane| &row(lane).0[4]);
         let heights = [a, b, c, d, e, f, g, h, i, j, k, l];
-        Local { origin: [x, y], outward: [n0, n1], inverse, heights, third }
+        (Local { origin: [x, y], outward: [n0, n1], inverse, heights, third }, [low, high])
     }
 
     /// A vector along the chord and across it.
@@ -325,6 +328,7 @@ impl<F: Lane> Local<F> {
         Meeting {
             time: really.select(t.max(zero), zero.same(f64::INFINITY)),
             point: [self.origin[0] + (n0 * height - n1 * reach), self.origin[1] + (n1 * height + n0 * reach)],
+            place: end,
             normal: [-n0 - n1 * incline, n0 * incline - n1],
         }
     }
