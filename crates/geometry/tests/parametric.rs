@@ -280,7 +280,7 @@ fn a_curve_is_cut_at_its_cusps() {
             let pieces = around(cycloid(cusps), inside);
             let count = cusps.abs();
             assert_eq!(pieces.len() as f64, count.max(2.0));
-            let length: f64 = pieces.iter().map(|piece| piece.length()).sum();
+            let length: f64 = pieces.iter().map(Piece::length).sum();
             let expected = 8.0 * (1.0 + cusps).abs();
             assert!((length / expected - 1.0).abs() < 1e-14, "{cusps}: {length} {expected}");
             let area = enclosed_area(pieces.iter().map(|piece| piece as &dyn Piece)).abs();
@@ -290,7 +290,7 @@ fn a_curve_is_cut_at_its_cusps() {
             let table = if inside { table } else { table.unbounded() };
             assert_eq!(table.validate(), Ok(()));
             // the tips are as far from the middle as there are cusps, and from each other
-            let tips: Vec<Vector2<f64>> = table.corners().iter().map(|tip| (*tip).into()).collect();
+            let tips: Vec<Vector2<f64>> = table.corners().to_vec();
             assert_eq!(tips.len() as f64, count);
             for (k, tip) in tips.iter().enumerate() {
                 let turn = tips[0].perp(tip).atan2(tips[0].dot(tip)) * count / TAU;

@@ -89,9 +89,9 @@ fn corners_of_graphs_are_told_in_lanes_too_from_near_and_far() {
         let way = libm::exp2(if k % 2 == 0 { -3.0 * random.uniform() } else { 40.0 * random.uniform() });
         let beside = f64::EPSILON * libm::exp2(8.0 * random.uniform() - 3.0) * way.max(1.0);
         let direction =
-            if k % 2 == 0 { (corner / corner.norm()).into() } else { Vector2::new(libm::cos(turn), libm::sin(turn)) };
+            if k % 2 == 0 { corner / corner.norm() } else { Vector2::new(libm::cos(turn), libm::sin(turn)) };
         let across = Vector2::new(-direction.y, direction.x) * beside;
-        paths.push(Line { point: Vector2::from(corner) - direction * way + across, velocity: direction });
+        paths.push(Line { point: corner - direction * way + across, velocity: direction });
     }
     let single = |path: &Line<2>| table.with_walls(Ask(*path));
     let corners = paths.iter().filter_map(single).map(|hit| hit.corner);

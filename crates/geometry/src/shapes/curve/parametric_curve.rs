@@ -117,6 +117,9 @@ const CLOSED: f64 = 1e-9;
 /// Directions at the seam of a closed curve that differ by less (radians) go on in one another.
 const SMOOTH: f64 = 2e-7;
 
+/// What it must do everywhere else.
+const STANDS: &str = "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)";
+
 /// Some ulp of a turn.
 const NARROW: f64 = 16.0 * f64::EPSILON;
 
@@ -365,7 +368,6 @@ fn looked_at<F: ParametricFormula>(
         let [_, first, _] = formula.jet_over(u);
         (u.width() <= NARROW && at_kink(u)) || !first.iter().all(|x| x.contains(0.0))
     };
-    const STANDS: &str = "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)";
     let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, true, MOST_PARTS);
     let standing = standing.ok_or_else(|| failing(&formula, 0.0, STANDS))?;
     // the ends of a range are rounded, and it may stand still just beyond them
