@@ -111,6 +111,9 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
         Error::CrossedOutline { .. } => "list its corners in order around it: sides may touch but not cross",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
+        Error::PolarRadius { .. } => {
+            "put its center where all of the curve is seen from, or give its points: x = \"(1 + cos(t))*cos(t)\", y = \"(1 + cos(t))*sin(t)\""
+        }
         Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
         Error::PolarJump { .. } => {
             "take a formula without jumps: atan(tan(t)), atan2 and quotients by what comes to 0 have some"

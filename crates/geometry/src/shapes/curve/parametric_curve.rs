@@ -19,7 +19,8 @@ use std::sync::Arc;
 
 /// A point `c(t)` as a function of a parameter: twice differentiable but for kinks.
 ///
-/// At a kink `c′` is either slope, and over parameters that contain one `c″` has no bound: [`Interval::ENTIRE`].
+/// At a kink `c′` is either slope, and over parameters that contain one `c″` has no bound: [`Interval::ENTIRE`]. At a cusp `c′` is 0, and
+/// `c″` is not.
 pub trait ParametricFormula: Debug + Send + Sync {
     /// `c`, `c′` and `c″` \[L\] at a parameter of the range.
     fn jet(&self, t: f64) -> [[f64; 2]; 3];
@@ -31,7 +32,8 @@ pub trait ParametricFormula: Debug + Send + Sync {
 
 /// The curve `c(t)` for `t` from one parameter to another, smooth, with the table on one side: closed, or an arc between two ends.
 ///
-/// Traversed with the table on the left. Paths meet its polynomial [`graphs`](super::graphs()); everything else is asked of the formula.
+/// Traversed with the table on the left. Paths meet its polynomial [`graphs`](super::graphs()); everything else is asked of the formula, but
+/// beside cusps, where directions of the formula are rounding.
 ///
 /// ```
 /// use geometry::{Piece, shapes::curve::{Interval, ParametricCurve, ParametricFormula}};
