@@ -8,6 +8,7 @@ use geometry::{
         curve::{Interval, ParametricCurve, ParametricFormula},
     },
 };
+use proptest::prelude::*;
 
 /// `(a cos ωt, b sin ωt)`, with further waves of `k` times the frequency.
 #[derive(Clone, Copy, Debug)]
@@ -302,6 +303,50 @@ fn a_curve_is_cut_at_its_cusps() {
     }
 }
 
+/// A curve mapped by `x → A x + b`.
+#[derive(Debug)]
+struct Mapped([[f64; 2]; 2], [f64; 2], Waves);
+
+impl ParametricFormula for Mapped {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let Mapped([p, q], [b0, b1], formula) = self;
+        let row = |row: &[f64; 2], c: [f64; 2]| row[0] * c[0] + row[1] * c[1];
+        let [[x, y], first, second] = formula.jet(t).map(|c| [row(p, c), row(q, c)]);
+        [[x + b0, y + b1], first, second]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let Mapped([p, q], [b0, b1], formula) = self;
+        let row = |row: &[f64; 2], c: [Interval; 2]| c[0] * row[0] + c[1] * row[1];
+        let [[x, y], first, second] = formula.jet_over(t).map(|c| [row(p, c), row(q, c)]);
+        [[x + *b0, y + *b1], first, second]
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+    #[test]
+    fn cusps_are_found_wherever_a_curve_lies_and_begins(
+        cusps in prop::sample::select(vec![1.0, 2.0, 3.0, -3.0, -4.0, -5.0_f64]),
+        map in prop::array::uniform4(-1.0..1.0),
+        shift in prop::array::uniform2(-3.0..3.0),
+        size in -100.0..100.0,
+        start in -3.0..3.0,
+        rate in prop::sample::select(vec![1.0, -1.0, 0.3, 6.0]),
+    ) {
+        let [a, b, c, d] = map.map(|x: f64| x * libm::exp2(size));
+        let det = (a * d - b * c) / libm::exp2(2.0 * size);
+        prop_assume!(det.abs() > 0.1);
+        let formula = Mapped([[a, b], [c, d]], shift.map(|x| x * libm::exp2(size)), Waves { rate, ..cycloid(cusps) });
+        let range = [start, start + TAU / rate.abs()];
+        let pieces = ParametricCurve::around(formula, range, true).unwrap();
+        let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+        prop_assert_eq!(table.validate(), Ok(()));
+        prop_assert_eq!(table.corners().len() as f64, cusps.abs());
+        let area = PI * ((1.0 + cusps) * (2.0 + cusps) * det).abs() * libm::exp2(2.0 * size);
+        prop_assert!((table.area() / area - 1.0).abs() < 1e-13, "{} {}", table.area(), area);
+    }
+}
+
 #[test]
 fn the_sides_of_a_cusp_have_one_tangent_at_its_tip_and_bend_without_end() {
     // of the cardioid, (1 + s − …, ± s^(3/2) …) at a way s from the tip
@@ -323,6 +368,39 @@ fn the_sides_of_a_cusp_have_one_tangent_at_its_tip_and_bend_without_end() {
             assert!((slope - 1.5 * root * side).abs() < next * root + rounding * 0.75 / root, "{s:e} {slope}");
             let bend = piece.curvature(&landing.point) * root / 0.75;
             assert!((bend - 1.0).abs() < next + rounding / s, "{s:e} {bend}");
+        }
+    }
+}
+
+#[test]
+fn directions_beside_a_cusp_follow_the_waves_of_its_flanks() {
+    /// `x = t²`, `y′ = t² (3 + sin(ωt)/10)`
+    #[derive(Debug)]
+    struct Rippled(f64);
+    impl ParametricFormula for Rippled {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let (w, (sin, cos)) = (self.0, libm::sincos(self.0 * t));
+            let y = t * t * t + 0.1 * ((2.0 / (w * w) - t * t) * cos + 2.0 * t / w * sin) / w;
+            let slope = 3.0 + 0.1 * sin;
+            [[t * t, y], [2.0 * t, t * t * slope], [2.0, t * (2.0 * slope + 0.1 * w * t * cos)]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let (w, [sin, cos]) = (self.0, (t * self.0).sin_cos());
+            let y = t * t.square() + ((-t.square() + 2.0 / (w * w)) * cos + t * sin * (2.0 / w)) * (0.1 / w);
+            let slope = sin * 0.1 + 3.0;
+            [[t.square(), y], [t * 2.0, t.square() * slope], [2.0.into(), t * (slope * 2.0 + t * cos * (0.1 * w))]]
+        }
+    }
+    for waves in [10.0, 300.0, 800.0] {
+        let ends = [-1.0, 1.0].map(|t| Vector2::from(Rippled(waves).jet(t)[0]));
+        let pieces = ParametricCurve::along(Rippled(waves), [-1.0, 1.0], ends).unwrap();
+        assert_eq!(pieces.len(), 2);
+        for k in 1..200 {
+            let t = 0.0005 * f64::from(k);
+            let [point, along, _] = Rippled(waves).jet(t).map(Vector2::from);
+            let landing = pieces[1].closest(&point);
+            let turned = landing.normal.dot(&along) / along.norm();
+            assert!((landing.point - point).amax() < 4e-16 && turned.abs() < 4e-16 / t, "{waves} {t}: {turned:e}");
         }
     }
 }

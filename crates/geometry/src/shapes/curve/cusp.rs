@@ -1,28 +1,36 @@
 //! A place where a curve given by its points turns back.
-use super::{Graph, Interval, Parametric, rough_graphs};
+use super::{Graph, Interval, Parametric, arc_length::GAUSS, rough_graphs};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
-/// Of the way from the tip on which the points differ from it by rounding, as many times farther formulas are asked again: their points
-/// then follow each other also between the samples of a graph.
-const NEAR: f64 = 256.0;
+/// A cusp must be alone within this many times the way on which its points are one but for rounding.
+const ALONE: f64 = 256.0;
 
-/// Step of differences, in units of the same way: the third root of `ε` where that way is its square root.
-const STEP: f64 = 512.0;
+/// How far `c″` is integrated at most: where the rounding of directions has come down to that of all formulas.
+const WIDEST: f64 = 0.0625;
+
+/// Rules that differ by less, relative, are exact, but for the rounding of the formula.
+const AGREE: f64 = 64.0 * f64::EPSILON;
 
 /// A cusp: `c′ = 0` and `c″ ≠ 0`, as `(t², t³)` at 0.
 ///
-/// Beside it the two terms of a formula's derivative cancel, so that directions have a rounding of `ε/τ` at a distance `τ` of parameters.
-/// There the curve is `p + ½aτ² + ⅙bτ³`, whose directions have none.
+/// Beside it the terms of a formula's derivative cancel, so that directions have a rounding of `ε/τ` at a distance `τ` of parameters.
+/// There `c′ = τ ∫₀¹ c″(sτ) ds` and `c = p + τ² ∫₀¹ (1−s) c″(sτ) ds`, where nothing cancels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cusp {
     at: f64,
     point: Vector2<f64>,
+    /// `c″` at the tip.
     second: Vector2<f64>,
-    third: Vector2<f64>,
     /// Up to so far from the tip, points are the tip but for rounding.
     tip: f64,
+    /// Up to so far `c″` is integrated.
+    reach: f64,
 }
+
+/// A curve's second derivative.
+pub(super) trait Second: Fn(f64) -> Vector2<f64> {}
+impl<S: Fn(f64) -> Vector2<f64>> Second for S {}
 
 impl Cusp {
     /// At a parameter from 0 to 2π at which `c′` vanishes but for rounding, of a curve and bounds on its second derivative; `size` \[L\] is
@@ -33,22 +41,27 @@ impl Cusp {
         at: f64,
         size: f64,
     ) -> Option<Cusp> {
+        let within = |u: f64| u.clamp(0.0, 2.0 * PI);
         // the middle of where it vanishes
         let [_, first, second] = jet(at);
-        let at = (at - first.dot(&second) / second.norm_squared()).clamp(0.0, 2.0 * PI);
+        let at = within(at - first.dot(&second) / second.norm_squared());
         let [point, _, second] = jet(at);
         let tip = libm::sqrt(f64::EPSILON * size / second.norm());
-        let step = libm::copysign(STEP * tip, PI - at);
-        // of a short range bounds tell nothing, and differences leave it
-        if !(STEP * tip < 0.25 * PI) {
-            return None;
-        }
-        let third = (4.0 * jet(at + step)[2] - 3.0 * second - jet(at + 2.0 * step)[2]) / (2.0 * step);
-        let cusp = Cusp { at, point, second, third, tip };
-        let Interval { low, high } = cusp.around();
-        let bend = second_over(Interval::new(low.max(0.0), high.min(2.0 * PI)));
-        let is_one = !bend.iter().all(|x| x.contains(0.0));
-        (is_one && third.iter().all(|x| x.is_finite())).then_some(cusp)
+        // what moves one way stands still once
+        let is_alone = |reach: f64| {
+            let bend = second_over(Interval::new(within(at - reach), within(at + reach)));
+            !bend.iter().all(|x| x.contains(0.0))
+        };
+        let is_smooth = |reach: f64| {
+            [-reach, reach].into_iter().map(|tau| within(at + tau) - at).all(|tau| {
+                let mean = |from: f64, tau: f64| means(&|u| jet(u)[2], from, tau)[0];
+                let (whole, halves) = (mean(at, tau), 0.5 * (mean(at, 0.5 * tau) + mean(at + 0.5 * tau, 0.5 * tau)));
+                (whole - halves).norm() <= AGREE * whole.norm()
+            })
+        };
+        let reaches = (0..).map(|k| libm::ldexp(WIDEST, -k)).take_while(|reach| ALONE * tip < *reach);
+        let reach = reaches.take(64).find(|reach| is_alone(*reach) && is_smooth(*reach))?;
+        Some(Cusp { at, point, second, tip, reach })
     }
 
     /// The tip, as the end of what is before it and the start of what comes after it.
@@ -56,30 +69,33 @@ impl Cusp {
         Interval::new(self.at - self.tip, self.at + self.tip)
     }
 
-    /// Where formulas are not asked.
+    /// Where `c″` is integrated.
     pub(super) fn around(&self) -> Interval {
-        Interval::new(self.at - NEAR * self.tip, self.at + NEAR * self.tip)
+        Interval::new(self.at - self.reach, self.at + self.reach)
     }
 
     /// `c`, `c′` and `c″`; at the tip `c′` has the direction that it comes from.
-    pub(super) fn jet(&self, u: f64) -> [Vector2<f64>; 3] {
-        let Cusp { at, point, second, third, tip } = *self;
-        let tau = u - at;
-        if tau.abs() <= tip {
+    pub(super) fn jet(&self, second: &impl Second, u: f64) -> [Vector2<f64>; 3] {
+        let tau = u - self.at;
+        if tau.abs() <= self.tip {
             // c′ × c″ is the same as below
-            return [point, second * tau, second + third * (0.5 * tau)];
+            return [self.point, self.second * tau, 0.5 * (self.second + second(u))];
         }
-        [
-            point + (second * 0.5 + third * (tau / 6.0)) * (tau * tau),
-            (second + third * (0.5 * tau)) * tau,
-            second + third * tau,
-        ]
+        let [mean, height] = means(second, self.at, tau);
+        [self.point + height * (tau * tau), mean * tau, second(u)]
     }
 
-    /// The graphs between two parameters where formulas are not asked, and two points there; `size` \[L\] is that of the whole curve.
-    pub(super) fn graphs(&self, parameters: [f64; 2], vertices: [Vector2<f64>; 2], size: f64) -> Option<Vec<Graph>> {
+    /// The graphs between two parameters where `c″` is integrated, and two points there; `size` \[L\] is that of the whole curve.
+    pub(super) fn graphs(
+        &self,
+        second: &impl Second,
+        parameters: [f64; 2],
+        vertices: [Vector2<f64>; 2],
+        size: f64,
+    ) -> Option<Vec<Graph>> {
         let ends = vertices.map(|vertex| vertex - self.point);
-        let graphs = rough_graphs(&FromTip(self), parameters, ends, size)?;
+        let from_tip = FromTip { cusp: Cusp { point: Vector2::zeros(), ..*self }, second };
+        let graphs = rough_graphs(&from_tip, parameters, ends, size)?;
         let mut graphs: Vec<_> = graphs.into_iter().map(|graph| graph.translated(self.point.into())).collect();
         // the same to the last digit
         let last = graphs.len() - 1;
@@ -89,12 +105,27 @@ impl Cusp {
     }
 }
 
-/// The way from the tip, which has no rounding of the coordinates.
-struct FromTip<'a>(&'a Cusp);
+/// `∫₀¹ c″(u + sτ) ds` and `∫₀¹ (1−s) c″(u + sτ) ds`, exact for polynomials up to degree 18.
+fn means(second: &impl Second, u: f64, tau: f64) -> [Vector2<f64>; 2] {
+    let mut means = [Vector2::zeros(); 2];
+    for [x, weight] in GAUSS {
+        for s in [0.5 - 0.5 * x, 0.5 + 0.5 * x] {
+            let part = second(u + s * tau) * (0.5 * weight);
+            means = [means[0] + part, means[1] + part * (1.0 - s)];
+        }
+    }
+    means
+}
 
-impl Parametric for FromTip<'_> {
+/// The way from the tip, which has no rounding of the coordinates.
+struct FromTip<'a, S> {
+    cusp: Cusp,
+    second: &'a S,
+}
+
+impl<S: Second> Parametric for FromTip<'_, S> {
     fn at(&self, u: f64) -> [Vector2<f64>; 2] {
-        let [c, first, _] = Cusp { point: Vector2::zeros(), ..*self.0 }.jet(u);
+        let [c, first, _] = self.cusp.jet(self.second, u);
         [c, first]
     }
 }

@@ -148,9 +148,14 @@ impl<F: ParametricFormula> InTurns<F> {
     }
 
     fn jet(&self, u: f64) -> [Vector2<f64>; 3] {
-        if let Some(cusp) = self.cusp(u) {
-            return cusp.jet(u);
+        match self.cusp(u) {
+            Some(cusp) => cusp.jet(&|u| self.as_written(u)[2], u),
+            None => self.as_written(u),
         }
+    }
+
+    /// What the formula itself says.
+    fn as_written(&self, u: f64) -> [Vector2<f64>; 3] {
         let [c, first, second] = self.formula.jet(self.parameter(u)).map(Vector2::from);
         [c, first * self.rate, second * (self.rate * self.rate)]
     }
@@ -288,7 +293,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
             let vertices = [ends[0].1, ends[1].1];
             let middle = 0.5 * (parameters[0] + parameters[1]);
             let some = match formula.cusp(middle) {
-                Some(cusp) => cusp.graphs(parameters, vertices, size),
+                Some(cusp) => cusp.graphs(&|u| formula.as_written(u)[2], parameters, vertices, size),
                 None => rough_graphs(&**formula, parameters, vertices, size),
             };
             graphs.extend(some.ok_or_else(|| failing(formula, parameters[0], "be smooth"))?);
