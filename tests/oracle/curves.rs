@@ -54,12 +54,14 @@ impl Curve for Limacon {
         16
     }
     fn at(&self, part: usize, u: &Big) -> [Vector; 2] {
-        let [d, t] = round(part, u);
-        // of the doubled angle
-        let twice = [&d[0] * &d[0] - &d[1] * &d[1], big(2.0) * &d[0] * &d[1]];
-        let b = big(self.0);
-        [add(&d, &scale(&twice, &b)), add(&t, &scale(&left(&twice), &(big(2.0) * b)))]
+        limacon(&round(part, u), self.0)
     }
+}
+
+/// `e(t) + b e(2t)` and its derivative, from those of `e`.
+fn limacon([d, t]: &[Vector; 2], b: f64) -> [Vector; 2] {
+    let twice = [&d[0] * &d[0] - &d[1] * &d[1], big(2.0) * &d[0] * &d[1]];
+    [add(d, &scale(&twice, &big(b))), add(t, &scale(&left(&twice), &big(2.0 * b)))]
 }
 
 /// The upper (part 0) or lower half of the cardioid `(cos t + ½ cos 2t, sin t + ½ sin 2t)`, which has a cusp at `t = π`, table inside.
@@ -75,9 +77,7 @@ impl Curve for Cardioid {
     }
     fn at(&self, _: usize, u: &Big) -> [Vector; 2] {
         let [d, t] = round(self.0, u);
-        let [d, t] = [left(&d), left(&t)];
-        let twice = [&d[0] * &d[0] - &d[1] * &d[1], big(2.0) * &d[0] * &d[1]];
-        [add(&d, &scale(&twice, &big(0.5))), add(&t, &left(&twice))]
+        limacon(&[left(&d), left(&t)], 0.5)
     }
     fn vertices(&self) -> Vec<Vector> {
         [[1.5, 0.0], [-0.5, 0.0]].map(vector).into()

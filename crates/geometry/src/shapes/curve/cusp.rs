@@ -28,10 +28,6 @@ pub(super) struct Cusp {
     reach: f64,
 }
 
-/// A curve's second derivative.
-pub(super) trait Second: Fn(f64) -> Vector2<f64> {}
-impl<S: Fn(f64) -> Vector2<f64>> Second for S {}
-
 impl Cusp {
     /// At a parameter from 0 to 2π at which `c′` vanishes but for rounding, of a curve and bounds on its second derivative; `size` \[L\] is
     /// that of its coordinates. `None` if it is no cusp, or if the bounds do not tell that there is only one here.
@@ -74,8 +70,8 @@ impl Cusp {
         Interval::new(self.at - self.reach, self.at + self.reach)
     }
 
-    /// `c`, `c′` and `c″`; at the tip `c′` has the direction that it comes from.
-    pub(super) fn jet(&self, second: &impl Second, u: f64) -> [Vector2<f64>; 3] {
+    /// `c`, `c′` and `c″` at a parameter, from `c″`; at the tip `c′` has the direction that it comes from.
+    pub(super) fn jet(&self, second: &impl Fn(f64) -> Vector2<f64>, u: f64) -> [Vector2<f64>; 3] {
         let tau = u - self.at;
         if tau.abs() <= self.tip {
             // c′ × c″ is the same as below
@@ -88,7 +84,7 @@ impl Cusp {
     /// The graphs between two parameters where `c″` is integrated, and two points there; `size` \[L\] is that of the whole curve.
     pub(super) fn graphs(
         &self,
-        second: &impl Second,
+        second: &impl Fn(f64) -> Vector2<f64>,
         parameters: [f64; 2],
         vertices: [Vector2<f64>; 2],
         size: f64,
@@ -106,7 +102,7 @@ impl Cusp {
 }
 
 /// `∫₀¹ c″(u + sτ) ds` and `∫₀¹ (1−s) c″(u + sτ) ds`, exact for polynomials up to degree 18.
-fn means(second: &impl Second, u: f64, tau: f64) -> [Vector2<f64>; 2] {
+fn means(second: &impl Fn(f64) -> Vector2<f64>, u: f64, tau: f64) -> [Vector2<f64>; 2] {
     let mut means = [Vector2::zeros(); 2];
     for [x, weight] in GAUSS {
         for s in [0.5 - 0.5 * x, 0.5 + 0.5 * x] {
@@ -123,7 +119,7 @@ struct FromTip<'a, S> {
     second: &'a S,
 }
 
-impl<S: Second> Parametric for FromTip<'_, S> {
+impl<S: Fn(f64) -> Vector2<f64>> Parametric for FromTip<'_, S> {
     fn at(&self, u: f64) -> [Vector2<f64>; 2] {
         let [c, first, _] = self.cusp.jet(self.second, u);
         [c, first]

@@ -191,8 +191,8 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a range that is empty or not finite, [`Error::Parametrised`] unless the curve is finite, comes back to where it
-    /// starts (to 10⁻⁹), stands still (`c′ = 0`) nowhere but in cusps
-    /// (where `c″` is not 0 as well), and is smooth but for kinks that the bounds on `c″` tell.
+    /// starts (to 10⁻⁹), stands still (`c′ = 0`) nowhere but in cusps, where `c″` is not 0 as well and which are some 10⁻⁵ of the range apart,
+    /// and is smooth but for kinks that the bounds on `c″` tell.
     pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
         let (formula, kinks) = looked_at(formula, range)?;
         let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
