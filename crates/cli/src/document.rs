@@ -4,6 +4,7 @@
 
 mod diagnostic;
 mod json;
+mod misnamed;
 mod number;
 mod section;
 mod source;
@@ -11,6 +12,7 @@ mod toml;
 
 pub use diagnostic::{Diagnostic, Place, Problems, plain};
 pub use json::{in_json, parse as parse_json};
+pub use misnamed::with_file_meant;
 pub use number::{
     LARGEST, SMALLEST, coordinate_formula, count, formula, nonnegative, number, polar_formula, positive, real, seed,
     spell, vector, whole,

@@ -1,6 +1,7 @@
 //! Every scene in `scenes/` runs, under its own law, under the specular one and under no-slip.
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 
+use core::f64::consts::PI;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -264,6 +265,26 @@ fn there_is_no_mean_free_time_where_no_measure_is_invariant() {
         let text = String::from_utf8(output.stdout).unwrap();
         assert!(output.status.success() && text.contains("engine"), "{text}");
         assert!(told.map_or(!text.contains("mean free"), |told| text.contains(told)), "{law} {own}: {text}");
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_polar_formula_may_come_to_0_in_a_cusp() {
+    let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-cusp", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    for (curve, area) in [
+        ("polar = \"1+sin(t)\"", 1.5 * PI),
+        ("polar = \"1e100*(1-cos(t-0.3))\", center = [3e99, 0]", 1.5e200 * PI),
+        ("polar = \"abs(sin(t/2-0.7))\", center = [0, 1.1]", 0.5 * PI),
+    ] {
+        let start = "[[orbit]]\nposition = [0, 1]\nvelocity = [0.6, 0.8]\n";
+        let scene = folder.join("scene.toml");
+        fs::write(&scene, format!("law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n{start}")).unwrap();
+        let output = billiards().arg("check").arg(&scene).arg("--json").output().unwrap();
+        let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let found = told["walls"]["area"].as_f64().unwrap();
+        assert!((found / area - 1.0).abs() < 1e-14, "{curve}: {found}");
     }
     fs::remove_dir_all(folder).unwrap();
 }

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::Diagnostic;
+use super::{Diagnostic, with_file_meant};
 
 /// No file written by anybody is longer (bytes); what has no end, as `/dev/zero`, is.
 const LONGEST: u64 = 1 << 30;
@@ -31,8 +31,10 @@ impl Source {
     /// The file cannot be read, is longer than a gibibyte, or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
         let name = path.display().to_string();
-        let bytes = up_to(LONGEST, path)
-            .map_err(|error| Box::new(Diagnostic::of_file(&name, format!("cannot read it: {error}"))))?;
+        let bytes = up_to(LONGEST, path).map_err(|error| {
+            let diagnostic = Diagnostic::of_file(&name, format!("cannot read it: {error}"));
+            Box::new(with_file_meant(diagnostic, &error, path))
+        })?;
         Ok(Self { path: path.into(), ..Self::from_bytes(&name, &bytes)? })
     }
 

@@ -2,7 +2,7 @@
 
 use billiards::geometry::Error;
 
-use crate::document::{Diagnostic, Spanned};
+use crate::document::{Diagnostic, Spanned, with_file_meant};
 use crate::scene::Scene;
 
 /// What reads the bytes of a file.
@@ -20,6 +20,9 @@ pub(super) fn read<T>(
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     // first: what nobody can read need not be a file, and may have no end
     let reader = readers.iter().find(|(of, _)| *of == ending).ok_or_else(|| complain(kinds.into()))?.1;
-    let bytes = std::fs::read(&path).map_err(|e| complain(format!("cannot read {}: {e}", path.display())))?;
+    let bytes = std::fs::read(&path).map_err(|error| {
+        let diagnostic = complain(format!("cannot read {}: {error}", path.display()));
+        Box::new(with_file_meant(*diagnostic, &error, &path))
+    })?;
     reader(&bytes).map_err(|error| complain(format!("{}: {error}", path.display())))
 }

@@ -286,6 +286,21 @@ fn a_command_line_that_makes_no_sense_is_bad_input() {
 }
 
 #[test]
+fn a_file_that_is_not_there_is_mended_by_the_name_of_one_that_is() {
+    let folder = Folder::new("misnamed");
+    fs::write(folder.0.join("outlines.svg"), "<svg/>").unwrap();
+    let wall = "law = \"specular\"\n[[table.boundary]]\noutline = \"outline.svg\"\n\
+                [[orbit]]\nposition = [0, 0]\nvelocity = [1, 0]\n[run]\ncollisions = 1\n";
+    let text = String::from_utf8(folder.run(wall, &[]).stderr).unwrap();
+    assert!(text.contains("scene.toml:3:11: error: cannot read") && text.contains("outlines.svg\"?"), "{text}");
+    let mut command = Command::cargo_bin("billiards").unwrap();
+    let output = command.current_dir(&folder.0).args(["run", "scen.toml"]).output().unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert!(text.starts_with("scen.toml: error: cannot read it: "), "{text}");
+    assert!(text.ends_with("\nhelp: did you mean \"scene.toml\"?\n"), "{text}");
+}
+
+#[test]
 fn a_folder_that_cannot_be_written_is_a_failure() {
     let folder = Folder::new("blocked");
     fs::write(folder.0.join("out"), "a file where a folder should be").unwrap();

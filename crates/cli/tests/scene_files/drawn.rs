@@ -29,11 +29,11 @@ fn errors_of_formulas_give_lengths_in_the_units_of_the_scene() {
         ("1+abs(t)", "r(2π) must be r(0) = 1, not 7.283185307179586"),
         ("1000*(1+0.1*cos(t/2))", "r(2π) must be r(0) = 1100, not 900"),
         ("1+0.2*tan(t/4)^2", "r(φ) must be positive and finite at every angle; near φ = 0.0008 it may be inf"),
-        ("1-cos(t)+0", "r(φ) must be positive and finite at every angle; near φ = 0.0008 it may be -1e-323"),
+        ("(1-cos(t))^2", "r(φ) must be positive and finite at every angle; near φ = 0.0008 it may be -0"),
     ] {
         let (what, help) = polar(formula);
         assert!(what.ends_with(expected), "{formula}: {what}");
-        let advice = if expected.contains("r(2π)") { "period 2π" } else { "or give its points" };
+        let advice = if expected.contains("r(2π)") { "period 2π" } else { "in a cusp, as 1 + cos(t)" };
         assert!(help.contains(advice), "{formula}: {help}");
     }
     // the radius falls by at most √3/2 over a sector of 2π/4096, and it is that in the middle of one of the first two below 0

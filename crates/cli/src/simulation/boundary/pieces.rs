@@ -1,6 +1,8 @@
 //! The pieces of an explicit boundary.
 
-use billiards::geometry::shapes::curve::{self, Implicit, Polar};
+use core::f64::consts::TAU;
+
+use billiards::geometry::shapes::curve::{self, Implicit, Polar, PolarPoints};
 use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
 use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, enclosed_area, import, parry};
 
@@ -139,7 +141,15 @@ impl Collected<'_> {
         Ok(match curve {
             Curve::Polar { radius, center } => {
                 let formula = Scaled { formula: PolarCurve::new(radius), factor: self.factor };
-                Polar::new(self.at(&center.value), formula, inside)?.pieces()
+                let center = self.at(&center.value);
+                match Polar::new(center, formula.clone(), inside) {
+                    // where it comes to 0, as that of a cardioid, but is not negative anywhere
+                    Err(error @ Error::PolarRadius { certain: false, .. }) => {
+                        let points = PolarPoints { center, formula };
+                        boxed(curve::ParametricCurve::around(points, [0.0, TAU], inside).map_err(|_| error)?)
+                    }
+                    found => found?.pieces(),
+                }
             }
             Curve::Parametric { point, over } => {
                 boxed(curve::ParametricCurve::around(self.points(point), over.value, inside)?)

@@ -1,7 +1,7 @@
 //! Smooth curves given by formulas, and the tools they share.
 //!
 //! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre, [`ParametricCurve`] one of points `c(t)`, which may
-//! have cusps. The first two are met by the majorant method ([`first_rise`]), which cannot step over a root; what makes it sound is an
+//! have cusps, [`PolarPoints`] among them. The first two are met by the majorant method ([`first_rise`]), which cannot step over a root; what makes it sound is an
 //! enclosure of the second derivatives in [`Interval`] arithmetic.
 //!
 //! A curve that is smooth is also cut into [`graphs`](graphs()), once per table: polynomials over short chords that are right to
@@ -21,6 +21,7 @@ mod nearest;
 mod parametric_curve;
 mod polar;
 mod polar_arc;
+mod polar_points;
 mod root;
 mod seeds;
 
@@ -37,4 +38,5 @@ pub(crate) use nearest::Blocks;
 pub use parametric_curve::{ParametricCurve, ParametricFormula};
 pub use polar::{Polar, PolarFormula};
 pub use polar_arc::PolarArc;
+pub use polar_points::PolarPoints;
 pub(crate) use root::{rising_root, rising_root_near};

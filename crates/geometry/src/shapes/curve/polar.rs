@@ -1,7 +1,7 @@
 //! A closed curve given as a radius for every direction.
 use super::{
-    ArcLength, Graph, Interval, Parametric, PolarArc, Smooth, first_rise, graphs, hidden, jump::jump, kinks::kinks,
-    seeds::seeds,
+    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth, first_rise, graphs, hidden, jump::jump,
+    kinks::kinks, seeds::seeds,
 };
 use crate::{
     Error,
@@ -49,6 +49,15 @@ pub trait PolarFormula: Debug + Send + Sync {
 
     /// Intervals that contain `r`, `r′` and `r″` everywhere between two angles; the narrower, the faster.
     fn jet_over(&self, angle: Interval) -> [Interval; 3];
+}
+
+impl<F: PolarFormula> PolarFormula for &F {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        (**self).jet(angle)
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        (**self).jet_over(angle)
+    }
 }
 
 /// The curve `c + r(φ) (cos φ, sin φ)`, with the table inside or outside.
@@ -102,10 +111,10 @@ impl<F: PolarFormula> Polar<F> {
     /// The curve about `center`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::PolarRadius`] unless `r` is finite and provably positive, [`Error::Unclosed`] unless it is the same after a whole turn
-    /// (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′` is not a number, so that the curve has
-    /// no length or no normal, [`Error::PolarKink`] at a kink where the bounds on `r″` do not tell it, [`Error::Winding`] for thousands of
-    /// waves, and [`Error::Parameter`] for a centre that is not finite.
+    /// [`Error::PolarRadius`] unless `r` is finite and provably positive (where it comes to 0 take [`PolarPoints`]), [`Error::Unclosed`]
+    /// unless it is the same after a whole turn (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′`
+    /// is not a number, so that the curve has no length or no normal, [`Error::PolarKink`] at a kink where the bounds on `r″` do not tell
+    /// it, [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         finite("center", &center)?;
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
@@ -136,14 +145,14 @@ impl<F: PolarFormula> Polar<F> {
             return Err(Error::PolarJump { angle: low, before, after });
         }
         let slack = slack([center.x, center.y, greatest]);
-        let about = About { center, formula: &formula };
-        let table = ArcLength::new(&about, seeds(&sectors, |part| formula.jet_over(part), greatest));
+        let points = PolarPoints { center, formula: &formula };
+        let table = ArcLength::new(&points, seeds(&sectors, |part| formula.jet_over(part), greatest));
         if table.is_full() {
             return Err(Error::Winding);
         }
         // ½ ∮ r² dφ: about another point the integrand would jump at kinks
-        let area = table.enclosed_area(&about, center);
-        let extent = table.extent(&about);
+        let area = table.enclosed_area(&points, center);
+        let extent = table.extent(&points);
         // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
         let bends = jets.iter().map(|[r, _, second]| second.magnitude().max(r.magnitude()));
         let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
@@ -232,8 +241,8 @@ impl<F: PolarFormula> Polar<F> {
         if self.inside { [low, high] } else { [high, low] }
     }
 
-    pub(super) fn about(&self) -> About<'_, F> {
-        About { center: self.center, formula: &self.formula }
+    pub(super) fn points(&self) -> PolarPoints<&F> {
+        PolarPoints { center: self.center, formula: &self.formula }
     }
 
     /// The polar angle of a point.
@@ -325,21 +334,6 @@ impl Ranges {
         let union = [0, 1, 2].map(|i| a[i].union(b[i]));
         // a part may have a kink where these angles have none
         if union[2].magnitude().is_finite() { union } else { formula.jet_over(angles) }
-    }
-}
-
-/// The curve by its angle.
-pub(super) struct About<'a, F> {
-    center: Vector2<f64>,
-    formula: &'a F,
-}
-
-impl<F: PolarFormula> Parametric for About<'_, F> {
-    fn at(&self, angle: f64) -> [Vector2<f64>; 2] {
-        let [r, slope, _] = self.formula.jet(angle);
-        let (sin, cos) = libm::sincos(angle);
-        let radial = Vector2::new(cos, sin);
-        [self.center + radial * r, radial * slope + Vector2::new(-radial.y, radial.x) * r]
     }
 }
 
@@ -461,14 +455,14 @@ impl<F: PolarFormula> Piece for Polar<F> {
     }
     fn landing_at(&self, s: f64) -> Landing {
         let s = s - libm::floor(s / self.length()) * self.length();
-        self.at_angle(self.table.parameter(&self.about(), self.traversed(s)))
+        self.at_angle(self.table.parameter(&self.points(), self.traversed(s)))
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
-        let angle = self.table.closest(&self.about(), point);
-        self.traversed(self.table.at_parameter(&self.about(), angle))
+        let angle = self.table.closest(&self.points(), point);
+        self.traversed(self.table.at_parameter(&self.points(), angle))
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        let landing = self.at_angle(self.table.closest(&self.about(), point));
+        let landing = self.at_angle(self.table.closest(&self.points(), point));
         let off = point - landing.point;
         let distance = libm::hypot(off.x, off.y);
         let y = point - self.center;
@@ -488,9 +482,9 @@ impl<F: PolarFormula> Piece for Polar<F> {
         if self.kinks.as_ref().is_none_or(|kinks| !kinks.is_empty()) {
             return None;
         }
-        let about = self.about();
-        let start = about.at(0.0)[0];
-        graphs(&about, self.in_sense([0.0, 2.0 * PI]), [start; 2], self.extent.size())
+        let points = self.points();
+        let start = points.at(0.0)[0];
+        graphs(&points, self.in_sense([0.0, 2.0 * PI]), [start; 2], self.extent.size())
     }
     fn area(&self) -> f64 {
         if self.inside { self.area } else { -self.area }

@@ -84,12 +84,12 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         if range[0] >= range[1] {
             return None;
         }
-        let about = curve.about();
+        let points = curve.points();
         let parameter = |k: u32| range[0] + (range[1] - range[0]) * (f64::from(k) / f64::from(PARTS));
-        let table = ArcLength::new(&about, (0..PARTS).map(parameter).chain([range[1]]));
-        let extent = table.extent(&about).union(Extent::of(vertices));
+        let table = ArcLength::new(&points, (0..PARTS).map(parameter).chain([range[1]]));
+        let extent = table.extent(&points).union(Extent::of(vertices));
         // the area swept about an end is that over the chord
-        let swept = table.enclosed_area(&about, vertices[0]);
+        let swept = table.enclosed_area(&points, vertices[0]);
         let area = if curve.is_inside() { swept } else { -swept };
         let size = extent.size();
         let graphs = graphs_between(curve, range, vertices, size)?;
@@ -127,7 +127,7 @@ fn graphs_between<F: PolarFormula>(
     vertices: [Vector2<f64>; 2],
     size: f64,
 ) -> Option<Vec<Graph>> {
-    let about = curve.about();
+    let points = curve.points();
     let fineness = curve.fineness();
     let stretches = if fineness == 1 { 1.0 } else { libm::ceil((high - low) * f64::from(fineness) / WIDEST) };
     let mut cuts = vec![(low, vertices[0])];
@@ -143,7 +143,7 @@ fn graphs_between<F: PolarFormula>(
     }
     let mut graphs = vec![];
     for ends in cuts.windows(2) {
-        graphs.extend(rough_graphs(&about, [ends[0].0, ends[1].0], [ends[0].1, ends[1].1], size)?);
+        graphs.extend(rough_graphs(&points, [ends[0].0, ends[1].0], [ends[0].1, ends[1].1], size)?);
     }
     Some(graphs)
 }
@@ -177,15 +177,15 @@ impl<F: PolarFormula + Clone + 'static> Piece for PolarArc<F> {
         } else if s >= self.length() {
             self.vertex(1)
         } else {
-            self.curve.at_angle(self.table.parameter(&self.curve.about(), s))
+            self.curve.at_angle(self.table.parameter(&self.curve.points(), s))
         }
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
-        let about = self.curve.about();
-        self.traversed(self.table.at_parameter(&about, self.table.closest(&about, point)))
+        let points = self.curve.points();
+        self.traversed(self.table.at_parameter(&points, self.table.closest(&points, point)))
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        let angle = self.table.closest(&self.curve.about(), point);
+        let angle = self.table.closest(&self.curve.points(), point);
         match self.range.iter().position(|end| *end == angle) {
             Some(end) => self.vertex(end),
             None => self.curve.at_angle(angle),

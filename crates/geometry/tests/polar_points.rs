@@ -1,0 +1,88 @@
+//! Curves about a centre by their points.
+#![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+use core::f64::consts::{PI, TAU};
+use geometry::{
+    Line, Piece, Vector2, enclosed_area,
+    shapes::curve::{Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula, PolarPoints},
+};
+use proptest::prelude::*;
+
+/// `r = 1 + a cos(φ − φ₀)`
+#[derive(Clone, Copy, Debug)]
+struct Limacon {
+    a: f64,
+    start: f64,
+}
+
+impl PolarFormula for Limacon {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(angle - self.start);
+        [1.0 + self.a * cos, -self.a * sin, -self.a * cos]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [sin, cos] = (angle + -self.start).sin_cos();
+        [cos * self.a + 1.0, sin * -self.a, cos * -self.a]
+    }
+}
+
+fn points(formula: Limacon, center: Vector2<f64>) -> PolarPoints<Limacon> {
+    PolarPoints { center, formula }
+}
+
+#[test]
+fn a_limacon_by_its_points_is_the_limacon() {
+    let (formula, center) = (Limacon { a: 0.8, start: 0.3 }, Vector2::new(0.5, -2.0));
+    let polar = Polar::new(center, formula, true).unwrap();
+    let pieces = ParametricCurve::around(points(formula, center), [0.0, TAU], true).unwrap();
+    let [curve] = &pieces[..] else { panic!("{} pieces", pieces.len()) };
+    assert!((curve.length() / polar.length() - 1.0).abs() < 4e-15);
+    assert!((curve.area() / polar.area() - 1.0).abs() < 4e-15);
+    for k in 0..1000 {
+        let (sin, cos) = libm::sincos(0.7 * f64::from(k));
+        let path = Line { point: center + Vector2::new(0.1 * sin, 0.1 * cos), velocity: Vector2::new(cos, sin) };
+        let (time, other) = (curve.crossing(&path).time(), polar.crossing(&path).time());
+        assert!((time - other).abs() < 4e-15, "{path:?}: {time} {other}");
+        let (here, there) = (curve.landing(&path, time), polar.landing(&path, other));
+        assert!((here.normal - there.normal).amax() < 1e-14, "{path:?}");
+    }
+}
+
+#[test]
+fn a_curve_through_its_centre_has_a_cusp_there() {
+    // wherever the cusp is, at the start of the range as well
+    for (k, center) in (0..16).zip([Vector2::zeros(), Vector2::new(3.0, -1.0)].into_iter().cycle()) {
+        let start = PI * f64::from(k) / 8.0;
+        for inside in [true, false] {
+            let formula = points(Limacon { a: 1.0, start }, center);
+            let pieces = ParametricCurve::around(formula, [0.0, TAU], inside).unwrap();
+            assert!(pieces.iter().flat_map(|piece| piece.ends().unwrap()).any(|end| (end - center).amax() < 1e-15));
+            let length: f64 = pieces.iter().map(Piece::length).sum();
+            let area = enclosed_area(pieces.iter().map(|piece| piece as &dyn Piece));
+            assert!((length / 8.0 - 1.0).abs() < 4e-15, "{start}: {length}");
+            let expected = if inside { 1.5 * PI } else { -1.5 * PI };
+            assert!((area / expected - 1.0).abs() < 4e-15, "{start}: {area}");
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn derivatives_of_points_are_those_of_the_points(a in -2.0..2.0_f64, start in -9.0..9.0_f64, angle in -9.0..9.0_f64) {
+        let curve = points(Limacon { a, start }, Vector2::new(1.0, 2.0));
+        let step = 1e-5;
+        let [before, here, after] = [-step, 0.0, step].map(|change| curve.jet(angle + change));
+        for i in 0..2 {
+            for order in 0..2 {
+                let difference = (after[order][i] - before[order][i]) / (2.0 * step);
+                // h² c‴/6 and ε/h
+                prop_assert!((difference - here[order + 1][i]).abs() < 1e-9);
+            }
+        }
+        let over = curve.jet_over(Interval::new(angle, angle + 0.1));
+        for part in 0..10 {
+            let at = curve.jet(angle + 0.01 * f64::from(part));
+            let is_within = (0..3).all(|order| (0..2).all(|i| over[order][i].contains(at[order][i])));
+            prop_assert!(is_within, "{at:?} {over:?}");
+        }
+    }
+}
