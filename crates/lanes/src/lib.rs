@@ -19,11 +19,13 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod double;
+mod rows;
 mod scalar;
 mod twin;
 mod wide;
 
 pub use double::{Double, two_prod, two_sum};
+pub use rows::Rows;
 pub use twin::{Twin, TwinMask};
 pub use wide::{Wide, WideMask, dispatch, instruction_set, vectorized};
 
@@ -110,6 +112,12 @@ pub trait Lane:
     /// Numbers that stand together are looked up so in fewer steps than by [`each`](Lane::each), one after another.
     #[must_use]
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4];
+    /// The rows of a table at places to which [`WHOLE`] was added; see [`Rows::at`].
+    #[must_use]
+    #[inline(always)]
+    fn row_of(self, rows: &Rows) -> [Self; 4] {
+        rows.one_by_one(self)
+    }
     /// The first lanes of `from`, which must hold at least [`Lane::LANES`] numbers.
     #[must_use]
     fn load(self, from: &[f64]) -> Self;

@@ -1,5 +1,5 @@
 //! Two vectors side by side: what one waits for, the other hides.
-use crate::{Lane, Mask};
+use crate::{Lane, Mask, Rows};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Twice as many lanes as `F` has, as two numbers of `F`.
@@ -119,6 +119,11 @@ impl<F: Lane> Lane for Twin<F> {
     #[inline(always)]
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
         let ([a, b, c, d], [e, f, g, h]) = (self.0[0].columns(&row), self.0[1].columns(|lane| row(F::LANES + lane)));
+        [Twin([a, e]), Twin([b, f]), Twin([c, g]), Twin([d, h])]
+    }
+    #[inline(always)]
+    fn row_of(self, rows: &Rows) -> [Self; 4] {
+        let ([a, b, c, d], [e, f, g, h]) = (self.0[0].row_of(rows), self.0[1].row_of(rows));
         [Twin([a, e]), Twin([b, f]), Twin([c, g]), Twin([d, h])]
     }
     #[inline(always)]

@@ -1,7 +1,9 @@
 //! Many lanes: the vector registers of the CPU, through `pulp`.
-use crate::{Kernel, Lane, Mask, Task};
+use crate::{Kernel, Lane, MOST_LANES, Mask, Rows, Task};
 #[cfg(target_arch = "x86_64")]
 use core::any::Any;
+#[cfg(target_arch = "x86_64")]
+use core::arch::x86_64::{__m512d, __m512i};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 #[cfg(target_arch = "x86_64")]
@@ -128,16 +130,16 @@ impl<S: Simd, A: Copy + Debug> Lane for Wide<S, A> {
     }
     #[inline(always)]
     fn lane(self, lane: usize) -> f64 {
-        pulp::bytemuck::cast_slice::<S::f64s, f64>(core::slice::from_ref(&self.value))[lane]
+        bytemuck::cast_slice::<S::f64s, f64>(core::slice::from_ref(&self.value))[lane]
     }
     #[inline(always)]
     fn put(&mut self, lane: usize, number: f64) {
-        pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.value))[lane] = number;
+        bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut self.value))[lane] = number;
     }
     #[inline(always)]
     fn each(self, mut f: impl FnMut(usize) -> f64) -> Self {
         let mut to = self;
-        let lanes = pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut to.value));
+        let lanes = bytemuck::cast_slice_mut::<S::f64s, f64>(core::slice::from_mut(&mut to.value));
         for (i, lane) in lanes.iter_mut().enumerate() {
             *lane = f(i);
         }
@@ -146,7 +148,7 @@ impl<S: Simd, A: Copy + Debug> Lane for Wide<S, A> {
     #[inline(always)]
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4] {
         let mut rows = [self.value; 4];
-        let places = pulp::bytemuck::cast_slice_mut::<S::f64s, f64>(&mut rows);
+        let places = bytemuck::cast_slice_mut::<S::f64s, f64>(&mut rows);
         for (k, place) in places.chunks_exact_mut(4).enumerate() {
             // shuffled into columns, of eight lanes the middle ones of each half change places
             let lane = if S::F64_LANES == 8 && (k % 4 == 1 || k % 4 == 2) { k ^ 3 } else { k };
@@ -154,6 +156,25 @@ impl<S: Simd, A: Copy + Debug> Lane for Wide<S, A> {
         }
         let [a, b, c, d] = self.simd.deinterleave_shfl_f64s(rows);
         [self.of(a), self.of(b), self.of(c), self.of(d)]
+    }
+    #[cfg(target_arch = "x86_64")]
+    #[inline(always)]
+    fn row_of(self, rows: &Rows) -> [Self; 4] {
+        // one instruction for each column in place of one for each lane and the shuffles
+        if let Some(avx512) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V4>()
+            && rows.len() <= MOST_LANES
+        {
+            let picks = bytemuck::cast::<S::f64s, __m512i>(self.value);
+            let mut numbers = [self; 4];
+            // no closure, which would not be compiled for AVX-512
+            for (number, column) in numbers.iter_mut().zip(rows.columns()) {
+                let [low, high] = *bytemuck::cast_ref::<[f64; MOST_LANES], [[f64; 8]; 2]>(column);
+                let (low, high) = (bytemuck::cast::<[f64; 8], __m512d>(low), bytemuck::cast::<[f64; 8], __m512d>(high));
+                number.value = bytemuck::cast(avx512.avx512f._mm512_permutex2var_pd(low, picks, high));
+            }
+            return numbers;
+        }
+        rows.one_by_one(self)
     }
     #[inline(always)]
     fn load(self, from: &[f64]) -> Self {
@@ -172,15 +193,15 @@ impl<S: Simd> WideMask<S> {
         // one instruction, where lane after lane would take three each
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V3>() {
-            return u64::from(avx2.avx._mm256_movemask_pd(pulp::bytemuck::cast(self.value)).cast_unsigned());
+            return u64::from(avx2.avx._mm256_movemask_pd(bytemuck::cast(self.value)).cast_unsigned());
         }
         // a truth value is a bit, or a whole number of ones or of zeros
         if const { size_of::<S::m64s>() == size_of::<S::u64s>() } {
-            let lanes = pulp::bytemuck::cast::<S::m64s, S::u64s>(self.value);
-            let lanes = pulp::bytemuck::cast_slice::<S::u64s, u64>(core::slice::from_ref(&lanes));
+            let lanes = bytemuck::cast::<S::m64s, S::u64s>(self.value);
+            let lanes = bytemuck::cast_slice::<S::u64s, u64>(core::slice::from_ref(&lanes));
             lanes.iter().enumerate().fold(0, |all, (k, lane)| all | (lane & (1 << k)))
         } else {
-            u64::from(pulp::bytemuck::cast::<S::m64s, u8>(self.value))
+            u64::from(bytemuck::cast::<S::m64s, u8>(self.value))
         }
     }
 }
@@ -307,6 +328,16 @@ mod tests {
                 let columns = zero.columns(|i| &rows[i]);
                 for (j, column) in columns.iter().enumerate() {
                     assert!((0..F::LANES).all(|i| column.lane(i) == rows[i][j]), "{column:?}");
+                }
+                // of so few rows, of as many as one instruction knows, of more
+                for count in [1, 8, 9, 16, 17, 40] {
+                    let row = |place: usize| [0, 1, 2, 3].map(|j| f64::from(u32::try_from(100 * j + place).unwrap()));
+                    let place = |i: usize| (7 * k + 3 * i) % count;
+                    let table = Rows::new((0..count).map(row).collect());
+                    let columns = table.at(zero.each(|i| f64::from(u32::try_from(place(i)).unwrap())));
+                    for (j, column) in columns.iter().enumerate() {
+                        assert!((0..F::LANES).all(|i| column.lane(i) == row(place(i))[j]), "{count} rows: {column:?}");
+                    }
                 }
                 let mut same = zero.each(|i| numbers[k + i]);
                 assert!((0..F::LANES).all(|i| same.lane(i) == lanes.lane(i)));

@@ -1,5 +1,5 @@
 //! The numbers of a law, the same in all lanes or one set for each.
-use lanes::Lane;
+use lanes::{Lane, Rows};
 
 /// Four coefficients that stand together, and one more.
 #[derive(Clone, Copy, Debug)]
@@ -12,10 +12,26 @@ impl Coefficients {
         let [a, b, c, d] = self.0;
         Coefficients([like.same(a), like.same(b), like.same(c), like.same(d)], like.same(self.1))
     }
+}
 
-    /// The coefficients that `of` has for each lane, as many as `like` has.
+/// The coefficients of several laws.
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    four: Rows,
+    other: Rows,
+}
+
+impl Table {
+    /// Those of some laws, one after another.
+    pub(super) fn new<'a>(laws: impl Iterator<Item = &'a Coefficients> + Clone) -> Table {
+        let other = laws.clone().map(|law| [law.1, 0.0, 0.0, 0.0]);
+        Table { four: Rows::new(laws.map(|law| law.0).collect()), other: Rows::new(other.collect()) }
+    }
+
+    /// The coefficients of the law at a place in each lane.
     #[inline(always)]
-    pub(super) fn by_lane<'a, F: Lane>(like: F, of: impl Fn(usize) -> &'a Self) -> Coefficients<F> {
-        Coefficients(like.columns(|lane| &of(lane).0), like.each(|lane| of(lane).1))
+    pub(super) fn at<F: Lane>(&self, place: F) -> Coefficients<F> {
+        let [other, ..] = self.other.at(place);
+        Coefficients(self.four.at(place), other)
     }
 }

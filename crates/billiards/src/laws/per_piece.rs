@@ -1,17 +1,19 @@
 //! A law of its own for each piece.
 use super::{
     Mirror,
-    coefficients::Coefficients,
+    coefficients::Table,
     disk::{Disk, in_frame, in_plane},
 };
 use crate::billiard::BallLaw;
-use geometry::{WallHit, walls::number};
-use lanes::{Lane, stored};
+use geometry::WallHit;
+use lanes::Lane;
 
 /// The disk laws of the pieces, by their numbers; pieces beyond the list have the last law of it.
 #[derive(Clone, Debug)]
 pub struct PerPiece {
-    laws: Vec<Disk>,
+    in_plane: Table,
+    in_frame: Table,
+    last: f64,
     /// Whether each of them is.
     strict: bool,
     /// Whether each of them is specular, by whatever name: then spin has no part in anything.
@@ -24,29 +26,25 @@ impl PerPiece {
         let laws: Vec<Disk> = core::iter::once(first).chain(others).collect();
         let strict = laws.iter().all(BallLaw::is_strict);
         let specular = laws.iter().all(|law| law.mirror().is_some_and(Mirror::is_specular));
-        PerPiece { laws, strict, specular }
-    }
-}
-
-impl PerPiece {
-    /// The law of the piece hit in each lane.
-    #[inline(always)]
-    fn at<'a, F: Lane>(&'a self, hit: &WallHit<F, 2>) -> impl Fn(usize) -> &'a Disk + use<'a, F> {
-        let [pieces] = stored(&[hit.piece]);
-        move |lane| &self.laws[number(pieces[lane]).min(self.laws.len() - 1)]
+        let (in_plane, in_frame) = (laws.iter().map(|law| &law.in_plane), laws.iter().map(|law| &law.in_frame));
+        PerPiece {
+            in_plane: Table::new(in_plane),
+            in_frame: Table::new(in_frame),
+            last: (laws.len() - 1) as f64,
+            strict,
+            specular,
+        }
     }
 }
 
 impl BallLaw<2, 1> for PerPiece {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        let laws = self.at(hit);
-        in_plane(Coefficients::by_lane(hit.time, |lane| &laws(lane).in_plane), hit, velocity, spin);
+        in_plane(self.in_plane.at(hit.piece.min(hit.piece.same(self.last))), hit, velocity, spin);
     }
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
-        let laws = self.at(hit);
-        in_frame(Coefficients::by_lane(hit.time, |lane| &laws(lane).in_frame), velocity, spin);
+        in_frame(self.in_frame.at(hit.piece.min(hit.piece.same(self.last))), velocity, spin);
     }
     #[inline(always)]
     fn is_strict(&self) -> bool {

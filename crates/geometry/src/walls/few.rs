@@ -6,7 +6,7 @@ use crate::{
     plane::{along, cross, from},
     shapes::{Ellipse, Ground, Shape},
 };
-use lanes::{Lane, Mask, WHOLE, dot};
+use lanes::{Lane, Mask, Rows, dot};
 use nalgebra::Vector2;
 
 /// Shapes that are asked one after another, each for all lanes at once.
@@ -18,9 +18,9 @@ use nalgebra::Vector2;
 pub struct Few {
     entries: Vec<Entry>,
     /// What a landing needs to know of each entry, and a row for hits of none.
-    grounds: Vec<[f64; 4]>,
+    grounds: Rows,
     /// The numbers of the pieces, where they are not 0, 1, 2, …
-    numbers: Vec<f64>,
+    numbers: Option<Rows>,
     /// The ellipses, on which a landing needs more constants.
     ovals: Vec<Ellipse>,
     /// The corners, with the numbers of the pieces that end there.
@@ -39,9 +39,6 @@ struct Entry {
     /// The place in the list; of a part of a circle −1 minus that.
     place: f64,
 }
-
-/// The last bits of `x + WHOLE`: the whole number nearest to `x`, for `0 ≤ x < 2³²`.
-const LAST_BITS: u64 = (1 << 32) - 1;
 
 /// In place of a unit normal: an ellipse.
 const OVAL: [f64; 2] = [2.0, 0.0];
@@ -105,34 +102,38 @@ impl Few {
     /// The shapes with their numbers, and the corners of the boundary.
     pub fn new(shapes: &[(usize, Shape)], corners: &[Vector2<f64>]) -> Few {
         let is_corner = |p: Option<[f64; 2]>| p.is_some_and(|p| corners.contains(&p.into()));
-        let mut numbers: Vec<f64> = shapes.iter().map(|(number, _)| *number as f64).collect();
-        if shapes.iter().enumerate().all(|(place, (number, _))| place == *number) {
-            numbers.clear();
-        }
-        let mut few = Few { entries: vec![], grounds: vec![], numbers, ovals: vec![], corners: vec![], size: 0.0 };
+        let is_counted = shapes.iter().enumerate().all(|(place, (number, _))| place == *number);
+        let numbers = (!is_counted).then(|| shapes.iter().map(|(number, _)| [*number as f64, 0.0, 0.0, 0.0]));
+        let (mut entries, mut grounds, mut ovals, mut own): (Vec<Entry>, Vec<_>, Vec<_>, Vec<_>) = Default::default();
         let mut end = None;
         for &(number, shape) in shapes {
             let [a, b] = ends(&shape);
-            let (place, piece) = (few.entries.len() as f64, number as f64);
+            let (place, piece) = (entries.len() as f64, number as f64);
             // a point of a straight piece and the unit normal into the table; the centre of a circle, ±1/r and r²; the place of an
             // ellipse in the list of those
             let (ground, place) = match shape.ground() {
                 Ground::Flat { through: [a, b], normal: [m, n] } => ([a, b, m, n], place),
                 Ground::Round { center: [a, b], to_normal, square } => ([a, b, to_normal, square], -1.0 - place),
                 Ground::Oval(ellipse) => {
-                    few.ovals.push(ellipse);
-                    ([(few.ovals.len() - 1) as f64, 0.0, OVAL[0], OVAL[1]], place)
+                    ovals.push(ellipse);
+                    ([(ovals.len() - 1) as f64, 0.0, OVAL[0], OVAL[1]], place)
                 }
             };
-            few.grounds.push(ground);
+            grounds.push(ground);
             let corners = [a, b].map(is_corner);
-            few.entries.push(Entry { shape, joined: a.is_some() && a == end, corners, place });
-            few.corners.extend([a, b].into_iter().filter(|p| is_corner(*p)).flatten().map(|p| (p, piece)));
+            entries.push(Entry { shape, joined: a.is_some() && a == end, corners, place });
+            own.extend([a, b].into_iter().filter(|p| is_corner(*p)).flatten().map(|p| (p, piece)));
             end = b;
         }
-        few.grounds.push([0.0; 4]);
-        few.size = corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs()));
-        few
+        grounds.push([0.0; 4]);
+        Few {
+            entries,
+            grounds: Rows::new(grounds),
+            numbers: numbers.map(|numbers| Rows::new(numbers.chain([[0.0; 4]]).collect())),
+            ovals,
+            corners: own,
+            size: corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs())),
+        }
     }
 
     /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
@@ -157,14 +158,6 @@ impl Few {
         };
         piece.same(0.0).lt(piece.each(|lane| if ends(lane) { 1.0 } else { 0.0 }))
     }
-}
-
-/// The whole number to which [`WHOLE`] was added.
-#[inline(always)]
-fn last_bits(place: f64) -> usize {
-    #[allow(clippy::cast_possible_truncation, reason = "the place of something in memory")]
-    let place = (place.to_bits() & LAST_BITS) as usize;
-    place
 }
 
 /// Start and end of a shape, where there are such.
@@ -234,10 +227,9 @@ impl Walls<2> for Few {
         let First { num, den, place } = first;
         let round = place.lt(zero);
         let mut piece = round.select(-place - 1.0, place);
-        let place = piece + WHOLE;
-        let [a0, a1, n0, n1] = zero.columns(|lane| &self.grounds[last_bits(place.lane(lane))]);
-        if !self.numbers.is_empty() {
-            piece = zero.each(|lane| self.numbers[last_bits(place.lane(lane))]);
+        let [a0, a1, n0, n1] = self.grounds.at(piece);
+        if let Some(numbers) = &self.numbers {
+            [piece, ..] = numbers.at(piece);
         }
         let (anchor, normal) = ([a0, a1], [n0, n1]);
         let time = num / den;

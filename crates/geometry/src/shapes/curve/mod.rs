@@ -1,8 +1,8 @@
 //! Smooth curves given by formulas, and the tools they share.
 //!
 //! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre, [`ParametricCurve`] one of points `c(t)`, which may
-//! have cusps, [`PolarPoints`] among them. The first two are met by the majorant method ([`first_rise`]), which cannot step over a root; what makes it sound is an
-//! enclosure of the second derivatives in [`Interval`] arithmetic.
+//! have cusps, [`PolarPoints`] among them. The first two are met by the majorant method ([`first_rise`]), which cannot step over a root; what
+//! makes it sound is an enclosure of the second derivatives in [`Interval`] arithmetic.
 //!
 //! A curve that is smooth is also cut into [`graphs`](graphs()), once per table: polynomials over short chords that are right to
 //! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks, or with a curvature
