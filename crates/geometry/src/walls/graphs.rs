@@ -2,7 +2,7 @@
 use super::{
     ByLane, CORNER, WallHit, Walls,
     corners::Corners,
-    lines::{Cell, Lines},
+    lines::{Cell, LONG_RUN, Lines, SHORT_RUN},
 };
 use crate::{
     Boundary, Hit, Line,
@@ -70,7 +70,7 @@ impl Graphs {
         }
         all.slack = slack([all.size]);
         all.lines = Lines::new(&places, WIDTH);
-        for _ in 0..=WIDTH {
+        for _ in 0..=LONG_RUN {
             all.ends.iter_mut().for_each(|ends| ends.push(0.0));
             all.near.push(0.0);
             all.reach.push(f64::NEG_INFINITY);
@@ -138,15 +138,15 @@ impl All {
         ([through, through | (grazed & !(starts & !ends) & !behind)], ways)
     }
 
-    /// The one of at most eight consecutive graphs that a path crosses, which crosses no other: the first that ends to its left.
+    /// The one of at most `MOST` consecutive graphs that a path crosses, which crosses no other: the first that ends to its left.
     #[inline(always)]
-    fn of_run<F: Lane>(&self, zero: F, x: [f64; 2], v: [f64; 2], first: usize) -> usize {
+    fn of_run<const MOST: usize, F: Lane>(&self, zero: F, x: [f64; 2], v: [f64; 2], first: usize) -> usize {
         let (x, v) = ([zero.same(x[0]), zero.same(x[1])], [zero.same(v[0]), zero.same(v[1])]);
-        let ends_x = &self.ends[0][first + 1..][..WIDTH];
-        let ends_y = &self.ends[1][first + 1..][..WIDTH];
-        // that the eighth does is clear
-        let (mut left, mut k) = (1 << (WIDTH - 1), 0);
-        while k < WIDTH {
+        let ends_x = &self.ends[0][first + 1..][..MOST];
+        let ends_y = &self.ends[1][first + 1..][..MOST];
+        // that the last does is clear
+        let (mut left, mut k) = (1 << (MOST - 1), 0);
+        while k < MOST {
             left |= zero.lt(turn(x, v, [zero.load(&ends_x[k..]), zero.load(&ends_y[k..])])).bits() << k;
             k += F::LANES;
         }
@@ -226,7 +226,12 @@ impl Kernel for Search<'_> {
         let Search { all, ray } = self;
         let cell = all.lines.cell(all.lines.number(ray.x, ray.v));
         if !cell.is_open() {
-            let graph = all.of_run(zero, ray.x, ray.v, cell.first());
+            let first = cell.first();
+            let graph = if cell.is_long() {
+                all.of_run::<LONG_RUN, _>(zero, ray.x, ray.v, first)
+            } else {
+                all.of_run::<SHORT_RUN, _>(zero, ray.x, ray.v, first)
+            };
             return (all.local(graph).meet(&ray, true, true, all.slack), graph);
         }
         let groups = all.lines.groups(cell);
@@ -307,12 +312,20 @@ impl All {
         self.lines.number(ray.x, ray.v).store(&mut numbers);
         let mut cells = [Cell::NONE; MOST_LANES];
         let mut graph = [0; MOST_LANES];
-        let mut open = 0_u64;
+        let (mut open, mut long) = (0_u64, 0_u64);
         for lane in 0..F::LANES {
             let (cell, at) = (self.lines.cell(numbers[lane]), from + lane);
             cells[lane] = cell;
-            graph[lane] = self.of_run(narrow, [x[0][at], x[1][at]], [v[0][at], v[1][at]], cell.first());
+            graph[lane] = self.of_run::<SHORT_RUN, _>(narrow, [x[0][at], x[1][at]], [v[0][at], v[1][at]], cell.first());
             open |= u64::from(cell.is_open()) << lane;
+            long |= u64::from(cell.is_long()) << lane;
+        }
+        long &= !open;
+        while long != 0 {
+            let lane = long.trailing_zeros() as usize;
+            long &= long - 1;
+            let (first, at) = (cells[lane].first(), from + lane);
+            graph[lane] = self.of_run::<LONG_RUN, _>(narrow, [x[0][at], x[1][at]], [v[0][at], v[1][at]], first);
         }
         let (mut through, mut ways, mut others) = ([1.0; MOST_LANES], [0.0; MOST_LANES], [f64::INFINITY; MOST_LANES]);
         while open != 0 {

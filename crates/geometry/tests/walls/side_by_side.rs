@@ -1,6 +1,7 @@
 //! Lanes have the bits of single numbers.
 
 use super::*;
+use geometry::shapes::curve::Polar;
 
 /// The bits of a hit.
 fn bits<F: Lane, const N: usize>(hit: &WallHit<F, N>, lane: usize) -> Vec<u64> {
@@ -99,4 +100,14 @@ fn corners_of_graphs_are_told_in_lanes_too_from_near_and_far() {
         corners.fold((0, 0), |(told, not), corner| if corner { (told + 1, not) } else { (told, not + 1) });
     assert!(told > 400 && not > 400, "{told} {not}");
     table.with_walls(SameBits { name: "pentagon", paths: &paths });
+}
+
+#[test]
+fn graphs_of_a_hundred_waves_are_looked_up_in_lanes_as_alone() {
+    let formula = formulas::Clover { radius: 1.0, amount: 0.005, leaves: 100 };
+    let curve = Polar::new(Vector2::zeros(), formula, true).unwrap();
+    let table = Table::new(vec![Box::new(curve) as _]).unwrap();
+    let mut random = Random(12);
+    let paths = orbit_starts(&table, 4096, &mut random);
+    table.with_walls(SameBits { name: "a hundred waves", paths: &paths });
 }
