@@ -158,6 +158,7 @@ impl Lines {
 
     /// The cell of lines of which each crosses exactly one of consecutive graphs: it passes between their far ends, and outwards wherever
     /// it crosses them.
+    #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 30 bits")]
     fn run(&self, met: &[&Stretch], directions: [[f64; 2]; 2], distance: usize) -> Option<Cell> {
         let (first, last) = (met.first()?, met.last()?);
         let few = met.len() <= LONG_RUN && last.place + 1 == first.place + met.len();
@@ -166,7 +167,6 @@ impl Lines {
             let [right, left] = [first.ends[0], last.ends[1]].map(|p| self.distance(p, *d));
             left < distance as f64 - MARGIN && (distance + 1) as f64 + MARGIN < right
         });
-        #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 32 bits")]
         let long = if met.len() <= SHORT_RUN { 0 } else { Cell::LONG };
         (few && outwards && between).then_some(Cell(long | first.place as u32))
     }
