@@ -38,7 +38,8 @@ impl Rows {
         Rows { rows, columns: Box::new(Columns(columns)) }
     }
 
-    /// The row at a place in every lane, as four columns; the places are whole numbers from 0 to the last.
+    /// The row at a place in every lane, as four columns; the places are whole numbers from 0 to the last. Any other is a mistake of who
+    /// asks: it finds some row, or panics.
     #[must_use]
     #[inline(always)]
     pub fn at<F: Lane>(&self, place: F) -> [F; 4] {
