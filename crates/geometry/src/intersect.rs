@@ -4,12 +4,13 @@
 //! that meeting is taken as it is, and the second point of a pair follows by reflection instead of a square root. All
 //! other curves are intersected by subdivision, which cannot lose a transversal crossing, and Newton's method.
 mod exact;
+mod self_crossing;
 mod subdivision;
 
 use crate::{Piece, shapes::Segment};
 use exact::Curve;
 use nalgebra::Vector2;
-pub(crate) use subdivision::self_crossing;
+pub(crate) use self_crossing::self_crossing;
 
 /// How two pieces meet at a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -195,6 +195,25 @@ fn what_is_no_curve_is_refused() {
     assert!(Table::new(boxed).unwrap().validate().is_err());
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(64) })]
+
+    // the circle with a point that turns k times as fast about the one that goes around has loops from |k| d = 1 on
+    #[test]
+    fn a_trochoid_crosses_itself_where_it_has_loops(
+        number in prop_oneof![2..8, -8..-1],
+        share in prop_oneof![0.1..0.99, 1.01..1.4],
+        (inside, turn) in (any::<bool>(), 0.0..TAU),
+    ) {
+        let number = f64::from(number);
+        let formula = Waves { axes: [1.0; 2], rate: 1.0, size: [share / number.abs(); 2], number, is_bent: false };
+        let pieces = ParametricCurve::around(formula, [turn, turn + TAU], inside).unwrap();
+        let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+        let crosses = matches!(table.validate(), Err(Error::SelfCrossing { .. }));
+        prop_assert_eq!(crosses, share > 1.0);
+    }
+}
+
 #[test]
 fn an_arc_has_the_table_on_its_left() {
     for (range, inside) in [([0.0, PI], true), ([PI, 0.0], false)] {

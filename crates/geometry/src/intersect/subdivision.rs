@@ -143,31 +143,6 @@ pub(super) fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
     found
 }
 
-/// Self-intersections of one piece: points where two parts of it, not neighbours, cross.
-pub(crate) fn self_crossing(piece: &dyn Piece) -> Option<Vector2<f64>> {
-    const PARTS: usize = 8;
-    let length = piece.length();
-    if !length.is_finite() {
-        return None;
-    }
-    let closed = piece.ends().is_none();
-    let tolerance = 4.0 * slack([piece.extent().size()]);
-    let part = |k: usize| [length * (k as f64 / PARTS as f64), length * ((k + 1) as f64 / PARTS as f64)];
-    for i in 0..PARTS {
-        for j in i + 2..PARTS {
-            if closed && i == 0 && j == PARTS - 1 {
-                continue;
-            }
-            let mut found = vec![];
-            search([piece, piece], [part(i), part(j)], tolerance, &mut found);
-            if let Some(m) = found.iter().find(|m| m.kind == MeetingKind::Crossing) {
-                return Some(m.point);
-            }
-        }
-    }
-    None
-}
-
 /// The finite ends of `a` that lie on `b`.
 fn ends_on(
     a: &dyn Piece,
@@ -190,7 +165,8 @@ fn ends_on(
     }
 }
 
-fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found: &mut Vec<Meeting>) {
+/// Adds where two ranges of arc length of two pieces meet, their ends aside.
+pub(super) fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found: &mut Vec<Meeting>) {
     let whole =
         [0, 1].map(|k| Stretch { from: Mark::new(pieces[k], ranges[k][0]), to: Mark::new(pieces[k], ranges[k][1]) });
     let rounding = 0.25 * tolerance;

@@ -25,7 +25,7 @@ pub(super) const GAUSS: [[f64; 2]; 5] = [
 ];
 
 /// `∫ f du` from `a` to `b`, exact for polynomials up to degree 19.
-fn integral(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+pub(super) fn integral(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
     half * GAUSS.iter().map(|[x, w]| w * (f(middle - half * x) + f(middle + half * x))).sum::<f64>()
 }

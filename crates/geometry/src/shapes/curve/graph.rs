@@ -1,4 +1,5 @@
 //! A short stretch of a curve as a polynomial over its chord, which answers in lanes.
+use super::arc_length::integral;
 use crate::{piece::Extent, plane::along};
 use lanes::{Lane, Mask};
 
@@ -111,6 +112,15 @@ impl Graph {
     /// Length of the chord.
     pub(crate) fn length(&self) -> f64 {
         2.0 / self.local.inverse
+    }
+
+    /// Arc length \[L\], to some digits.
+    pub(crate) fn arc_length(&self) -> f64 {
+        let speed = |u: f64| {
+            let [_, incline, _] = self.local.jet(u, DEGREE);
+            libm::hypot(1.0, incline * self.local.inverse)
+        };
+        0.5 * self.length() * integral(speed, -1.0, 1.0)
     }
 
     /// A box around it.
