@@ -52,8 +52,14 @@ fn curves_by_their_points_are_told_what_they_must_do() {
             "x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3); this fails near t = ",
             "take a parameter that does so as well",
         ),
-        ("x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(abs(sin(t-1)))\"", "this fails near t = ", "write kinks with abs"),
+        ("x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(1-sin(t-1)^2)\"", "this fails near t = ", "write kinks with abs"),
+        (
+            "x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(abs(sin(t-1)))\"",
+            "run at a finite rate; this fails near t = 1.0",
+            "where it is vertical",
+        ),
         ("x = \"cos(t)\", y = \"sin(2*t)\"", "crosses itself near", "change its formula"),
+        ("x = \"cos(t)+0.6*cos(2*t)\", y = \"sin(t)+0.6*sin(2*t)\"", "crosses itself near", "change its formula"),
     ] {
         let (what, help) = drawn_wrong(&format!("[[table.boundary]]\ncurve = {{ {curve} }}"));
         assert!(what.contains(expected) && help.contains(mend), "{curve}: {what}; {help}");
@@ -63,6 +69,11 @@ fn curves_by_their_points_are_told_what_they_must_do() {
             "{ x = \"t\", y = \"1.5+t^2\", over = [-1, 1] }, { line_to = [-1, 1] }",
             "starts 1.5 away",
             "the edge before it",
+        ),
+        (
+            "{ line_to = [1, 1] }, { x = \"t\", y = \"1+sqrt(1-t^2)\", over = [1, -1] }",
+            "must run at a finite rate; this fails near t = -1.0",
+            "as cos(t) and sin(t) do",
         ),
         ("{ x = \"t\", y = \"t^2\", over = [-1, 1] }, { line_to = [-1, 2] }", "its last edge ends 1 away", "\"from\""),
         ("{ line_to = [0, 0] }, { x = \"-t\", y = \"2*t-t^2\", over = [0, 1.5] }", "ends 0.559017 away", "\"from\""),

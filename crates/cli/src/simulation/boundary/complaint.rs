@@ -144,6 +144,9 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Parametrised { must, .. } if must.contains("still") => {
             "where the curve goes on, take a parameter that does so as well, as t for t^3"
         }
+        Error::Parametrised { must, .. } if must.contains("rate") => {
+            "where it is vertical, let both x and y depend on t, as cos(t) and sin(t) do for y = sqrt(1-x^2), or t^2 and t for y = sqrt(x)"
+        }
         Error::Parametrised { .. } => {
             "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and keep the curvature bounded"
         }

@@ -191,8 +191,8 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a range that is empty or not finite, [`Error::Parametrised`] unless the curve is finite, comes back to where it
-    /// starts (to 10⁻⁹), stands still (`c′ = 0`) nowhere but in cusps, where `c″` is not 0 as well and which are some 10⁻⁵ of the range apart,
-    /// and is smooth but for kinks that the bounds on `c″` tell.
+    /// starts (to 10⁻⁹), runs at a finite rate, stands still (`c′ = 0`) nowhere but in cusps, where `c″` is not 0 as well and which are some
+    /// 10⁻⁵ of the range apart, and is smooth but for kinks that the bounds on `c″` tell.
     pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
         let (formula, kinks) = looked_at(formula, range)?;
         let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
@@ -367,8 +367,14 @@ fn looked_at<F: ParametricFormula>(
             break;
         }
     }
-    let must = "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range";
-    let mut kinks = kinks.map_err(|u| failing(&formula, u, must))?;
+    let mut kinks = kinks.map_err(|u| match endless_rate(&formula, size) {
+        Some(u) => failing(&formula, u, "run at a finite rate"),
+        None => failing(
+            &formula,
+            u,
+            "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range",
+        ),
+    })?;
     // near a kink the bounds are those of both sides
     let at_kink = |u: Interval| kinks.iter().any(|kink| u.low <= kink.high + NARROW && kink.low - NARROW <= u.high);
     let moves = |u: Interval| {
@@ -411,6 +417,24 @@ fn kinks_of<F: ParametricFormula>(formula: &InTurns<F>, fineness: u32) -> Result
     let rough = (0..parts).zip(&jets).filter(|(_, jet)| !is_calm(jet)).map(|(k, _)| sector(k, parts));
     let first = rough.clone().next().map_or(0.0, |sector| sector.low);
     kinks(rough, |over| is_calm(&formula.jet_over(over)), MOST_PARTS).ok_or(first)
+}
+
+/// Rates that are so many times the size over a turn, next to a place where they have no bound that is known, have none.
+const ENDLESS: f64 = 65_536.0;
+
+/// About where the first derivative has no bound.
+fn endless_rate<F: ParametricFormula>(formula: &InTurns<F>, size: f64) -> Option<f64> {
+    let is_open = |part: &Interval| formula.jet_over(*part)[1].iter().any(|x| !x.magnitude().is_finite());
+    let place = |mut part: Interval| {
+        while part.width() > NARROW {
+            let middle = 0.5 * (part.low + part.high);
+            part = [Interval::new(part.low, middle), Interval::new(middle, part.high)].into_iter().find(is_open)?;
+        }
+        // not where it has none, but beside
+        let rates = [part.low - NARROW, part.high + NARROW].map(|u| formula.jet(u.clamp(0.0, 2.0 * PI))[1].amax());
+        rates.iter().any(|rate| *rate > ENDLESS * size).then_some(part.low)
+    };
+    (0..PARTS).map(|k| sector(k, PARTS)).filter(is_open).find_map(place)
 }
 
 fn failing<F: ParametricFormula>(formula: &InTurns<F>, u: f64, must: &'static str) -> Error {
