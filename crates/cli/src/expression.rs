@@ -75,12 +75,15 @@ enum Function {
     Asin,
     Acos,
     Atan,
+    Sinh,
+    Cosh,
+    Tanh,
     /// The derivative of the sign: 0 but at 0, where it has no bound. Formulas do not name it.
     Jump,
 }
 
 impl Function {
-    const ALL: [(&'static str, Self); 10] = [
+    const ALL: [(&'static str, Self); 13] = [
         ("sqrt", Self::Sqrt),
         ("abs", Self::Abs),
         ("exp", Self::Exp),
@@ -91,6 +94,9 @@ impl Function {
         ("asin", Self::Asin),
         ("acos", Self::Acos),
         ("atan", Self::Atan),
+        ("sinh", Self::Sinh),
+        ("cosh", Self::Cosh),
+        ("tanh", Self::Tanh),
     ];
 }
 
@@ -137,7 +143,7 @@ pub struct Expression {
 /// The value of an expression without variables.
 ///
 /// Operators by falling precedence: `^` (right-associative), unary minus, `*` and `/`, `+` and `-`; so `-2^2` is −4.
-/// `pi`, `sqrt`, `abs`, `exp`, `ln`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`, `atan2(y, x)`; angles in radians.
+/// `pi`, `sqrt`, `abs`, `exp`, `ln`, `sin`, `cos`, `tan`, `asin`, `acos`, `atan`, `atan2(y, x)`, `sinh`, `cosh`, `tanh`; angles in radians.
 ///
 /// # Errors
 /// A syntax error, or a step whose value is not a finite real number.
@@ -356,7 +362,9 @@ mod tests {
         assert_eq!(error("1 \u{2212} 1").0, 3);
         assert_eq!(error("1.2.3").0, 4);
         assert_eq!(error("()").0, 2);
-        assert_eq!(value("sqr(2)").unwrap_err().help.as_deref(), Some("did you mean \"sqrt\"?"));
+        let help = |text: &str| value(text).unwrap_err().help;
+        assert_eq!(help("sqr(2)").as_deref(), Some("did you mean \"sqrt\"?"));
+        assert_eq!(help("max(2, 1)").as_deref(), Some("write (x+y+abs(x-y))/2"));
     }
 
     #[test]

@@ -121,6 +121,9 @@ fn function(f: Function, x: &Big) -> Option<Big> {
         Function::Asin => context.asin(repr, None),
         Function::Acos => context.acos(repr, None),
         Function::Atan => context.atan(repr, None),
+        Function::Sinh => context.sinh(repr, None),
+        Function::Cosh => context.cosh(repr, None),
+        Function::Tanh => context.tanh(repr, None),
     };
     let found = value(found).map(|y| if wave { without_rounding(y, x) } else { y })?;
     let pole = f == Function::Tan && is_rounding(&Big::ONE, &found);
@@ -193,6 +196,11 @@ mod tests {
             ("atan2(0, -1) - pi", 0.0),
             ("atan2(1, 1)*4/pi", 1.0),
             ("(sqrt(5)-1)/4 - sin(pi/10)", 0.0),
+            ("sinh(ln(2))", 0.75),
+            ("cosh(ln(2))", 1.25),
+            ("tanh(ln(3))", 0.8),
+            ("cosh(3)^2-sinh(3)^2", 1.0),
+            ("sinh(1e-30)*1e30", 1.0),
         ] {
             assert_eq!(value(text), Ok(exact), "{text}");
         }
@@ -234,6 +242,11 @@ mod tests {
             "(-2)^-1074",
             "(-1)^1e15",
             "atan(1e308)",
+            "tanh(1e308)",
+            "tanh(-1e-308)",
+            "sinh(710)",
+            "sinh(1e-300)",
+            "cosh(-1e-300)",
             "acos(1-1e-16)",
             "ln(1+1e-300)",
             "atan2(1e-308, -1e308)",

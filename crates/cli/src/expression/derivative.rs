@@ -200,6 +200,12 @@ impl Arena {
                 let sum = self.add(one, square);
                 self.divide(one, sum)
             }
+            Function::Sinh => self.unary(Function::Cosh, a),
+            Function::Cosh => self.unary(Function::Sinh, a),
+            Function::Tanh => {
+                let square = self.square(value);
+                self.subtract(one, square)
+            }
         }
     }
 
@@ -323,6 +329,7 @@ mod tests {
             "sqrt(1+t)^3",
             "tan(t)",
             "asin(t/2)+acos(t/3)+atan(2*t)",
+            "sinh(t)*cosh(2*t)+tanh(3*t-1)",
             "atan2(sin(t), 2+cos(t))",
             "t^t",
             "2^t",

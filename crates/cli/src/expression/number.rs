@@ -37,6 +37,9 @@ impl Number for f64 {
             Function::Asin => libm::asin(self),
             Function::Acos => libm::acos(self),
             Function::Atan => libm::atan(self),
+            Function::Sinh => libm::sinh(self),
+            Function::Cosh => libm::cosh(self),
+            Function::Tanh => libm::tanh(self),
             Function::Jump => 0.0,
         }
     }
@@ -85,6 +88,9 @@ impl Number for Interval {
             Function::Asin => self.asin(),
             Function::Acos => self.acos(),
             Function::Atan => self.atan(),
+            Function::Sinh => self.sinh(),
+            Function::Cosh => self.cosh(),
+            Function::Tanh => self.tanh(),
             Function::Jump => {
                 if self.contains(0.0) {
                     Self::ENTIRE
@@ -119,5 +125,28 @@ fn signed_power(x: Interval, y: Interval) -> Interval {
         Interval::ENTIRE
     } else {
         (-of_size(Interval::new(x.low, 0.0))).union(of_size(Interval::new(0.0, x.high)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::value;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn intervals_hold_what_functions_are_worth_in_more_digits(
+            thousandths in prop_oneof![-1024..=1024, -20_000..20_000, -716_000..716_000],
+        ) {
+            // all of whose digits are written
+            let x = f64::from(thousandths) / 1024.0;
+            for (name, f) in Function::ALL {
+                if let Ok(exact) = value(&format!("{name}({x:?})")) {
+                    let over = Interval::from(x).function(f);
+                    prop_assert!(over.contains(exact), "{name}({x:?}) = {exact:?}, not in {over:?}");
+                }
+            }
+        }
     }
 }

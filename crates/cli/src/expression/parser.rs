@@ -304,8 +304,28 @@ impl<'a> Parser<'a> {
 }
 
 /// What other languages call what is written differently here.
-const FROM_ELSEWHERE: [(&str, &str); 5] =
-    [("e", "exp(1)"), ("log", "ln(x)"), ("log10", "ln(x)/ln(10)"), ("log2", "ln(x)/ln(2)"), ("pow", "x^y")];
+const FROM_ELSEWHERE: [(&str, &str); 20] = [
+    ("e", "exp(1)"),
+    ("log", "ln(x)"),
+    ("log10", "ln(x)/ln(10)"),
+    ("log2", "ln(x)/ln(2)"),
+    ("pow", "x^y"),
+    ("cbrt", "x^(1/3), or x/abs(x)^(2/3) where x may be negative"),
+    ("hypot", "sqrt(x^2+y^2)"),
+    ("min", "(x+y-abs(x-y))/2"),
+    ("max", "(x+y+abs(x-y))/2"),
+    ("sign", "x/abs(x)"),
+    ("sgn", "x/abs(x)"),
+    ("sec", "1/cos(x)"),
+    ("csc", "1/sin(x)"),
+    ("cot", "1/tan(x)"),
+    ("arcsin", "asin(x)"),
+    ("arccos", "acos(x)"),
+    ("arctan", "atan(x)"),
+    ("asinh", "ln(x+sqrt(x^2+1))"),
+    ("acosh", "ln(x+sqrt(x^2-1))"),
+    ("atanh", "ln((1+x)/(1-x))/2"),
+];
 
 /// Precedence of the unary minus: above products, below powers.
 const NEGATE: u8 = 3;

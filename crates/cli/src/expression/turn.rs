@@ -49,10 +49,10 @@ impl Turned {
 
     /// What a function makes of it.
     fn through(self, f: Function) -> Self {
-        use Function::{Abs, Asin, Atan, Cos, Sin, Tan};
+        use Function::{Abs, Asin, Atan, Cos, Cosh, Sin, Sinh, Tan, Tanh};
         match (self, f) {
-            (Self::Same, _) | (Self::Opposite, Abs | Cos) => Self::Same,
-            (Self::Opposite, Sin | Tan | Asin | Atan) => Self::Opposite,
+            (Self::Same, _) | (Self::Opposite, Abs | Cos | Cosh) => Self::Same,
+            (Self::Opposite, Sin | Tan | Asin | Atan | Sinh | Tanh) => Self::Opposite,
             (Self::Grown(k), Sin | Cos) if k % 1.0 == 0.0 => Self::Same,
             (Self::Grown(k), Sin | Cos) if k % 0.5 == 0.0 => Self::Opposite,
             (Self::Grown(k), Tan) if k % 0.5 == 0.0 => Self::Same,
@@ -111,6 +111,7 @@ mod tests {
             "2+0.1*cos(t+0.3*sin(t))+0.1*sin(2*(t+1)-t)",
             "2+0.1*cos(-t)",
             "2+0*(t-t)",
+            "1+0.1*cosh(sin(t/2))+0.1*sinh(cos(t/2))*tanh(sin(t/2))",
         ] {
             assert!(comes_back(text), "{text}");
         }

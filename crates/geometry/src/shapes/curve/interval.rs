@@ -5,7 +5,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// All real numbers from `low` to `high`.
 ///
 /// Every operation returns an interval that contains all values the exact operation takes on its arguments: results are
-/// widened by a unit in the last place, those of `libm`'s functions by two (they are accurate to less than one).
+/// widened by a unit in the last place, those of `libm`'s functions by two (they are accurate to less than one), and by four the hyperbolic
+/// ones (accurate to less than three).
 ///
 /// Of numbers outside its domain a function has no value. Where some of an interval is inside, which may be rounding, its result is
 /// that of this part; where nothing is, the result is [`Interval::ENTIRE`], about which nothing can be proved.
@@ -232,6 +233,27 @@ impl Interval {
         self.rising(libm::atan)
     }
 
+    /// `sinh x`
+    #[must_use]
+    pub fn sinh(self) -> Interval {
+        Interval::widened(libm::sinh(self.low), libm::sinh(self.high), 4)
+    }
+
+    /// `cosh x`
+    #[must_use]
+    pub fn cosh(self) -> Interval {
+        let size = self.abs();
+        let cosh = Interval::widened(libm::cosh(size.low), libm::cosh(size.high), 4);
+        Interval { low: cosh.low.max(1.0), high: cosh.high }
+    }
+
+    /// `tanh x`
+    #[must_use]
+    pub fn tanh(self) -> Interval {
+        let tanh = Interval::widened(libm::tanh(self.low), libm::tanh(self.high), 4);
+        Interval { low: tanh.low.max(-1.0), high: tanh.high.min(1.0) }
+    }
+
     /// The angle of the points `(x, y)`, in [−π, π], where `self` is `y`.
     #[must_use]
     pub fn atan2(self, x: Interval) -> Interval {
@@ -345,6 +367,9 @@ mod tests {
             prop_assert!(a.tan().contains(libm::tan(x)));
             prop_assert!(a.atan().contains(libm::atan(x)));
             prop_assert!(a.exp().contains(libm::exp(x)));
+            prop_assert!(a.sinh().contains(libm::sinh(x)));
+            prop_assert!(a.cosh().contains(libm::cosh(x)));
+            prop_assert!(a.tanh().contains(libm::tanh(x)));
             prop_assert!(a.atan2(b).contains(libm::atan2(x, y)));
             if x >= 0.0 {
                 prop_assert!(a.sqrt().contains(x.sqrt()));
