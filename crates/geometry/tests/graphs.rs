@@ -8,7 +8,7 @@ use formulas::Clover;
 use geometry::{
     Hit, Line, Piece, Table, Vector2, WallHit, Walls, WithWalls,
     shapes::{
-        Circle, Segment,
+        Circle, Ellipse, Segment,
         curve::{Interval, Polar, PolarFormula},
     },
     walls::Graphs,
@@ -292,6 +292,101 @@ fn where_a_third_derivative_jumps_graphs_become_short() {
 #[test]
 fn nothing_hides_between_the_points_that_are_compared() {
     assert_eq!(graphs(Spiked, true), None);
+}
+
+/// `r = 1 + exp(−c (1 − cos φ))/8`, as it is written or with `2 sin²(φ/2)`, in which `c` does not multiply rounding.
+#[derive(Clone, Copy, Debug)]
+struct Peak {
+    sharpness: f64,
+    as_written: bool,
+}
+
+impl PolarFormula for Peak {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let ((sin, cos), half, c) = (libm::sincos(angle), libm::sin(0.5 * angle), self.sharpness);
+        let height = 0.125 * libm::exp(-c * if self.as_written { 1.0 - cos } else { 2.0 * half * half });
+        [1.0 + height, -c * sin * height, c * (c * sin * sin - cos) * height]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let ([sin, cos], c) = (angle.sin_cos(), self.sharpness);
+        let height = ((angle * 0.5).sin().square() * (-2.0 * c)).exp() * 0.125;
+        [height + 1.0, sin * height * -c, (sin.square() * c - cos) * height * c]
+    }
+}
+
+#[test]
+fn a_peak_narrower_than_what_is_looked_at_first_is_graphs() {
+    let mut random = Random(7);
+    for (sharpness, as_written) in [(3e2, false), (3e3, false), (3e5, false), (3e2, true), (3e3, true), (5e3, true)] {
+        let cut = Polar::new(Vector2::zeros(), Peak { sharpness, as_written }, true).unwrap().graphs();
+        let walls = Graphs::new(&cut.unwrap().into_iter().map(|graph| (0, graph)).collect::<Vec<_>>(), &[]);
+        let exact = Peak { sharpness, as_written: false };
+        for k in 0..20_000 {
+            let width = if k % 2 == 0 { PI } else { 4.0 / sharpness.sqrt() };
+            let (sin, cos) = libm::sincos(random.between(-width, width));
+            let point = Vector2::new(random.between(-0.3, 0.3), random.between(-0.3, 0.3));
+            let path = Line { point, velocity: Vector2::new(cos, sin) - point };
+            let hit = walls.hit(&path).unwrap();
+            let radial = hit.point.normalize();
+            let [r, slope, second] = exact.jet(libm::atan2(radial.y, radial.x));
+            let normal = Vector2::new(-slope * radial.y - r * radial.x, slope * radial.x - r * radial.y).normalize();
+            // a place is rounded, along the flank as well; a formula by as much as it multiplies rounding
+            let rounding = f64::EPSILON * if as_written { 1.0 + 0.125 * sharpness } else { 1.0 };
+            let off = (hit.point.norm() - r) / libm::hypot(1.0, slope);
+            assert!(off.abs() <= 4.0 * rounding, "{sharpness} {as_written} {path:?} {off:e}");
+            let turn = 4.0 * (1.0 + second.abs()) + if as_written { sharpness.sqrt() } else { 0.0 };
+            let askew = (hit.normal - normal).norm();
+            assert!(askew <= turn * rounding, "{sharpness} {as_written} {path:?} {askew:e}");
+        }
+    }
+}
+
+/// The ellipse of semi-latus rectum 1 about its focus, `r = 1/(1 + e cos φ)`.
+#[derive(Clone, Copy, Debug)]
+struct Kepler {
+    eccentricity: f64,
+}
+
+impl PolarFormula for Kepler {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let ((sin, cos), e) = (libm::sincos(angle), self.eccentricity);
+        let r = 1.0 / (1.0 + e * cos);
+        [r, e * sin * r * r, (e * cos + 2.0 * e * e * sin * sin * r) * r * r]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let ([sin, cos], e) = (angle.sin_cos(), self.eccentricity);
+        let r = Interval::from(1.0) / (cos * e + 1.0);
+        [r, sin * e * r * r, (cos * e + sin.square() * r * (2.0 * e * e)) * r * r]
+    }
+}
+
+/// At its far end a slim ellipse about a focus is rounded a thousand times as much as elsewhere; graphs take the mean of that.
+#[test]
+fn a_slim_ellipse_about_its_focus_is_graphs_that_know_it_better_than_the_formula() {
+    let e: f64 = 0.999;
+    let (a, b) = (1.0 / (1.0 - e * e), 1.0 / (1.0 - e * e).sqrt());
+    let ellipse = Ellipse::new(Vector2::new(-e * a, 0.0), [a, b], 0.0, true).unwrap();
+    let polar = Polar::new(Vector2::zeros(), Kepler { eccentricity: e }, true).unwrap();
+    let walls = Graphs::new(&polar.graphs().unwrap().into_iter().map(|graph| (0, graph)).collect::<Vec<_>>(), &[]);
+    let mut random = Random(11);
+    let [mut graphs, mut formula, mut normals] = [const { vec![] }; 3];
+    for _ in 0..5000 {
+        let (turn, share) = (random.between(-PI, PI), random.between(0.0, 0.9));
+        let point = Vector2::new(-e * a + share * a * libm::cos(turn), share * b * libm::sin(turn));
+        let (sin, cos) = libm::sincos(random.between(-PI, PI));
+        let path = Line { point, velocity: Vector2::new(cos, sin) };
+        let [exact, asked] =
+            [&ellipse as &dyn Piece, &polar].map(|piece| piece.landing(&path, piece.crossing(&path).time()));
+        let hit = walls.hit(&path).unwrap();
+        graphs.push((hit.point - exact.point).norm() / a);
+        formula.push((asked.point - exact.point).norm() / a);
+        normals.push((hit.normal - exact.normal).norm());
+    }
+    let [graphs, formula, normals] = [graphs, formula, normals].map(|mut errors| {
+        errors.sort_by(f64::total_cmp);
+        errors[errors.len() / 2] / f64::EPSILON
+    });
+    assert!(graphs < 0.5 * formula && normals < 12.0, "{graphs} {formula} {normals}");
 }
 
 /// The circle as a polar curve about its centre.

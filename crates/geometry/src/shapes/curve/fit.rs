@@ -15,7 +15,10 @@ const SAMPLES: usize = 2 * DEGREE + 4;
 const AGREE: f64 = 8.0 * f64::EPSILON;
 
 /// How many times as much a rough curve may be wrong by: the least that will do.
-const ROUGH: [f64; 3] = [4.0, 8.0, 16.0];
+const ROUGH: [f64; 5] = [4.0, 8.0, 16.0, 64.0, 256.0];
+
+/// How many times as much polynomials may leave of it, but for noise.
+const LEFT: f64 = 16.0;
 
 /// What terms of higher degree may be where all that polynomials leave of the inclines is noise, in units of its root mean square.
 const NOISE: f64 = 0.6;
@@ -189,7 +192,7 @@ impl<C: Parametric> Cut<'_, C> {
                 && (incline - slope).abs() <= self.rounding * (AGREE + f64::EPSILON * turning)
         };
         let [left, noise] = left_out(&samples, &heights);
-        let small = self.rounding * f64::EPSILON * (0.5 + 0.25 * turning);
+        let small = self.rounding.min(LEFT) * f64::EPSILON * (0.5 + 0.25 * turning);
         if !(samples.iter().all(agrees) && rest <= small + self.noise * noise && left <= small + NOISE * noise) {
             return Err(Refused::Long);
         }

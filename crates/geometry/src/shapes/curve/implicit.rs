@@ -1,5 +1,5 @@
 //! A closed curve given by an equation `f(x, y) = 0`.
-use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, graphs};
+use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, rough_graphs};
 use crate::{
     Error,
     crossing::Crossing,
@@ -9,6 +9,7 @@ use crate::{
 };
 use core::fmt::Debug;
 use nalgebra::Vector2;
+use std::sync::OnceLock;
 
 /// A function `f` of the plane, twice differentiable, negative inside one smooth closed curve and positive outside it.
 ///
@@ -130,6 +131,8 @@ pub struct Implicit<F> {
     table: ArcLength,
     area: f64,
     extent: Extent,
+    /// Cut when they are first asked for.
+    graphs: OnceLock<Option<Vec<Graph>>>,
 }
 
 /// Cosine of the greatest angle between a chord and the curve at its ends: 0.15.
@@ -177,7 +180,7 @@ impl<F: ImplicitFormula> Implicit<F> {
             let [fx, fy] = formula.gradient((*p).into());
             noise.max(4.0 * formula.value((*p).into()).abs()).max(position * libm::hypot(fx, fy))
         });
-        Ok(Implicit { formula, inside, region, noise, vertices, table, area, extent })
+        Ok(Implicit { formula, inside, region, noise, vertices, table, area, extent, graphs: OnceLock::new() })
     }
 
     /// The formula.
@@ -493,11 +496,13 @@ impl<F: ImplicitFormula> Piece for Implicit<F> {
         self.extent
     }
     fn graphs(&self) -> Option<Vec<Graph>> {
-        let chords = self.chords();
-        let count = (self.vertices.len() - 1) as f64;
-        let range = if self.inside { [0.0, count] } else { [count, 0.0] };
-        let graphs = graphs(&chords, range, [self.vertices[0]; 2], self.extent.size())?;
-        self.is_calm(&graphs).then_some(graphs)
+        let cut = || {
+            let count = (self.vertices.len() - 1) as f64;
+            let range = if self.inside { [0.0, count] } else { [count, 0.0] };
+            let graphs = rough_graphs(&self.chords(), range, [self.vertices[0]; 2], self.extent.size())?;
+            self.is_calm(&graphs).then_some(graphs)
+        };
+        self.graphs.get_or_init(cut).clone()
     }
     fn area(&self) -> f64 {
         self.side() * self.area

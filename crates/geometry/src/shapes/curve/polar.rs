@@ -1,7 +1,7 @@
 //! A closed curve given as a radius for every direction.
 use super::{
-    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth, first_rise, graphs, hidden, jump::jump,
-    kinks::kinks, seeds::seeds,
+    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth, first_rise, hidden, jump::jump,
+    kinks::kinks, rough_graphs, seeds::seeds,
 };
 use crate::{
     Error,
@@ -13,6 +13,7 @@ use crate::{
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::fmt::Debug;
 use nalgebra::Vector2;
+use std::sync::OnceLock;
 
 /// A radius `r(φ) > 0` as a function of the polar angle: twice differentiable but for kinks, with period 2π.
 ///
@@ -81,6 +82,8 @@ pub struct Polar<F> {
     table: ArcLength,
     area: f64,
     extent: Extent,
+    /// Cut when they are first asked for.
+    graphs: OnceLock<Option<Vec<Graph>>>,
 }
 
 /// Sectors in which `r > 0` must be provable.
@@ -90,8 +93,8 @@ const SECTORS: u32 = 4096;
 /// be halved without end.
 const MOST_PARTS: usize = 4096;
 
-/// Parts of a sector in which kinks are looked for that are there, but where sectors are too wide for what is between them: 16 for the
-/// waves of 2000 kinks, 64 for kinks beside what is narrow.
+/// Parts of a sector in which kinks are looked for where sectors are too wide for what is between them: 16 for the waves of 2000 kinks, 64 for
+/// what is narrow.
 const FINER: [u32; 3] = [4, 16, 64];
 
 /// Most parts then: in waves so short the rounding of angles makes eight parts about each of 2000 kinks doubtful.
@@ -103,6 +106,9 @@ const BESIDE: f64 = 64.0;
 
 /// The normal of a curve turns by less than this (radians) over what rounding takes a place along it; its square is rounding.
 const NEAR: f64 = 1e-8;
+
+/// No graph of a curve with fineness is wider than this by it (radians), as few graphs are where sectors are fine enough.
+const WIDEST: f64 = 0.5;
 
 /// What the angle 2π may be off by in a formula (radians): some ulp.
 const SEAM: f64 = 16.0 * f64::EPSILON;
@@ -153,31 +159,28 @@ impl<F: PolarFormula> Polar<F> {
         // ½ ∮ r² dφ: about another point the integrand would jump at kinks
         let area = table.enclosed_area(&points, center);
         let extent = table.extent(&points);
-        // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
-        let bends = jets.iter().map(|[r, _, second]| second.magnitude().max(r.magnitude()));
-        let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
-        let calm = |[.., second]: &[Interval; 3]| second.width() <= varies;
-        let rough = (0..SECTORS).zip(&jets).filter(|(_, jet)| !calm(jet));
-        let calm_over = |part: Interval| calm(&formula.jet_over(part));
-        let told = kinks(rough.map(|(k, _)| sector(k)), calm_over, MOST_PARTS).map(|kinks| (kinks, 1));
+        let mut bends = Bends::new(&formula, sectors.clone());
+        let told = bends.kinks(MOST_PARTS).map(|kinks| (kinks, 1));
         // a curve that is cut at its kinks is not asked for normals there
         let undirected = || table.parameters().find(|angle| formula.jet(*angle)[1].is_nan());
         if let Some(angle) = table.endless().or_else(|| if told.is_none() { undirected() } else { None }) {
             return Err(Error::PolarSlope { angle });
         }
-        let finer = |n: u32| {
-            let part = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS * n));
-            let parts = (0..SECTORS * n).map(|k| Interval::new(part(k), part(k + 1)));
-            kinks(parts, calm_over, FINER_PARTS).filter(|kinks| !kinks.is_empty()).map(|kinks| (kinks, n))
-        };
         let hidden = if told.is_none() { hidden::kink(&formula, &sectors) } else { None };
-        let told = match hidden {
-            Some(angle) => Some(FINER.into_iter().find_map(finer).ok_or(Error::PolarKink { angle })?),
-            None => told,
-        };
+        let told = told.or_else(|| {
+            FINER.into_iter().find_map(|n| {
+                bends.look_closer();
+                // there are kinks if there is a hidden one, and else bends more narrow than others
+                bends.kinks(FINER_PARTS).filter(|kinks| kinks.is_empty() != hidden.is_some()).map(|kinks| (kinks, n))
+            })
+        });
+        if let (None, Some(angle)) = (&told, hidden) {
+            return Err(Error::PolarKink { angle });
+        }
         let fineness = told.as_ref().map_or(1, |(_, n)| *n);
         let kinks = told.map(|(kinks, _)| kinks);
-        Ok(Polar { center, formula, inside, slack, ranges: Ranges::new(&jets), kinks, fineness, table, area, extent })
+        let (ranges, graphs) = (Ranges::new(&jets), OnceLock::new());
+        Ok(Polar { center, formula, inside, slack, ranges, kinks, fineness, table, area, extent, graphs })
     }
 
     /// The curve as pieces of a table: itself if it is smooth, or else the arcs between its kinks, in the order of traversal.
@@ -226,11 +229,6 @@ impl<F: PolarFormula> Polar<F> {
         &self.formula
     }
 
-    /// As many times more points of an arc tell what is there as its waves are shorter than others.
-    pub(super) fn fineness(&self) -> u32 {
-        self.fineness
-    }
-
     /// Whether the table lies inside.
     pub(super) fn is_inside(&self) -> bool {
         self.inside
@@ -243,6 +241,34 @@ impl<F: PolarFormula> Polar<F> {
 
     pub(super) fn points(&self) -> PolarPoints<&F> {
         PolarPoints { center: self.center, formula: &self.formula }
+    }
+
+    /// The graphs between two angles, so short that nothing hides between the points from which they are made.
+    pub(super) fn graphs_between(
+        &self,
+        [low, high]: [f64; 2],
+        vertices: [Vector2<f64>; 2],
+        size: f64,
+    ) -> Option<Vec<Graph>> {
+        let points = self.points();
+        let stretches =
+            if self.fineness == 1 { 1.0 } else { libm::ceil((high - low) * f64::from(self.fineness) / WIDEST) };
+        let mut cuts = vec![(low, vertices[0])];
+        let mut k = 1.0;
+        while k < stretches {
+            let angle = low + (high - low) * (k / stretches);
+            cuts.push((angle, self.at_angle(angle).point));
+            k += 1.0;
+        }
+        cuts.push((high, vertices[1]));
+        if !self.inside {
+            cuts.reverse();
+        }
+        let mut graphs = vec![];
+        for ends in cuts.windows(2) {
+            graphs.extend(rough_graphs(&points, [ends[0].0, ends[1].0], [ends[0].1, ends[1].1], size)?);
+        }
+        Some(graphs)
     }
 
     /// The polar angle of a point.
@@ -278,6 +304,49 @@ impl<F: PolarFormula> Polar<F> {
     /// From arc length counter-clockwise to arc length in the sense of traversal, and back.
     fn traversed(&self, s: f64) -> f64 {
         if self.inside || s == 0.0 { s } else { self.table.length() - s }
+    }
+}
+
+/// How a curve bends in parts of a turn.
+struct Bends<'a, F> {
+    formula: &'a F,
+    /// The parts with `r` and its derivatives in each.
+    parts: Vec<(Interval, [Interval; 3])>,
+}
+
+impl<'a, F: PolarFormula> Bends<'a, F> {
+    fn new(formula: &'a F, parts: Vec<(Interval, [Interval; 3])>) -> Bends<'a, F> {
+        Bends { formula, parts }
+    }
+
+    /// Whether the second derivative differs little from what it is in the middle of a part.
+    fn calm(&self) -> impl Fn(&[Interval; 3]) -> bool + use<F> {
+        let bends = self.parts.iter().map(|(_, [r, _, second])| second.magnitude().max(r.magnitude()));
+        let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
+        move |[.., second]| second.width() <= varies
+    }
+
+    /// The kinks, if but for those all parts are calm.
+    fn kinks(&self, most: usize) -> Option<Vec<Interval>> {
+        let calm = self.calm();
+        let rough = self.parts.iter().filter(|(_, jet)| !calm(jet)).map(|(part, _)| *part);
+        kinks(rough, |part| calm(&self.formula.jet_over(part)), most)
+    }
+
+    /// Quarters in place of the parts that are not calm.
+    fn look_closer(&mut self) {
+        let calm = self.calm();
+        let mut parts = vec![];
+        for (part, jet) in self.parts.drain(..) {
+            if calm(&jet) {
+                parts.push((part, jet));
+                continue;
+            }
+            let at = |k: u32| part.low + part.width() * (f64::from(k) / 4.0);
+            let quarters = (0..4).map(|k| Interval::new(at(k), if k == 3 { part.high } else { at(k + 1) }));
+            parts.extend(quarters.map(|quarter| (quarter, self.formula.jet_over(quarter))));
+        }
+        self.parts = parts;
     }
 }
 
@@ -482,9 +551,9 @@ impl<F: PolarFormula> Piece for Polar<F> {
         if self.kinks.as_ref().is_none_or(|kinks| !kinks.is_empty()) {
             return None;
         }
-        let points = self.points();
-        let start = points.at(0.0)[0];
-        graphs(&points, self.in_sense([0.0, 2.0 * PI]), [start; 2], self.extent.size())
+        let start = self.points().at(0.0)[0];
+        let cut = || self.graphs_between([0.0, 2.0 * PI], [start; 2], self.extent.size());
+        self.graphs.get_or_init(cut).clone()
     }
     fn area(&self) -> f64 {
         if self.inside { self.area } else { -self.area }

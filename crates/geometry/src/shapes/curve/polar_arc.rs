@@ -1,5 +1,5 @@
 //! Part of a polar curve, between two kinks.
-use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray, rough_graphs};
+use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray};
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -33,9 +33,6 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Parts of an arc from which its length is tabulated.
 const PARTS: u32 = 32;
-
-/// No graph of a curve with fineness is wider than this by it (radians), as few graphs are where sectors are fine enough.
-const WIDEST: f64 = 0.5;
 
 impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
     /// The arcs between the kinks of a curve, of which there is one at least, in the order of traversal; or the whole curve, where
@@ -92,7 +89,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         let swept = table.enclosed_area(&points, vertices[0]);
         let area = if curve.is_inside() { swept } else { -swept };
         let size = extent.size();
-        let graphs = graphs_between(curve, range, vertices, size)?;
+        let graphs = curve.graphs_between(range, vertices, size)?;
         Some(PolarArc { curve: Arc::clone(curve), range, vertices, graphs, table, area, extent, slack: slack([size]) })
     }
 
@@ -118,34 +115,6 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
     fn traversed(&self, s: f64) -> f64 {
         if self.curve.is_inside() { s } else { self.table.length() - s }
     }
-}
-
-/// The graphs of a curve between two angles, so short that nothing hides between the points from which they are made.
-fn graphs_between<F: PolarFormula>(
-    curve: &Polar<F>,
-    [low, high]: [f64; 2],
-    vertices: [Vector2<f64>; 2],
-    size: f64,
-) -> Option<Vec<Graph>> {
-    let points = curve.points();
-    let fineness = curve.fineness();
-    let stretches = if fineness == 1 { 1.0 } else { libm::ceil((high - low) * f64::from(fineness) / WIDEST) };
-    let mut cuts = vec![(low, vertices[0])];
-    let mut k = 1.0;
-    while k < stretches {
-        let angle = low + (high - low) * (k / stretches);
-        cuts.push((angle, curve.at_angle(angle).point));
-        k += 1.0;
-    }
-    cuts.push((high, vertices[1]));
-    if !curve.is_inside() {
-        cuts.reverse();
-    }
-    let mut graphs = vec![];
-    for ends in cuts.windows(2) {
-        graphs.extend(rough_graphs(&points, [ends[0].0, ends[1].0], [ends[0].1, ends[1].1], size)?);
-    }
-    Some(graphs)
 }
 
 impl<F: PolarFormula + Clone + 'static> Piece for PolarArc<F> {
