@@ -270,13 +270,15 @@ fn there_is_no_mean_free_time_where_no_measure_is_invariant() {
 }
 
 #[test]
-fn a_polar_formula_may_come_to_0_in_a_cusp() {
+fn a_polar_formula_may_come_to_0_in_a_cusp_and_between_petals() {
     let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-cusp", std::process::id()));
     fs::create_dir_all(&folder).unwrap();
     for (curve, area) in [
         ("polar = \"1+sin(t)\"", 1.5 * PI),
         ("polar = \"1e100*(1-cos(t-0.3))\", center = [3e99, 0]", 1.5e200 * PI),
         ("polar = \"abs(sin(t/2-0.7))\", center = [0, 1.1]", 0.5 * PI),
+        ("polar = \"abs(cos(2*t))\", center = [0, 0.75]", 0.5 * PI),
+        ("polar = \"3*abs(sin(5*t))\", center = [0, -1]", 4.5 * PI),
     ] {
         let start = "[[orbit]]\nposition = [0, 1]\nvelocity = [0.6, 0.8]\n";
         let scene = folder.join("scene.toml");

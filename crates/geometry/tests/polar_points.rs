@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 use core::f64::consts::{PI, TAU};
 use geometry::{
-    Line, Piece, Vector2, enclosed_area,
+    Line, Piece, Table, Vector2, enclosed_area,
     shapes::curve::{Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula, PolarPoints},
 };
 use proptest::prelude::*;
@@ -61,6 +61,52 @@ fn a_curve_through_its_centre_has_a_cusp_there() {
             assert!((length / 8.0 - 1.0).abs() < 4e-15, "{start}: {length}");
             let expected = if inside { 1.5 * PI } else { -1.5 * PI };
             assert!((area / expected - 1.0).abs() < 4e-15, "{start}: {area}");
+        }
+    }
+}
+
+/// `r = |cos(kφ/2 − p)|`
+#[derive(Clone, Copy, Debug)]
+struct Rose {
+    petals: f64,
+    phase: f64,
+}
+
+impl PolarFormula for Rose {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let k = 0.5 * self.petals;
+        let (sin, cos) = libm::sincos(k * angle - self.phase);
+        let sign = libm::copysign(1.0, cos);
+        [sign * cos, -k * sign * sin, -k * k * sign * cos]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let k = 0.5 * self.petals;
+        let [sin, cos] = (angle * k + -self.phase).sin_cos();
+        if cos.contains(0.0) {
+            return [cos.abs(), sin.union(-sin) * k, Interval::ENTIRE];
+        }
+        let sign = libm::copysign(1.0, cos.low);
+        [cos.abs(), sin * (-k * sign), cos.abs() * (-k * k)]
+    }
+}
+
+#[test]
+fn the_petals_of_a_rose_touch_in_its_centre() {
+    for (petals, phase) in [(2.0, 0.0), (3.0, 0.4), (4.0, 1.0), (6.0, 0.5 * PI), (20.0, 0.5 * PI), (60.0, 0.1)] {
+        for center in [Vector2::zeros(), Vector2::new(7.0, -0.3)] {
+            let rose = PolarPoints { center, formula: Rose { petals, phase } };
+            let pieces = ParametricCurve::around(rose, [0.0, TAU], true).unwrap();
+            // one more where the turn begins within a petal
+            let count = pieces.len() as f64;
+            assert!(count == 2.0 * petals || count == 2.0 * petals + 1.0, "{petals} {phase}: {count}");
+            let starts: Vec<_> = pieces.iter().map(|piece| piece.ends().unwrap()[0]).collect();
+            let near: Vec<_> = starts.iter().filter(|start| (*start - center).amax() < 1e-12).collect();
+            assert!(near.len() as f64 == petals && near.iter().all(|start| *start == near[0]), "{petals} {phase}");
+            let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+            assert_eq!(table.validate(), Ok(()), "{petals} {phase} {center:?}");
+            // petals end where rounding of the angle, times their number, tells that they do
+            let bound = 1e-15 * (8.0 + petals);
+            assert!((table.area() / (0.5 * PI) - 1.0).abs() < bound, "{petals} {phase}: {}", table.area());
         }
     }
 }

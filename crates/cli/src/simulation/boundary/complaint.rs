@@ -112,7 +112,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::CrossedOutline { .. } => "list its corners in order around it: sides may touch but not cross",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::PolarRadius { .. } => {
-            "put its center where all of the curve is seen from; through its center a curve goes only in a cusp, as 1 + cos(t) does"
+            "put its center where all of the curve is seen from; through its center a curve goes only in a cusp, as 1 + cos(t) does, or between petals, as abs(cos(2*t))"
         }
         Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
         Error::PolarJump { .. } => {

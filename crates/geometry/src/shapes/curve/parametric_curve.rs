@@ -107,6 +107,9 @@ const FINER: [u32; 3] = [1, 4, 16];
 /// those above.
 const TABULATED: u32 = 256;
 
+/// Points that tell how large a curve is, to a factor.
+const SIZED: u32 = 61;
+
 /// Parts of the whole range no graph reaches beyond: of their 26 points each one is as near to the next as five of the first parts.
 const STRETCHES: f64 = 32.0;
 
@@ -206,8 +209,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         if kinks.is_empty() && turn.abs() <= SMOOTH {
             return Ok(vec![ParametricCurve::new(&formula, [0.0, 2.0 * PI], [start[0]; 2], true, rises)?]);
         }
-        // an arc has two ends
-        ParametricCurve::cut(&formula, &kinks, [start[0]; 2], 2, rises)
+        ParametricCurve::cut(&formula, &kinks, [start[0]; 2], rises)
     }
 
     /// The arcs between the kinks of a curve that has ends, in the order of traversal, with the table on the left as `t` runs from the first
@@ -223,32 +225,43 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         let rises = start < end;
         let (range, ends) = if rises { ([start, end], ends) } else { ([end, start], [ends[1], ends[0]]) };
         let (formula, kinks) = looked_at(formula, range)?;
-        ParametricCurve::cut(&formula, &kinks, ends, 1, rises)
+        ParametricCurve::cut(&formula, &kinks, ends, rises)
     }
 
-    /// The arcs between kinks, at least so many.
+    /// The arcs between kinks.
     fn cut(
         formula: &Arc<InTurns<F>>,
         kinks: &[Interval],
         vertices: [Vector2<f64>; 2],
-        least: usize,
         rises: bool,
     ) -> Result<Vec<ParametricCurve<F>>, Error> {
-        let at = |u: f64| formula.at(u)[0];
-        let inner = kinks.iter().filter(|kink| kink.low > NARROW && kink.high < 2.0 * PI - NARROW);
-        // where each arc ends and the next one begins
-        let mut cuts: Vec<_> = inner.map(|kink| (kink.low, kink.high, at(0.5 * (kink.low + kink.high)))).collect();
-        if cuts.len() + 1 < least {
-            cuts.push((PI, PI, at(PI)));
-        }
         // a kink at an end is not seen from the other side
         let first = kinks.first().filter(|kink| kink.low <= NARROW).map_or(0.0, |kink| kink.high);
         let last = kinks.last().filter(|kink| kink.high >= 2.0 * PI - NARROW).map_or(2.0 * PI, |kink| kink.low);
-        let starts = [(first, vertices[0])].into_iter().chain(cuts.iter().map(|&(_, after, p)| (after, p)));
-        let ends = cuts.iter().map(|&(before, _, p)| (before, p)).chain([(last, vertices[1])]);
-        let arcs = starts.zip(ends);
-        let arcs = arcs.map(|((low, a), (high, b))| ParametricCurve::new(formula, [low, high], [a, b], false, rises));
-        let mut arcs = arcs.collect::<Result<Vec<_>, _>>()?;
+        let inner = kinks.iter().filter(|kink| kink.low > NARROW && kink.high < 2.0 * PI - NARROW);
+        // where each arc ends and the next one begins
+        let mut cuts = vec![(0.0, first, vertices[0])];
+        for (kink, vertex) in inner.clone().zip(inner_vertices(formula, inner, vertices)) {
+            cuts.push((kink.low, kink.high, vertex));
+        }
+        cuts.push((last, 2.0 * PI, vertices[1]));
+        let mut arcs = vec![];
+        let mut add = |range: [f64; 2], ends: [Vector2<f64>; 2]| {
+            arcs.push(ParametricCurve::new(formula, range, ends, false, rises)?);
+            Ok(())
+        };
+        for ends in cuts.windows(2) {
+            let [(_, low, a), (high, _, b)] = [ends[0], ends[1]];
+            if a == b {
+                // an arc has two ends
+                let middle = 0.5 * (low + high);
+                let [between, _] = formula.at(middle);
+                add([low, middle], [a, between])?;
+                add([middle, high], [between, b])?;
+            } else {
+                add([low, high], [a, b])?;
+            }
+        }
         if !rises {
             arcs.reverse();
         }
@@ -336,6 +349,25 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     fn traversed(&self, s: f64) -> f64 {
         if self.rises { s } else { self.table.length() - s }
     }
+}
+
+/// The points at kinks; where the curve comes back to one of them, or to an end, it is the same, and not one beside it.
+fn inner_vertices<'a, F: ParametricFormula>(
+    formula: &InTurns<F>,
+    kinks: impl Iterator<Item = &'a Interval>,
+    ends: [Vector2<f64>; 2],
+) -> Vec<Vector2<f64>> {
+    let size = (0..SIZED).map(|k| formula.at(part(k, SIZED))[0].amax()).fold(0.0, f64::max);
+    let mut known = ends.to_vec();
+    kinks
+        .map(|kink| {
+            let [vertex, rate] = formula.at(0.5 * (kink.low + kink.high));
+            let near = 4.0 * slack([size]) + NARROW * rate.amax();
+            let vertex = known.iter().copied().find(|p| (p - vertex).amax() <= near).unwrap_or(vertex);
+            known.push(vertex);
+            vertex
+        })
+        .collect()
 }
 
 /// A formula with its range made one turn long, and its kinks.

@@ -93,6 +93,9 @@ const SECTORS: u32 = 4096;
 /// be halved without end.
 const MOST_PARTS: usize = 4096;
 
+/// Most parts of a sector in which it must be.
+const FINEST: u32 = 1024;
+
 /// Parts of a sector in which kinks are looked for where sectors are too wide for what is between them: 16 for the waves of 2000 kinks, 64 for
 /// what is narrow.
 const FINER: [u32; 3] = [4, 16, 64];
@@ -125,9 +128,8 @@ impl<F: PolarFormula> Polar<F> {
         finite("center", &center)?;
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
         let sector = |k: u32| Interval::new(whole(k), whole(k + 1));
-        let jets: Vec<_> = (0..SECTORS).map(|k| formula.jet_over(sector(k))).collect();
-        let is_radius = |r: f64| r > 0.0 && r.is_finite();
-        let doubtful = (0..SECTORS).zip(&jets).filter(|(_, [r, ..])| !(r.low > 0.0 && r.high.is_finite()));
+        let jets: Vec<_> = (0..SECTORS).map(|k| enclosures(&formula, sector(k))).collect();
+        let doubtful = (0..SECTORS).zip(&jets).filter(|(_, jet)| !are_radii(jet));
         let middles = doubtful.map(|(k, [bounds, ..])| (0.5 * (whole(k) + whole(k + 1)), bounds));
         let values = middles.map(|(angle, bounds)| (angle, bounds, formula.jet(angle)[0]));
         // an angle at which r is no radius says more than one near which it might be none
@@ -348,6 +350,30 @@ impl<'a, F: PolarFormula> Bends<'a, F> {
         }
         self.parts = parts;
     }
+}
+
+fn is_radius(r: f64) -> bool {
+    r > 0.0 && r.is_finite()
+}
+
+fn are_radii([r, ..]: &[Interval; 3]) -> bool {
+    r.low > 0.0 && r.high.is_finite()
+}
+
+/// Enclosures of `r`, `r′` and `r″` in a sector; from as many parts of it as it takes to tell that `r > 0`, where it seems so.
+fn enclosures<F: PolarFormula>(formula: &F, sector: Interval) -> [Interval; 3] {
+    let mut jet = formula.jet_over(sector);
+    let at = |part: f64| sector.low + part * sector.width();
+    let mut parts = 4;
+    while !are_radii(&jet) && parts <= FINEST && is_radius(formula.jet(at(0.5))[0]) {
+        let share = |k: u32| f64::from(k) / f64::from(parts);
+        let ends = (0..parts)
+            .map(|k| Interval::new(at(share(k)), if k + 1 == parts { sector.high } else { at(share(k + 1)) }));
+        let jets = ends.map(|part| formula.jet_over(part));
+        jet = jets.reduce(|a, b| [0, 1, 2].map(|i| a[i].union(b[i]))).unwrap_or(jet);
+        parts *= 4;
+    }
+    jet
 }
 
 /// Enclosures of `r`, `r′` and `r″` over parts of a turn, looked up instead of computed: over a long way they are also

@@ -3,7 +3,7 @@ use super::{Interval, Parametric, ParametricFormula, PolarFormula};
 use nalgebra::Vector2;
 
 /// The points `c(φ) = m + r(φ) (cos φ, sin φ)` of a formula for the radius about `m`, which may come to 0 as no [`Polar`](super::Polar)
-/// does: a cardioid is a [`ParametricCurve`](super::ParametricCurve) of these.
+/// does: cardioids and roses are [`ParametricCurve`](super::ParametricCurve)s of these.
 ///
 /// ```
 /// use geometry::{Piece, Vector2, shapes::curve::{Interval, ParametricCurve, PolarFormula, PolarPoints}};
