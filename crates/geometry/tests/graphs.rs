@@ -341,6 +341,48 @@ fn a_peak_narrower_than_what_is_looked_at_first_is_graphs() {
     }
 }
 
+/// A peak with a kink on its flank: `|sin φ|/64` more, seen from `1/√c` beside its top.
+#[derive(Clone, Copy, Debug)]
+struct Bent(Peak);
+
+const KINK: f64 = 1.0 / 64.0;
+
+impl Bent {
+    fn turned(&self) -> f64 {
+        1.0 / self.0.sharpness.sqrt()
+    }
+}
+
+impl PolarFormula for Bent {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let [r, slope, second] = self.0.jet(angle - self.turned());
+        let (sin, cos) = libm::sincos(angle);
+        let sign = libm::copysign(KINK, sin);
+        [r + sign * sin, slope + sign * cos, second - sign * sin]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [r, slope, second] = self.0.jet_over(angle + -self.turned());
+        let [sin, cos] = angle.sin_cos();
+        if sin.contains(0.0) {
+            return [r + sin.abs() * KINK, slope + cos.union(-cos) * KINK, Interval::ENTIRE];
+        }
+        let sign = libm::copysign(KINK, sin.low);
+        [r + sin.abs() * KINK, slope + cos * sign, second + sin * -sign]
+    }
+}
+
+#[test]
+fn a_kink_on_a_steep_flank_is_where_a_curve_is_cut() {
+    for sharpness in [300.0, 3e4] {
+        let bent = Bent(Peak { sharpness, as_written: false });
+        let arcs = Polar::new(Vector2::zeros(), bent, true).unwrap().pieces();
+        assert_eq!(arcs.len(), 2, "{sharpness}");
+        assert!(arcs.iter().all(|arc| arc.graphs().is_some()), "{sharpness}");
+        let kinks: Vec<_> = arcs.iter().map(|arc| arc.ends().unwrap()[0].y.abs()).collect();
+        assert!(kinks.iter().all(|y| *y < 1e-14), "{kinks:?}");
+    }
+}
+
 /// The ellipse of semi-latus rectum 1 about its focus, `r = 1/(1 + e cos φ)`.
 #[derive(Clone, Copy, Debug)]
 struct Kepler {

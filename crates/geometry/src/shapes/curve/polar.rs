@@ -172,8 +172,8 @@ impl<F: PolarFormula> Polar<F> {
         let told = told.or_else(|| {
             FINER.into_iter().find_map(|n| {
                 bends.look_closer();
-                // there are kinks if there is a hidden one, and else bends more narrow than others
-                bends.kinks(FINER_PARTS).filter(|kinks| kinks.is_empty() != hidden.is_some()).map(|kinks| (kinks, n))
+                // there are some if there is a hidden one
+                bends.kinks(FINER_PARTS).filter(|kinks| hidden.is_none() || !kinks.is_empty()).map(|kinks| (kinks, n))
             })
         });
         if let (None, Some(angle)) = (&told, hidden) {
