@@ -8,6 +8,7 @@
 //! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks, or with a curvature
 //! that has no bound.
 mod arc_length;
+mod bends;
 mod cusp;
 mod fit;
 mod graph;
@@ -22,6 +23,7 @@ mod parametric_curve;
 mod polar;
 mod polar_arc;
 mod polar_points;
+mod ranges;
 mod root;
 mod seeds;
 

@@ -1,7 +1,7 @@
 //! A closed curve given as a radius for every direction.
 use super::{
-    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth, first_rise, hidden, jump::jump,
-    kinks::kinks, rough_graphs, seeds::seeds,
+    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth, bends::Bends, first_rise, hidden,
+    jump::jump, ranges::Ranges, rough_graphs, seeds::seeds,
 };
 use crate::{
     Error,
@@ -309,49 +309,6 @@ impl<F: PolarFormula> Polar<F> {
     }
 }
 
-/// How a curve bends in parts of a turn.
-struct Bends<'a, F> {
-    formula: &'a F,
-    /// The parts with `r` and its derivatives in each.
-    parts: Vec<(Interval, [Interval; 3])>,
-}
-
-impl<'a, F: PolarFormula> Bends<'a, F> {
-    fn new(formula: &'a F, parts: Vec<(Interval, [Interval; 3])>) -> Bends<'a, F> {
-        Bends { formula, parts }
-    }
-
-    /// Whether the second derivative differs little from what it is in the middle of a part.
-    fn calm(&self) -> impl Fn(&[Interval; 3]) -> bool + use<F> {
-        let bends = self.parts.iter().map(|(_, [r, _, second])| second.magnitude().max(r.magnitude()));
-        let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
-        move |[.., second]| second.width() <= varies
-    }
-
-    /// The kinks, if but for those all parts are calm.
-    fn kinks(&self, most: usize) -> Option<Vec<Interval>> {
-        let calm = self.calm();
-        let rough = self.parts.iter().filter(|(_, jet)| !calm(jet)).map(|(part, _)| *part);
-        kinks(rough, |part| calm(&self.formula.jet_over(part)), most)
-    }
-
-    /// Quarters in place of the parts that are not calm.
-    fn look_closer(&mut self) {
-        let calm = self.calm();
-        let mut parts = vec![];
-        for (part, jet) in self.parts.drain(..) {
-            if calm(&jet) {
-                parts.push((part, jet));
-                continue;
-            }
-            let at = |k: u32| part.low + part.width() * (f64::from(k) / 4.0);
-            let quarters = (0..4).map(|k| Interval::new(at(k), if k == 3 { part.high } else { at(k + 1) }));
-            parts.extend(quarters.map(|quarter| (quarter, self.formula.jet_over(quarter))));
-        }
-        self.parts = parts;
-    }
-}
-
 fn is_radius(r: f64) -> bool {
     r > 0.0 && r.is_finite()
 }
@@ -374,62 +331,6 @@ fn enclosures<F: PolarFormula>(formula: &F, sector: Interval) -> [Interval; 3] {
         parts *= 4;
     }
     jet
-}
-
-/// Enclosures of `r`, `r′` and `r″` over parts of a turn, looked up instead of computed: over a long way they are also
-/// narrower than what interval arithmetic finds in one go.
-#[derive(Clone, Debug)]
-struct Ranges {
-    /// `runs[k][i]` is over `2ᵏ` parts from number `i` on.
-    runs: Vec<Vec<[Interval; 3]>>,
-}
-
-/// Parts of a turn.
-const PARTS: usize = 64;
-
-impl Ranges {
-    /// From enclosures over equal sectors.
-    fn new(sectors: &[[Interval; 3]]) -> Ranges {
-        let both = |a: &[Interval; 3], b: &[Interval; 3]| [0, 1, 2].map(|i| a[i].union(b[i]));
-        // a turn later a formula is the same but for rounding
-        let room = |a: Interval| a + Interval::new(-1e-9, 1e-9) * a.magnitude();
-        let part = |sectors: &[[Interval; 3]]| sectors[1..].iter().fold(sectors[0], |a, b| both(&a, b)).map(room);
-        let mut runs = vec![sectors.chunks(sectors.len() / PARTS).map(part).collect::<Vec<_>>()];
-        let mut length = 1;
-        while length < PARTS {
-            let last = &runs[runs.len() - 1];
-            runs.push((0..PARTS).map(|i| both(&last[i], &last[(i + length) % PARTS])).collect());
-            length *= 2;
-        }
-        Ranges { runs }
-    }
-
-    /// Enclosures over some angles.
-    fn of<F: PolarFormula>(&self, formula: &F, angles: Interval) -> [Interval; 3] {
-        let [low, high] = [angles.low, angles.high].map(|angle| angle * (PARTS as f64 / (2.0 * PI)));
-        // of a short way the formula knows more; angles without end have no parts
-        if !(high - low >= 0.25 && low.abs().max(high.abs()) < 1e6) {
-            return formula.jet_over(angles);
-        }
-        // room for the rounding of angles
-        let [first, last] = [libm::floor(low - 1e-6), libm::floor(high + 1e-6)];
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "small whole numbers, not negative"
-        )]
-        let (start, count) =
-            ((first - libm::floor(first / PARTS as f64) * PARTS as f64) as usize, (last - first) as usize + 1);
-        if count >= PARTS {
-            return self.runs[self.runs.len() - 1][0];
-        }
-        let level = count.ilog2() as usize;
-        let run = &self.runs[level];
-        let (a, b) = (&run[start % PARTS], &run[(start + count - (1 << level)) % PARTS]);
-        let union = [0, 1, 2].map(|i| a[i].union(b[i]));
-        // a part may have a kink where these angles have none
-        if union[2].magnitude().is_finite() { union } else { formula.jet_over(angles) }
-    }
 }
 
 /// `±(d − r(φ) cos ψ) |v|` along a path, as a function of `ψ`, with `φ = φᵥ + σ (ψ − π/2)`.
