@@ -27,8 +27,16 @@ impl<'a, F: PolarFormula> Bends<'a, F> {
         kinks(rough, |part| calm(&self.formula.jet_over(part)), most)
     }
 
-    /// Quarters in place of the parts that are not calm.
-    pub(super) fn look_closer(&mut self) {
+    /// The kinks, of which there are some, if `n`ths of all parts show them and nothing else: bounds next to kinks that they do not tell
+    /// from what is around them say nothing about how much a curve bends.
+    pub(super) fn hidden_kinks(&self, n: u32, most: usize) -> Option<Vec<Interval>> {
+        let calm = self.calm();
+        let parts = self.parts.iter().flat_map(|(part, _)| cut(*part, n));
+        kinks(parts, |part| calm(&self.formula.jet_over(part)), most).filter(|kinks| !kinks.is_empty())
+    }
+
+    /// As [`kinks`](Self::kinks), with quarters in place of the parts that are not calm.
+    pub(super) fn closer(&mut self, most: usize) -> Option<Vec<Interval>> {
         let calm = self.calm();
         let mut parts = vec![];
         for (part, jet) in self.parts.drain(..) {
@@ -36,10 +44,15 @@ impl<'a, F: PolarFormula> Bends<'a, F> {
                 parts.push((part, jet));
                 continue;
             }
-            let at = |k: u32| part.low + part.width() * (f64::from(k) / 4.0);
-            let quarters = (0..4).map(|k| Interval::new(at(k), if k == 3 { part.high } else { at(k + 1) }));
-            parts.extend(quarters.map(|quarter| (quarter, self.formula.jet_over(quarter))));
+            parts.extend(cut(part, 4).map(|quarter| (quarter, self.formula.jet_over(quarter))));
         }
         self.parts = parts;
+        self.kinks(most)
     }
+}
+
+/// An interval in `n` equal parts.
+pub(super) fn cut(part: Interval, n: u32) -> impl Iterator<Item = Interval> {
+    let at = move |k: u32| part.low + part.width() * (f64::from(k) / f64::from(n));
+    (0..n).map(move |k| Interval::new(at(k), if k + 1 == n { part.high } else { at(k + 1) }))
 }

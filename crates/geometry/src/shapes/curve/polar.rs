@@ -1,7 +1,12 @@
 //! A closed curve given as a radius for every direction.
 use super::{
-    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth, bends::Bends, first_rise, hidden,
-    jump::jump, ranges::Ranges, rough_graphs, seeds::seeds,
+    ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth,
+    bends::{Bends, cut},
+    first_rise, hidden,
+    jump::jump,
+    ranges::Ranges,
+    rough_graphs,
+    seeds::seeds,
 };
 use crate::{
     Error,
@@ -171,9 +176,9 @@ impl<F: PolarFormula> Polar<F> {
         let hidden = if told.is_none() { hidden::kink(&formula, &sectors) } else { None };
         let told = told.or_else(|| {
             FINER.into_iter().find_map(|n| {
-                bends.look_closer();
-                // there are some if there is a hidden one
-                bends.kinks(FINER_PARTS).filter(|kinks| hidden.is_none() || !kinks.is_empty()).map(|kinks| (kinks, n))
+                let found =
+                    if hidden.is_some() { bends.hidden_kinks(n, FINER_PARTS) } else { bends.closer(FINER_PARTS) };
+                found.map(|kinks| (kinks, n))
             })
         });
         if let (None, Some(angle)) = (&told, hidden) {
@@ -320,13 +325,10 @@ fn are_radii([r, ..]: &[Interval; 3]) -> bool {
 /// Enclosures of `r`, `r′` and `r″` in a sector; from as many parts of it as it takes to tell that `r > 0`, where it seems so.
 fn enclosures<F: PolarFormula>(formula: &F, sector: Interval) -> [Interval; 3] {
     let mut jet = formula.jet_over(sector);
-    let at = |part: f64| sector.low + part * sector.width();
+    let middle = 0.5 * (sector.low + sector.high);
     let mut parts = 4;
-    while !are_radii(&jet) && parts <= FINEST && is_radius(formula.jet(at(0.5))[0]) {
-        let share = |k: u32| f64::from(k) / f64::from(parts);
-        let ends = (0..parts)
-            .map(|k| Interval::new(at(share(k)), if k + 1 == parts { sector.high } else { at(share(k + 1)) }));
-        let jets = ends.map(|part| formula.jet_over(part));
+    while !are_radii(&jet) && parts <= FINEST && is_radius(formula.jet(middle)[0]) {
+        let jets = cut(sector, parts).map(|part| formula.jet_over(part));
         jet = jets.reduce(|a, b| [0, 1, 2].map(|i| a[i].union(b[i]))).unwrap_or(jet);
         parts *= 4;
     }
