@@ -411,7 +411,7 @@ fn a_slim_ellipse_about_its_focus_is_graphs_that_know_it_better_than_the_formula
     let polar = Polar::new(Vector2::zeros(), Kepler { eccentricity: e }, true).unwrap();
     let walls = Graphs::new(&polar.graphs().unwrap().into_iter().map(|graph| (0, graph)).collect::<Vec<_>>(), &[]);
     let mut random = Random(11);
-    let [mut graphs, mut formula, mut normals] = [const { vec![] }; 3];
+    let mut errors = [const { vec![] }; 4];
     for _ in 0..5000 {
         let (turn, share) = (random.between(-PI, PI), random.between(0.0, 0.9));
         let point = Vector2::new(-e * a + share * a * libm::cos(turn), share * b * libm::sin(turn));
@@ -420,15 +420,16 @@ fn a_slim_ellipse_about_its_focus_is_graphs_that_know_it_better_than_the_formula
         let [exact, asked] =
             [&ellipse as &dyn Piece, &polar].map(|piece| piece.landing(&path, piece.crossing(&path).time()));
         let hit = walls.hit(&path).unwrap();
-        graphs.push((hit.point - exact.point).norm() / a);
-        formula.push((asked.point - exact.point).norm() / a);
-        normals.push((hit.normal - exact.normal).norm());
+        let points = [hit.point, asked.point].map(|point| (point - exact.point).norm() / a);
+        let normals = [hit.normal, asked.normal].map(|normal| (normal - exact.normal).norm());
+        errors.iter_mut().zip(points.into_iter().chain(normals)).for_each(|(errors, error)| errors.push(error));
     }
-    let [graphs, formula, normals] = [graphs, formula, normals].map(|mut errors| {
+    let [graphs, formula, normals, slopes] = errors.map(|mut errors| {
         errors.sort_by(f64::total_cmp);
         errors[errors.len() / 2] / f64::EPSILON
     });
-    assert!(graphs < 0.5 * formula && normals < 12.0, "{graphs} {formula} {normals}");
+    // directions have less to take the mean of; polynomials that left more than noise would be off twice as much
+    assert!(graphs < 0.5 * formula && normals < 1.6 * slopes, "{graphs} {formula} {normals} {slopes}");
 }
 
 /// The circle as a polar curve about its centre.

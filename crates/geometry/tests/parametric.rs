@@ -189,10 +189,13 @@ fn what_is_no_curve_is_refused() {
     for range in [[0.0, 0.0], [1.0, 0.0], [0.0, f64::NAN], [0.0, f64::INFINITY]] {
         assert!(matches!(refused(ELLIPSE, range), Error::Parameter { name: "range", .. }));
     }
-    // a figure of eight crosses itself
+    // a figure of eight crosses itself, and an ellipse that goes around twice runs along itself
     let eight = Waves { axes: [1.0, 0.1], size: [0.0, 0.5], number: 2.0, ..ELLIPSE };
-    let boxed = around(eight, true).into_iter().map(|piece| Box::new(piece) as _).collect();
-    assert!(Table::new(boxed).unwrap().validate().is_err());
+    for (formula, range) in [(eight, [0.0, TAU]), (ELLIPSE, [0.0, 2.0 * TAU])] {
+        let pieces = ParametricCurve::around(formula, range, true).unwrap();
+        let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+        assert!(matches!(table.validate(), Err(Error::SelfCrossing { .. })));
+    }
 }
 
 proptest! {

@@ -336,6 +336,14 @@ mod tests {
     }
 
     #[test]
+    fn a_radius_is_positive_where_terms_cancel_if_short_sectors_say_so() {
+        // 2 √b E(m = 1/b), from mpmath
+        let oval = polar("sqrt(cos(2*t)+sqrt(1.0001-sin(2*t)^2))").unwrap();
+        assert!((oval.area() - 2.000_649_139_903_114).abs() < 1e-12, "{}", oval.area());
+        assert!(matches!(polar("sqrt(cos(2*t)+sqrt(1-sin(2*t)^2))"), Err(Error::PolarRadius { .. })));
+    }
+
+    #[test]
     fn a_curve_is_cut_at_each_of_up_to_two_thousand_kinks_or_refused() {
         for (text, count) in [
             ("2+0.01*abs(cos(160*t))", 320),

@@ -112,7 +112,8 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::CrossedOutline { .. } => "list its corners in order around it: sides may touch but not cross",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::PolarRadius { .. } => {
-            "put its center where all of the curve is seen from; through its center a curve goes only in a cusp, as 1 + cos(t) does, or between petals, as abs(cos(2*t))"
+            "put its center where all of the curve is seen from; through its center a curve goes only in a cusp, as \
+             1 + cos(t) does, or between petals, as abs(cos(2*t))"
         }
         Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
         Error::PolarJump { .. } => {
@@ -145,7 +146,8 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "where the curve goes on, take a parameter that does so as well, as t for t^3"
         }
         Error::Parametrised { must, .. } if must.contains("rate") => {
-            "where it is vertical, let both x and y depend on t, as cos(t) and sin(t) do for y = sqrt(1-x^2), or t^2 and t for y = sqrt(x)"
+            "where it is vertical, let both x and y depend on t, as cos(t) and sin(t) do for y = sqrt(1-x^2), or \
+             t^2 and t for y = sqrt(x)"
         }
         Error::Parametrised { .. } => {
             "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and keep the curvature bounded"

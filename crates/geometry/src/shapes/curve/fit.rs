@@ -78,7 +78,7 @@ pub fn graphs(
 }
 
 /// The same, or else rough ones: of formulas that are themselves wrong by more than usual, as with a dozen waves, which multiply the
-/// rounding of the parameter. For curves that should be graphs at any rate, such as parts of formulas; others are better asked themselves.
+/// rounding of the parameter, or with differences that cancel. Their mean is nearer to the curve than the formula is at one place.
 pub(crate) fn rough_graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],

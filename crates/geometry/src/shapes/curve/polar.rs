@@ -98,7 +98,7 @@ const SECTORS: u32 = 4096;
 /// be halved without end.
 const MOST_PARTS: usize = 4096;
 
-/// Most parts of a sector in which it must be.
+/// Most parts of a sector in each of which that must be, where it is not provable in the whole.
 const FINEST: u32 = 1024;
 
 /// Parts of a sector in which kinks are looked for where sectors are too wide for what is between them: 16 for the waves of 2000 kinks, 64 for
