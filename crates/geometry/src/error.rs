@@ -1,4 +1,7 @@
 //! What can be wrong with a table.
+mod rules;
+
+pub use rules::{ImplicitRule, ParametricRule};
 use thiserror::Error;
 
 /// Why a piece or a table cannot be built.
@@ -126,7 +129,7 @@ pub enum Error {
     #[error("the curve of the formula must {must}; this fails near {}", about(at))]
     Curve {
         /// What the curve must do.
-        must: &'static str,
+        must: ImplicitRule,
         /// About where it does not.
         at: [f64; 2],
     },
@@ -134,7 +137,7 @@ pub enum Error {
     #[error("the curve of the formulas must {must}; this fails near t = {:?}", six_digits(*parameter))]
     Parametrised {
         /// What the curve must do.
-        must: &'static str,
+        must: ParametricRule,
         /// About which parameter it does not.
         parameter: f64,
     },

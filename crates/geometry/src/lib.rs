@@ -51,7 +51,7 @@ pub use boxes::BoxTree;
 pub use components::Component;
 pub use crossing::Crossing;
 pub use describe::Description;
-pub use error::Error;
+pub use error::{Error, ImplicitRule, ParametricRule};
 pub use inscribed::LargestDisk;
 pub use intersect::{Meeting, MeetingKind, meetings};
 pub use lattice::Lattice;

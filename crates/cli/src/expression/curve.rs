@@ -146,7 +146,7 @@ impl ImplicitFormula for ImplicitCurve {
 mod tests {
     use super::*;
     use billiards::geometry::shapes::curve::{Implicit, Polar};
-    use billiards::geometry::{Error, Line, MeetingKind, Piece, Table, meetings, shapes::Circle};
+    use billiards::geometry::{Error, ImplicitRule, Line, MeetingKind, Piece, Table, meetings, shapes::Circle};
     use core::f64::consts::PI;
 
     #[test]
@@ -435,7 +435,7 @@ mod tests {
             "(x^2+y^2-1)*((x-0.25)^2+(y-0.25)^2)",
         ] {
             let found = curve(f);
-            assert!(matches!(found, Err(Error::Curve { must: "be the only one in its box", .. })), "{f}: {found:?}");
+            assert!(matches!(found, Err(Error::Curve { must: ImplicitRule::Alone, .. })), "{f}: {found:?}");
         }
         for f in [
             "x^2+y^2-1",

@@ -1,6 +1,6 @@
 //! What is wrong with a boundary, in the user's words and units.
 
-use billiards::geometry::{Error, tables};
+use billiards::geometry::{Error, ImplicitRule, ParametricRule, tables};
 
 use crate::document::{Diagnostic, Span};
 use crate::scene::{Arguments, Scene, TableShape};
@@ -134,18 +134,16 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
              shape = { name = \"polyline\", points = ... }"
         }
         Error::NoCurve { .. } => "`within` must contain the curve; if it does, draw that box closer around it",
-        Error::Curve { must, .. } if must.contains("stay") => {
-            "make the box `within` larger: the whole curve lies in it"
-        }
-        Error::Curve { must, .. } if must.contains("only") => "draw the box `within` closer around one of them",
+        Error::Curve { must: ImplicitRule::InItsBox, .. } => "make the box `within` larger: the whole curve lies in it",
+        Error::Curve { must: ImplicitRule::Alone, .. } => "draw the box `within` closer around one of them",
         Error::Curve { .. } => "an implicit formula has no kinks; a formula of t may have them, written with abs",
-        Error::Parametrised { must, .. } if must.contains("back") => {
+        Error::Parametrised { must: ParametricRule::Closed, .. } => {
             "let \"over\" run once around the curve; from 0 to 2*pi, unless it is written"
         }
-        Error::Parametrised { must, .. } if must.contains("still") => {
+        Error::Parametrised { must: ParametricRule::Moving, .. } => {
             "where the curve goes on, take a parameter that does so as well, as t for t^3"
         }
-        Error::Parametrised { must, .. } if must.contains("rate") => {
+        Error::Parametrised { must: ParametricRule::FiniteRate, .. } => {
             "where it is vertical, let both x and y depend on t, as cos(t) and sin(t) do for y = sqrt(1-x^2), or \
              t^2 and t for y = sqrt(x)"
         }

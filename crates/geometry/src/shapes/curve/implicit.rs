@@ -1,7 +1,7 @@
 //! A closed curve given by an equation `f(x, y) = 0`.
 use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, rough_graphs};
 use crate::{
-    Error,
+    Error, ImplicitRule,
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
@@ -307,7 +307,7 @@ fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>, size: f64) -> Opti
 
 /// Vertices along the curve, counter-clockwise, the last equal to the first.
 fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) -> Result<Vec<Vector2<f64>>, Error> {
-    let rough = |p: Vector2<f64>| Error::Curve { must: "be smooth, with a gradient that is not 0", at: p.into() };
+    let rough = |p: Vector2<f64>| Error::Curve { must: ImplicitRule::Smooth, at: p.into() };
     let size = (region.max - region.min).amax();
     let straight = |[p, t]: [Vector2<f64>; 2], [q, u]: [Vector2<f64>; 2]| {
         let chord = q - p;
@@ -329,7 +329,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
                 let [p, _] = next;
                 let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
                 if !(inside(0) && inside(1)) {
-                    return Err(Error::Curve { must: "stay in its box", at: p.into() });
+                    return Err(Error::Curve { must: ImplicitRule::InItsBox, at: p.into() });
                 }
                 here = next;
                 vertices.push(p);
@@ -382,7 +382,7 @@ fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -
             continue;
         }
         if fails {
-            return Err(Error::Curve { must: "be the only one in its box", at: middle.into() });
+            return Err(Error::Curve { must: ImplicitRule::Alone, at: middle.into() });
         }
         let quarters = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]].map(Vector2::from);
         open.extend(quarters.map(|q| (middle + half.component_mul(&q), halvings + 1)));

@@ -6,7 +6,7 @@ use super::{
     rough_graphs,
 };
 use crate::{
-    Error,
+    Error, ParametricRule,
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
@@ -122,9 +122,6 @@ const CLOSED: f64 = 1e-9;
 /// Directions at the seam of a closed curve that differ by less (radians) go on in one another.
 const SMOOTH: f64 = 2e-7;
 
-/// What it must do everywhere else.
-const STANDS: &str = "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)";
-
 /// Some ulp of a turn.
 const NARROW: f64 = 16.0 * f64::EPSILON;
 
@@ -202,7 +199,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         let tabulated = TABULATED * formula.fineness;
         let whole = ArcLength::new(&*formula, (0..=tabulated).map(|k| part(k, tabulated)));
         if (end[0] - start[0]).amax() > CLOSED * whole.extent(&*formula).size() {
-            return Err(failing(&formula, 2.0 * PI, "come back to where it starts"));
+            return Err(failing(&formula, 2.0 * PI, ParametricRule::Closed));
         }
         let rises = (whole.enclosed_area(&*formula, start[0]) > 0.0) == inside;
         let turn = libm::atan2(start[1].perp(&end[1]), start[1].dot(&end[1]));
@@ -284,7 +281,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
             return Err(Error::Winding);
         }
         if let Some(u) = table.endless() {
-            return Err(failing(formula, u, "be finite"));
+            return Err(failing(formula, u, ParametricRule::Finite));
         }
         let extent = table.extent(&**formula).union(Extent::of(vertices));
         let size = extent.size();
@@ -309,7 +306,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
                 Some(cusp) => cusp.graphs(&|u| formula.as_written(u)[2], parameters, vertices, size),
                 None => rough_graphs(&**formula, parameters, vertices, size),
             };
-            graphs.extend(some.ok_or_else(|| failing(formula, parameters[0], "be smooth"))?);
+            graphs.extend(some.ok_or_else(|| failing(formula, parameters[0], ParametricRule::Smooth))?);
         }
         let swept = table.enclosed_area(&**formula, vertices[0]);
         let area = if rises { swept } else { -swept };
@@ -386,7 +383,7 @@ fn looked_at<F: ParametricFormula>(
     for u in (0..=PARTS).map(|k| part(k, PARTS)) {
         let [c, ..] = formula.jet(u);
         if !c.iter().all(|x| x.is_finite()) {
-            return Err(failing(&formula, u, "be finite"));
+            return Err(failing(&formula, u, ParametricRule::Finite));
         }
         size = size.max(c.amax());
     }
@@ -400,12 +397,8 @@ fn looked_at<F: ParametricFormula>(
         }
     }
     let mut kinks = kinks.map_err(|u| match endless_rate(&formula, size) {
-        Some(u) => failing(&formula, u, "run at a finite rate"),
-        None => failing(
-            &formula,
-            u,
-            "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range",
-        ),
+        Some(u) => failing(&formula, u, ParametricRule::FiniteRate),
+        None => failing(&formula, u, ParametricRule::FewKinks),
     })?;
     // near a kink the bounds are those of both sides
     let at_kink = |u: Interval| kinks.iter().any(|kink| u.low <= kink.high + NARROW && kink.low - NARROW <= u.high);
@@ -414,7 +407,7 @@ fn looked_at<F: ParametricFormula>(
         (u.width() <= NARROW && at_kink(u)) || !first.iter().all(|x| x.contains(0.0))
     };
     let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, true, MOST_PARTS);
-    let standing = standing.ok_or_else(|| failing(&formula, 0.0, STANDS))?;
+    let standing = standing.ok_or_else(|| failing(&formula, 0.0, ParametricRule::Moving))?;
     // the ends of a range are rounded, and it may stand still just beyond them
     let stands_at = |u: &f64| {
         let [_, first, second] = formula.jet(*u);
@@ -429,7 +422,7 @@ fn looked_at<F: ParametricFormula>(
             continue;
         }
         let cusp = Cusp::of(|u| formula.jet(u), |u| formula.jet_over(u)[2], at, size);
-        cusps.push(cusp.ok_or_else(|| failing(&formula, at, STANDS))?);
+        cusps.push(cusp.ok_or_else(|| failing(&formula, at, ParametricRule::Moving))?);
     }
     kinks.extend(cusps.iter().map(Cusp::place));
     kinks.sort_by(|a, b| a.low.total_cmp(&b.low));
@@ -470,7 +463,7 @@ fn endless_rate<F: ParametricFormula>(formula: &InTurns<F>, size: f64) -> Option
     (0..PARTS).map(|k| sector(k, PARTS)).filter(is_open).find_map(place)
 }
 
-fn failing<F: ParametricFormula>(formula: &InTurns<F>, u: f64, must: &'static str) -> Error {
+fn failing<F: ParametricFormula>(formula: &InTurns<F>, u: f64, must: ParametricRule) -> Error {
     Error::Parametrised { must, parameter: formula.parameter(u) }
 }
 

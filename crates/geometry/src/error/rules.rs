@@ -1,0 +1,59 @@
+//! What formulas must do to bound a table.
+use std::fmt;
+
+/// What the zeros of a formula `f(x, y)` must do ([`Error::Curve`](super::Error::Curve)).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[non_exhaustive]
+pub enum ImplicitRule {
+    /// To be smooth: `∇f ≠ 0` on them, and they can be followed by chords.
+    Smooth,
+    /// To lie in the box that is searched.
+    InItsBox,
+    /// To be one closed curve and nothing else.
+    Alone,
+}
+
+impl fmt::Display for ImplicitRule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            ImplicitRule::Smooth => "be smooth, with a gradient that is not 0",
+            ImplicitRule::InItsBox => "stay in its box",
+            ImplicitRule::Alone => "be the only one in its box",
+        })
+    }
+}
+
+/// What the points `c(t)` of a curve must do ([`Error::Parametrised`](super::Error::Parametrised)).
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[non_exhaustive]
+pub enum ParametricRule {
+    /// To end where they start.
+    Closed,
+    /// To be finite.
+    Finite,
+    /// To have bounded rates `c′`.
+    FiniteRate,
+    /// To move on, `c′ ≠ 0`, but at simple cusps.
+    Moving,
+    /// To be smooth but for kinks, of which there are not too many and which stand out.
+    FewKinks,
+    /// To be smooth between kinks and cusps.
+    Smooth,
+}
+
+impl fmt::Display for ParametricRule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            ParametricRule::Closed => "come back to where it starts",
+            ParametricRule::Finite => "be finite",
+            ParametricRule::FiniteRate => "run at a finite rate",
+            ParametricRule::Moving => {
+                "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)"
+            }
+            ParametricRule::FewKinks => {
+                "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range"
+            }
+            ParametricRule::Smooth => "be smooth",
+        })
+    }
+}
