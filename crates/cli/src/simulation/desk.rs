@@ -1,9 +1,8 @@
 //! Rows of a record, formatted by whoever has time.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
-use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 use super::event::Event;
 use super::recorder::Recorder;
@@ -11,85 +10,135 @@ use super::results::Results;
 
 /// A row of a record seldom takes more.
 const BYTES_OF_ROW: usize = 192;
-/// A thread that waits for something else looks here for so long at a time.
-const A_WHILE: Duration = Duration::from_millis(1);
 
 /// Where threads leave blocks of results whose rows others may format: an orbit goes on at once, however long it is.
 pub(super) struct Desk<'a> {
     recorder: Option<Recorder<'a>>,
     drawn: bool,
-    leave: SyncSender<Block>,
-    blocks: Mutex<Receiver<Block>>,
-    /// Threads that wait for blocks, and those from which blocks may yet come.
-    waiting: AtomicUsize,
-    busy: AtomicUsize,
+    state: Mutex<State>,
+    /// Wakes those who wait, for a block or for what else they wait for.
+    news: Condvar,
+}
+
+#[derive(Default)]
+struct State {
+    /// Blocks to be formatted. Each has a thread that waits, and whoever ends to wait takes one.
+    blocks: VecDeque<Block>,
+    waiting: usize,
+    /// Threads from which blocks may yet come.
+    busy: usize,
+    /// How often results have been taken to be consumed, and how many threads wait for that.
+    taken: u64,
+    full: usize,
 }
 
 /// Results, and who waits for them with their rows.
-pub(super) struct Block {
+struct Block {
     results: Results,
     to: SyncSender<Results>,
 }
 
 /// A thread from which blocks may come.
-pub(super) struct Busy<'a>(&'a AtomicUsize);
+pub(super) struct Busy<'a>(&'a Desk<'a>);
 
 impl Drop for Busy<'_> {
     fn drop(&mut self) {
-        self.0.fetch_sub(1, Ordering::AcqRel);
+        let mut state = self.0.state();
+        state.busy -= 1;
+        if state.busy == 0 {
+            self.0.news.notify_all();
+        }
+    }
+}
+
+/// The thread that consumes results.
+pub(super) struct Consumer<'a>(&'a Desk<'a>);
+
+impl Consumer<'_> {
+    /// Results have been taken: there is room for others.
+    pub(super) fn has_taken(&self) {
+        let mut state = self.0.state();
+        state.taken += 1;
+        if state.full > 0 {
+            self.0.news.notify_all();
+        }
+    }
+}
+
+impl Drop for Consumer<'_> {
+    fn drop(&mut self) {
+        // whoever waits for room finds that nobody consumes any more
+        self.has_taken();
     }
 }
 
 impl<'a> Desk<'a> {
     /// For rows of this record, if there is one; whether events are drawn as well.
-    pub(super) fn new(recorder: Option<Recorder<'a>>, drawn: bool, threads: usize) -> Self {
-        let (leave, blocks) = sync_channel(threads);
-        let none = || AtomicUsize::new(0);
-        Desk { recorder, drawn, leave, blocks: Mutex::new(blocks), waiting: none(), busy: none() }
+    pub(super) fn new(recorder: Option<Recorder<'a>>, drawn: bool) -> Self {
+        Desk { recorder, drawn, state: Mutex::default(), news: Condvar::new() }
     }
 
     /// This thread is at work, until what is returned is dropped.
     pub(super) fn busy(&self) -> Busy<'_> {
-        self.busy.fetch_add(1, Ordering::AcqRel);
-        Busy(&self.busy)
+        self.state().busy += 1;
+        Busy(self)
+    }
+
+    /// This thread consumes results. To be dropped only when nothing can be sent to it any more.
+    pub(super) fn consumer(&self) -> Consumer<'_> {
+        Consumer(self)
     }
 
     /// Hands over results by `out`, whose rows are formatted by a thread that waits for such, or by this one. Returns an empty
     /// place for events; nothing if nobody wants the results any more.
     pub(super) fn send(&self, results: Results, out: &SyncSender<Receiver<Results>>) -> Option<Vec<Event>> {
         let (to, mut formatted) = sync_channel(1);
-        let mut block = Block { results, to };
+        let block = Block { results, to };
         if self.recorder.is_none() {
             out.send(formatted).ok()?;
             return Some(self.format(block));
         }
-        while let Err(error) = out.try_send(formatted) {
-            let TrySendError::Full(again) = error else { return None };
-            self.help();
-            formatted = again;
-        }
-        if self.waiting.load(Ordering::Acquire) > 0 {
-            match self.leave.try_send(block) {
-                Ok(()) => return Some(vec![]),
-                Err(TrySendError::Full(back) | TrySendError::Disconnected(back)) => block = back,
+        loop {
+            let before = self.state().taken;
+            match out.try_send(formatted) {
+                Ok(()) => break,
+                Err(TrySendError::Full(again)) => formatted = again,
+                Err(TrySendError::Disconnected(_)) => return None,
             }
+            self.state().full += 1;
+            let other = self.wait(|state| state.taken != before);
+            self.state().full -= 1;
+            other.map(|other| self.format(other));
         }
+        let mut state = self.state();
+        if state.blocks.len() < state.waiting {
+            state.blocks.push_back(block);
+            self.news.notify_one();
+            return Some(vec![]);
+        }
+        drop(state);
         Some(self.format(block))
     }
 
     /// Formats blocks of other threads until no more can come.
     pub(super) fn help_on(&self) {
-        while self.recorder.is_some() && (self.busy.load(Ordering::Acquire) > 0 || self.help()) {
-            self.help();
+        while let Some(block) = self.wait(|state| state.busy == 0) {
+            self.format(block);
         }
     }
 
-    /// Formats a block, if there is one in a while.
-    fn help(&self) -> bool {
-        self.waiting.fetch_add(1, Ordering::AcqRel);
-        let block = self.blocks.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(A_WHILE);
-        self.waiting.fetch_sub(1, Ordering::AcqRel);
-        block.map(|block| self.format(block)).is_ok()
+    /// Waits for a block to be formatted, or until it is enough.
+    fn wait(&self, enough: impl Fn(&State) -> bool) -> Option<Block> {
+        let mut state = self.state();
+        state.waiting += 1;
+        let nothing = |state: &mut State| state.blocks.is_empty() && !enough(state);
+        let mut state = self.news.wait_while(state, nothing).unwrap_or_else(PoisonError::into_inner);
+        state.waiting -= 1;
+        state.blocks.pop_front()
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Formats the rows. Returns an empty place for events.

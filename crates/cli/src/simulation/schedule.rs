@@ -37,7 +37,7 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
     // threads take jobs in order, and what comes of them is consumed in that order
     let (queue, jobs) = sync_channel(4 * threads);
     let jobs_left = Mutex::new(JobsLeft { next: 0, queue: Some(queue) });
-    let desk = Desk::new(work.recorder, work.drawn, threads);
+    let desk = Desk::new(work.recorder, work.drawn);
     std::thread::scope(|scope| {
         let one = || {
             let _over = Over(&jobs_left);
@@ -60,7 +60,14 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
         if let (true, Some(Err(error))) = (workers.is_empty(), refused.into_iter().next()) {
             return Err(error);
         }
-        let outcome = jobs.into_iter().flatten().flatten().try_for_each(consume);
+        let outcome = {
+            let consumer = desk.consumer();
+            let mut results = jobs.into_iter().flatten().flatten();
+            results.try_for_each(|results| {
+                consumer.has_taken();
+                consume(results)
+            })
+        };
         let of_all =
             workers.into_iter().flatten().map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)));
         let (busy, portraits) = of_all.fold((Duration::ZERO, None), |(longest, all), (busy, portraits)| {

@@ -331,6 +331,28 @@ fn a_run_that_cannot_write_all_its_files_leaves_those_of_an_earlier_one() {
     assert_eq!(fs::read_dir(folder.0.join("out")).unwrap().count(), names.len());
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn where_the_record_cannot_be_written_all_threads_end() {
+    let folder = Folder::new("threads-end");
+    let scene = "law = \"no-slip\"\ntable = { name = \"stadium\" }\nensemble = { count = 8 }\n\
+                 output = { collisions = \"csv\" }\n";
+    fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    // by then those that run the later orbits wait for room
+    let line =
+        "trap '' XFSZ; ulimit -f 80000; exec timeout -s KILL 60 \"$0\" run scene.toml -n 1e12 --threads 5 --out out";
+    let binary = assert_cmd::cargo::cargo_bin("billiards");
+    let mut shell = std::process::Command::new("sh");
+    let output = shell.current_dir(&folder.0).args(["-c", line]).arg(binary).output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        output.status.code() == Some(1) && told.starts_with("error: out: File too large"),
+        "{:?} {told}",
+        output.status
+    );
+    assert_eq!(fs::read_dir(folder.0.join("out")).map_or(0, Iterator::count), 0);
+}
+
 #[test]
 fn the_command_of_a_summary_can_be_given_to_a_shell() {
     let folder = Folder::new("command");
