@@ -6,7 +6,7 @@ use billiards::{
     geometry::{
         Piece, Table, Vector2, Walls,
         shapes::{
-            Segment,
+            Ellipse, Segment,
             curve::{Interval, Polar, PolarFormula},
         },
         tables,
@@ -118,6 +118,16 @@ fn many_sides(criterion: &mut Criterion) {
     }
 }
 
+/// The rectangle 6 × 4 about an ellipse with these semi-axes: most hits are not on it.
+fn around_an_ellipse(semi_axes: [f64; 2]) -> Result<Table, billiards::geometry::Error> {
+    let corners = [[-3.0, -2.0], [3.0, -2.0], [3.0, 2.0], [-3.0, 2.0]].map(Vector2::from);
+    let mut pieces: Vec<Box<dyn Piece>> = vec![Box::new(Ellipse::new(Vector2::new(0.5, 0.5), semi_axes, 0.03, false)?)];
+    for k in 0..4 {
+        pieces.push(Box::new(Segment::new(corners[k], corners[(k + 1) % 4])?));
+    }
+    Table::new(pieces)
+}
+
 /// Tables as walls that know nothing but their pieces: in lanes, and one lane after another.
 fn as_pieces(criterion: &mut Criterion) {
     let table = |made: Result<Table, billiards::geometry::Error>| made.expect("sizes of a table");
@@ -128,6 +138,7 @@ fn as_pieces(criterion: &mut Criterion) {
         ("flower", table(tables::flower(4, 1.25, 2.0))),
         ("pocket", table(tables::pocket([2.0, 1.0], 0.3125, 0.5625))),
         ("ellipse", table(tables::ellipse([2.0, 1.0]))),
+        ("slim ellipse in a box", table(around_an_ellipse([0.4, 0.01]))),
     ];
     for (name, table) in all {
         let pieces: Vec<_> = table.pieces().iter().cloned().enumerate().collect();

@@ -123,6 +123,12 @@ impl Circle {
     /// The landing point and the normal; see [`Piece::landing`].
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        self.land_where(!time.never(), x, v, time)
+    }
+
+    /// The same where the paths do land here; those of other lanes, which may be nowhere near, take no time.
+    #[inline(always)]
+    pub(crate) fn land_where<F: Lane>(&self, here: F::Mask, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let [y0, y1] = from(p, self.center);
         let y = [-y0, -y1];
@@ -132,7 +138,7 @@ impl Circle {
         let z = [y[0] + y[0] * change, y[1] + y[1] * change];
         let (point, normal) =
             ([z[0] + self.center[0], z[1] + self.center[1]], [z[0] * self.to_normal, z[1] * self.to_normal]);
-        let afar = change.same(NEWTON).lt(change.abs());
+        let afar = here & change.same(NEWTON).lt(change.abs());
         if !afar.any() {
             return (point, normal);
         }

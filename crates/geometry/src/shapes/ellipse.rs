@@ -137,12 +137,18 @@ impl Ellipse {
     /// far: there along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of Newton's method.
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
+        self.land_where(!time.never(), x, v, time)
+    }
+
+    /// The same where the paths do land here; those of other lanes, which may be nowhere near, take no time.
+    #[inline(always)]
+    pub(crate) fn land_where<F: Lane>(&self, here: F::Mask, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let (y, w) = self.affine(x, v);
         let (p, n) = if self.width == 0.0 {
-            let (y, _) = self.unit.land(y, w, time);
+            let (y, _) = self.unit.land_where(here, y, w, time);
             (combine(self.from_unit, y), combine(self.to_normal, y))
         } else {
-            self.flat_landing(along(y, w, time), w)
+            self.flat_landing(here, along(y, w, time), w)
         };
         let length = dot(n, n).sqrt();
         ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
@@ -150,11 +156,11 @@ impl Ellipse {
 
     /// Where places `y` on the way `w` in the picture land on a flat ellipse, from its centre, and the direction of the normal.
     #[inline(always)]
-    fn flat_landing<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
+    fn flat_landing<F: Lane>(&self, here: F::Mask, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
         let (off, step, mut n) = self.step(y);
         let p = combine(self.from_unit, y);
         let mut p = [0, 1].map(|i| p[i] + n[i] * step);
-        let afar = off.same(NEWTON).lt(off.abs());
+        let afar = here & off.same(NEWTON).lt(off.abs());
         if afar.any() {
             let (far, normal) = self.far_landing(y, w);
             (p, n) = ([0, 1].map(|i| afar.select(far[i], p[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));

@@ -249,11 +249,11 @@ impl Walls<2> for Few {
             [p1, p2, n1, n2] = afar.choose([p[0], p[1], n[0], n[1]], [p1, p2, n1, n2]);
         }
         if !self.ovals.is_empty() {
-            let oval = !round & one.same(1.5).lt(normal[0]);
+            let oval = num.lt(never) & !round & one.same(1.5).lt(normal[0]);
             for (k, ellipse) in self.ovals.iter().enumerate() {
                 let here = oval & (anchor[0] - k as f64).abs().lt(one);
                 if here.any() {
-                    let (p, n) = ellipse.land(x, v, time);
+                    let (p, n) = ellipse.land_where(here, x, v, time);
                     [p1, p2, n1, n2] = here.choose([p[0], p[1], n[0], n[1]], [p1, p2, n1, n2]);
                 }
             }
