@@ -1,6 +1,6 @@
 //! Mean free times and paths over the canonical measure, at the first flight and after several collisions.
 use billiards::{
-    BallLaw, Billiard, Canonical, CanonicalSpatial, Collisions, Ensemble, Orbit, Planar, Spatial, Starts,
+    BallLaw, Billiard, Canonical, CanonicalSpatial, Collisions, Ensemble, Free, Orbit, Planar, Spatial, Starts,
     laws::{Disk, RoughBall, Specular},
     observe::{FreePath, Mean},
     run,
@@ -8,7 +8,7 @@ use billiards::{
 use collision_laws::laws::NoSlip;
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
 use geometry::{
-    Table,
+    Table, Walls,
     parry::{
         Room,
         Side::{Inside, Outside},
@@ -102,6 +102,30 @@ fn in_space_it_is_fifteen_pi_eighths_of_volume_over_surface() {
             close(&format!("length, {}, {law}", table.name()), paths.length(), 4.0 * ratio);
         }
     }
+}
+
+#[test]
+fn points_which_have_no_spin_fly_pi_areas_over_the_perimeter_or_four_volumes_over_the_surface() {
+    for table in [tables::stadium(1.0, 1.0).unwrap(), tables::sinai(1.0, 0.25).unwrap()] {
+        let canonical = Canonical::of_points(&table, 1.0, 5).unwrap();
+        let paths = of_points(&canonical, &table.list(0..table.pieces().len()));
+        close("in the plane", paths.time(), PI * table.area() / table.perimeter());
+    }
+    let cuboid = SolidSpec::Cuboid { size: [1.0, 2.0, 0.5], rounding: 0.0 };
+    let room = Room::new(vec![cuboid.solid([0.0; 3], Inside).unwrap()]);
+    let canonical = CanonicalSpatial::of_points(room.surface().unwrap(), 1.0, 5).unwrap();
+    close("in space", of_points(&canonical, &ByLane(&room)).time(), 4.0 / 7.0);
+}
+
+/// The flight of a point after three collisions of each orbit.
+fn of_points<const N: usize>(starts: &impl Starts<N, 0>, walls: &impl Walls<N>) -> FreePath<N, 0> {
+    let billiard = Billiard { walls, law: &Specular };
+    Ensemble::of(ORBITS).run(FreePath::new, |i, paths| {
+        let mut orbit: Orbit<f64, N, 0, Free, ()> = starts.start(i).orbit(());
+        run(&billiard, &mut orbit, &Collisions(3), &mut ());
+        paths.follow(&orbit);
+        run(&billiard, &mut orbit, &Collisions(1), paths);
+    })
 }
 
 /// A room with its volume and the area of its boundary.

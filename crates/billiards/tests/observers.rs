@@ -372,6 +372,29 @@ fn a_grid_has_one_start_in_every_cell_of_equal_measure() {
 }
 
 #[test]
+fn a_grid_of_points_has_one_start_in_every_cell_of_place_and_tangential_velocity() {
+    let table = tables::stadium(1.0, 1.0).unwrap();
+    // all but one of the cells of 8 places and 7 velocities
+    let grid = Grid::of_points(&table, 2.0, 55).unwrap();
+    assert_eq!(grid.count(), 55);
+    let mut cells = std::collections::HashSet::new();
+    for i in 0..55 {
+        let start = grid.start(i);
+        let [v1, v2] = start.velocity;
+        assert!((v1 * v1 + v2 * v2 - 4.0).abs() < 1e-14);
+        let normal = table.closest(&start.position.into()).1.normal;
+        assert!(v1 * normal.x + v2 * normal.y > 0.0);
+        let vt = 0.5 * (v2 * normal.x - v1 * normal.y);
+        let cell = (vt + 1.0) * 3.5;
+        assert!((cell.fract() - 0.5).abs() < 1e-12, "{cell}");
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "less than seven")]
+        cells.insert((start.position.map(f64::to_bits), cell as usize));
+    }
+    let places: std::collections::HashSet<_> = cells.iter().map(|(place, _)| *place).collect();
+    assert_eq!((cells.len(), places.len()), (55, 8));
+}
+
+#[test]
 fn a_grid_starts_at_no_vertex_of_a_regular_polygon() {
     for table in [tables::square(1.0).unwrap(), tables::hexagon(1.0).unwrap()] {
         let billiard = Planar { law: no_slip(0.5), table };

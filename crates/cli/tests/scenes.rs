@@ -243,6 +243,48 @@ fn the_mean_free_time_is_that_without_spin_where_nothing_turns_velocity_into_it(
 }
 
 #[test]
+fn points_of_an_ensemble_have_no_spin() {
+    let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-points", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let (scene, out) = (folder.join("scene.toml"), folder.join("out"));
+    for (table, sample, dimension) in [
+        ("name = \"square\"", "canonical", 2),
+        ("name = \"square\"", "grid", 2),
+        ("dimension = 3\nname = \"ball\"", "canonical", 3),
+    ] {
+        let text = format!(
+            "law = \"specular\"\n[table]\n{table}\n[particle]\ninertia = \"point\"\n[ensemble]\ncount = 20\nspeed = 2\n\
+             sample = \"{sample}\"\n[output]\ncollisions = \"csv\"\n"
+        );
+        fs::write(&scene, text).unwrap();
+        let output = billiards().arg("check").arg(&scene).output().unwrap();
+        let told = String::from_utf8(output.stdout).unwrap();
+        assert!(told.contains("at unit speed of the centre") && !told.contains("spin included"), "{told}");
+        assert!(
+            billiards()
+                .arg("run")
+                .arg(&scene)
+                .arg("--out")
+                .arg(&out)
+                .args(["-n", "3"])
+                .output()
+                .unwrap()
+                .status
+                .success()
+        );
+        let record = fs::read_to_string(out.join("collisions.csv")).unwrap();
+        assert_eq!(record.lines().count(), 61);
+        for row in record.lines().skip(1) {
+            let row: Vec<f64> = row.split(',').map(|x| x.parse().unwrap()).collect();
+            let (velocity, spin) = if dimension == 2 { (&row[8..10], &row[7..8]) } else { (&row[7..10], &row[10..13]) };
+            assert!(spin.iter().all(|w| *w == 0.0), "{row:?}");
+            assert!((velocity.iter().map(|v| v * v).sum::<f64>() - 4.0).abs() < 1e-14, "{row:?}");
+        }
+    }
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn there_is_no_mean_free_time_where_no_measure_is_invariant() {
     let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-free-time", std::process::id()));
     fs::create_dir_all(&folder).unwrap();

@@ -10,6 +10,7 @@ use super::engine::{Engine, Until, Watch};
 use super::frame::Frame;
 use super::planar::Planar;
 use super::spatial::{Space, Spatial};
+use super::start::Spins;
 use super::trail::Trail;
 use super::words::{point, short};
 use super::work::Launch;
@@ -275,8 +276,9 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
 /// laws leave no measure invariant of which these are means. Where laws keep the spin, the centre keeps its speed.
 fn mean_free_times(scene: &Scene, keep_spin: bool, [with, without]: [f64; 2], description: &mut Description) {
     let is_ensemble = matches!(scene.starts, Starts::Ensemble(_));
-    description.mean_free_time = finite(with).filter(|_| !keep_spin || is_ensemble);
-    description.mean_free_time_without_spin = finite(without).filter(|_| keep_spin);
+    let is_point = Spins::of(&scene.particle) == Spins::Still;
+    description.mean_free_time = finite(with).filter(|_| !is_point && (!keep_spin || is_ensemble));
+    description.mean_free_time_without_spin = finite(without).filter(|_| is_point || keep_spin);
 }
 
 /// The first collision of an orbit.

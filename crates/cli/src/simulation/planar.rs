@@ -12,7 +12,7 @@ use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, keeps_spin};
 use super::portraits::{Clouds, PlanarPortraits};
 use super::scale::{Scale, to_unity};
-use super::start::{self, ByNumber, Start, Starts};
+use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::trail::PlanarTrail;
 use super::unrolled::Unrolled;
 use crate::document::{Diagnostic, spell};
@@ -49,17 +49,17 @@ impl Planar {
             scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
                 start::planar(scene, (&centres, &pieces), orbit, drawn.factor)
             })?),
-            scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
+            scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone(), Spins::of(&scene.particle)),
         };
         let strict = law.is_strict();
         let planar = Planar { drawn, centres, pieces, law, strict, starts };
         // an ensemble that cannot be drawn is found out before anything is written
         let problem = planar.starts().err();
         match (problem, &planar.starts) {
-            (Some(billiards::Error::Table(error)), Starts::Ensemble(ensemble)) => {
+            (Some(billiards::Error::Table(error)), Starts::Ensemble(ensemble, _)) => {
                 Err(vec![start::undrawable(scene, ensemble, &error)])
             }
-            (Some(error), Starts::Ensemble(ensemble)) => {
+            (Some(error), Starts::Ensemble(ensemble, _)) => {
                 Err(vec![scene.source.diagnostic(ensemble.span, error.to_string())])
             }
             _ => Ok(planar),
@@ -73,15 +73,18 @@ impl Planar {
 
     /// The start of an orbit, by its number.
     pub(crate) fn starts(&self) -> Result<ByNumber<'_, 2, 1>, billiards::Error> {
-        let ensemble = match self.starts.given() {
+        let (ensemble, spins) = match self.starts.given() {
             Ok(starts) => return Ok(starts),
             Err(ensemble) => ensemble,
         };
         let scale = Scale { length: self.drawn.factor, speed: to_unity([ensemble.speed.value]) };
         let speed = ensemble.speed.value * scale.speed;
-        let drawn: Box<dyn billiards::Starts<2, 1>> = match ensemble.sample.value {
-            "grid" => Box::new(Grid::with_count(&self.centres, speed, ensemble.count.value)?),
-            _ => Box::new(Canonical::new(&self.centres, speed, ensemble.seed)?),
+        let (table, count, seed) = (&self.centres, ensemble.count.value, ensemble.seed);
+        let drawn: Box<dyn billiards::Starts<2, 1>> = match (ensemble.sample.value, spins) {
+            ("grid", Spins::Spinning) => Box::new(Grid::with_count(table, speed, count)?),
+            ("grid", Spins::Still) => Box::new(Still(Grid::of_points(table, speed, count)?)),
+            (_, Spins::Spinning) => Box::new(Canonical::new(table, speed, seed)?),
+            (_, Spins::Still) => Box::new(Still(Canonical::of_points(table, speed, seed)?)),
         };
         Ok(Box::new(move |i| {
             let start = drawn.start(i);

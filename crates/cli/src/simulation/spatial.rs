@@ -3,7 +3,7 @@
 use billiards::geometry::parry::{Closest, Room, Solid};
 use billiards::geometry::tables::{self, SpatialTable, WallAt};
 use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit};
-use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, Orbit, Starts as _};
+use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, Orbit};
 
 use super::boundary;
 use super::engine::{Engine, Watched, WithEngine, conserved};
@@ -11,7 +11,7 @@ use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, keeps_spin};
 use super::room;
 use super::scale::{Scale, to_unity};
-use super::start::{self, ByNumber, Start, Starts};
+use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::wires::Wall;
 use super::words::short;
 use crate::document::Diagnostic;
@@ -149,9 +149,9 @@ impl Spatial {
             scene::Starts::Orbits(orbits) => {
                 Starts::Given(start::all(orbits, |orbit| checked(scene, &centres, &shift, orbit, factor))?)
             }
-            scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone()),
+            scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone(), Spins::of(&scene.particle)),
         };
-        if let Starts::Ensemble(ensemble) = &starts {
+        if let Starts::Ensemble(ensemble, _) = &starts {
             if ensemble.sample.value == "grid" {
                 let what = "in space, the sample is \"canonical\"";
                 return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
@@ -190,7 +190,7 @@ impl Spatial {
 
     /// The start of an orbit, by its number.
     pub(crate) fn starts(&self) -> Result<ByNumber<'_, 3, 3>, billiards::Error> {
-        let ensemble = match self.starts.given() {
+        let (ensemble, spins) = match self.starts.given() {
             Ok(starts) => return Ok(starts),
             Err(ensemble) => ensemble,
         };
@@ -199,7 +199,11 @@ impl Spatial {
             Space::Named(table) => Box::new(table),
             Space::Room(room) => Box::new(room.surface()?),
         };
-        let drawn = CanonicalSpatial::new(surface, ensemble.speed.value * scale.speed, ensemble.seed)?;
+        let (speed, seed) = (ensemble.speed.value * scale.speed, ensemble.seed);
+        let drawn: Box<dyn billiards::Starts<3, 3>> = match spins {
+            Spins::Spinning => Box::new(CanonicalSpatial::new(surface, speed, seed)?),
+            Spins::Still => Box::new(Still(CanonicalSpatial::of_points(surface, speed, seed)?)),
+        };
         Ok(Box::new(move |i| {
             let start = drawn.start(i);
             let (position, velocity, spin) = (start.position, start.velocity, start.spin);

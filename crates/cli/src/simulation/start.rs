@@ -3,7 +3,7 @@
 use billiards::geometry::{self, Lattice, Table, Vector2};
 
 use crate::document::{Diagnostic, Span, spell};
-use crate::scene::{Ensemble, Orbit, Scene};
+use crate::scene::{Ensemble, Orbit, Particle, Scene};
 
 use super::scale::{Scale, to_unity};
 use super::words::short;
@@ -30,8 +30,32 @@ pub(crate) struct Start<const N: usize, const S: usize> {
 pub(crate) enum Starts<const N: usize, const S: usize> {
     /// Each start is given.
     Given(Vec<Start<N, S>>),
-    /// They are drawn.
-    Ensemble(Ensemble),
+    /// They are drawn, with spin or, for points, without.
+    Ensemble(Ensemble, Spins),
+}
+
+/// Whether what moves can spin: a point cannot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Spins {
+    Spinning,
+    Still,
+}
+
+impl Spins {
+    /// Those of a particle.
+    pub(crate) fn of(particle: &Particle) -> Spins {
+        if particle.gamma_squared.value > 0.0 { Spins::Spinning } else { Spins::Still }
+    }
+}
+
+/// Starts of points as those of disks or balls that do not spin.
+pub(crate) struct Still<T>(pub(crate) T);
+
+impl<T: billiards::Starts<N, 0>, const N: usize, const S: usize> billiards::Starts<N, S> for Still<T> {
+    fn start(&self, i: u64) -> billiards::Start<N, S> {
+        let billiards::Start { position, velocity, .. } = self.0.start(i);
+        billiards::Start { position, velocity, spin: [0.0; S] }
+    }
 }
 
 impl<const N: usize, const S: usize> Starts<N, S> {
@@ -39,16 +63,16 @@ impl<const N: usize, const S: usize> Starts<N, S> {
     pub(crate) fn count(&self) -> u64 {
         match self {
             Starts::Given(starts) => starts.len() as u64,
-            Starts::Ensemble(ensemble) => ensemble.count.value,
+            Starts::Ensemble(ensemble, _) => ensemble.count.value,
         }
     }
 
     /// The start of an orbit, by its number, where starts are given; otherwise the ensemble.
-    pub(crate) fn given(&self) -> Result<ByNumber<'_, N, S>, &Ensemble> {
+    pub(crate) fn given(&self) -> Result<ByNumber<'_, N, S>, (&Ensemble, Spins)> {
         match self {
             // orbits are numbered below the number of starts
             Starts::Given(starts) => Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()])),
-            Starts::Ensemble(ensemble) => Err(ensemble),
+            Starts::Ensemble(ensemble, spins) => Err((ensemble, *spins)),
         }
     }
 }
