@@ -84,22 +84,12 @@ fn components(table: &Table) -> Vec<Component> {
         let outside: Vec<Vec<usize>> = groups.all().into_iter().filter(around_no_room).collect();
         outside.windows(2).for_each(|pair| groups.unite(pair[0][0], pair[1][0]));
     }
-    let infinite = |chain: &Vec<usize>| chain.iter().any(|&i| !table.pieces()[i].length().is_finite());
     let mut components: Vec<Component> = vec![];
     for group in groups.all() {
         let members: Vec<&Vec<usize>> = group.iter().map(|&k| &chains[k]).collect();
         let mut pieces: Vec<usize> = members.iter().flat_map(|c| c.iter().copied()).collect();
         pieces.sort_unstable();
-        let area = if members.iter().any(|c| infinite(c)) {
-            f64::INFINITY
-        } else {
-            let enclosed = table.enclosed_by(members.iter().copied());
-            match table.shortest() {
-                _ if enclosed > 0.0 => enclosed,
-                Some(lattice) => lattice.cell_area() + enclosed,
-                None => f64::INFINITY,
-            }
-        };
+        let area = table.bounded_by(members.iter().copied());
         components.push(Component { pieces, area });
     }
     components
@@ -197,6 +187,29 @@ mod tests {
     }
     fn disk(x: f64, y: f64, r: f64) -> Box<dyn Piece> {
         Box::new(Circle::new(v(x, y), r, false).unwrap())
+    }
+
+    #[test]
+    fn walls_with_two_sides_take_nothing_of_a_cell() {
+        let cell = || Lattice::new(&[v(1.44, -0.24), v(-0.45, 1.44)]).unwrap();
+        // whose triangles about a vertex sum up to rounding of either sign, or to 0
+        for shift in 0..20 {
+            let at = f64::from(shift) / 7.0;
+            let corners = [v(0.446 + at, -0.153), v(0.616 + at, 0.02), v(0.487 + at, 0.2), v(0.355 + at, 0.205)];
+            let there = corners[1..].iter().fold(Outline::from(corners[0]), |o, c| o.line_to(*c).unwrap());
+            let back = corners.iter().rev().skip(1).fold(there, |o, c| o.line_to(*c).unwrap());
+            let pieces = back.close().unwrap();
+            let table = Table::periodic(pieces, Some(cell())).unwrap();
+            let area = table.area();
+            assert!((area - cell().cell_area()).abs() < 1e-15, "{area}");
+            assert_eq!(table.components().iter().map(|part| part.area).collect::<Vec<_>>(), [area]);
+        }
+        // in the open plane there is no end of what is around a wall, or an obstacle
+        let (from, to) = (v(0.1, 0.2), v(0.7, 0.3));
+        let wall = Outline::from(from).line_to(to).unwrap().line_to(from).unwrap().close().unwrap();
+        for pieces in [wall, vec![disk(0.0, 0.0, 1.0)], square(0.0, 0.0, 1.0, true)] {
+            assert_eq!(Table::new(pieces).unwrap().unbounded().components()[0].area, f64::INFINITY);
+        }
     }
 
     #[test]

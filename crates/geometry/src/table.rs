@@ -15,7 +15,7 @@ use crate::{
     enclosed_area,
     lattice::multiples,
     nearest::nearest_of,
-    plane::{has_square, is_finite},
+    plane::{has_square, is_finite, slack},
     walls::{Pieces, Polygon},
 };
 pub use cell::FundamentalCell;
@@ -196,12 +196,27 @@ impl Table {
         chain.last().is_some_and(|&last| self.next[last] == chain.first().copied())
     }
 
-    /// Area of the table \[L²\], per unit cell on a lattice; infinite or NaN for infinite tables.
+    /// Area of the table \[L²\], per unit cell on a lattice; of obstacles in the open plane minus their own; infinite or NaN where walls are
+    /// infinite.
     pub fn area(&self) -> f64 {
-        let enclosed = self.enclosed_by(&self.chains());
+        let chains = self.chains();
+        if self.shortest().is_some() { self.bounded_by(&chains) } else { self.enclosed_by(&chains) }
+    }
+
+    /// The area of a part of the table that some chains bound: what they enclose or, where that is nothing but rounding, or less, as of
+    /// obstacles and of walls with two sides, what is around them.
+    pub(crate) fn bounded_by<'a>(&self, chains: impl IntoIterator<Item = &'a Vec<usize>> + Clone) -> f64 {
+        let pieces = || chains.clone().into_iter().flatten().map(|&i| &self.pieces[i]);
+        let length: f64 = pieces().map(|piece| piece.length()).sum();
+        if !length.is_finite() {
+            return f64::INFINITY;
+        }
+        let size = pieces().map(|piece| piece.extent().size()).fold(0.0, f64::max);
+        let enclosed = self.enclosed_by(chains);
         match self.shortest() {
-            Some(lattice) if enclosed < 0.0 => lattice.cell_area() + enclosed,
-            _ => enclosed,
+            _ if enclosed > slack([size]) * length => enclosed,
+            Some(lattice) => lattice.cell_area() + enclosed,
+            None => f64::INFINITY,
         }
     }
 
