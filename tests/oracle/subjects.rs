@@ -6,9 +6,8 @@ use super::number::vector;
 use super::tables::each_table;
 use billiards::geometry::{
     Error, Extent, Line, Piece, Vector2, WallHit,
-    parry::Screen,
     shapes::{
-        Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Parallel, Ray, Segment,
+        Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Parallel, Ray, Screen, Segment,
         curve::{Implicit, ImplicitFormula, Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula},
     },
 };

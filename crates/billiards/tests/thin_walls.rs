@@ -6,7 +6,10 @@ use billiards::{
 };
 use collision_laws::laws::NoSlip;
 use core::f64::consts::{FRAC_1_SQRT_2, PI};
-use geometry::{Piece, Table, Vector2, parry::Screen, shapes::Circle};
+use geometry::{
+    Piece, Table, Vector2,
+    shapes::{Circle, Screen},
+};
 
 /// In a circle of radius 2, a wall from one point to another: piece 1.
 fn table([a, b]: [[f64; 2]; 2]) -> Table {

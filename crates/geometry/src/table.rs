@@ -207,7 +207,7 @@ impl Table {
     /// obstacles and of walls with two sides, what is around them.
     pub(crate) fn bounded_by<'a>(&self, chains: impl IntoIterator<Item = &'a Vec<usize>> + Clone) -> f64 {
         let pieces = || chains.clone().into_iter().flatten().map(|&i| &self.pieces[i]);
-        let length: f64 = pieces().map(|piece| piece.length()).sum();
+        let length: f64 = pieces().map(Piece::length).sum();
         if !length.is_finite() {
             return f64::INFINITY;
         }

@@ -1,6 +1,9 @@
 //! Walls with the table on both sides, where they end: nothing slips through between them and what they meet.
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
-use geometry::{Outline, Piece, Table, Vector2, WallHit, Walls, WithWalls, parry::Screen, shapes::Circle};
+use geometry::{
+    Outline, Piece, Table, Vector2, WallHit, Walls, WithWalls,
+    shapes::{Circle, Screen},
+};
 
 fn v(x: f64, y: f64) -> Vector2<f64> {
     Vector2::new(x, y)

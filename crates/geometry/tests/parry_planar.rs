@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 use geometry::{
     Crossing, Error, Landing, Lattice, Line, Perimeter, Piece, Table, Vector2, Walls, WithWalls,
     parry::{
-        Placed, Screen, ShapeSpec, Side,
+        Placed, ShapeSpec, Side,
         parry2d_f64::{
             math::{IVector, Pose, Vector},
             shape::{
@@ -16,6 +16,7 @@ use geometry::{
         },
         pieces,
     },
+    shapes::Screen,
 };
 use nalgebra::Isometry2;
 use random::Random;

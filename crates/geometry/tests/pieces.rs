@@ -6,9 +6,8 @@ mod formulas;
 use formulas::{Clover, Conic, Quartic};
 use geometry::{
     Error, Extent, Line, MeetingKind, Piece, Table, Vector2, check, enclosed_area, meetings,
-    parry::Screen,
     shapes::{
-        Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment,
+        Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Screen, Segment,
         curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
     },
 };

@@ -2,8 +2,7 @@
 use core::f64::consts::PI;
 use geometry::{
     Description, Error, Lattice, Outline, Piece, Table, Turn, Vector2,
-    parry::Screen,
-    shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment},
+    shapes::{Arc, Circle, Ellipse, FullLine, Ray, Screen, Segment},
     tables,
 };
 

@@ -82,7 +82,7 @@ mod tests {
     use core::f64::consts::PI;
 
     use super::*;
-    use billiards::geometry::{parry::Screen, shapes::Circle};
+    use billiards::geometry::shapes::{Circle, Screen};
 
     #[test]
     fn the_faces_of_a_thin_wall_lie_beside_each_other() {

@@ -4,10 +4,9 @@ use super::{
     contour::{Contour, piece_of, reversed},
     convert::Frame,
     curve::DistancePiece,
-    screen::Screen,
     union,
 };
-use crate::{Error, Piece, plane::finite};
+use crate::{Error, Piece, plane::finite, shapes::Screen};
 use nalgebra::Isometry2;
 use parry2d_f64::shape::{Shape, TypedShape};
 

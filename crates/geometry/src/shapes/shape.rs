@@ -1,5 +1,5 @@
 //! The shapes that answer in lanes.
-use super::{Arc, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment};
+use super::{Arc, Circle, Ellipse, EllipticArc, FullLine, Ray, Screen, Segment};
 use crate::{Figure, Piece};
 use nalgebra::Vector2;
 use std::sync::Arc as Shared;
@@ -10,6 +10,8 @@ use std::sync::Arc as Shared;
 pub enum Shape {
     /// A straight segment.
     Segment(Segment),
+    /// A straight segment that is a wall on both of its sides.
+    Screen(Screen),
     /// Half a straight line.
     Ray(Ray),
     /// A whole straight line.
@@ -27,7 +29,7 @@ pub enum Shape {
 /// The same for every kind of shape: `$s` is what a variant holds, `$shape` makes a shape of that again.
 macro_rules! each {
     ($self:expr, $shape:pat, $s:ident => $then:expr) => {
-        each!($self, $shape, $s => $then; Segment Ray Line Arc Circle EllipticArc Ellipse)
+        each!($self, $shape, $s => $then; Segment Screen Ray Line Arc Circle EllipticArc Ellipse)
     };
     ($self:expr, $shape:pat, $s:ident => $then:expr; $($kind:ident)*) => {
         match $self {
@@ -44,6 +46,8 @@ macro_rules! each {
 pub(crate) enum Ground {
     /// On the line through a point with this unit normal into the table.
     Flat { through: [f64; 2], normal: [f64; 2] },
+    /// On either of two segments.
+    Faces([Segment; 2]),
     /// On a circle: `±1/r` from the offset off the centre to the inward normal, and `r²`.
     Round { center: [f64; 2], to_normal: f64, square: f64 },
     /// On an ellipse.
@@ -66,6 +70,7 @@ impl Shape {
     pub(crate) fn is_two_sided(&self) -> bool {
         match self {
             Shape::Segment(s) => s.is_two_sided(),
+            Shape::Screen(s) => s.is_two_sided(),
             Shape::Ray(s) => s.is_two_sided(),
             Shape::Line(s) => s.is_two_sided(),
             Shape::Arc(s) => s.circle().is_two_sided(),
@@ -97,13 +102,14 @@ impl Shape {
             Shape::Circle(Circle { center, radius, inside, .. }) => {
                 Figure::Circle { center: (*center).into(), radius: *radius, inside: *inside }
             }
-            Shape::EllipticArc(_) | Shape::Ellipse(_) => Figure::Other,
+            Shape::Screen(_) | Shape::EllipticArc(_) | Shape::Ellipse(_) => Figure::Other,
         }
     }
 
     pub(crate) fn ground(&self) -> Ground {
         match self {
             Shape::Segment(s) => Ground::Flat { through: s.start(), normal: s.inward_normal() },
+            Shape::Screen(s) => Ground::Faces(*s.faces()),
             Shape::Ray(s) => Ground::Flat { through: s.start(), normal: s.inward_normal() },
             Shape::Line(s) => Ground::Flat { through: s.through(), normal: s.inward_normal() },
             Shape::Arc(s) => s.circle().ground(),

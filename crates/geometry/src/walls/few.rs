@@ -17,7 +17,7 @@ use nalgebra::Vector2;
 #[derive(Clone, Debug)]
 pub struct Few {
     entries: Vec<Entry>,
-    /// What a landing needs to know of each entry, and a row for hits of none.
+    /// What a landing needs to know of each entry, of either face of a screen, and a row for hits of none.
     grounds: Rows,
     /// The numbers of the pieces, where they are not 0, 1, 2, …
     numbers: Option<Rows>,
@@ -36,7 +36,7 @@ struct Entry {
     joined: bool,
     /// Whether its start and its end are corners.
     corners: [bool; 2],
-    /// The place in the list; of a part of a circle −1 minus that.
+    /// Its place among what landings need, that of the first face; of a part of a circle −1 minus that.
     place: f64,
 }
 
@@ -102,17 +102,22 @@ impl Few {
     /// The shapes with their numbers, and the corners of the boundary.
     pub fn new(shapes: &[(usize, Shape)], corners: &[Vector2<f64>]) -> Few {
         let is_corner = |p: Option<[f64; 2]>| p.is_some_and(|p| corners.contains(&p.into()));
-        let is_counted = shapes.iter().enumerate().all(|(place, (number, _))| place == *number);
-        let numbers = (!is_counted).then(|| shapes.iter().map(|(number, _)| [*number as f64, 0.0, 0.0, 0.0]));
         let (mut entries, mut grounds, mut ovals, mut own): (Vec<Entry>, Vec<_>, Vec<_>, Vec<_>) = Default::default();
+        let mut numbers = vec![];
         let mut end = None;
         for &(number, shape) in shapes {
             let [a, b] = ends(&shape);
-            let (place, piece) = (entries.len() as f64, number as f64);
+            let (place, piece) = (grounds.len() as f64, number as f64);
             // a point of a straight piece and the unit normal into the table; the centre of a circle, ±1/r and r²; the place of an
             // ellipse in the list of those
+            let flat = |[a, b]: [f64; 2], [m, n]: [f64; 2]| [a, b, m, n];
             let (ground, place) = match shape.ground() {
-                Ground::Flat { through: [a, b], normal: [m, n] } => ([a, b, m, n], place),
+                Ground::Flat { through, normal } => (flat(through, normal), place),
+                Ground::Faces([there, back]) => {
+                    grounds.push(flat(there.start(), there.inward_normal()));
+                    numbers.push(piece);
+                    (flat(back.start(), back.inward_normal()), place)
+                }
                 Ground::Round { center: [a, b], to_normal, square } => ([a, b, to_normal, square], -1.0 - place),
                 Ground::Oval(ellipse) => {
                     ovals.push(ellipse);
@@ -120,16 +125,19 @@ impl Few {
                 }
             };
             grounds.push(ground);
+            numbers.push(piece);
             let corners = [a, b].map(is_corner);
             entries.push(Entry { shape, joined: a.is_some() && a == end, corners, place });
             own.extend([a, b].into_iter().filter(|p| is_corner(*p)).flatten().map(|p| (p, piece)));
             end = b;
         }
         grounds.push([0.0; 4]);
+        let is_counted = numbers.iter().enumerate().all(|(place, number)| place as f64 == *number);
+        let numbers = numbers.into_iter().chain([0.0]).map(|number| [number, 0.0, 0.0, 0.0]);
         Few {
             entries,
             grounds: Rows::new(grounds),
-            numbers: numbers.map(|numbers| Rows::new(numbers.chain([[0.0; 4]]).collect())),
+            numbers: (!is_counted).then(|| Rows::new(numbers.collect())),
             ovals,
             corners: own,
             size: corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs())),
@@ -164,6 +172,7 @@ impl Few {
 fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
     match shape {
         Shape::Segment(s) => s.vertices().map(|p| Some(*p)),
+        Shape::Screen(s) => s.faces()[0].vertices().map(|p| Some(*p)),
         Shape::Arc(s) => s.vertices().map(|p| Some(*p)),
         Shape::EllipticArc(s) => s.vertices().map(|p| Some(*p)),
         Shape::Ray(s) => [Some(s.start()), None],
@@ -174,7 +183,7 @@ fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
 impl<F: Lane> First<F> {
     /// Takes a crossing that comes before.
     #[inline(always)]
-    fn look(&mut self, candidate: Candidate<F>, entry: &Entry) {
+    fn look(&mut self, candidate: Candidate<F>, place: f64) {
         let Candidate { really, num, den } = candidate;
         // most pieces are not met: one path goes on at once
         if F::LANES == 1 && !really.any() {
@@ -184,7 +193,7 @@ impl<F: Lane> First<F> {
         let num = num.max(zero);
         let sooner = really & (num * self.den).lt(self.num * den);
         [self.num, self.den, self.place] =
-            sooner.choose([num, den, zero.same(entry.place)], [self.num, self.den, self.place]);
+            sooner.choose([num, den, zero.same(place)], [self.num, self.den, self.place]);
     }
 }
 
@@ -205,23 +214,29 @@ impl Walls<2> for Few {
             match &entry.shape {
                 Shape::Segment(s) => {
                     let [a, b] = eye.both(entry, s.vertices());
-                    first.look(s.meet(v, a.to, !a.left() & b.left()), entry);
+                    first.look(s.meet(v, a.to, !a.left() & b.left()), entry.place);
+                }
+                Shape::Screen(s) => {
+                    let [a, b] = eye.both(entry, s.faces()[0].vertices());
+                    let [there, back] = s.meet(v, [a.to, b.to], [a.turn, b.turn]);
+                    first.look(there, entry.place);
+                    first.look(back, entry.place + 1.0);
                 }
                 Shape::Arc(s) => {
                     let [a, b] = eye.both(entry, s.vertices());
-                    first.look(s.meet(x, v, [a.left(), b.left()]), entry);
+                    first.look(s.meet(x, v, [a.left(), b.left()]), entry.place);
                 }
-                Shape::Circle(s) => first.look(s.meet(x, v), entry),
+                Shape::Circle(s) => first.look(s.meet(x, v), entry.place),
                 Shape::EllipticArc(s) => {
                     let [a, b] = eye.both(entry, s.vertices());
-                    first.look(s.meet(x, v, [a.left(), b.left()]), entry);
+                    first.look(s.meet(x, v, [a.left(), b.left()]), entry.place);
                 }
-                Shape::Ellipse(s) => first.look(s.meet(x, v), entry),
+                Shape::Ellipse(s) => first.look(s.meet(x, v), entry.place),
                 Shape::Ray(s) => {
                     let end = eye.see(&s.start(), entry.corners[0]);
-                    first.look(s.meet(x, v, end.to, end.left()), entry);
+                    first.look(s.meet(x, v, end.to, end.left()), entry.place);
                 }
-                Shape::Line(s) => first.look(s.meet(x, v), entry),
+                Shape::Line(s) => first.look(s.meet(x, v), entry.place),
             }
         }
         let First { num, den, place } = first;

@@ -10,8 +10,7 @@ mod thin_walls;
 use core::f64::consts::PI;
 use geometry::{
     Error, Figure, Lattice, Origin, Outline, Piece, Table, Turn, Vector2, Walls, WithWalls,
-    parry::Screen,
-    shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment},
+    shapes::{Arc, Circle, Ellipse, FullLine, Ray, Screen, Segment},
     tables,
 };
 

@@ -28,7 +28,7 @@ impl Oval {
             Shape::Arc(arc) => of_circle(arc.circle()),
             Shape::Ellipse(ellipse) => of_ellipse(ellipse),
             Shape::EllipticArc(arc) => of_ellipse(arc.ellipse()),
-            Shape::Segment(_) | Shape::Ray(_) | Shape::Line(_) => return None,
+            Shape::Segment(_) | Shape::Screen(_) | Shape::Ray(_) | Shape::Line(_) => return None,
         };
         let (from, to) = match shape.as_piece().ends() {
             None => (-PI, PI),

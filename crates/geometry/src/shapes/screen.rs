@@ -1,22 +1,22 @@
 //! A wall without thickness.
+use super::{Segment, Shape};
 use crate::{
     Crossing, Error, Extent, Landing, Line, Piece,
-    plane::{cross, dot, from, slack},
-    shapes::Segment,
+    crossing::Candidate,
+    plane::{cross, dot, from},
 };
+use lanes::Lane;
 use nalgebra::Vector2;
 
 /// A straight segment that is a wall on both of its sides.
 ///
-/// Two one-sided segments back to back would not do: a start on the wall lies on the table's side of one and, within
-/// rounding, outside of the other. A screen is never crossed by a path that starts on it.
+/// It is never crossed by a path that starts on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Screen {
-    /// The segment from `a` to `b` with the table on its left, and back again.
+    /// The segment from `a` to `b` with the table on its left, and back again: sides of a wall with two.
     faces: [Segment; 2],
     a: Vector2<f64>,
     b: Vector2<f64>,
-    slack: f64,
 }
 
 impl Screen {
@@ -25,8 +25,36 @@ impl Screen {
     /// # Errors
     /// [`Error::ZeroLength`] if the ends coincide.
     pub fn new(a: Vector2<f64>, b: Vector2<f64>) -> Result<Screen, Error> {
-        let faces = [Segment::new(a, b)?, Segment::new(b, a)?];
-        Ok(Screen { faces, a, b, slack: slack([a.x, a.y, b.x, b.y]) })
+        let faces = [Segment::new(a, b)?, Segment::new(b, a)?].map(Segment::two_sided);
+        Ok(Screen { faces, a, b })
+    }
+
+    pub(crate) fn translated(self, by: [f64; 2]) -> Screen {
+        let faces = self.faces.map(|face| face.translated(by));
+        Screen { faces, a: faces[0].start().into(), b: faces[0].end().into() }
+    }
+
+    pub(crate) fn two_sided(self) -> Screen {
+        self
+    }
+    pub(crate) fn is_two_sided(&self) -> bool {
+        self.faces[0].is_two_sided()
+    }
+
+    /// The segment from `a` to `b`, and back again.
+    pub(crate) fn faces(&self) -> &[Segment; 2] {
+        &self.faces
+    }
+
+    /// How a path with velocity `v` crosses either face, with the vectors from its start to `a` and `b`, and `v ×` these.
+    ///
+    /// Both tips belong to both faces: nothing passes beside them through neither.
+    #[inline(always)]
+    pub(crate) fn meet<F: Lane>(&self, v: [F; 2], [to_a, to_b]: [[F; 2]; 2], [a, b]: [F; 2]) -> [Candidate<F>; 2] {
+        let zero = a.same(0.0);
+        let there = !zero.lt(a) & !b.lt(zero) & a.lt(b);
+        let back = !zero.lt(b) & !a.lt(zero) & b.lt(a);
+        [self.faces[0].meet(v, to_a, there), self.faces[1].meet(v, to_b, back)]
     }
 
     /// The face that a path with this velocity can hit.
@@ -55,17 +83,10 @@ impl Screen {
 
 impl Piece for Screen {
     fn crossing(&self, path: &Line<2>) -> Crossing {
-        let face = self.facing(&path.velocity);
-        let to_a = path.point - self.a;
-        let along = (self.b - self.a).into();
-        let off = cross(along, to_a.into()).abs() / libm::sqrt(dot(along, along));
-        if off <= self.slack + slack(path.point.iter().copied()) {
-            return Crossing::NEVER;
-        }
-        let (velocity, [to_a, to_b]) = (path.velocity.into(), face.vertices().map(|tip| from(path.point.into(), *tip)));
-        let [a, b] = [to_a, to_b].map(|to| cross(velocity, to));
-        // both tips belong to both faces: nothing passes beside them through neither
-        face.meet(velocity, to_a, a <= 0.0 && 0.0 <= b && a < b).into()
+        let v = path.velocity.into();
+        let to = self.faces[0].vertices().map(|tip| from(path.point.into(), *tip));
+        let [there, back] = self.meet(v, to, to.map(|to| cross(v, to)));
+        if there.really { there.into() } else { back.into() }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         self.facing(&path.velocity).landing(path, time)
@@ -107,6 +128,9 @@ impl Piece for Screen {
     }
     fn area(&self) -> f64 {
         0.0
+    }
+    fn shape(&self) -> Option<Shape> {
+        Some(Shape::Screen(*self))
     }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         Some([self.a, self.b])
