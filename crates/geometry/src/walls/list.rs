@@ -39,7 +39,7 @@ impl List {
         let known = Corners::new(corners);
         let are_corners =
             |ends: Option<[Vector2<f64>; 2]>| ends.map_or([false; 2], |e| e.map(|end| known.contains(&end)));
-        let corners = pieces.iter().map(|(_, piece)| are_corners(piece.ends())).collect();
+        let corners = pieces.iter().map(|(_, piece)| are_corners(ends(&**piece))).collect();
         let tree = || Search::Tree(BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent())));
         let search = if pieces.len() < List::MANY { Search::Each } else { tree() };
         List(ByLane(Pieces { numbered: pieces, search, corners, size: known.size() }))
@@ -66,6 +66,11 @@ impl Pieces {
     }
 }
 
+/// Where a piece ends: at its ends, or its tips.
+fn ends(piece: &dyn Piece) -> Option<[Vector2<f64>; 2]> {
+    piece.ends().or(piece.tips())
+}
+
 impl Boundary<2> for Pieces {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
         let (k, time) = self.first(path)?;
@@ -75,7 +80,7 @@ impl Boundary<2> for Pieces {
         let near = CORNER * self.size.max(path.point.amax());
         let is_corner = |(end, corner): (Vector2<f64>, bool)| corner && (landing.point - end).amax() <= near;
         let corner = self.corners[k] != [false; 2]
-            && piece.ends().is_some_and(|ends| ends.into_iter().zip(self.corners[k]).any(is_corner));
+            && ends(&**piece).is_some_and(|ends| ends.into_iter().zip(self.corners[k]).any(is_corner));
         Some(Hit { time, point: landing.point, normal: landing.normal, piece: *number, corner })
     }
 }

@@ -56,6 +56,8 @@ fn jumble(random: &mut Random, scale: f64) -> (Vec<Box<dyn Piece>>, Vec<Vector2<
         pieces.push(Box::new(Ray::new(c, a - c, inside).unwrap()));
     }
     pieces.push(Box::new(FullLine::new(c * 2.0, b).unwrap()));
+    pieces.push(Box::new(Screen::new(c, vertices[0]).unwrap()));
+    pieces.push(Box::new(Screen::new(vertices[0], a).unwrap()));
     (pieces, vertices)
 }
 

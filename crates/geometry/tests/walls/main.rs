@@ -14,7 +14,7 @@ mod side_by_side;
 mod whole_sides;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};
-use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, Translated};
+use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Screen, Segment, Translated};
 use geometry::{
     Interior, Lattice, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
     tables::{Build, Entry},
