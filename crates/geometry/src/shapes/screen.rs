@@ -15,8 +15,6 @@ use nalgebra::Vector2;
 pub struct Screen {
     /// The segment from `a` to `b` with the table on its left, and back again: sides of a wall with two.
     faces: [Segment; 2],
-    a: Vector2<f64>,
-    b: Vector2<f64>,
 }
 
 impl Screen {
@@ -25,13 +23,11 @@ impl Screen {
     /// # Errors
     /// [`Error::ZeroLength`] if the ends coincide.
     pub fn new(a: Vector2<f64>, b: Vector2<f64>) -> Result<Screen, Error> {
-        let faces = [Segment::new(a, b)?, Segment::new(b, a)?].map(Segment::two_sided);
-        Ok(Screen { faces, a, b })
+        Ok(Screen { faces: [Segment::new(a, b)?, Segment::new(b, a)?].map(Segment::two_sided) })
     }
 
     pub(crate) fn translated(self, by: [f64; 2]) -> Screen {
-        let faces = self.faces.map(|face| face.translated(by));
-        Screen { faces, a: faces[0].start().into(), b: faces[0].end().into() }
+        Screen { faces: self.faces.map(|face| face.translated(by)) }
     }
 
     pub(crate) fn two_sided(self) -> Screen {
@@ -57,15 +53,22 @@ impl Screen {
         [self.faces[0].meet(v, to_a, there), self.faces[1].meet(v, to_b, back)]
     }
 
+    /// The tips `a` and `b`.
+    fn vertices(&self) -> [Vector2<f64>; 2] {
+        self.faces[0].vertices().map(|tip| Vector2::from(*tip))
+    }
+
     /// The face that a path with this velocity can hit.
     fn facing(&self, velocity: &Vector2<f64>) -> &Segment {
-        let leftwards = cross((self.b - self.a).into(), (*velocity).into()) > 0.0;
+        let [a, b] = self.vertices();
+        let leftwards = cross((b - a).into(), (*velocity).into()) > 0.0;
         &self.faces[usize::from(leftwards)]
     }
 
     /// The number of the face on whose side a point lies; of points on the screen itself the left one.
     fn side_of(&self, point: &Vector2<f64>) -> usize {
-        usize::from(cross((self.b - self.a).into(), (point - self.a).into()) < 0.0)
+        let [a, b] = self.vertices();
+        usize::from(cross((b - a).into(), (point - a).into()) < 0.0)
     }
 
     /// The face at an arc length, and the arc length along it.
@@ -133,7 +136,7 @@ impl Piece for Screen {
         Some(Shape::Screen(*self))
     }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
-        Some([self.a, self.b])
+        Some(self.vertices())
     }
 }
 

@@ -20,8 +20,8 @@ pub(crate) struct Junctions {
     on_others: bool,
 }
 
-/// Starts within this many times the [`slack`] of a wall with two sides may count as on it: twice that, one for the wall and one for the
-/// start, and a half for the rounding of the start.
+/// A start within half the [`slack`] of a wall with two sides counts as on it, and is off by rounding of another half: this many times
+/// leave more than a factor of two on both.
 const BAND: f64 = 2.5;
 
 /// A tip that stands alone is a corner within half of that, as any vertex is: [`CORNER`].
