@@ -252,11 +252,9 @@ pub(crate) fn each_room(frame: &Frame, mut show: impl FnMut(&Room<'_>)) -> Resul
             let &Sample { numbered, middle, edge, .. } = sample;
             let room = Room { name, size, extent, truth: &truth, numbered, middle, edge, hit: &hit };
             show(&room);
-            if side == Side::Inside {
-                let name = format!("{}, {place} (walls)", sample.name);
-                let alone = parry::Room::new(vec![sample.source.solid(center, side)?]);
-                alone.with_walls(AsWalls { room: Room { name, numbered: false, ..room }, show: &mut show });
-            }
+            let name = format!("{}, {place} (walls)", sample.name);
+            let alone = parry::Room::new(vec![sample.source.solid(center, side)?]);
+            alone.with_walls(AsWalls { room: Room { name, numbered: false, ..room }, show: &mut show });
         }
     }
     let scatterers = Scatterers::new([(center.into(), by(0.75), 0)])?;

@@ -1,4 +1,5 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
+mod convex;
 mod manifold;
 mod shells;
 mod side;

@@ -18,6 +18,7 @@ use super::{
 use crate::{
     Boundary, Error, Extent, Hit, Line,
     plane::{finite, is_finite, slack},
+    walls::ConvexBody,
 };
 use convex::Convex;
 pub(in crate::parry) use convex::Figure;
@@ -236,6 +237,16 @@ impl Solid {
     pub(super) fn figure(&self) -> Option<Figure> {
         match &self.members[..] {
             [Body::Convex(convex, _)] => convex.figure(),
+            _ => None,
+        }
+    }
+
+    /// Its surfaces, if it is one convex body that walls in lanes know.
+    pub(super) fn body(&self) -> Option<ConvexBody> {
+        match &self.members[..] {
+            [Body::Convex(convex, _)] => convex.body(),
+            [Body::Mesh(mesh, _)] => mesh.body(0.0),
+            [Body::Parallel(parallel)] => parallel.body(),
             _ => None,
         }
     }

@@ -1,8 +1,7 @@
 //! A list of a few shapes, asked in lanes.
-use super::{CORNER, WallHit, Walls};
+use super::{CORNER, WallHit, Walls, first::First};
 use crate::{
     afar::{NEWTON, on_circle},
-    crossing::Candidate,
     plane::{along, cross, from},
     shapes::{Ellipse, Ground, Shape},
 };
@@ -42,13 +41,6 @@ struct Entry {
 
 /// In place of a unit normal: an ellipse.
 const OVAL: [f64; 2] = [2.0, 0.0];
-
-/// The first crossing of those looked at.
-struct First<F: Lane> {
-    num: F,
-    den: F,
-    place: F,
-}
 
 /// A vertex as a path sees it.
 #[derive(Clone, Copy)]
@@ -180,23 +172,6 @@ fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
     }
 }
 
-impl<F: Lane> First<F> {
-    /// Takes a crossing that comes before.
-    #[inline(always)]
-    fn look(&mut self, candidate: Candidate<F>, place: f64) {
-        let Candidate { really, num, den } = candidate;
-        // most pieces are not met: one path goes on at once
-        if F::LANES == 1 && !really.any() {
-            return;
-        }
-        let zero = num.same(0.0);
-        let num = num.max(zero);
-        let sooner = really & (num * self.den).lt(self.num * den);
-        [self.num, self.den, self.place] =
-            sooner.choose([num, den, zero.same(place)], [self.num, self.den, self.place]);
-    }
-}
-
 impl Walls<2> for Few {
     fn rounds_normals(&self) -> bool {
         !self.ovals.is_empty()
@@ -208,7 +183,7 @@ impl Walls<2> for Few {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
         let never = zero.same(f64::INFINITY);
-        let mut first = First { num: never, den: one, place: zero };
+        let mut first = First::none(zero);
         let mut eye = Eye { x, v, last: Seen { to: [zero; 2], turn: zero }, aside: never };
         for entry in &self.entries {
             match &entry.shape {

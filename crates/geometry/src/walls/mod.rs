@@ -4,7 +4,7 @@
 //! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
 //! zonogon, convex polygon, wedge, capsule, sphere, cylinder), also where their sides are several pieces, one scatterer or
 //! many, pairs of those, straight sides eight at a time, straight, circular and elliptic pieces as a list in lanes, smooth
-//! curves as graphs of polynomials, or a list of any pieces.
+//! curves as graphs of polynomials, convex solids in space as a list in lanes, or a list of any pieces.
 mod around;
 mod by_lane;
 mod capsule;
@@ -15,6 +15,7 @@ mod cuboid;
 mod cylinder;
 mod enclosure;
 mod few;
+mod first;
 mod graphs;
 mod homogeneous;
 mod hull;
@@ -29,7 +30,9 @@ mod rotated;
 mod scatterer;
 mod scatterers;
 mod slab;
+mod solids;
 mod sphere;
+mod vessel;
 mod wedge;
 mod zonogon;
 
@@ -54,7 +57,9 @@ pub use rotated::Rotated;
 pub use scatterer::Scatterer;
 pub use scatterers::Scatterers;
 pub use slab::Slab;
+pub(crate) use solids::{ConvexBody, Member, OneByOne, Solids};
 pub use sphere::Sphere;
+pub use vessel::Vessel;
 pub use wedge::Wedge;
 pub use zonogon::Zonogon;
 

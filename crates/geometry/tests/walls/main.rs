@@ -11,6 +11,7 @@ mod periodic;
 mod reused;
 mod rooms;
 mod side_by_side;
+mod solids;
 mod whole_sides;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};

@@ -1,7 +1,13 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
 use super::super::convert::{Frame, from_glam3};
 use super::positive;
-use crate::{Error, Line, parry::polytope::Polytope, plane::slack, surface::any_across, walls::CORNER};
+use crate::{
+    Error, Line,
+    parry::polytope::Polytope,
+    plane::slack,
+    surface::any_across,
+    walls::{CORNER, ConvexBody},
+};
 use nalgebra::Vector3;
 use parry3d_f64::shape::{Capsule, Cone, Cuboid, Cylinder, HalfSpace};
 use std::collections::HashMap;
@@ -351,7 +357,28 @@ impl Convex {
         }
     }
 
-    /// Whether it is one: all others are bounded.
+    /// Its surfaces, unless it is a cone.
+    pub(super) fn body(&self) -> Option<ConvexBody> {
+        let faces = match &self.kind {
+            Kind::Intersection(faces) => faces,
+            Kind::Capsule(pill) => {
+                let [Face::Ball { center: a, radius }, Face::Ball { center: b, .. }] = pill.balls else { return None };
+                return Some(ConvexBody::Capsule { ends: [a, b], radius });
+            }
+        };
+        let (mut planes, mut round) = (vec![], None);
+        for face in faces {
+            match *face {
+                Face::Plane { through, normal } => planes.push([through, normal]),
+                Face::Ball { center, radius } => round = Some((center, None, radius)),
+                Face::Tube { through, axis, radius } => round = Some((through, Some(axis), radius)),
+                Face::Nappe { .. } => return None,
+            }
+        }
+        Some(ConvexBody::Intersection { planes, round })
+    }
+
+    /// Whether it is a half-space: all others are bounded.
     pub(super) fn is_half_space(&self) -> bool {
         matches!(&self.kind, Kind::Intersection(faces) if matches!(faces[..], [Face::Plane { .. }]))
     }

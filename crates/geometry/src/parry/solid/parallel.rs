@@ -6,7 +6,11 @@ use super::{
     rounded::{Plate, Rounded},
     strata::{Stratum, strata},
 };
-use crate::{BoxTree, Crossing, Error, Extent, Line, plane::slack, walls::CORNER};
+use crate::{
+    BoxTree, Crossing, Error, Extent, Line,
+    plane::slack,
+    walls::{CORNER, ConvexBody},
+};
 use core::cell::Cell;
 use nalgebra::Vector3;
 
@@ -91,6 +95,11 @@ impl Parallel {
         // beside its edge a face is no farther than the edge, within rounding, but its normal is another to half the digits
         let (point, normal) = flat.filter(|_| !corner).map_or((point, normal), |other| self.plates[other].land(&point));
         (point, normal, corner)
+    }
+
+    /// The convex body that it bounds from outside, if it does and has few faces.
+    pub(super) fn body(&self) -> Option<ConvexBody> {
+        self.mesh.body(self.margin)
     }
 
     /// The parts of the surface.

@@ -1,0 +1,111 @@
+//! What a landing needs to know of the surface that is hit.
+use super::{block::Plane, round::Round};
+use crate::{afar::NEWTON, plane::slack, walls::WallHit};
+use lanes::{Lane, Mask, Rows, dot};
+
+/// A flat or a round surface, with the table on one side.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Ground {
+    Flat(Plane),
+    Round(Round),
+}
+
+/// The grounds of all surfaces by their places, in three tables of four columns.
+#[derive(Clone, Debug)]
+pub(super) struct Grounds {
+    /// Of a plane, the unit normal into the table and its height; of a round surface, its middle and squared radius.
+    anchors: Rows,
+    /// Of a round surface, a unit vector along its axis, or nothing of a ball, and `±1/r`, negative where the table is within; of a
+    /// plane, nothing.
+    axes: Rows,
+    /// The number of the piece.
+    numbers: Rows,
+    /// Each plane once, whichever side the table is on.
+    planes: Vec<Plane>,
+    rounds: Vec<Round>,
+}
+
+impl Grounds {
+    /// Surfaces of bodies, with the table inside or outside and the number of the piece.
+    pub(super) fn new(all: &[(Ground, bool, usize)]) -> Grounds {
+        let (mut anchors, mut axes, mut numbers) = (vec![], vec![], vec![]);
+        let (mut planes, mut rounds): (Vec<Plane>, Vec<Round>) = (vec![], vec![]);
+        for (ground, inside, number) in all {
+            let sign = if *inside { -1.0 } else { 1.0 };
+            numbers.push([*number as f64, 0.0, 0.0, 0.0]);
+            match ground {
+                Ground::Flat(plane) => {
+                    let [n0, n1, n2] = plane.normal.map(|n| sign * n);
+                    anchors.push([n0, n1, n2, sign * plane.distance]);
+                    axes.push([0.0; 4]);
+                    if !planes.iter().any(|other| other.is(plane)) {
+                        planes.push(*plane);
+                    }
+                }
+                Ground::Round(round) => {
+                    let ([c0, c1, c2], [a0, a1, a2]) = (round.center, round.axis.unwrap_or_default());
+                    anchors.push([c0, c1, c2, round.radius * round.radius]);
+                    axes.push([a0, a1, a2, sign / round.radius]);
+                    rounds.push(*round);
+                }
+            }
+        }
+        Grounds { anchors: Rows::new(anchors), axes: Rows::new(axes), numbers: Rows::new(numbers), planes, rounds }
+    }
+
+    /// The hit at a time on the surface at a place, and where more must be known of it: another surface is `near` \[L\], or a round one
+    /// is tiny beside the flight.
+    #[inline(always)]
+    pub(super) fn land<F: Lane>(&self, x: &[F; 3], v: &[F; 3], time: F, place: F, near: F) -> (WallHit<F, 3>, F::Mask) {
+        let zero = time.same(0.0);
+        let [a0, a1, a2, height] = self.anchors.at(place);
+        let [e0, e1, e2, to_normal] = self.axes.at(place);
+        let [piece, ..] = self.numbers.at(place);
+        let (anchor, axis) = ([a0, a1, a2], [e0, e1, e2]);
+        let p = [x[0] + time * v[0], x[1] + time * v[1], x[2] + time * v[2]];
+        // onto the plane
+        let off = height - dot(&p, &anchor);
+        let flat = [p[0] + off * a0, p[1] + off * a1, p[2] + off * a2];
+        let (mut point, mut normal) = (flat, anchor);
+        let mut doubt = zero.never();
+        let round = zero.lt(to_normal.abs());
+        if round.any() {
+            let y = [p[0] - a0, p[1] - a1, p[2] - a2];
+            let along = dot(&y, &axis);
+            let w = [y[0] - along * e0, y[1] - along * e1, y[2] - along * e2];
+            // |w|² is r² up to rounding: one Newton step
+            let change = (height - dot(&w, &w)) * (to_normal * to_normal * 0.5);
+            doubt = round & zero.same(NEWTON).lt(change.abs());
+            for i in 0..3 {
+                let grow = w[i] * change;
+                point[i] = round.select((y[i] + grow) + anchor[i], flat[i]);
+                normal[i] = round.select((w[i] + grow) * to_normal, anchor[i]);
+            }
+        }
+        // it lies on one surface, its own
+        let (mut one, mut two) = (zero.never(), zero.never());
+        for plane in &self.planes {
+            let here = plane.off(&point).abs().lt(near);
+            two = two | (one & here);
+            one = one | here;
+        }
+        for round in &self.rounds {
+            let here = round.off(&point).abs().lt(near);
+            two = two | (one & here);
+            one = one | here;
+        }
+        let hit = WallHit { time, point, normal, inverse: zero.same(1.0), piece, corner: zero.never() };
+        (hit, doubt | two | !one)
+    }
+}
+
+impl Plane {
+    /// Whether another plane is the same within rounding, seen from either side.
+    fn is(&self, other: &Plane) -> bool {
+        let same = |sign: f64| {
+            let turned = (0..3).all(|i| (self.normal[i] - sign * other.normal[i]).abs() <= 4.0 * f64::EPSILON);
+            turned && (self.distance - sign * other.distance).abs() <= 0.5 * slack([self.distance])
+        };
+        same(1.0) || same(-1.0)
+    }
+}

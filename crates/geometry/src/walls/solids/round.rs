@@ -1,0 +1,137 @@
+//! Balls and tubes.
+use crate::crossing::Candidate;
+use lanes::{Lane, Mask, dot};
+use nalgebra::Vector3;
+
+/// All points within `r` of a centre, or of a line through it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Round {
+    pub(super) center: [f64; 3],
+    /// A unit vector along the line; a ball has none.
+    pub(super) axis: Option<[f64; 3]>,
+    pub(super) radius: f64,
+    square: f64,
+}
+
+/// How the line of a path `x + t v` passes a ball or a tube: inside while `a t² + 2 b t + c ≤ 0`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pass<F> {
+    a: F,
+    pub(super) b: F,
+    pub(super) c: F,
+    /// `b² − a c`
+    discriminant: F,
+}
+
+/// What is across a unit vector.
+#[inline(always)]
+pub(super) fn across<F: Lane>(w: &[F; 3], axis: &[f64; 3]) -> [F; 3] {
+    let along = along(w, axis);
+    [w[0] - along * axis[0], w[1] - along * axis[1], w[2] - along * axis[2]]
+}
+
+/// The component along a vector.
+#[inline(always)]
+pub(super) fn along<F: Lane>(w: &[F; 3], axis: &[f64; 3]) -> F {
+    w[0] * axis[0] + w[1] * axis[1] + w[2] * axis[2]
+}
+
+/// A point as it is seen from another one.
+#[inline(always)]
+pub(super) fn seen<F: Lane>(x: &[F; 3], from: &[f64; 3]) -> [F; 3] {
+    [x[0] - from[0], x[1] - from[1], x[2] - from[2]]
+}
+
+impl Round {
+    pub(super) fn new(center: Vector3<f64>, axis: Option<Vector3<f64>>, radius: f64) -> Round {
+        Round { center: center.into(), axis: axis.map(Into::into), radius, square: radius * radius }
+    }
+
+    /// How far off the surface a point near it lies \[L\].
+    #[inline(always)]
+    pub(super) fn off<F: Lane>(&self, point: &[F; 3]) -> F {
+        let mut w = seen(point, &self.center);
+        if let Some(axis) = &self.axis {
+            w = across(&w, axis);
+        }
+        (dot(&w, &w) - self.square) * (0.5 / self.radius)
+    }
+
+    #[inline(always)]
+    pub(super) fn pass<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> Pass<F> {
+        let (mut w, mut u) = (seen(x, &self.center), *v);
+        if let Some(axis) = &self.axis {
+            (w, u) = (across(&w, axis), across(v, axis));
+        }
+        Pass::of(&w, &u, self.square)
+    }
+}
+
+impl<F: Lane> Pass<F> {
+    /// Of a ball or a tube with this squared radius, with what is seen of place and velocity from its middle.
+    #[inline(always)]
+    pub(super) fn of(w: &[F; 3], u: &[F; 3], square: f64) -> Pass<F> {
+        let (a, b, c) = (dot(u, u), dot(w, u), dot(w, w) - square);
+        // b² − a c = |u|² r² − |w ∧ u|², in which the distance of a far start does not cancel
+        let mut discriminant = a * square;
+        for [i, j] in [[1, 0], [2, 0], [2, 1]] {
+            let moment = w[j] * u[i] - w[i] * u[j];
+            discriminant = discriminant - moment * moment;
+        }
+        Pass { a, b, c, discriminant }
+    }
+
+    /// Whether the line comes in at all; not told of one along a tube.
+    #[inline(always)]
+    pub(super) fn meets(&self) -> F::Mask {
+        self.b.same(0.0).lt(self.discriminant)
+    }
+
+    /// Whether the path neither comes nearer to the axis nor goes farther from it.
+    #[inline(always)]
+    pub(super) fn is_along(&self) -> F::Mask {
+        !self.b.same(0.0).lt(self.a)
+    }
+
+    /// When a path that starts inside, but for rounding, goes out, as a fraction: the later root, without cancellation.
+    #[inline(always)]
+    pub(super) fn exit(&self) -> [F; 2] {
+        let Pass { a, b, c, discriminant } = *self;
+        let zero = b.same(0.0);
+        let root = discriminant.max(zero).sqrt();
+        // where rounding leaves little of `b` and of the root, `c` is no product of roots
+        let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
+        let [num, den] = as_product.choose([-c, b + root], [root - b, a]);
+        self.is_along().choose([zero.same(f64::INFINITY), zero.same(1.0)], [num, den])
+    }
+
+    /// When a line that meets it comes in: the earlier root, likewise.
+    #[inline(always)]
+    pub(super) fn entry(&self) -> [F; 2] {
+        let Pass { a, b, c, discriminant } = *self;
+        let zero = b.same(0.0);
+        let root = discriminant.max(zero).sqrt();
+        let [num, den] = b.lt(zero).choose([c, root - b], [-(b + root), a]);
+        self.is_along().choose([zero.same(f64::NEG_INFINITY), zero.same(1.0)], [num, den])
+    }
+
+    /// Where a path goes out that is inside.
+    #[inline(always)]
+    pub(super) fn leaves(&self) -> Candidate<F> {
+        let [num, den] = self.exit();
+        Candidate { really: num.lt(num.same(f64::INFINITY)), num, den }
+    }
+
+    /// Where a path comes in; a start counts as outside down to this value of `c`.
+    #[inline(always)]
+    pub(super) fn enters(&self, off: F) -> Candidate<F> {
+        let [num, den] = self.entry();
+        Candidate { really: self.meets() & self.approaches(off), num, den }
+    }
+
+    /// Whether a path comes nearer from outside, down to this value of `c`.
+    #[inline(always)]
+    pub(super) fn approaches(&self, off: F) -> F::Mask {
+        self.b.lt(self.b.same(0.0)) & off.lt(self.c)
+    }
+}

@@ -1,0 +1,110 @@
+//! Rooms between convex solids of any kind, against their exact answers.
+
+use super::rooms::{AsSolids, Name, Wall, paths_in, room};
+use super::side_by_side::SameBits;
+use super::*;
+use geometry::parry::{Room, Side, SolidSpec as S};
+use geometry::{Boundary, Vector3};
+
+/// A point of the cube between `±size`.
+fn point(size: f64, random: &mut Random) -> [f64; 3] {
+    core::array::from_fn(|_| random.between(-size, size))
+}
+
+/// The table on one side of a plane: all with `n·x > −5`, for a unit vector along `n`.
+fn above(n: [f64; 3]) -> Wall {
+    let unit = Vector3::from(n).normalize();
+    (S::HalfSpace { normal: (-unit).into() }, (unit * -5.0).into(), Side::Inside)
+}
+
+/// What is around the origin, in one wall or several.
+fn containers(random: &mut Random) -> Vec<(&'static str, Vec<Wall>)> {
+    let at = [0.25, -0.125, 0.375];
+    let inside = |spec: S| vec![(spec, at, Side::Inside)];
+    let hull = |points: &[[f64; 3]]| S::ConvexHull { points: points.into(), rounding: 0.0 };
+    let [a, b] = [12.0, 7.0];
+    let octahedron = [[a, 0.0, 0.0], [-a, 0.0, 0.0], [0.0, b, 0.0], [0.0, -b, 0.0], [0.0, 0.0, a], [0.0, 0.0, -a]];
+    let tetrahedron = [[-9.0, -9.0, -5.0], [25.0, -9.0, -5.0], [-9.0, 25.0, -5.0], [-9.0, -9.0, 40.0]];
+    let any: Vec<[f64; 3]> = (0..9).map(|_| point(9.0, random)).chain(octahedron.map(|p| p.map(|x| 0.5 * x))).collect();
+    let planes = |normals: &[[f64; 3]]| normals.iter().map(|n| above(*n)).collect::<Vec<_>>();
+    let lens = [12.0, 11.0]
+        .map(|radius| (S::Ball { radius }, [0.75 * (radius - 9.0) * (2.0 * radius - 23.0), 0.5, 0.0], Side::Inside));
+    vec![
+        ("octahedron", inside(hull(&octahedron))),
+        ("tetrahedron", inside(hull(&tetrahedron))),
+        ("polyhedron", inside(hull(&any))),
+        ("capsule", inside(S::Capsule { from: [-3.0, 1.0, -2.0], to: [3.0, 0.5, 1.0], radius: 6.0 })),
+        ("half a ball", [inside(S::Ball { radius: 9.0 }), planes(&[[0.3, -0.2, 1.0]])].concat()),
+        ("lens", lens.into()),
+        (
+            "half a can",
+            [inside(S::Cylinder { radius: 6.0, height: 9.5, rounding: 0.0 }), planes(&[[1.0, 0.5, 0.3]])].concat(),
+        ),
+        ("wedge", planes(&[[1.0, 0.2, 0.0], [0.0, 0.1, 1.0]])),
+        ("channel", planes(&[[1.0, 0.0, 0.0], [-1.0, 0.1, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])),
+        ("prism", planes(&[[1.0, 0.0, 0.0], [-0.5, 1.0, 0.0], [-0.5, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])),
+        (
+            "cut cube",
+            [inside(S::Cuboid { size: [9.0, 10.0, 8.5], rounding: 0.0 }), planes(&[[1.0, 1.0, 1.0]])].concat(),
+        ),
+        ("open space", vec![]),
+    ]
+}
+
+/// An obstacle of any kind anywhere; some of them meet.
+fn obstacle(random: &mut Random) -> Wall {
+    let size = |random: &mut Random| random.between(0.3, 2.5);
+    let kind = random.uniform();
+    let spec = if kind < 0.2 {
+        S::Ball { radius: size(random) }
+    } else if kind < 0.4 {
+        S::Cuboid { size: core::array::from_fn(|_| size(random)), rounding: 0.0 }
+    } else if kind < 0.6 {
+        S::Cylinder { radius: size(random), height: size(random), rounding: 0.0 }
+    } else if kind < 0.8 {
+        S::Capsule { from: point(1.5, random), to: point(1.5, random), radius: size(random) }
+    } else if kind < 0.95 {
+        S::ConvexHull { points: (0..6).map(|_| point(2.0, random)).collect(), rounding: 0.0 }
+    } else if kind < 0.975 {
+        S::Cone { radius: size(random), height: size(random), rounding: 0.0 }
+    } else {
+        S::Cuboid { size: core::array::from_fn(|_| size(random)), rounding: 0.25 }
+    };
+    (spec, point(4.0, random), Side::Outside)
+}
+
+/// Paths of specular orbits from places in a room, as far as they go.
+fn orbits_in(room: &Room, count: usize, random: &mut Random) -> Vec<Line<3>> {
+    let mut all = vec![];
+    for mut path in paths_in(room, count, random) {
+        for _ in 0..16 {
+            all.push(path);
+            let Some(hit) = room.first_hit(&path).filter(|hit| !hit.corner && hit.point.amax() < 1e3) else { break };
+            let v = path.velocity;
+            path = Line { point: hit.point, velocity: v - hit.normal * (2.0 * v.dot(&hit.normal)) };
+        }
+    }
+    all
+}
+
+#[test]
+fn convex_solids_in_lanes_answer_as_they_do_alone() {
+    let mut random = Random(29);
+    for round in 0..24 {
+        for (name, container) in containers(&mut random) {
+            let obstacles: Vec<Wall> = (0..round % 6).map(|_| obstacle(&mut random)).collect();
+            // numbers follow the order, whichever comes first
+            let walls = if round < 12 { [container, obstacles].concat() } else { [obstacles, container].concat() };
+            if walls.is_empty() {
+                continue;
+            }
+            let room = room(&walls);
+            let paths = orbits_in(&room, 32, &mut random);
+            let name = &format!("{name} {round}");
+            room.with_walls(AsSolids { name, room: &room, paths: &paths });
+            room.with_walls(SameBits { name, paths: &paths });
+            let found = room.with_walls(Name);
+            assert!(found.starts_with("solids::Solids") || name.starts_with("open"), "{name}: {found}");
+        }
+    }
+}
