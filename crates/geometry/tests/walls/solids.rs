@@ -108,3 +108,61 @@ fn convex_solids_in_lanes_answer_as_they_do_alone() {
         }
     }
 }
+
+#[test]
+fn edges_and_corners_are_told_in_lanes_as_alone() {
+    let mut random = Random(31);
+    let solid = |spec: S, side| (spec, [0.0; 3], side);
+    let cube = S::Cuboid { size: [2.0; 3], rounding: 0.0 };
+    let drum = S::Cylinder { radius: 1.0, height: 2.0, rounding: 0.0 };
+    let tetrahedron =
+        S::ConvexHull { points: vec![[-1.0; 3], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]], rounding: 0.0 };
+    let planes = [[3.0, 0.0, -1.0], [-1.0, 3.0, 0.0], [0.0, -1.0, 3.0]].map(above);
+    // a place on an edge, and the normals of both faces
+    let on_cube = |u: f64| (Vector3::new(1.0, 2.0 * u - 1.0, -1.0), [Vector3::x(), -Vector3::z()]);
+    let on_rim = |u: f64| {
+        let out = Vector3::new(libm::cos(7.0 * u), libm::sin(7.0 * u), 0.0);
+        (out + Vector3::z(), [out, Vector3::z()])
+    };
+    let on_tetrahedron = |u: f64| {
+        let faces = [[1.0, -1.0, -1.0], [1.0, 1.0, 1.0]].map(|n| Vector3::from(n).normalize());
+        (Vector3::new(1.0, 2.0 * u - 1.0, 1.0 - 2.0 * u), faces)
+    };
+    let on_planes = |u: f64| {
+        let [a, b] = [[3.0, 0.0, -1.0], [-1.0, 3.0, 0.0]].map(|n| Vector3::from(n).normalize());
+        ((a + b) * (-5.0 / (1.0 + a.dot(&b))) + a.cross(&b) * (20.0 * u), [a, b])
+    };
+    type Place<'a> = &'a dyn Fn(f64) -> (Vector3<f64>, [Vector3<f64>; 2]);
+    let cases: [(&str, Vec<Wall>, Place<'_>); 7] = [
+        ("in a cube and half a space", vec![solid(cube.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_cube),
+        ("around a cube", vec![solid(cube, Side::Outside)], &on_cube),
+        ("in a drum and half a space", vec![solid(drum.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_rim),
+        ("around a drum", vec![solid(drum, Side::Outside)], &on_rim),
+        ("in a tetrahedron", vec![solid(tetrahedron.clone(), Side::Inside)], &on_tetrahedron),
+        ("around a tetrahedron", vec![solid(tetrahedron, Side::Outside)], &on_tetrahedron),
+        ("between planes", planes.into(), &on_planes),
+    ];
+    for (name, walls, place) in cases {
+        let room = room(&walls);
+        let mut paths = vec![];
+        while paths.len() < 2000 {
+            // on the edge, or some ulp beside it, or farther
+            let aside = Vector3::from(point(1.0, &mut random)) * libm::exp2(-random.between(30.0, 56.0));
+            let end = if random.uniform() < 0.25 { 0.0 } else { random.uniform() };
+            let (to, faces) = place(end);
+            let from = Vector3::from(point(4.0, &mut random));
+            let velocity = to + aside - from;
+            // along a face, its crossing is known to no such digit; nor is whether an edge is met or passed by
+            let [a, b] = faces.map(|face| face.dot(&velocity) / velocity.norm());
+            if room.distance(&from) > 0.0 && a.abs().min(b.abs()) > 0.1 && a * b > 0.0 {
+                paths.push(Line { point: from, velocity });
+            }
+        }
+        let corners = paths.iter().filter(|path| room.first_hit(path).is_some_and(|hit| hit.corner)).count();
+        assert!((20..1980).contains(&corners), "{name}: {corners}");
+        room.with_walls(AsSolids { name, room: &room, paths: &paths });
+        room.with_walls(SameBits { name, paths: &paths });
+        let found = room.with_walls(Name);
+        assert!(found.starts_with("solids::Solids"), "{name}: {found}");
+    }
+}
