@@ -145,6 +145,12 @@ impl Member {
     }
 }
 
+/// At least the largest coordinate.
+#[inline(always)]
+fn sum_of_sizes<F: Lane>(x: &[F; 3]) -> F {
+    x[0].abs() + x[1].abs() + x[2].abs()
+}
+
 /// A ball around a box, seen from a point, larger than that by more than any rounding.
 fn around(Extent { min, max }: &Extent<3>, from: &Vector3<f64>) -> Round {
     let (center, half) = (min * 0.5 + max * 0.5, max * 0.5 - min * 0.5);
@@ -170,7 +176,7 @@ impl Walls<3> for Solids<'_> {
     fn first_hit<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> WallHit<F, 3> {
         let zero = v[0].same(0.0);
         // a path may come from far beyond the walls
-        let reach = (x[0].abs() + x[1].abs() + x[2].abs()) + self.size;
+        let reach = sum_of_sizes(x) + self.size;
         let y = self.center.sees(x);
         let within = reach * slack([1.0]);
         let mut first = First::none(zero);
@@ -198,11 +204,12 @@ impl Walls<3> for Solids<'_> {
             }
         }
         let never = zero.same(f64::INFINITY);
-        let near = reach * (2.0 * CORNER);
         let time = first.num / first.den;
-        let (mut hit, mut doubt) = self.grounds.land(&y, v, time, first.place, near);
-        hit.point = self.center.seen(&hit.point);
-        doubt = doubt & time.lt(never);
+        let (mut hit, tiny) = self.grounds.land(&y, v, time, first.place);
+        let at = hit.point;
+        hit.point = self.center.seen(&at);
+        let near = (reach + sum_of_sizes(&hit.point)) * (2.0 * CORNER);
+        let mut doubt = (tiny | self.grounds.several_at(&at, near)) & time.lt(never);
         if let Some(others) = &self.others {
             let other = others.first_hit(x, v);
             let sooner = other.time.lt(hit.time);

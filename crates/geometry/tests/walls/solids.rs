@@ -17,6 +17,19 @@ fn above(n: [f64; 3]) -> Wall {
     (S::HalfSpace { normal: (-unit).into() }, (unit * -5.0).into(), Side::Inside)
 }
 
+/// A tetrahedron of triangles, of which the last may be missing or have a dent, and how far the table keeps off.
+fn mesh(size: f64, faces: usize, dent: bool, margin: f64) -> S {
+    let mut vertices =
+        [[-1.0; 3], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]].map(|p| p.map(|x| x * size)).to_vec();
+    let mut triangles = vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+    triangles.truncate(faces);
+    if dent {
+        vertices.push([0.1 * size; 3]);
+        triangles.splice(3.., [[1, 3, 4], [3, 2, 4], [2, 1, 4]]);
+    }
+    S::TriMesh { vertices, triangles, margin }
+}
+
 /// What is around the origin, in one wall or several.
 fn containers(random: &mut Random) -> Vec<(&'static str, Vec<Wall>)> {
     let at = [0.25, -0.125, 0.375];
@@ -33,7 +46,10 @@ fn containers(random: &mut Random) -> Vec<(&'static str, Vec<Wall>)> {
         ("octahedron", inside(hull(&octahedron))),
         ("tetrahedron", inside(hull(&tetrahedron))),
         ("polyhedron", inside(hull(&any))),
+        ("mesh", inside(mesh(6.0, 4, false, 0.0))),
+        ("mesh kept off", inside(mesh(8.0, 4, false, 0.75))),
         ("capsule", inside(S::Capsule { from: [-3.0, 1.0, -2.0], to: [3.0, 0.5, 1.0], radius: 6.0 })),
+        ("upright capsule", inside(S::Capsule { from: [0.0, 0.0, -3.0], to: [0.0, 0.0, 3.0], radius: 5.0 })),
         ("half a ball", [inside(S::Ball { radius: 9.0 }), planes(&[[0.3, -0.2, 1.0]])].concat()),
         ("lens", lens.into()),
         (
@@ -62,7 +78,14 @@ fn obstacle(random: &mut Random) -> Wall {
     } else if kind < 0.6 {
         S::Cylinder { radius: size(random), height: size(random), rounding: 0.0 }
     } else if kind < 0.8 {
-        S::Capsule { from: point(1.5, random), to: point(1.5, random), radius: size(random) }
+        let to = if kind < 0.65 { [0.0, 1.5, 0.0] } else { point(1.5, random) };
+        S::Capsule { from: if kind < 0.65 { [0.0; 3] } else { point(1.5, random) }, to, radius: size(random) }
+    } else if kind < 0.82 {
+        mesh(size(random), 4, false, 0.0)
+    } else if kind < 0.86 {
+        mesh(size(random), 4, random.uniform() < 0.5, if random.uniform() < 0.5 { 0.0 } else { 0.25 })
+    } else if kind < 0.88 {
+        mesh(size(random), 3, false, 0.0)
     } else if kind < 0.95 {
         S::ConvexHull { points: (0..6).map(|_| point(2.0, random)).collect(), rounding: 0.0 }
     } else if kind < 0.975 {
@@ -117,12 +140,19 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
     let drum = S::Cylinder { radius: 1.0, height: 2.0, rounding: 0.0 };
     let tetrahedron =
         S::ConvexHull { points: vec![[-1.0; 3], [1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]], rounding: 0.0 };
+    // no walls in lanes know it
+    let cone = S::Cone { radius: 1.0, height: 2.0, rounding: 0.0 };
     let planes = [[3.0, 0.0, -1.0], [-1.0, 3.0, 0.0], [0.0, -1.0, 3.0]].map(above);
+    let floor = (S::HalfSpace { normal: [0.0, 0.0, 1.0] }, [0.0, 0.0, -1.0], Side::Outside);
     // a place on an edge, and the normals of both faces
     let on_cube = |u: f64| (Vector3::new(1.0, 2.0 * u - 1.0, -1.0), [Vector3::x(), -Vector3::z()]);
     let on_rim = |u: f64| {
         let out = Vector3::new(libm::cos(7.0 * u), libm::sin(7.0 * u), 0.0);
         (out + Vector3::z(), [out, Vector3::z()])
+    };
+    let on_foot = |u: f64| {
+        let out = Vector3::new(libm::cos(7.0 * u), libm::sin(7.0 * u), 0.0);
+        (out - Vector3::z(), [out * 2.0 + Vector3::z(), Vector3::z()].map(|n| n.normalize()))
     };
     let on_tetrahedron = |u: f64| {
         let faces = [[1.0, -1.0, -1.0], [1.0, 1.0, 1.0]].map(|n| Vector3::from(n).normalize());
@@ -133,7 +163,7 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         ((a + b) * (-5.0 / (1.0 + a.dot(&b))) + a.cross(&b) * (20.0 * u), [a, b])
     };
     type Place<'a> = &'a dyn Fn(f64) -> (Vector3<f64>, [Vector3<f64>; 2]);
-    let cases: [(&str, Vec<Wall>, Place<'_>); 7] = [
+    let cases: [(&str, Vec<Wall>, Place<'_>); 8] = [
         ("in a cube and half a space", vec![solid(cube.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_cube),
         ("around a cube", vec![solid(cube, Side::Outside)], &on_cube),
         ("in a drum and half a space", vec![solid(drum.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_rim),
@@ -141,13 +171,14 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         ("in a tetrahedron", vec![solid(tetrahedron.clone(), Side::Inside)], &on_tetrahedron),
         ("around a tetrahedron", vec![solid(tetrahedron, Side::Outside)], &on_tetrahedron),
         ("between planes", planes.into(), &on_planes),
+        ("beside a cone on a plane", vec![solid(cone, Side::Outside), floor], &on_foot),
     ];
     for (name, walls, place) in cases {
         let room = room(&walls);
         let mut paths = vec![];
         while paths.len() < 2000 {
             // on the edge, or some ulp beside it, or farther
-            let aside = Vector3::from(point(1.0, &mut random)) * libm::exp2(-random.between(30.0, 56.0));
+            let aside = Vector3::from(point(1.0, &mut random)) * libm::exp2(-random.between(40.0, 56.0));
             let end = if random.uniform() < 0.25 { 0.0 } else { random.uniform() };
             let (to, faces) = place(end);
             let from = Vector3::from(point(4.0, &mut random));

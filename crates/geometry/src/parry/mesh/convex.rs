@@ -8,7 +8,7 @@ impl Mesh {
     pub(crate) fn body(&self, margin: f64) -> Option<ConvexBody> {
         /// More are looked for through the tree.
         const MANY: usize = 256;
-        if self.triangles.len() > MANY || !self.closed || self.sheets.is_some() || (self.outside && margin > 0.0) {
+        if self.triangles.len() > MANY || !self.closed || (self.outside && margin > 0.0) {
             return None;
         }
         let sign = if self.outside { 1.0 } else { -1.0 };

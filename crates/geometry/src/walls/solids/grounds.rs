@@ -53,10 +53,9 @@ impl Grounds {
         Grounds { anchors: Rows::new(anchors), axes: Rows::new(axes), numbers: Rows::new(numbers), planes, rounds }
     }
 
-    /// The hit at a time on the surface at a place, and where more must be known of it: another surface is `near` \[L\], or a round one
-    /// is tiny beside the flight.
+    /// The hit at a time on the surface at a place, and where that is round and tiny beside the flight, so that more must be known.
     #[inline(always)]
-    pub(super) fn land<F: Lane>(&self, x: &[F; 3], v: &[F; 3], time: F, place: F, near: F) -> (WallHit<F, 3>, F::Mask) {
+    pub(super) fn land<F: Lane>(&self, x: &[F; 3], v: &[F; 3], time: F, place: F) -> (WallHit<F, 3>, F::Mask) {
         let zero = time.same(0.0);
         let [a0, a1, a2, height] = self.anchors.at(place);
         let [e0, e1, e2, to_normal] = self.axes.at(place);
@@ -67,7 +66,7 @@ impl Grounds {
         let off = height - dot(&p, &anchor);
         let flat = [p[0] + off * a0, p[1] + off * a1, p[2] + off * a2];
         let (mut point, mut normal) = (flat, anchor);
-        let mut doubt = zero.never();
+        let mut tiny = zero.never();
         let round = zero.lt(to_normal.abs());
         if round.any() {
             let y = [p[0] - a0, p[1] - a1, p[2] - a2];
@@ -75,27 +74,32 @@ impl Grounds {
             let w = [y[0] - along * e0, y[1] - along * e1, y[2] - along * e2];
             // |w|² is r² up to rounding: one Newton step
             let change = (height - dot(&w, &w)) * (to_normal * to_normal * 0.5);
-            doubt = round & zero.same(NEWTON).lt(change.abs());
+            tiny = round & zero.same(NEWTON).lt(change.abs());
             for i in 0..3 {
                 let grow = w[i] * change;
                 point[i] = round.select((y[i] + grow) + anchor[i], flat[i]);
                 normal[i] = round.select((w[i] + grow) * to_normal, anchor[i]);
             }
         }
-        // it lies on one surface, its own
-        let (mut one, mut two) = (zero.never(), zero.never());
+        let hit = WallHit { time, point, normal, inverse: zero.same(1.0), piece, corner: zero.never() };
+        (hit, tiny)
+    }
+
+    /// Whether several surfaces pass within a distance \[L\] of a point.
+    #[inline(always)]
+    pub(super) fn several_at<F: Lane>(&self, point: &[F; 3], near: F) -> F::Mask {
+        let (mut one, mut two) = (near.never(), near.never());
         for plane in &self.planes {
-            let here = plane.off(&point).abs().lt(near);
+            let here = plane.off(point).abs().lt(near);
             two = two | (one & here);
             one = one | here;
         }
         for round in &self.rounds {
-            let here = round.off(&point).abs().lt(near);
+            let here = round.off(point).abs().lt(near);
             two = two | (one & here);
             one = one | here;
         }
-        let hit = WallHit { time, point, normal, inverse: zero.same(1.0), piece, corner: zero.never() };
-        (hit, doubt | two | !one)
+        two
     }
 }
 

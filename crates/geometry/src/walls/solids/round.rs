@@ -93,26 +93,29 @@ impl<F: Lane> Pass<F> {
         !self.b.same(0.0).lt(self.a)
     }
 
-    /// When a path that starts inside, but for rounding, goes out, as a fraction: the later root, without cancellation.
-    #[inline(always)]
-    pub(super) fn exit(&self) -> [F; 2] {
-        let Pass { a, b, c, discriminant } = *self;
-        let zero = b.same(0.0);
-        let root = discriminant.max(zero).sqrt();
-        // where rounding leaves little of `b` and of the root, `c` is no product of roots
-        let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
-        let [num, den] = as_product.choose([-c, b + root], [root - b, a]);
-        self.is_along().choose([zero.same(f64::INFINITY), zero.same(1.0)], [num, den])
-    }
-
-    /// When a line that meets it comes in: the earlier root, likewise.
+    /// When a line that meets it comes in, as a fraction: the earlier root, from the endless past along a tube.
+    ///
+    /// Where roots cancel, so do the terms of `c`: as a product of roots neither would be right to more digits of the place.
     #[inline(always)]
     pub(super) fn entry(&self) -> [F; 2] {
-        let Pass { a, b, c, discriminant } = *self;
-        let zero = b.same(0.0);
-        let root = discriminant.max(zero).sqrt();
-        let [num, den] = b.lt(zero).choose([c, root - b], [-(b + root), a]);
-        self.is_along().choose([zero.same(f64::NEG_INFINITY), zero.same(1.0)], [num, den])
+        self.root([-(self.b + self.half_chord()), self.a], f64::NEG_INFINITY)
+    }
+
+    /// When it goes out: the later root, in the endless future along a tube.
+    #[inline(always)]
+    pub(super) fn exit(&self) -> [F; 2] {
+        self.root([self.half_chord() - self.b, self.a], f64::INFINITY)
+    }
+
+    /// Half of the time within, times `a`.
+    #[inline(always)]
+    fn half_chord(&self) -> F {
+        self.discriminant.max(self.a.same(0.0)).sqrt()
+    }
+
+    #[inline(always)]
+    fn root(&self, root: [F; 2], endless: f64) -> [F; 2] {
+        self.is_along().choose([self.a.same(endless), self.a.same(1.0)], root)
     }
 
     /// Where a path goes out that is inside.
