@@ -89,7 +89,7 @@ impl WithWalls<3> for Name {
 }
 
 /// The hit of one path.
-struct First(Line<3>);
+pub(super) struct First(pub(super) Line<3>);
 impl WithWalls<3> for First {
     type Output = geometry::Hit<3>;
     fn run<W: Walls<3>>(self, walls: &W) -> geometry::Hit<3> {

@@ -1,6 +1,6 @@
 //! Rooms between convex solids of any kind, against their exact answers.
 
-use super::rooms::{AsSolids, Name, Wall, paths_in, room};
+use super::rooms::{AsSolids, First, Name, Wall, paths_in, room};
 use super::side_by_side::SameBits;
 use super::*;
 use geometry::parry::{Room, Side, SolidSpec as S};
@@ -195,5 +195,25 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         room.with_walls(SameBits { name, paths: &paths });
         let found = room.with_walls(Name);
         assert!(found.starts_with("solids::Solids"), "{name}: {found}");
+    }
+}
+
+#[test]
+fn a_path_along_a_wall_of_two_sides_ends_in_the_corner_at_its_foot() {
+    // a triangle that stands on the floor of a cube, and another one in its middle
+    let sheet = S::TriMesh {
+        vertices: [[0.0, -0.5, -1.0], [0.0, 0.5, -1.0], [0.0, 0.0, 0.5]]
+            .into_iter()
+            .chain([[0.5, -0.5, 0.0], [0.5, 0.5, 0.0], [0.5, 0.0, 0.5]])
+            .collect(),
+        triangles: vec![[0, 1, 2], [0, 2, 1], [3, 4, 5], [3, 5, 4]],
+        margin: 0.0,
+    };
+    let cube = S::Cuboid { size: [2.0; 3], rounding: 0.0 };
+    let room = room(&[(cube, [0.0; 3], Side::Inside), (sheet, [0.0; 3], Side::Outside)]);
+    for (x, corner) in [(0.0, true), (1e-12, false)] {
+        let path = Line { point: Vector3::new(x, 0.1, 0.0), velocity: -Vector3::z() };
+        let hit = room.with_walls(First(path));
+        assert_eq!((hit.point, hit.corner), (Vector3::new(x, 0.1, -1.0), corner));
     }
 }

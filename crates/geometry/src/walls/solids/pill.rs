@@ -31,7 +31,7 @@ impl Pill {
         let [num, den] = tube.exit();
         let (end, part) = self.end(height * den + rise * num, den);
         let [num, den] = part.lt(part.same(0.5)).choose([num, den], self.ball(x, v, end).exit());
-        (Candidate { really: part.lt(part.same(f64::INFINITY)), num, den }, part)
+        (Candidate { really: !num.never(), num, den }, part)
     }
 
     /// Where a path comes in from outside, and through which part. A start may be inside by `slack` \[L\].

@@ -138,3 +138,17 @@ impl<F: Lane> Pass<F> {
         self.b.lt(self.b.same(0.0)) & off.lt(self.c)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_along_a_tube_neither_enters_nor_leaves_it() {
+        let tube = Round::new(Vector3::new(0.5, 0.0, 0.0), Some(Vector3::z()), 1.0);
+        let pass = tube.pass(&[0.75, 0.25, 3.0], &[0.0, 0.0, -2.0]);
+        assert!(pass.is_along());
+        assert_eq!((pass.entry(), pass.exit()), ([f64::NEG_INFINITY, 1.0], [f64::INFINITY, 1.0]));
+        assert!(!pass.leaves().really && !pass.enters(0.0).really);
+    }
+}
