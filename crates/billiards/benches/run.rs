@@ -1,18 +1,19 @@
 //! Nanoseconds per collision of the engine's loops, table by table: one orbit at a time, and many in vector registers.
 
 use billiards::{
-    Billiard, Canonical, Collisions, Conserved, Orbit, Planar, Start, Starts,
+    Billiard, Canonical, CanonicalSpatial, Collisions, Conserved, Orbit, Planar, Start, Starts,
     collision_laws::laws::{NoSlip, Specular},
     geometry::{
-        Piece, Table, Vector2, Walls,
+        Piece, Table, Vector2, Walls, WithWalls,
+        parry::{Room, Side, SolidSpec},
         shapes::{
             Ellipse, Segment,
             curve::{Interval, Polar, PolarFormula},
         },
         tables,
-        walls::{Few, Graphs, List},
+        walls::{ByLane, Few, Graphs, List},
     },
-    laws::Disk,
+    laws::{Disk, RoughBall},
     run, run_side_by_side,
 };
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -200,5 +201,68 @@ fn on(criterion: &mut Criterion, name: &str, table: &Table, walls: &impl Walls<2
     });
 }
 
-criterion_group!(benches, tables_and_laws, many_sides, as_pieces, curves);
+/// Rooms in space, by the walls that they find and by the exact answers of their solids.
+fn rooms(criterion: &mut Criterion) {
+    let hull = |points: &[[f64; 3]]| SolidSpec::ConvexHull { points: points.into(), rounding: 0.0 };
+    let tetrahedron = hull(&[[0.0; 3], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]);
+    let axes = |a: f64| {
+        [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [-1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [0.0, 0.0, a], [0.0, 0.0, -a]]
+    };
+    let capsule = SolidSpec::Capsule { from: [0.0, 0.0, -1.0], to: [0.0, 0.0, 1.0], radius: 1.0 };
+    let ball = (SolidSpec::Ball { radius: 1.0 }, Side::Inside);
+    let floor = (SolidSpec::HalfSpace { normal: [0.0, 0.0, 1.0] }, Side::Outside);
+    let cube = |size: f64| SolidSpec::Cuboid { size: [size; 3], rounding: 0.0 };
+    let drum = SolidSpec::Cylinder { radius: 1.0, height: 4.0, rounding: 0.0 };
+    let rooms = [
+        ("tetrahedron", vec![(tetrahedron, Side::Inside)]),
+        ("octahedron", vec![(hull(&axes(1.4)), Side::Inside)]),
+        ("capsule", vec![(capsule, Side::Inside)]),
+        ("half a ball", vec![ball, floor]),
+        ("cylinder across a cube", vec![(cube(4.0), Side::Inside), (drum, Side::Outside)]),
+        ("cube in a cube", vec![(cube(4.0), Side::Inside), (cube(1.0), Side::Outside)]),
+    ];
+    for (name, solids) in rooms {
+        let solids = solids.iter().map(|(spec, side)| spec.solid([0.0; 3], *side).expect("a solid"));
+        let room = Room::new(solids.collect());
+        let surface = room.surface().expect("a bounded room");
+        let canonical = CanonicalSpatial::new(&surface, 1.0, 1).expect("a speed");
+        let starts: Vec<Start<3, 3>> = (0..ORBITS).map(|i| canonical.start(i)).collect();
+        let mut group = criterion.benchmark_group("rooms");
+        group.throughput(Throughput::Elements(ORBITS * COLLISIONS)).sample_size(20);
+        let mut bench = |name: String, run: &mut dyn FnMut() -> u64| {
+            group.bench_function(name, |b| b.iter(&mut *run));
+        };
+        room.with_walls(InRoom { name: name.into(), starts: &starts, bench: &mut bench });
+        InRoom { name: format!("{name} (exact)"), starts: &starts, bench: &mut bench }.run(&ByLane(&room));
+    }
+}
+
+/// Measures orbits between walls in space, one by one and side by side.
+struct InRoom<'a> {
+    name: String,
+    starts: &'a [Start<3, 3>],
+    bench: &'a mut dyn FnMut(String, &mut dyn FnMut() -> u64),
+}
+
+impl WithWalls<3> for InRoom<'_> {
+    type Output = ();
+    fn run<W: Walls<3>>(self, walls: &W) {
+        let InRoom { name, starts, bench } = self;
+        let billiard = Billiard { walls, law: &RoughBall::no_slip(0.4_f64.sqrt()).expect("a ball") };
+        let orbit = |start: &Start<3, 3>| start.orbit::<(), ()>(());
+        bench(format!("{name}, one by one"), &mut || {
+            let one = |s: &Start<3, 3>| run(&billiard, &mut orbit(s), &Collisions(COLLISIONS), &mut ()).collisions;
+            starts.iter().map(one).sum()
+        });
+        bench(format!("{name}, side by side"), &mut || {
+            let mut made = 0;
+            run_side_by_side(&billiard, &mut starts.iter().map(orbit), &Collisions(COLLISIONS), &mut (), &mut |f| {
+                made += f.outcome.collisions;
+            });
+            made
+        });
+    }
+}
+
+criterion_group!(benches, tables_and_laws, many_sides, as_pieces, curves, rooms);
 criterion_main!(benches);

@@ -132,6 +132,9 @@ fn convex_solids_in_lanes_answer_as_they_do_alone() {
     }
 }
 
+/// A place on an edge for a number from 0 to 1, and the normals of both faces.
+type Place<'a> = &'a dyn Fn(f64) -> (Vector3<f64>, [Vector3<f64>; 2]);
+
 #[test]
 fn edges_and_corners_are_told_in_lanes_as_alone() {
     let mut random = Random(31);
@@ -144,7 +147,6 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
     let cone = S::Cone { radius: 1.0, height: 2.0, rounding: 0.0 };
     let planes = [[3.0, 0.0, -1.0], [-1.0, 3.0, 0.0], [0.0, -1.0, 3.0]].map(above);
     let floor = (S::HalfSpace { normal: [0.0, 0.0, 1.0] }, [0.0, 0.0, -1.0], Side::Outside);
-    // a place on an edge, and the normals of both faces
     let on_cube = |u: f64| (Vector3::new(1.0, 2.0 * u - 1.0, -1.0), [Vector3::x(), -Vector3::z()]);
     let on_rim = |u: f64| {
         let out = Vector3::new(libm::cos(7.0 * u), libm::sin(7.0 * u), 0.0);
@@ -162,7 +164,6 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         let [a, b] = [[3.0, 0.0, -1.0], [-1.0, 3.0, 0.0]].map(|n| Vector3::from(n).normalize());
         ((a + b) * (-5.0 / (1.0 + a.dot(&b))) + a.cross(&b) * (20.0 * u), [a, b])
     };
-    type Place<'a> = &'a dyn Fn(f64) -> (Vector3<f64>, [Vector3<f64>; 2]);
     let cases: [(&str, Vec<Wall>, Place<'_>); 8] = [
         ("in a cube and half a space", vec![solid(cube.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_cube),
         ("around a cube", vec![solid(cube, Side::Outside)], &on_cube),
