@@ -3,14 +3,14 @@
 use super::*;
 
 /// A specular orbit from hit to hit, started anew where it runs into a corner.
-struct Bounce<'a, const N: usize, S, D> {
-    name: &'a str,
-    bounces: usize,
-    start: S,
+pub(super) struct Bounce<'a, const N: usize, S, D> {
+    pub(super) name: &'a str,
+    pub(super) bounces: usize,
+    pub(super) start: S,
     /// Distance from the boundary of a point.
-    distance: D,
+    pub(super) distance: D,
     /// Size of the coordinates.
-    size: f64,
+    pub(super) size: f64,
 }
 
 impl<const N: usize, S, D> WithWalls<N> for Bounce<'_, N, S, D>

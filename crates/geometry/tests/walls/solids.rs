@@ -1,5 +1,6 @@
 //! Rooms between convex solids of any kind, against their exact answers.
 
+use super::leaks::Bounce;
 use super::rooms::{AsSolids, First, Name, Wall, paths_in, room};
 use super::side_by_side::SameBits;
 use super::*;
@@ -129,6 +130,30 @@ fn convex_solids_in_lanes_answer_as_they_do_alone() {
             let found = room.with_walls(Name);
             assert!(found.starts_with("solids::Solids") || name.starts_with("open"), "{name}: {found}");
         }
+    }
+}
+
+#[test]
+fn nothing_leaks_from_rooms_between_convex_solids() {
+    let mut random = Random(37);
+    for (name, container) in containers(&mut random) {
+        if ["wedge", "channel", "open space"].contains(&name) {
+            continue;
+        }
+        let obstacles: Vec<Wall> = (0..3).map(|_| obstacle(&mut random)).collect();
+        let room = room(&[container, obstacles].concat());
+        let starts = paths_in(&room, 64, &mut random);
+        let mut k = 0;
+        room.with_walls(Bounce {
+            name,
+            bounces: 20_000,
+            start: || {
+                k += 1;
+                starts[k % starts.len()]
+            },
+            distance: |p: &Vector3<f64>| room.distance(p),
+            size: 40.0,
+        });
     }
 }
 
