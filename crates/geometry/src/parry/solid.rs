@@ -244,7 +244,7 @@ impl Solid {
     /// Its surfaces, if it is one convex body that walls in lanes know.
     pub(super) fn body(&self) -> Option<ConvexBody> {
         match &self.members[..] {
-            [Body::Convex(convex, _)] => convex.body(),
+            [Body::Convex(convex, _)] => convex.body(self.side),
             [Body::Mesh(mesh, _)] => mesh.body(0.0),
             [Body::Parallel(parallel)] => parallel.body(),
             _ => None,

@@ -1,5 +1,6 @@
 //! Convex solids in space, asked in lanes.
 mod block;
+mod cone;
 mod grounds;
 mod pill;
 mod round;
@@ -7,6 +8,7 @@ mod round;
 use super::{ByLane, CORNER, WallHit, Walls, center::Center, first::First};
 use crate::{Boundary, Extent, plane::slack};
 use block::{Block, Plane};
+use cone::Nappe;
 use grounds::{Ground, Grounds};
 use lanes::{Lane, Mask};
 use nalgebra::Vector3;
@@ -22,6 +24,17 @@ pub(crate) enum ConvexBody {
         planes: Vec<[Vector3<f64>; 2]>,
         /// A centre \[L\], a unit vector along the axis of a tube, and the radius \[L\].
         round: Option<(Vector3<f64>, Option<Vector3<f64>>, f64)>,
+    },
+    /// The inside of a cone.
+    Cone {
+        /// Its apex \[L\].
+        apex: Vector3<f64>,
+        /// A unit vector from there into it.
+        axis: Vector3<f64>,
+        /// The tangent of half the angle at the apex.
+        slope: f64,
+        /// A point of its base \[L\], the plane across the axis.
+        base: Vector3<f64>,
     },
     /// All within a radius \[L\] of the segment between two different points \[L\].
     Capsule {
@@ -73,6 +86,7 @@ enum Body {
     Hollow(Round, f64),
     Ball(Round, f64),
     Block(Block, f64, Round),
+    HollowCone(Nappe, f64),
     HollowPill(Pill, f64),
     Pill(Pill, f64),
 }
@@ -100,6 +114,7 @@ impl<'a> Solids<'a> {
 fn center_of(solids: &[Member]) -> Vector3<f64> {
     let points = solids.iter().flat_map(|member| match &member.body {
         ConvexBody::Capsule { ends, .. } => ends.to_vec(),
+        ConvexBody::Cone { apex, base, .. } => vec![*apex, *base],
         ConvexBody::Intersection { planes, round } => {
             planes.iter().map(|[through, _]| *through).chain(round.map(|(center, ..)| center)).collect()
         }
@@ -119,6 +134,12 @@ impl Member {
                 let pill = Pill::new(ends.map(|end| end - from), *radius);
                 pill.parts.into_iter().for_each(|part| add(Ground::Round(part), self.inside));
                 bodies.push(if self.inside { Body::HollowPill(pill, first) } else { Body::Pill(pill, first) });
+            }
+            ConvexBody::Cone { apex, axis, slope, base } => {
+                let (nappe, base) = (Nappe::new(apex - from, *axis, *slope), Plane::new(&(base - from), axis));
+                add(Ground::Cone(nappe), self.inside);
+                add(Ground::Flat(base), self.inside);
+                bodies.extend([Body::HollowCone(nappe, first), Body::Wall(base, first + 1.0)]);
             }
             ConvexBody::Intersection { planes, round } => {
                 let mut planes: Vec<Plane> =
@@ -162,6 +183,7 @@ impl ConvexBody {
     pub(crate) fn surfaces(&self) -> usize {
         match self {
             ConvexBody::Intersection { planes, round } => planes.len() + usize::from(round.is_some()),
+            ConvexBody::Cone { .. } => 2,
             ConvexBody::Capsule { .. } => 3,
         }
     }
@@ -193,6 +215,7 @@ impl Walls<3> for Solids<'_> {
                     let (candidate, face) = block.enters(&y, v, within);
                     first.look_at(candidate, face + *place);
                 }
+                Body::HollowCone(nappe, place) => first.look(nappe.leaves(&y, v), *place),
                 Body::HollowPill(pill, place) => {
                     let (candidate, part) = pill.leaves(&y, v);
                     first.look_at(candidate, part + *place);

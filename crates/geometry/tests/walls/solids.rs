@@ -51,6 +51,8 @@ fn containers(random: &mut Random) -> Vec<(&'static str, Vec<Wall>)> {
         ("mesh kept off", inside(mesh(8.0, 4, false, 0.75))),
         ("capsule", inside(S::Capsule { from: [-3.0, 1.0, -2.0], to: [3.0, 0.5, 1.0], radius: 6.0 })),
         ("upright capsule", inside(S::Capsule { from: [0.0, 0.0, -3.0], to: [0.0, 0.0, 3.0], radius: 5.0 })),
+        ("cone", inside(S::Cone { radius: 8.0, height: 12.0, rounding: 0.0 })),
+        ("flat cone", inside(S::Cone { radius: 15.0, height: 6.0, rounding: 0.0 })),
         ("half a ball", [inside(S::Ball { radius: 9.0 }), planes(&[[0.3, -0.2, 1.0]])].concat()),
         ("lens", lens.into()),
         (
@@ -181,6 +183,10 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         let out = Vector3::new(libm::cos(7.0 * u), libm::sin(7.0 * u), 0.0);
         (out - Vector3::z(), [out * 2.0 + Vector3::z(), Vector3::z()].map(|n| n.normalize()))
     };
+    let on_base = |u: f64| {
+        let out = Vector3::new(libm::cos(7.0 * u), libm::sin(7.0 * u), 0.0);
+        (out - Vector3::z(), [out * 2.0 + Vector3::z(), -Vector3::z()].map(|n| n.normalize()))
+    };
     let on_tetrahedron = |u: f64| {
         let faces = [[1.0, -1.0, -1.0], [1.0, 1.0, 1.0]].map(|n| Vector3::from(n).normalize());
         (Vector3::new(1.0, 2.0 * u - 1.0, 1.0 - 2.0 * u), faces)
@@ -189,7 +195,7 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         let [a, b] = [[3.0, 0.0, -1.0], [-1.0, 3.0, 0.0]].map(|n| Vector3::from(n).normalize());
         ((a + b) * (-5.0 / (1.0 + a.dot(&b))) + a.cross(&b) * (20.0 * u), [a, b])
     };
-    let cases: [(&str, Vec<Wall>, Place<'_>); 8] = [
+    let cases: [(&str, Vec<Wall>, Place<'_>); 9] = [
         ("in a cube and half a space", vec![solid(cube.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_cube),
         ("around a cube", vec![solid(cube, Side::Outside)], &on_cube),
         ("in a drum and half a space", vec![solid(drum.clone(), Side::Inside), above([1.0, 2.0, 8.0])], &on_rim),
@@ -197,7 +203,8 @@ fn edges_and_corners_are_told_in_lanes_as_alone() {
         ("in a tetrahedron", vec![solid(tetrahedron.clone(), Side::Inside)], &on_tetrahedron),
         ("around a tetrahedron", vec![solid(tetrahedron, Side::Outside)], &on_tetrahedron),
         ("between planes", planes.into(), &on_planes),
-        ("beside a cone on a plane", vec![solid(cone, Side::Outside), floor], &on_foot),
+        ("beside a cone on a plane", vec![solid(cone.clone(), Side::Outside), floor], &on_foot),
+        ("in a cone", vec![solid(cone, Side::Inside)], &on_base),
     ];
     for (name, walls, place) in cases {
         let room = room(&walls);
@@ -241,5 +248,17 @@ fn a_path_along_a_wall_of_two_sides_ends_in_the_corner_at_its_foot() {
         let path = Line { point: Vector3::new(x, 0.1, 0.0), velocity: -Vector3::z() };
         let hit = room.with_walls(First(path));
         assert_eq!((hit.point, hit.corner), (Vector3::new(x, 0.1, -1.0), corner));
+    }
+}
+
+#[test]
+fn the_apex_of_a_cone_is_a_corner() {
+    let cone = S::Cone { radius: 1.0, height: 2.0, rounding: 0.0 };
+    let room = room(&[(cone, [0.0; 3], Side::Inside)]);
+    for (aside, corner) in [(0.0, true), (1e-12, false)] {
+        let path = Line { point: Vector3::new(0.25, 0.0, -0.5), velocity: Vector3::new(aside - 0.25, 0.0, 1.5) };
+        let hit = room.with_walls(First(path));
+        assert!((hit.point - Vector3::z()).norm() <= 4.0 * aside + 4.0 * f64::EPSILON, "{hit:?}");
+        assert_eq!(hit.corner, corner, "{hit:?}");
     }
 }

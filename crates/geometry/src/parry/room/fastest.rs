@@ -24,8 +24,8 @@ impl Room {
     /// Runs a computation with the walls of the room in the fastest form there is.
     ///
     /// The inside of a ball, of a cylinder, of a cuboid with its sides along the axes (one solid or six planes), and the slab between two
-    /// planes across an axis answer in one go, alone or around balls that lie apart. Any other convex solids but cones are asked one after
-    /// another in lanes, where they are not too many; all else for one path after another.
+    /// planes across an axis answer in one go, alone or around balls that lie apart. Any other convex solids, but cones from outside, are
+    /// asked one after another in lanes, where they are not too many; all else for one path after another.
     pub fn with_walls<V: WithWalls<3>>(&self, visit: V) -> V::Output {
         let single = self.solids.iter().enumerate().filter_map(|(number, solid)| Container::single(number, solid));
         let mut containers = self.between_planes().into_iter().chain(single);

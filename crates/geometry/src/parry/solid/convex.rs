@@ -3,7 +3,7 @@ use super::super::convert::{Frame, from_glam3};
 use super::positive;
 use crate::{
     Error, Line,
-    parry::polytope::Polytope,
+    parry::{Side, polytope::Polytope},
     plane::slack,
     surface::any_across,
     walls::{CORNER, ConvexBody},
@@ -357,8 +357,8 @@ impl Convex {
         }
     }
 
-    /// Its surfaces, unless it is a cone.
-    pub(super) fn body(&self) -> Option<ConvexBody> {
+    /// Its surfaces, with the table inside or outside; not those of a cone from outside.
+    pub(super) fn body(&self, side: Side) -> Option<ConvexBody> {
         let faces = match &self.kind {
             Kind::Intersection(faces) => faces,
             Kind::Capsule(pill) => {
@@ -367,6 +367,9 @@ impl Convex {
             }
         };
         let (mut planes, mut round) = (vec![], None);
+        if let [Face::Nappe { apex, axis, slope }, Face::Plane { through: base, .. }] = faces[..] {
+            return (side == Side::Inside).then_some(ConvexBody::Cone { apex, axis, slope, base });
+        }
         for face in faces {
             match *face {
                 Face::Plane { through, normal } => planes.push([through, normal]),

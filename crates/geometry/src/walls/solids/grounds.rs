@@ -1,28 +1,36 @@
 //! What a landing needs to know of the surface that is hit.
-use super::{block::Plane, round::Round};
+use super::{
+    block::Plane,
+    cone::Nappe,
+    round::{Round, seen},
+    sum_of_sizes,
+};
 use crate::{afar::NEWTON, plane::slack, walls::WallHit};
 use lanes::{Lane, Mask, Rows, dot};
 
-/// A flat or a round surface, with the table on one side.
+/// A surface with the table on one side: of a cone the inner one.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Ground {
     Flat(Plane),
     Round(Round),
+    Cone(Nappe),
 }
 
 /// The grounds of all surfaces by their places, in three tables of four columns.
 #[derive(Clone, Debug)]
 pub(super) struct Grounds {
-    /// Of a plane, the unit normal into the table and its height; of a round surface, its middle and squared radius.
+    /// Of a plane, the unit normal into the table and its height; of a round surface, its middle and squared radius; of a cone, its apex
+    /// and the tangent of its angle.
     anchors: Rows,
-    /// Of a round surface, a unit vector along its axis, or nothing of a ball, and `±1/r`, negative where the table is within; of a
-    /// plane, nothing.
+    /// Of a round surface or a cone, a unit vector along its axis, or nothing of a ball; of a round one `±1/r`, negative where the table
+    /// is within. Of a plane, nothing.
     axes: Rows,
-    /// The number of the piece.
+    /// The number of the piece; of a cone, the cosine of its angle.
     numbers: Rows,
     /// Each plane once, whichever side the table is on.
     planes: Vec<Plane>,
     rounds: Vec<Round>,
+    cones: Vec<Nappe>,
 }
 
 impl Grounds {
@@ -30,9 +38,10 @@ impl Grounds {
     pub(super) fn new(all: &[(Ground, bool, usize)]) -> Grounds {
         let (mut anchors, mut axes, mut numbers) = (vec![], vec![], vec![]);
         let (mut planes, mut rounds): (Vec<Plane>, Vec<Round>) = (vec![], vec![]);
+        let mut cones = vec![];
         for (ground, inside, number) in all {
             let sign = if *inside { -1.0 } else { 1.0 };
-            numbers.push([*number as f64, 0.0, 0.0, 0.0]);
+            let mut cosine = 0.0;
             match ground {
                 Ground::Flat(plane) => {
                     let [n0, n1, n2] = plane.normal.map(|n| sign * n);
@@ -48,18 +57,33 @@ impl Grounds {
                     axes.push([a0, a1, a2, sign / round.radius]);
                     rounds.push(*round);
                 }
+                Ground::Cone(nappe) => {
+                    let Nappe { apex: [c0, c1, c2], axis: [a0, a1, a2], slope, .. } = *nappe;
+                    anchors.push([c0, c1, c2, slope]);
+                    axes.push([a0, a1, a2, 0.0]);
+                    cosine = nappe.cosine;
+                    cones.push(*nappe);
+                }
             }
+            numbers.push([*number as f64, cosine, 0.0, 0.0]);
         }
-        Grounds { anchors: Rows::new(anchors), axes: Rows::new(axes), numbers: Rows::new(numbers), planes, rounds }
+        Grounds {
+            anchors: Rows::new(anchors),
+            axes: Rows::new(axes),
+            numbers: Rows::new(numbers),
+            planes,
+            rounds,
+            cones,
+        }
     }
 
-    /// The hit at a time on the surface at a place, and where that is round and tiny beside the flight, so that more must be known.
+    /// The hit at a time on the surface at a place, and where more must be known of that: it is round and tiny beside the flight, or an apex.
     #[inline(always)]
     pub(super) fn land<F: Lane>(&self, x: &[F; 3], v: &[F; 3], time: F, place: F) -> (WallHit<F, 3>, F::Mask) {
         let zero = time.same(0.0);
         let [a0, a1, a2, height] = self.anchors.at(place);
         let [e0, e1, e2, to_normal] = self.axes.at(place);
-        let [piece, ..] = self.numbers.at(place);
+        let [piece, cosine, ..] = self.numbers.at(place);
         let (anchor, axis) = ([a0, a1, a2], [e0, e1, e2]);
         let p = [x[0] + time * v[0], x[1] + time * v[1], x[2] + time * v[2]];
         // onto the plane
@@ -81,6 +105,21 @@ impl Grounds {
                 normal[i] = round.select((w[i] + grow) * to_normal, anchor[i]);
             }
         }
+        let cone = zero.lt(cosine);
+        if !self.cones.is_empty() && cone.any() {
+            let y = [p[0] - a0, p[1] - a1, p[2] - a2];
+            let down = dot(&y, &axis);
+            let w = [y[0] - down * e0, y[1] - down * e1, y[2] - down * e2];
+            let distance = dot(&w, &w).sqrt();
+            // the apex itself
+            tiny = tiny | (cone & !zero.lt(distance));
+            let (per_distance, off) = (zero.same(1.0) / distance, (distance - down * height) * cosine);
+            for i in 0..3 {
+                let inwards = (axis[i] * height - w[i] * per_distance) * cosine;
+                normal[i] = cone.select(inwards, normal[i]);
+                point[i] = cone.select(p[i] + off * inwards, point[i]);
+            }
+        }
         let hit = WallHit { time, point, normal, inverse: zero.same(1.0), piece, corner: zero.never() };
         (hit, tiny)
     }
@@ -97,6 +136,13 @@ impl Grounds {
         for round in &self.rounds {
             let here = round.off(point).abs().lt(near);
             two = two | (one & here);
+            one = one | here;
+        }
+        for cone in &self.cones {
+            let here = cone.off(point).abs().lt(near);
+            // at the apex it meets itself
+            let apex = sum_of_sizes(&seen(point, &cone.apex)).lt(near * 2.0);
+            two = two | (one & here) | apex;
             one = one | here;
         }
         two
