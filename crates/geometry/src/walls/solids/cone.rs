@@ -31,7 +31,8 @@ impl Nappe {
     /// Where a path goes out that starts inside, but for rounding.
     ///
     /// With the height `g` below the apex and what is across the axis, `w` of the place and `u` of the velocity, it is inside while
-    /// `a t² + 2 b t + c ≤ 0`: up to the first root ahead. It has none if it is as steep as the cone and goes down.
+    /// `a t² + 2 b t + c ≤ 0`: up to the first root ahead. It has none if the path is as steep as the cone and goes
+    /// down; if it goes up, its line always meets both halves of the double cone.
     #[inline(always)]
     pub(super) fn leaves<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> Candidate<F> {
         let zero = v[0].same(0.0);
@@ -56,6 +57,6 @@ impl Nappe {
         let root = discriminant.max(zero).sqrt();
         let outwards = zero.lt(b);
         let [num, den] = outwards.choose([-c, b + root], [root - b, a]);
-        Candidate { really: zero.lt(a) | (outwards & !discriminant.lt(zero)), num, den }
+        Candidate { really: zero.lt(a) | outwards, num, den }
     }
 }
