@@ -3,6 +3,7 @@ use super::{
     Origin,
     moved::{Moved, Part},
     tips::Tips,
+    tolerances,
     vertices::{Site, Vertices, minus},
 };
 use crate::{
@@ -20,12 +21,12 @@ use std::sync::Arc;
 const SMOOTH: f64 = 2e-7;
 
 /// A convex corner is smooth as well where the moved sides reach beyond each other by no more than this many times the rounding of
-/// coordinates, for they are parallel then as far as anybody can tell.
+/// coordinates along them, for they are parallel then as far as anybody can tell.
 const SHALLOW: f64 = 4.0;
 
-/// A re-entrant corner is smooth as well where the arc about it is no longer than this many times the rounding of coordinates: what is as
-/// short is no piece.
-const SHORT: f64 = 16.0;
+/// A re-entrant corner is smooth as well where the arc about it is no longer than this many times what places may differ by that are
+/// computed twice: what is as short is no piece.
+const SHORT: f64 = 4.0;
 
 /// The moved pieces, and their ends as vertices.
 #[derive(Debug)]
@@ -41,8 +42,9 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
     let mut vertices = Vertices::new(table.shortest());
     let mut pieces: Vec<Moved> = vec![];
     let mut ends: Vec<Ends> = vec![[None; 2]; table.pieces().len()];
+    let tolerance = tolerances::general(table, radius);
     for joint in joints(table) {
-        if let Some(arc) = turn(table, radius, &joint, &mut vertices, &mut ends)? {
+        if let Some(arc) = turn(table, radius, &joint, tolerance, &mut vertices, &mut ends)? {
             pieces.push(arc);
         }
     }
@@ -74,11 +76,13 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
     Ok(RawBoundary { pieces, vertices })
 }
 
-/// What becomes of a corner: a shared vertex where the boundary is smooth, an arc where it is re-entrant.
+/// What becomes of a corner: a shared vertex where the boundary is smooth, an arc where it is re-entrant. Places that are computed twice
+/// may differ by the tolerance \[L\].
 fn turn(
     table: &Table,
     radius: f64,
     joint: &Joint,
+    tolerance: f64,
     vertices: &mut Vertices,
     ends: &mut [Ends],
 ) -> Result<Option<Moved>, Error> {
@@ -88,11 +92,12 @@ fn turn(
     let (n, m) = (p.closest(&vertex).normal, q.closest(&there).normal);
     let angle = joint.turn(table);
     let shift = vertices.translation(cell);
-    let rounding = slack([vertex.x, vertex.y, radius]).max(rounding(&**p)).max(rounding(&**q));
+    let of_arcs = rounding(&**p).max(rounding(&**q));
     let shallow = if angle > 0.0 {
+        let rounding = slack([p.extent().size(), q.extent().size(), radius]).max(of_arcs);
         0.5 * radius * angle * angle <= SHALLOW * rounding
     } else {
-        -radius * angle <= SHORT * rounding
+        -radius * angle <= SHORT * tolerance.max(4.0 * of_arcs)
     };
     if angle.abs() <= SMOOTH || shallow {
         let point = vertex + (n + m) * (radius / (n + m).norm());

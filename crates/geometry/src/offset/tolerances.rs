@@ -17,9 +17,7 @@ pub(super) struct Tolerances {
 
 impl Tolerances {
     pub(super) fn new(table: &Table, radius: f64, raw: &[Moved], vertices: &Vertices) -> Tolerances {
-        let size = table.pieces().iter().map(|p| p.extent().size()).fold(radius, f64::max);
-        // a vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from
-        let general = 4.0 * slack([size]);
+        let general = general(table, radius);
         let of = |piece: &dyn Piece| general.max(4.0 * rounding(piece));
         let of_raw: Vec<f64> = raw.iter().map(|r| of(&*r.piece)).collect();
         let mut of_vertices = vec![general; vertices.len()];
@@ -32,4 +30,9 @@ impl Tolerances {
         let widest = of_raw.iter().chain(&of_drawn).copied().fold(general, f64::max);
         Tolerances { general, widest, of_raw, of_drawn, of_vertices, of_ended }
     }
+}
+
+/// A vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from.
+pub(super) fn general(table: &Table, radius: f64) -> f64 {
+    4.0 * slack([table.pieces().iter().map(|p| p.extent().size()).fold(radius, f64::max)])
 }
