@@ -119,7 +119,7 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
     let laws = law.iter().map(|law| &law.kind).chain(table.iter().flat_map(Table::own_laws));
     let spins = laws.into_iter().any(|law| *law != LawKind::Specular);
     let particle = particle::read(root.optional("particle"), n, spins, problems);
-    let starts = start::read(&mut root, n, problems);
+    let starts = start::read(&mut root, n, particle.as_ref(), problems);
     let limit = run::read(&mut root, request, problems);
     let output = output::read(root.optional("output"), problems);
     root.finish(problems);

@@ -1,6 +1,6 @@
 //! `[[orbit]]` or `[ensemble]`: where orbits start.
 
-use super::{choice, direction, list, point};
+use super::{INERTIAS, Particle, choice, direction, list, point};
 use crate::document::{Item, Problems, Section, Span, Spanned, Value, count, positive, real, seed};
 
 /// Most that a spin may be beside the speed of the centre: the square of this still leaves the energy of the centre above the smallest
@@ -55,13 +55,25 @@ pub const SAMPLES: &[(&str, &str)] = &[
     ("grid", "one start in each of so many cells of equal measure"),
 ];
 
-pub(super) fn read(root: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Starts> {
+/// Reads where orbits start; the particle, if it could be read, tells whether they can have a spin.
+pub(super) fn read(
+    root: &mut Section<'_>,
+    dimension: usize,
+    particle: Option<&Particle>,
+    problems: &mut Problems,
+) -> Option<Starts> {
     problems.learn("under [[orbit]]", &["position", "velocity", "spin"]);
     problems.learn("under [ensemble]", &["count", "seed", "sample", "speed"]);
     let example =
         if dimension == 2 { "[0, 0] and velocity = [0.6, 0.8]" } else { "[0, 0, 0] and velocity = [0.6, 0, 0.8]" };
     match root.one_of(&["orbit", "ensemble"], &format!("[[orbit]] with position = {example}"), problems)? {
-        ("orbit", item) => orbits(item, dimension, problems).map(Starts::Orbits),
+        ("orbit", item) => {
+            let orbits = orbits(item, dimension, problems)?;
+            if particle.is_some_and(|particle| particle.gamma_squared.value == 0.0) {
+                orbits.iter().for_each(|orbit| of_point(orbit, dimension, problems));
+            }
+            Some(Starts::Orbits(orbits))
+        }
         (_, item) => ensemble(item, problems).map(Starts::Ensemble),
     }
 }
@@ -110,6 +122,19 @@ fn slow_enough(velocity: &Spanned<Vec<f64>>, spin: &Spanned<Vec<f64>>, problems:
         let what =
             format!("the spin, {fast:.0e}, is more than {MOST_SPIN:e} times the speed of the centre, {speed:.0e}");
         problems.add_with_help(spin.span, what, "make the spin smaller, or the velocity larger");
+    }
+}
+
+/// Records the spin and the angle of a point, which are γ R times what they are of: of a point γ is 0, and so are they.
+fn of_point(orbit: &Orbit, dimension: usize, problems: &mut Problems) {
+    let example = INERTIAS.iter().find(|inertia| inertia.dimension == dimension).map_or("point", |inertia| inertia.name);
+    let spins = orbit.spin.value.iter().any(|spin| *spin != 0.0);
+    for (key, is_there, span) in [("spin", spins, orbit.spin.span), ("angle", orbit.angle.value != 0.0, orbit.angle.span)]
+    {
+        if is_there {
+            let help = format!("leave \"{key}\" out, or give [particle] for instance inertia = \"{example}\"");
+            problems.add_with_help(span, format!("a point has no {key}: its \u{3b3}\u{b2} is 0"), help);
+        }
     }
 }
 

@@ -50,6 +50,15 @@ fn mistakes_of_few_words_are_told_the_mend() {
 }
 
 #[test]
+fn a_point_that_spins_is_told_both_mends() {
+    let point = NAMED.replacen("\"uniform-disk\"", "\"point\"", 1);
+    let help = "leave \"spin\" out, or give [particle] for instance inertia = \"uniform-disk\"";
+    assert_eq!(help_with(&point, "radius  = 0", "radius = 0.01"), help);
+    let help = "leave \"spin\" out, or give [particle] for instance inertia = \"uniform-ball\"";
+    assert_eq!(help_with(SPATIAL, "\"2/5\"", "0"), help);
+}
+
+#[test]
 fn mistakes_are_shown_with_caret_and_help() {
     let text = NAMED.replace("velocity = [", "velocty = [");
     let errors = Scene::parse(&Source::new("scenes/x.toml", &text), &Request::default()).unwrap_err();

@@ -18,6 +18,18 @@ fn a_number_of_sides_is_told_its_range() {
 }
 
 #[test]
+fn a_point_is_given_no_spin_and_no_angle() {
+    let point = NAMED.replacen("\"uniform-disk\"", "\"point\"", 1);
+    assert_eq!(parse(&point).unwrap_err(), ["17:12: a point has no spin: its \u{3b3}\u{b2} is 0"]);
+    parse(&point.replacen("0.25", "0", 1)).unwrap();
+    let turned = point.replacen("spin     = 0.25\nangle    = 0", "angle = \"pi/2\"", 1);
+    assert_eq!(parse(&turned).unwrap_err(), ["17:9: a point has no angle: its \u{3b3}\u{b2} is 0"]);
+    let ball = SPATIAL.replacen("\"2/5\"", "\"1 - 1\"", 1);
+    assert_eq!(parse(&ball).unwrap_err(), ["12:8: a point has no spin: its \u{3b3}\u{b2} is 0"]);
+    parse(&ball.replacen("[0, 0.25, 0]", "[0, 0, 0]", 1)).unwrap();
+}
+
+#[test]
 fn each_mistake_has_its_own_message_at_its_own_place() {
     let mut wrong = Vec::new();
     for (valid, old, new, expected) in [
