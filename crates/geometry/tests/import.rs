@@ -399,6 +399,30 @@ fn rings_where_they_bound_no_table_are_refused_with_their_place() {
 }
 
 #[test]
+fn a_key_that_a_map_has_twice_is_named_with_its_place() {
+    let square = "[[[0, 0], [1, 0], [1, 1], [0, 0]]]";
+    for (text, line, key) in [
+        (format!("{{\"type\": \"Polygon\",\n\"coordinates\": {square},\n\"coordinates\": [[]]}}"), 3, "coordinates"),
+        (
+            format!(
+                "{{\"type\": \"Feature\",\n\"properties\": {{\"a\": [{{\"b\": 1,\n \"b\": null}}]}},\n\
+                 \"geometry\": {{\"type\": \"Polygon\", \"coordinates\": {square}}}}}"
+            ),
+            3,
+            "b",
+        ),
+    ] {
+        match import::geojson(&text) {
+            Err(Error::Import { place, problem }) => {
+                assert!(place.starts_with(&format!("line {line}, column ")), "{place}");
+                assert_eq!(problem, format!("the key {key:?} is there twice: keep one of them"));
+            }
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+}
+
+#[test]
 fn mistakes_in_maps_are_named_with_their_place() {
     for (text, at, words) in [
         ("{", "line 1, column 1", "EOF"),
@@ -494,6 +518,19 @@ fn dented_faces_enclose_what_they_bound() {
     for first in 0..6 {
         let solid = import::obj(&prism(&ell, first)).unwrap().solid([0.0; 3], geometry::parry::Side::Outside).unwrap();
         assert_eq!(solid.distance(&[1.5, 1.5, 0.5].into()), 0.5, "from {first}");
+    }
+}
+
+#[test]
+fn obj_lines_may_end_in_any_of_the_usual_ways() {
+    let corner = "# a corner\nv 0 0 0\nv 1 0 \\\n 0\nv 0 1 0\nv 0 0 1\n\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    for end in ["\n", "\r\n", "\r"] {
+        let text = corner.replace('\n', end);
+        assert_eq!(volume(&import::obj(&text).unwrap()), (1.0 / 6.0, 4), "{end:?}");
+        match import::obj(&text.replace("f 2 3 4", "f 2 3 5")) {
+            Err(Error::Import { place, .. }) => assert_eq!(place, "line 11", "{end:?}"),
+            other => panic!("{end:?}: {other:?}"),
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Outlines from `GeoJSON`: polygons with holes.
 use super::contour::{Contour, Edge, Pen, Role, in_range, oriented};
+use super::distinct::Distinct;
 use crate::{Error, Piece};
 use nalgebra::Vector2;
 use serde_json::Value;
@@ -21,7 +22,7 @@ use serde_json::Value;
 /// # Errors
 /// [`Error::Import`] with the place of what is wrong, [`Error::Empty`] where there is no polygon.
 pub fn geojson(text: &str) -> Result<Vec<Box<dyn Piece>>, Error> {
-    let value: Value = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
+    let Distinct(value) = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
         let problem = e.to_string();
         let problem = problem.rsplit_once(" at line").map_or(problem.as_str(), |(what, _)| what).to_string();
         Error::Import { place: format!("line {}, column {}", e.line(), e.column()), problem }

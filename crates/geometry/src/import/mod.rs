@@ -17,6 +17,7 @@
 //! ```
 mod biarc;
 mod contour;
+mod distinct;
 mod ears;
 mod geojson;
 mod obj;

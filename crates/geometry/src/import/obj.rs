@@ -74,7 +74,9 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
 fn statements(text: &str) -> Vec<(usize, Vec<&str>)> {
     let mut statements: Vec<(usize, Vec<&str>)> = vec![];
     let mut goes_on = false;
-    for (k, line) in text.lines().enumerate() {
+    // lines end in LF, CRLF or, as of old, in CR alone
+    let lines = text.split('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
+    for (k, line) in lines.enumerate() {
         let line = line.split('#').next().unwrap_or("").trim_end();
         let (line, more) = line.strip_suffix('\\').map_or((line, false), |line| (line, true));
         match statements.last_mut() {
