@@ -238,6 +238,54 @@ fn free_bodies_keep_their_momenta() {
 }
 
 #[test]
+fn bodies_and_directions_that_cannot_be_are_told_the_mend() {
+    let tensor = "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]";
+    for (text, old, new, help) in [
+        (TOML, "\"1/2\"", "-1", "write a number above 0"),
+        (TOML, "\"1/2\"", "0", "write a number above 0"),
+        (TOML, "[0, 3]", "[0, 0]", "write the direction from body 2 towards body 1"),
+        (SPATIAL, tensor, "[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]", "write the same number in row i, column j"),
+        (SPATIAL, tensor, "[[1, 0, 0], [0, -1, 0], [0, 0, 1]]", "a rod in space needs some thickness"),
+        (SPATIAL, &format!("inertia = {tensor}"), "S = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]", "all eigenvalues of S"),
+        (SPATIAL, "[[1, 0, 0]]", "[[0, 0, 2]]", "write one that is not along the normal"),
+        (SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "leave it out: it adds nothing"),
+    ] {
+        assert!(text.contains(old), "{old}");
+        let (_, _, err) = collide_text("mend", &text.replacen(old, new, 1), &[]);
+        let told = err.split_once("\nhelp: ").map(|(_, told)| told);
+        assert!(told.is_some_and(|told| told.contains(help)), "{new}: {err}");
+    }
+    let unit = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]);
+    let body = json!({ "mass": 1, "position": [0, 0, 0, 0], "S": unit });
+    let motion = json!({ "v": [-1, 0, 0, 0], "w": unit });
+    let contact = json!({
+        "dim": 4, "law": "specular", "contact_point": [0, 0, 0, 0], "normal": [1, 0, 0, 0], "bodies": [body, { "mass": "inf" }],
+        "pre": [motion, { "v": [0, 0, 0, 0], "w": vec![vec![0; 4]; 4] }],
+    });
+    let (_, _, err) = collide_text("mend", &contact.to_string(), &[]);
+    assert!(err.contains("help: write 0 on the diagonal"), "{err}");
+}
+
+#[test]
+fn the_energy_of_what_moves_is_not_called_zero() {
+    let energy = |speed: &str, law: &str| {
+        let slow = TOML.replace("v = [0, -1], w = 3", &format!("v = [0, -{speed}], w = 0")).replace("\"no-slip\"", law);
+        let (_, out, err) = collide_text("slow", &slow, &[]);
+        let line = out.lines().find(|line| line.starts_with("kinetic energy")).unwrap_or_else(|| panic!("{err}"));
+        line["kinetic energy".len()..]
+            .split("   ")
+            .map(str::trim)
+            .filter(|x| !x.is_empty())
+            .map(String::from)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(energy("1e-170", "\"no-slip\""), ["below 2.3e-308"; 2]);
+    assert_eq!(energy("1e-150", "\"no-slip\""), ["5e-301"; 2]);
+    let stopped = "{ name = \"restitution\", normal = 0, tangential = 0 }";
+    assert_eq!(energy("1e-170", stopped), ["below 2.3e-308", "0"]);
+}
+
+#[test]
 fn each_mistake_has_status_2_and_its_own_message() {
     let mut wrong = Vec::new();
     for (name, text, old, new, expected) in [

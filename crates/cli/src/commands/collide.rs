@@ -143,7 +143,30 @@ fn refusal(file: &ContactFile, error: &Error) -> Diagnostic {
 }
 
 fn kept<T>(found: Result<T, Fault>, problems: &mut Problems) -> Option<T> {
-    found.map_err(|(span, error)| problems.add(span, error.to_string())).ok()
+    let record = |(span, error): Fault| match mend(&error) {
+        Some(help) => problems.add_with_help(span, error.to_string(), help),
+        None => problems.add(span, error.to_string()),
+    };
+    found.map_err(record).ok()
+}
+
+/// How to mend a body, a contact or a law; none where the error itself tells.
+fn mend(error: &Error) -> Option<&'static str> {
+    Some(match error {
+        Error::NotPositive { .. } => "write a number above 0",
+        Error::NoNormal => "write the direction from body 2 towards body 1",
+        Error::InertiaNotSymmetric { .. } => "write the same number in row i, column j as in row j, column i",
+        Error::InertiaNotPositive { .. } => {
+            "the mass of a body resists turning in every plane: a rod in space needs some thickness"
+        }
+        Error::SecondMomentsNotPositive { .. } => {
+            "all eigenvalues of S are 0 or more: are its off-diagonal entries too large?"
+        }
+        Error::SpinNotSkew { .. } => "write 0 on the diagonal, and in row j, column i minus what row i, column j has",
+        Error::RoughDirectionAlongNormal { .. } => "leave it out, or write one that is not along the normal",
+        Error::DependentRoughDirections { .. } => "leave it out: it adds nothing to the ones before it",
+        _ => return None,
+    })
 }
 
 fn vector<const N: usize>(numbers: &[f64]) -> SVector<f64, N> {
@@ -245,6 +268,14 @@ fn state<const N: usize>(pair: &Pair<Free<N>, Free<N>, N>, velocities: &(Twist<N
     }
 }
 
+impl State {
+    /// The kinetic energy, where a number has its digits; of what moves it is never 0.
+    fn shown_energy(&self) -> String {
+        let moves = self.motions.iter().any(|(v, w)| v.iter().chain(w).any(|x| *x != 0.0));
+        if moves && self.energy < f64::MIN_POSITIVE { "below 2.3e-308".into() } else { shown(&[self.energy]) }
+    }
+}
+
 impl Outcome {
     fn is_finite(&self) -> bool {
         let finite = |numbers: &[f64]| numbers.iter().all(|x| x.is_finite());
@@ -295,19 +326,18 @@ impl Outcome {
         writeln!(out, "Collision in dimension {}, law: {}{rank}\n", self.dimension, self.law.0)?;
         let [before, after] = &self.states;
         let mut rows = vec![[String::new(), "before".into(), "after".into()]];
-        let mut row = |name: &str, before: &[f64], after: &[f64]| rows.push([name.into(), shown(before), shown(after)]);
+        let mut row = |name: &str, of: &dyn Fn(&State) -> String| rows.push([name.into(), of(before), of(after)]);
         for (i, name) in ["body 1", "body 2"].into_iter().enumerate() {
             if !self.fixed[i] {
-                row(&format!("{name}, velocity"), &before.motions[i].0, &after.motions[i].0);
-                let spins = [before, after].map(|state| self.spin(&state.motions[i].1));
-                row(&format!("{name}, spin"), &spins[0], &spins[1]);
+                row(&format!("{name}, velocity"), &|state| shown(&state.motions[i].0));
+                row(&format!("{name}, spin"), &|state| shown(&self.spin(&state.motions[i].1)));
             }
         }
-        row("contact velocity", &before.contact_velocity, &after.contact_velocity);
-        row("  along the normal", &[before.normal_velocity], &[after.normal_velocity]);
-        row("kinetic energy", &[before.energy], &[after.energy]);
-        row("linear momentum", &before.momentum, &after.momentum);
-        row("angular momentum *", &before.angular_momentum, &after.angular_momentum);
+        row("contact velocity", &|state| shown(&state.contact_velocity));
+        row("  along the normal", &|state| shown(&[state.normal_velocity]));
+        row("kinetic energy", &State::shown_energy);
+        row("linear momentum", &|state| shown(&state.momentum));
+        row("angular momentum *", &|state| shown(&state.angular_momentum));
         let widths = [0, 1, 2].map(|i| rows.iter().map(|row| row[i].chars().count()).max().unwrap_or(0) + 3);
         let wide = widths.iter().sum::<usize>() > WIDEST;
         for [name, before, after] in rows.iter().skip(usize::from(wide)) {

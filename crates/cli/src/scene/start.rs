@@ -127,9 +127,11 @@ fn slow_enough(velocity: &Spanned<Vec<f64>>, spin: &Spanned<Vec<f64>>, problems:
 
 /// Records the spin and the angle of a point, which are γ R times what they are of: of a point γ is 0, and so are they.
 fn of_point(orbit: &Orbit, dimension: usize, problems: &mut Problems) {
-    let example = INERTIAS.iter().find(|inertia| inertia.dimension == dimension).map_or("point", |inertia| inertia.name);
+    let example =
+        INERTIAS.iter().find(|inertia| inertia.dimension == dimension).map_or("point", |inertia| inertia.name);
     let spins = orbit.spin.value.iter().any(|spin| *spin != 0.0);
-    for (key, is_there, span) in [("spin", spins, orbit.spin.span), ("angle", orbit.angle.value != 0.0, orbit.angle.span)]
+    for (key, is_there, span) in
+        [("spin", spins, orbit.spin.span), ("angle", orbit.angle.value != 0.0, orbit.angle.span)]
     {
         if is_there {
             let help = format!("leave \"{key}\" out, or give [particle] for instance inertia = \"{example}\"");
