@@ -189,7 +189,10 @@ fn list<'a>(item: &'a document::Item, what: &str, problems: &mut Problems) -> Op
     match &item.value {
         Value::List(items) => Some(items),
         other => {
-            problems.add(item.span, format!("{what} must be an array, found {}", other.kind()));
+            let written = problems.source().slice(item.span);
+            let is_short = written.chars().count() <= 60 && !written.contains('\n');
+            let help = if is_short { format!("write [{written}]") } else { "put it in brackets, [ and ]".into() };
+            problems.add_with_help(item.span, format!("{what} must be an array, found {}", other.kind()), help);
             None
         }
     }

@@ -41,6 +41,12 @@ fn a_table_of_that_name_must_exist() {
     assert!(String::from_utf8_lossy(&output.get_output().stderr).contains("stadium"));
 }
 
+#[test]
+fn a_case_under_stress_is_told_its_option() {
+    let output = Command::cargo_bin("billiards").unwrap().args(["bench", "--only", "needle"]).assert().code(2);
+    assert!(String::from_utf8_lossy(&output.get_output().stderr).contains("help: add --stress"));
+}
+
 fn scores(table: &str, law: Law, methods: &[&str]) -> Vec<Score> {
     scores_with(Effort::Quick, table, law, methods)
 }

@@ -32,6 +32,10 @@ fn against_error(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fa
     let effort = effort(arguments);
     let tables = bench::tables(arguments.only.as_deref());
     if let (true, Some(only)) = (tables.is_empty(), &arguments.only) {
+        if stress::CASES.iter().any(|entry| entry.name == only) {
+            let problem = Diagnostic::of_file("--only", format!("`{only}` is a case under stress"));
+            return Err(Failure::Input(vec![problem.with_help("add --stress")]));
+        }
         return Err(unknown(only, "table", case::CASES.iter().map(|entry| entry.name)));
     }
     let keep = Keep::new(arguments, &["bench.json", "work-precision.svg"])?;

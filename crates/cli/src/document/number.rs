@@ -216,13 +216,15 @@ pub fn vector(
     read: fn(&Item, &mut Problems) -> Option<Spanned<f64>>,
     problems: &mut Problems,
 ) -> Option<Spanned<Vec<f64>>> {
+    let help = format!("write {dimension} numbers, for instance [{}1]", "0, ".repeat(dimension.saturating_sub(1)));
     let Value::List(items) = &item.value else {
-        problems.add(item.span, format!("expected an array of {dimension} numbers, found {}", item.value.kind()));
+        let what = format!("expected an array of {dimension} numbers, found {}", item.value.kind());
+        problems.add_with_help(item.span, what, help);
         return None;
     };
     let read: Vec<_> = items.iter().map(|item| read(item, problems)).collect();
     if items.len() != dimension {
-        problems.add(item.span, format!("expected {dimension} numbers, found {}", items.len()));
+        problems.add_with_help(item.span, format!("expected {dimension} numbers, found {}", items.len()), help);
         return None;
     }
     let values: Option<Vec<f64>> = read.into_iter().map(|x| x.map(|x| x.value)).collect();

@@ -50,6 +50,8 @@ fn mend(fault: &str, there: &str) -> Option<&'static str> {
         Some("write the number without zeros in front")
     } else if says("unexpected key or value") && there.starts_with(',') {
         Some("write a point before the decimals, as in 0.5, and a list in brackets, as in [1, 0]")
+    } else if says("invalid key-value pair") && there.starts_with('{') {
+        Some("this file is read as TOML, not as JSON: write key = value on lines without braces around them")
     } else {
         None
     }

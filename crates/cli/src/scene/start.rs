@@ -70,7 +70,9 @@ pub(super) fn read(
         ("orbit", item) => {
             let orbits = orbits(item, dimension, problems)?;
             if particle.is_some_and(|particle| particle.gamma_squared.value == 0.0) {
-                orbits.iter().for_each(|orbit| of_point(orbit, dimension, problems));
+                for orbit in &orbits {
+                    of_point(orbit, dimension, problems);
+                }
             }
             Some(Starts::Orbits(orbits))
         }

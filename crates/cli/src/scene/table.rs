@@ -133,7 +133,7 @@ fn entries(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec
 
 fn lattice(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Spanned<Vec<f64>>>> {
     if dimension != 2 {
-        problems.add(item.span, "tables in space have no lattice");
+        problems.add_with_help(item.span, "tables in space have no lattice", "leave it out");
         return None;
     }
     let items = list(item, "lattice", problems)?;

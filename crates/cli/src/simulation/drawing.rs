@@ -24,5 +24,8 @@ pub(super) fn read<T>(
         let diagnostic = complain(format!("cannot read {}: {error}", path.display()));
         Box::new(with_file_meant(*diagnostic, &error, &path))
     })?;
-    reader(&bytes).map_err(|error| complain(format!("{}: {error}", path.display())))
+    reader(&bytes).map_err(|error| {
+        let what = if error == Error::Empty { "nothing in it is a wall".into() } else { error.to_string() };
+        complain(format!("{}: {what}", path.display()))
+    })
 }

@@ -52,6 +52,24 @@ fn a_folder_in_place_of_a_file_is_told_before_the_work() {
 }
 
 #[test]
+fn a_file_without_walls_is_told_to_have_none() {
+    let folder = Folder::new("no-walls");
+    fs::write(folder.0.join("points.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\n").unwrap();
+    fs::write(folder.0.join("nothing.json"), "{ \"type\": \"FeatureCollection\", \"features\": [] }").unwrap();
+    for (table, start, file) in [
+        ("dimension = 3, boundary = [{ mesh = { file = \"points.obj\" } }]", "[0, 0, 1]", "points.obj"),
+        ("boundary = [{ outline = \"nothing.json\" }]", "[0, 1]", "nothing.json"),
+    ] {
+        let orbit = format!("orbit = [{{ position = {start}, velocity = {start} }}]");
+        let scene = format!("law = \"specular\"\ntable = {{ {table} }}\n{orbit}\nrun = {{ collisions = 1 }}\n");
+        let output = folder.run(&scene, &[]);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(told.contains(&format!("{file}: nothing in it is a wall")), "{told}");
+        assert_eq!(output.status.code(), Some(2));
+    }
+}
+
+#[test]
 fn a_circle_too_far_from_the_origin_is_told_to_move_nearer() {
     let folder = Folder::new("far-circle");
     let scene = "law = \"specular\"\n[[table.boundary]]\ncircle = { center = [1e15, 0], radius = 0.25 }\n[[orbit]]\nposition = [1e15, 0]\n\

@@ -8,6 +8,11 @@ use billiards_cli::simulation::Simulation;
 #[test]
 fn mistakes_of_few_words_are_told_the_mend() {
     for (valid, old, new, mend) in [
+        (NAMED, "[0.6, 0.8]", "[0.6, 0.8, 0]", "write 2 numbers, for instance [0, 1]"),
+        (SPATIAL, "[0, 0.25, 0]", "0.25", "write 3 numbers, for instance [0, 0, 1]"),
+        (NAMED, "[\"orbit\", \"velocity-portrait\"]", "\"orbit\"", "write [\"orbit\"]"),
+        (BOUNDARY, "[[10, 0], [0, 10]]", "10", "write [10]"),
+        (SPATIAL, "[table]\n", "[table]\nlattice = [[1, 0, 0]]\n", "leave it out"),
         (NAMED, "sqrt(2)/4", "sqrt(2)/0", "the divisor must not be 0"),
         (NAMED, "sqrt(2)/4", "sqrt(-1)", "its argument must not be negative"),
         (NAMED, "sqrt(2)/4", "ln(0)", "its argument must be positive"),
@@ -46,6 +51,24 @@ fn mistakes_of_few_words_are_told_the_mend() {
             errors.iter().all(|error| error.help.as_deref() != Some("known keys: name, rough, name")),
             "{errors:?}"
         );
+    }
+}
+
+#[test]
+fn a_single_entry_is_told_its_brackets() {
+    let table = "[table]\nname = \"stadium\"\nhalf_length = 1\nradius = \"2/2\"";
+    let entry = "[table.boundary]\ncircle = { center = [0, 0], radius = 1 }";
+    assert_eq!(help_with(NAMED, table, entry), "write [[table.boundary]]");
+    let long = format!("table = {{ boundary = {{ circle = {{ center = [0, 0], radius = 1{} }} }} }}", " ".repeat(60));
+    assert_eq!(help_with(SQUARE, "table = { name = \"square\" }", &long), "put it in brackets, [ and ]");
+}
+
+#[test]
+fn a_scene_in_json_is_told_to_be_toml() {
+    for json in ["{}", "{\"law\": \"no-slip\",\n \"table\": {\"name\": \"square\"}}"] {
+        let errors = Scene::parse(&Source::new("x.json", json), &Request::default()).unwrap_err();
+        let told = errors[0].help.as_deref().unwrap_or_else(|| panic!("{errors:?}"));
+        assert!(told.starts_with("this file is read as TOML, not as JSON"), "{told}");
     }
 }
 
