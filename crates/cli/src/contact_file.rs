@@ -134,12 +134,8 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
 }
 
 fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
-    let n = document::count(item, 0, problems)?.value;
-    let found = usize::try_from(n).ok().filter(|n| DIMENSIONS.contains(n));
-    if found.is_none() {
-        problems.add(item.span, format!("the dimension is {} to {}, not {n}", DIMENSIONS.start(), DIMENSIONS.end()));
-    }
-    found
+    let range = *DIMENSIONS.start() as u64..=*DIMENSIONS.end() as u64;
+    document::whole(item, range, problems).and_then(|n| usize::try_from(n.value).ok())
 }
 
 fn pair<T>(
@@ -154,11 +150,13 @@ fn pair<T>(
             Some(Spanned::new([first?, second?], item.span))
         }
         Value::List(items) => {
-            problems.add(item.span, format!("{what} has two entries, not {}", items.len()));
+            let help = "write one for body 1 and one for body 2, be it fixed or not";
+            problems.add_with_help(item.span, format!("{what} has two entries, not {}", items.len()), help);
             None
         }
         other => {
-            problems.add(item.span, format!("{what} must be an array, found {}", other.kind()));
+            let help = "write two entries in brackets, one for body 1 and one for body 2";
+            problems.add_with_help(item.span, format!("{what} must be an array, found {}", other.kind()), help);
             None
         }
     }
@@ -171,7 +169,12 @@ fn vector(item: &Item, n: usize, problems: &mut Problems) -> Option<Spanned<Vec<
 /// An n × n matrix, row by row.
 fn matrix(item: &Item, n: usize, problems: &mut Problems) -> Option<Vec<f64>> {
     let Value::List(rows) = &item.value else {
-        problems.add(item.span, format!("expected a {n} x {n} matrix, found {}", item.value.kind()));
+        let what = format!("expected a {n} x {n} matrix, found {}", item.value.kind());
+        problems.add_with_help(
+            item.span,
+            what,
+            format!("write {n} rows of {n} numbers, each in brackets, and brackets around all"),
+        );
         return None;
     };
     let read: Vec<_> = rows.iter().map(|row| vector(row, n, problems)).collect();
@@ -249,7 +252,11 @@ fn rough(item: &Item, n: usize, problems: &mut Problems) -> Option<LawEntry> {
         return None;
     }
     let Value::List(items) = &item.value else {
-        problems.add(item.span, format!("rough must be an array of directions, found {}", item.value.kind()));
+        problems.add_with_help(
+            item.span,
+            format!("rough must be an array of directions, found {}", item.value.kind()),
+            "write directions in brackets, and brackets around all, as in [[1, 0]]",
+        );
         return None;
     };
     let directions: Vec<_> = items.iter().map(|item| vector(item, n, problems)).collect();

@@ -243,6 +243,10 @@ fn bodies_and_directions_that_cannot_be_are_told_the_mend() {
     for (text, old, new, help) in [
         (TOML, "\"1/2\"", "-1", "write a number above 0"),
         (TOML, "\"1/2\"", "0", "write a number above 0"),
+        (TOML, ", { mass = \"inf\" }]", "]", "write one for body 1 and one for body 2"),
+        (TOML, "[{ v = [0, -1], w = 3 }, { v = [0, 0], w = 0 }]", "3", "write two entries in brackets"),
+        (TOML, "inertia = \"1/2\"", "S = 3", "write 2 rows of 2 numbers"),
+        (TOML, "law = \"no-slip\"", "rough = 3", "as in [[1, 0]]"),
         (TOML, "[0, 3]", "[0, 0]", "write the direction from body 2 towards body 1"),
         (SPATIAL, tensor, "[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]", "write the same number in row i, column j"),
         (SPATIAL, tensor, "[[1, 0, 0], [0, -1, 0], [0, 0, 1]]", "a rod in space needs some thickness"),
@@ -305,7 +309,8 @@ fn each_mistake_has_status_2_and_its_own_message() {
         ("nan", TOML, "[0, 3]", "[0, nan]", "NaN"),
         ("missing", TOML, "pre =", "prae =", "did you mean \"pre\"?"),
         ("law", TOML, "\"no-slip\"", "\"noslip\"", "unknown law"),
-        ("dim", TOML, "dim = 2", "dim = 6", "the dimension is 2 to 5, not 6"),
+        ("dim", TOML, "dim = 2", "dim = 6", "2:7: error: 6 is not a whole number from 2 to 5"),
+        ("dim as well", TOML, "dim = 2", "dim = 2.5", "2:7: error: 2.5 is not a whole number from 2 to 5"),
         ("three", TOML, "w = 0 }]", "w = 0 }, { v = [0, 0], w = 0 }]", "pre has two entries, not 3"),
         (
             "unsymmetric",
