@@ -73,9 +73,10 @@ impl ContactFile {
     /// Everything that is wrong with it.
     pub fn parse(source: &Source) -> Result<Self, Vec<Diagnostic>> {
         let mut problems = Problems::new(source);
-        // No TOML document starts with a brace.
-        let json = source.text().trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']).starts_with(['{', '[']);
-        let json = json && !source.text().trim_start().starts_with("[[");
+        // No TOML document starts with a brace, and one that starts with a bracket has another one or a name after it.
+        let text = source.text().trim_start_matches(['\u{feff}', ' ', '\t', '\r', '\n']);
+        let is_header = |rest: &str| rest.starts_with(|c: char| c == '[' || c.is_ascii_alphabetic());
+        let json = text.starts_with('{') || text.strip_prefix('[').is_some_and(|rest| !is_header(rest));
         let item = if json { document::parse_json(&mut problems) } else { document::parse_toml(&mut problems) };
         let file = item.and_then(|item| {
             let root = Section::new(&item, "the contact file", &mut problems)?;
@@ -95,6 +96,10 @@ impl ContactFile {
 }
 
 fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
+    if let Some((key, _)) = root.others().find(|(key, _)| key.value == "table") {
+        problems.add_with_help(key.span, "a contact has no table: this file is a scene", "run it: billiards run SCENE");
+        return None;
+    }
     for passed_over in ["id", "kind", "title", "K", "energy", "results"] {
         root.optional(passed_over);
     }

@@ -310,6 +310,7 @@ fn each_mistake_has_status_2_and_its_own_message() {
         ("missing", TOML, "pre =", "prae =", "did you mean \"pre\"?"),
         ("law", TOML, "\"no-slip\"", "\"noslip\"", "unknown law"),
         ("dim", TOML, "dim = 2", "dim = 6", "2:7: error: 6 is not a whole number from 2 to 5"),
+        ("scene", TOML, "dim = 2", "[table]", "2:2: error: a contact has no table: this file is a scene"),
         ("dim as well", TOML, "dim = 2", "dim = 2.5", "2:7: error: 2.5 is not a whole number from 2 to 5"),
         ("three", TOML, "w = 0 }]", "w = 0 }, { v = [0, 0], w = 0 }]", "pre has two entries, not 3"),
         (

@@ -64,6 +64,13 @@ fn a_single_entry_is_told_its_brackets() {
 }
 
 #[test]
+fn a_contact_file_in_place_of_a_scene_is_told_its_command() {
+    let contact = "dim = 2\nlaw = \"no-slip\"\ncontact_point = [0, 0]\nnormal = [0, 1]\nbodies = []\npre = []\n";
+    assert_eq!(parse(contact).unwrap_err(), ["3:1: a scene has no contact point: this file is of one collision"]);
+    assert_eq!(help_with(contact, "dim", "dim"), "compute it: billiards collide CONTACT");
+}
+
+#[test]
 fn a_scene_in_json_is_told_to_be_toml() {
     for json in ["{}", "{\"law\": \"no-slip\",\n \"table\": {\"name\": \"square\"}}"] {
         let errors = Scene::parse(&Source::new("x.json", json), &Request::default()).unwrap_err();
