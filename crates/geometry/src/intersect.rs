@@ -79,7 +79,7 @@ pub(crate) fn direction_at(piece: &dyn Piece, point: &Vector2<f64>) -> Vector2<f
 }
 
 /// The direction in which a piece with this inward normal is traversed.
-fn along(normal: &Vector2<f64>) -> Vector2<f64> {
+pub(crate) fn along(normal: &Vector2<f64>) -> Vector2<f64> {
     Vector2::new(normal.y, -normal.x)
 }
 

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     Error, Figure, Piece, Table,
+    intersect::along,
     joints::{Joint, joints},
     piece::rounding,
     plane::{GOLDEN, is_finite, slack},
@@ -249,18 +250,28 @@ fn parallels(
         let point = moved(0.0);
         (point, vertices.add(point))
     });
+    // how far a place is from the parallel's, in arc length of the base: beside a corner that counts as smooth, the normal is not the mean one
+    let ahead = |s: f64, place: Vector2<f64>| {
+        let normal = base.closest(&base.point_at(s)).normal;
+        (place - moved(s)).dot(&along(&normal)) / stretch(s)
+    };
     for [low, high] in ranges {
         let curve = pieces.len();
-        let cuts = (1..PARTS).map(|k| low + (high - low) * (k as f64 / PARTS as f64));
+        let [first, last] =
+            [if low == 0.0 { seam.or(ends[0]) } else { None }, if high == length { seam.or(ends[1]) } else { None }];
+        let short = 0.25 * (high - low);
+        let from = first.map_or(low, |(place, _)| low + ahead(low, place).clamp(0.0, short));
+        let to = last.map_or(high, |(place, _)| high + ahead(high, place).clamp(-short, 0.0));
+        let cuts = (1..PARTS).map(|k| from + (to - from) * (k as f64 / PARTS as f64));
         let mut vertex = |s: f64, known: Option<(Vector2<f64>, Site)>| {
             known.unwrap_or_else(|| {
                 let point = moved(s);
                 (point, vertices.add(point))
             })
         };
-        let mut start = (low, vertex(low, if low == 0.0 { seam.or(ends[0]) } else { None }));
-        for s in cuts.chain([high]) {
-            let end = (s, vertex(s, if s == length { seam.or(ends[1]) } else { None }));
+        let mut start = (from, vertex(from, first));
+        for s in cuts.chain([to]) {
+            let end = (s, vertex(s, if s == to { last } else { None }));
             let parallel =
                 Parallel::new(base.clone(), radius, [start.0, s], Some([start.1.0, end.1.0])).map_err(|error| {
                     if let Error::Kink { at } = error { Error::RoughPiece { piece: number, at } } else { error }

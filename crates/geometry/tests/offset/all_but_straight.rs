@@ -1,5 +1,6 @@
 //! Corners at which walls turn by next to nothing.
 use super::*;
+use geometry::shapes::curve::{Interval, ParametricCurve, ParametricFormula};
 
 /// Turns from one that is smooth for every disk to one that is a corner for each of those below.
 const TURNS: [f64; 8] = [1e-7, 3e-7, 5e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4];
@@ -55,4 +56,59 @@ fn a_disk_moves_in_a_needle_with_an_obtuse_corner() {
     }
     let too_large = 1.5 * largest;
     assert_eq!(drawn.offset(too_large).unwrap_err(), Error::NothingLeft { radius: too_large, largest });
+}
+
+/// `x = t`, `y = y₀ + a sin(3 (t − x₀))`
+#[derive(Clone, Copy, Debug)]
+struct Wave {
+    middle: Vector2<f64>,
+    size: f64,
+}
+
+impl ParametricFormula for Wave {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let (sin, cos) = libm::sincos(3.0 * (t - self.middle.x));
+        let a = self.size;
+        [[t, self.middle.y + a * sin], [1.0, 3.0 * a * cos], [0.0, -9.0 * a * sin]]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let [sin, cos] = ((t + -self.middle.x) * 3.0).sin_cos();
+        let a = self.size;
+        [[t, sin * a + self.middle.y], [1.0.into(), cos * (3.0 * a)], [0.0.into(), sin * (-9.0 * a)]]
+    }
+}
+
+#[test]
+fn disks_move_along_curves_that_go_on_in_walls_with_next_to_no_turn() {
+    // a unit square, the middle of whose floor is a wave that begins and ends at a small angle to the rest
+    for turn in TURNS.iter().flat_map(|turn| [*turn, -turn]) {
+        for middle in [v(0.0, 0.0), v(0.0, 1.0), v(100.0, 0.0)] {
+            let wave = Wave { middle, size: turn / 3.0 };
+            let range = [middle.x - 0.25, middle.x + 0.25];
+            let [start, end] = range.map(|t| Vector2::from(wave.jet(t)[0]));
+            let top = middle.y + 1.0;
+            let corners = [
+                v(middle.x - 0.5, start.y),
+                start,
+                end,
+                v(middle.x + 0.5, end.y),
+                v(middle.x + 0.5, top),
+                v(middle.x - 0.5, top),
+            ];
+            let mut pieces = vec![];
+            for (k, &from) in corners.iter().enumerate() {
+                let to = corners[(k + 1) % corners.len()];
+                if k == 1 {
+                    let arcs = ParametricCurve::along(wave, range, [from, to]).unwrap();
+                    pieces.extend(arcs.into_iter().map(|arc| Box::new(arc) as Box<dyn Piece>));
+                } else {
+                    pieces.push(Box::new(Segment::new(from, to).unwrap()));
+                }
+            }
+            let drawn = table(pieces);
+            for radius in RADII {
+                check("a wave in a floor", &drawn, radius);
+            }
+        }
+    }
 }
