@@ -69,9 +69,11 @@ impl Stretch {
         let length = self.length();
         let chord = self.to.point - self.from.point;
         let distance = libm::hypot(chord.x, chord.y);
-        let excess = ((length - distance) * (length + distance)).max(0.0).sqrt();
+        // the arc is longer than its chord by so much, or by less: where rounding would have it shorter, it may still bend by more than rounding
+        let longer = (length - distance).max(0.0) + rounding;
+        let excess = (longer * (length + distance)).sqrt();
         // c/ℓ = 1 − φ²/24 for an arc that turns by φ
-        let spread = (24.0 * (1.0 - distance / length)).max(0.0).sqrt();
+        let spread = (24.0 * longer / length).sqrt();
         let bend = 2.0 * self.from.curvature.max(self.to.curvature) * length;
         let seems_flat = spread < HIDDEN || length - distance <= 8.0 * rounding;
         let (height, turning) = if length <= short && bend < 0.1 && seems_flat {
