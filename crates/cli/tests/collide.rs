@@ -251,6 +251,7 @@ fn bodies_and_directions_that_cannot_be_are_told_the_mend() {
         (SPATIAL, tensor, "[[1, 0.5, 0], [0, 1, 0], [0, 0, 1]]", "write the same number in row i, column j"),
         (SPATIAL, tensor, "[[1, 0, 0], [0, -1, 0], [0, 0, 1]]", "a rod in space needs some thickness"),
         (SPATIAL, &format!("inertia = {tensor}"), "S = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]", "all eigenvalues of S"),
+        (SPATIAL, &format!("inertia = {tensor}"), "S = [[1, 0, 0], [0, 0, 0], [0, 0, 0]]", "a rod in space"),
         (SPATIAL, "[[1, 0, 0]]", "[[0, 0, 2]]", "write one that is not along the normal"),
         (SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "leave it out: it adds nothing"),
     ] {

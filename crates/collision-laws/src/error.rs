@@ -49,6 +49,11 @@ pub enum Error {
         /// The smallest principal moment of inertia about a 2-plane.
         smallest: f64,
     },
+    /// Second moments of a rank below N−1, with which the body spins for free in some plane.
+    #[error(
+        "S, the second moments, has too low a rank: it is zero along two axes, so that nothing resists turning in their plane"
+    )]
+    SecondMomentsOfLowRank,
     /// An inertia that lets the body spin all but for free in some plane: to working precision its moment there is zero.
     #[error(
         "the principal moments of inertia go from {smallest:?} to {largest:?}: the smallest is lost in rounding unless it is more than \

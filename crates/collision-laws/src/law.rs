@@ -116,7 +116,8 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> StrictLaw<N> for Arc<L> {
 ///
 /// With `P` the projector onto the rough directions and `Q = ν νᵀ + P`, it is the solution of `(Q K Q + 1 − Q) p = −2 Q u`;
 /// in words, the components of `u` along the normal and the rough directions reverse, and the impulse lies in their span.
-/// (The term `1 − Q` only makes the matrix invertible; it is scaled to the size of `K`.)
+/// (The term `1 − Q` only makes the matrix invertible; it is scaled to the size of `Q K Q`. What rounding leaves of `p` off the span is
+/// taken away: for a body that hardly resists turning `K` is large there.)
 ///
 /// The subspace of the roughness lies in the contact plane, `P ν = 0`; that of another normal gives an impulse that does not conserve
 /// energy, as [`check::law`](crate::check::law) tells.
@@ -143,8 +144,10 @@ pub fn reflect<const N: usize>(
         (Delassus::Dense(k), Roughness::Rough) => solve(*k, u * -2.0),
         (Delassus::Dense(k), Roughness::Along(subspace)) => {
             let q = nu * nu.transpose() + subspace.projector();
-            let size = nu.dot(&(k * nu)); // between the extreme eigenvalues of K on the span
-            solve(q * k * q + (SMatrix::identity() - q) * size, q * u * -2.0)
+            let on_span = q * k * q;
+            let size = (on_span / (subspace.rank() + 1) as f64).trace(); // the mean eigenvalue of K on the span
+            // the span mixes with its complement by the rounding of the largest eigenvalue, hence the last product
+            q * solve(on_span + (SMatrix::identity() - q) * size, q * u * -2.0)
         }
     }
 }

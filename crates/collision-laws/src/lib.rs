@@ -44,6 +44,7 @@
 
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::print_stdout))]
 
+mod across;
 mod ball_wall;
 pub mod bodies;
 mod body;

@@ -156,7 +156,7 @@ fn mend(error: &Error) -> Option<&'static str> {
         Error::NotPositive { .. } => "write a number above 0",
         Error::NoNormal => "write the direction from body 2 towards body 1",
         Error::InertiaNotSymmetric { .. } => "write the same number in row i, column j as in row j, column i",
-        Error::InertiaNotPositive { .. } => {
+        Error::InertiaNotPositive { .. } | Error::SecondMomentsOfLowRank => {
             "the mass of a body resists turning in every plane: a rod in space needs some thickness"
         }
         Error::SecondMomentsNotPositive { .. } => {

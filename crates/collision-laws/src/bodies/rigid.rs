@@ -1,7 +1,7 @@
 //! A rigid body in any dimension.
 
 use super::positive;
-use crate::{Body, Delassus, Error, Twist, symmetric::eigenframe};
+use crate::{Body, Delassus, Error, Twist, across::across, symmetric::eigenframe};
 use nalgebra::{Matrix3, SMatrix, SVector, Unit};
 
 /// How a body resists turning, in one of the forms in use.
@@ -48,8 +48,8 @@ impl<const N: usize> RigidBody<N> {
     /// A body of the given mass \[M\] and inertia.
     ///
     /// # Errors
-    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`] if the body
-    /// spins for free in some plane (a rod in space), [`Error::InertiaLost`] if its moment there is at most ε = 2.2e-16 of the largest,
+    /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`] or
+    /// [`Error::SecondMomentsOfLowRank`] if the body spins for free in some plane (a rod in space), [`Error::InertiaLost`] if its moment there is at most ε = 2.2e-16 of the largest,
     /// [`Error::TooLarge`] if a moment is more than 1.8e308, [`Error::SecondMomentsNotPositive`] if one of them is negative beyond
     /// rounding, [`Error::InertiaForm`] for a form of another dimension.
     pub fn new(mass: f64, inertia: Inertia<N>) -> Result<Self, Error> {
@@ -82,6 +82,9 @@ impl<const N: usize> RigidBody<N> {
         let all = || planes::<N>().map(|ij| moments[ij]);
         let (smallest, largest) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
         if smallest <= 0.0 {
+            if matches!(inertia, Inertia::SecondMoments(_)) {
+                return Err(Error::SecondMomentsOfLowRank);
+            }
             return Err(Error::InertiaNotPositive { smallest });
         }
         // below the rounding of the eigenvalues, a moment is zero
@@ -140,7 +143,7 @@ impl<const N: usize> Body<N> for RigidBody<N> {
 
     #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Twist<N>) -> Twist<N> {
-        let (r, q) = (self.frame.transpose() * arm, self.frame.transpose() * p);
+        let (r, q) = (self.frame.transpose() * arm, self.frame.transpose() * across(p, arm));
         let mut spin = SMatrix::<f64, N, N>::zeros();
         for (i, j) in planes::<N>() {
             spin[(i, j)] = (q[i] * r[j] - r[i] * q[j]) / self.moments[(i, j)];
@@ -189,7 +192,7 @@ mod tests {
         tensor = Matrix3::from_diagonal(&[1.0, -2.0, 1.0].into());
         assert_eq!(built(Inertia::Tensor(tensor)), Error::InertiaNotPositive { smallest: -2.0 });
         let rod = Matrix3::from_diagonal(&[1.0, 0.0, 0.0].into());
-        assert_eq!(built(Inertia::SecondMoments(rod)), Error::InertiaNotPositive { smallest: 0.0 });
+        assert_eq!(built(Inertia::SecondMoments(rod)), Error::SecondMomentsOfLowRank);
         let negative = Matrix4::from_diagonal(&[2.0, 2.0, 2.0, -1.0].into());
         let refused = RigidBody::<4>::new(1.0, Inertia::SecondMoments(negative)).unwrap_err();
         assert_eq!(refused, Error::SecondMomentsNotPositive { smallest: -1.0 });

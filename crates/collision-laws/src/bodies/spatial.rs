@@ -4,7 +4,7 @@ use super::{
     RigidBody, positive,
     rigid::{Inertia, symmetric},
 };
-use crate::{Body, Delassus, Error, Twist};
+use crate::{Body, Delassus, Error, Twist, across::across};
 use nalgebra::{Matrix3, SVector, Unit};
 
 /// A rigid body in space, of any shape: mass and inertia tensor about the centre of mass, in the space frame.
@@ -51,7 +51,7 @@ impl Body<3> for Spatial {
 
     #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, 3>, p: &SVector<f64, 3>, v: &Twist<3>) -> Twist<3> {
-        Twist::spatial(v.linear + p / self.mass, v.angular_velocity() + self.inverse * arm.cross(p))
+        Twist::spatial(v.linear + p / self.mass, v.angular_velocity() + self.inverse * arm.cross(&across(p, arm)))
     }
 
     #[inline]

@@ -1,0 +1,77 @@
+//! The part of an impulse across its arm, to its own last digits however small it is: all that turns the body.
+//!
+//! Where a body hardly resists turning, the impulse is almost along the arm `r`, and in `p ∧ r = p rᵀ − r pᵀ` products cancel. Were they
+//! rounded, the inverse of the inertia would magnify what that makes of `p ∧ r`, in planes of rotation in part that leave the contact
+//! velocity as it is, so that nothing could mend it later. Rounding of `p` itself is another matter: what that does to the spin shows in
+//! the contact velocity, and [`Pair::collide`](crate::Pair::collide) takes it away.
+
+use nalgebra::{SMatrix, SVector};
+
+/// `p − r (r·p)/(r·r)`; zero where the arm is.
+#[inline]
+pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -> SVector<f64, N> {
+    let size = r.amax();
+    if size == 0.0 {
+        return SVector::zeros();
+    }
+    let r = r / libm::ldexp(1.0, libm::frexp(size).1 - 1); // by a power of two: its square is in range and no digit lost
+    let mut wedge = SMatrix::<f64, N, N>::zeros();
+    for i in 0..N {
+        for j in 0..i {
+            wedge[(i, j)] = difference_of_products(p[i], r[j], r[i], p[j]);
+            wedge[(j, i)] = -wedge[(i, j)];
+        }
+    }
+    wedge * (r / r.norm_squared())
+}
+
+/// `a b − c d`, without the rounding of the products.
+#[inline]
+fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let (ab, cd) = (a * b, c * d);
+    let error = error_of_product(a, b, ab) - error_of_product(c, d, cd);
+    // none where splitting a factor beyond 2⁹⁹⁶ overflows
+    (ab - cd) + if error.is_finite() { error } else { 0.0 }
+}
+
+/// `a b − product`, where `product` is `a * b`, without an error (Dekker).
+#[inline]
+fn error_of_product(a: f64, b: f64, product: f64) -> f64 {
+    let ((ah, al), (bh, bl)) = (split(a), split(b));
+    ((ah * bh - product) + ah * bl + al * bh) + al * bl
+}
+
+/// The upper and the lower half of the digits of `a` (Veltkamp).
+#[inline]
+fn split(a: f64) -> (f64, f64) {
+    let c = a * 134_217_729.0; // 2²⁷ + 1
+    let high = c - (c - a);
+    (high, a - high)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector2;
+
+    #[test]
+    fn what_is_left_of_products_that_cancel_has_its_digits() {
+        // of (1 + h)² − (1 + 2h) = h² rounded products leave nothing
+        let h = f64::from(1 << 30).recip();
+        let (p, r) = (Vector2::new(1.0 + 2.0 * h, 1.0 + h), Vector2::new(1.0 + h, 1.0));
+        for unit in [1.0, 2.0_f64.powi(-1000), 2.0_f64.powi(1000)] {
+            let left = across(&p, &(r * unit));
+            let exact = Vector2::new(-1.0, 1.0 + h) * (h * h / r.norm_squared());
+            assert!((left - exact).amax() <= 2.0 * f64::EPSILON * h * h, "{unit:e}: {left}");
+        }
+    }
+
+    #[test]
+    fn near_the_ends_of_the_range_of_numbers_products_are_rounded_as_usual() {
+        for (p, r) in [(1e307, 3e-301), (1e-300, 3e160), (3e150, 1e-310), (0.0, 1e308)] {
+            let left = across(&Vector2::new(p, p), &Vector2::new(0.0, r));
+            assert!((left.x - p).abs() <= 2.0 * f64::EPSILON * p && left.y == 0.0, "{p:e}: {left}");
+        }
+        assert_eq!(across(&Vector2::new(1.0, 2.0), &Vector2::zeros()), Vector2::zeros());
+    }
+}
