@@ -5,6 +5,7 @@
 //! velocity as it is, so that nothing could mend it later. Rounding of `p` itself is another matter: what that does to the spin shows in
 //! the contact velocity, and [`Pair::collide`](crate::Pair::collide) takes it away.
 
+use lanes::two_prod;
 use nalgebra::{SMatrix, SVector};
 
 /// `p − r (r·p)/(r·r)`; zero where the arm is.
@@ -28,25 +29,10 @@ pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -
 /// `a b − c d`, without the rounding of the products.
 #[inline]
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let (ab, cd) = (a * b, c * d);
-    let error = error_of_product(a, b, ab) - error_of_product(c, d, cd);
+    let ((ab, left), (cd, over)) = (two_prod(a, b), two_prod(c, d));
+    let error = left - over;
     // none where splitting a factor beyond 2⁹⁹⁶ overflows
     (ab - cd) + if error.is_finite() { error } else { 0.0 }
-}
-
-/// `a b − product`, where `product` is `a * b`, without an error (Dekker).
-#[inline]
-fn error_of_product(a: f64, b: f64, product: f64) -> f64 {
-    let ((ah, al), (bh, bl)) = (split(a), split(b));
-    ((ah * bh - product) + ah * bl + al * bh) + al * bl
-}
-
-/// The upper and the lower half of the digits of `a` (Veltkamp).
-#[inline]
-fn split(a: f64) -> (f64, f64) {
-    let c = a * 134_217_729.0; // 2²⁷ + 1
-    let high = c - (c - a);
-    (high, a - high)
 }
 
 #[cfg(test)]
