@@ -49,9 +49,10 @@ impl<const N: usize> RigidBody<N> {
     ///
     /// # Errors
     /// [`Error::NotPositive`], [`Error::NotFinite`], [`Error::InertiaNotSymmetric`], [`Error::InertiaNotPositive`] or
-    /// [`Error::SecondMomentsOfLowRank`] if the body spins for free in some plane (a rod in space), [`Error::InertiaLost`] if its moment there is at most ε = 2.2e-16 of the largest,
-    /// [`Error::TooLarge`] if a moment is more than 1.8e308, [`Error::SecondMomentsNotPositive`] if one of them is negative beyond
-    /// rounding, [`Error::InertiaForm`] for a form of another dimension.
+    /// [`Error::SecondMomentsOfLowRank`] if the body spins for free in some plane (a rod in space), [`Error::InertiaLost`] if its
+    /// moment there is at most ε = 2.2e-16 of the largest, [`Error::TooLarge`] if a moment is more than 1.8e308,
+    /// [`Error::SecondMomentsNotPositive`] if one of them is negative beyond rounding, [`Error::InertiaForm`] for a form of another
+    /// dimension.
     pub fn new(mass: f64, inertia: Inertia<N>) -> Result<Self, Error> {
         let mass = positive("the mass", mass)?;
         let form = |form, expected| Error::InertiaForm { form, expected, dimension: N };
