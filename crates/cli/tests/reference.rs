@@ -216,6 +216,17 @@ fn every_planar_trajectory_is_reproduced_on_the_built_in_table_and_on_the_same_b
 }
 
 /// `[[orbit]]` from a state (x, v, W); Rust and TOML agree on how a number is written.
+#[test]
+fn disks_that_roll_along_drawn_walls_go_where_another_program_has_them() {
+    let scenes = fs::read_to_string(data().join("rolling/scenes.json")).unwrap();
+    let scenes: Vec<Value> = serde_json::from_str(&scenes).unwrap();
+    assert_eq!(scenes.len(), 37);
+    for (k, reference) in scenes.iter().enumerate() {
+        let (rows, summary) = run(&format!("rolling-{k}"), reference["scene"].as_str().unwrap());
+        assert_eq!(planar_fault(reference, &rows, &summary), None, "{k}:\n{}", reference["scene"]);
+    }
+}
+
 fn orbit_in_space(state: [f64; 9]) -> String {
     let [x, v, w] = [0, 3, 6].map(|i| format!("[{:?}, {:?}, {:?}]", state[i], state[i + 1], state[i + 2]));
     format!("[[orbit]]\nposition = {x}\nvelocity = {v}\nspin = {w}\n")
