@@ -215,7 +215,6 @@ fn every_planar_trajectory_is_reproduced_on_the_built_in_table_and_on_the_same_b
     assert!(faults.is_empty(), "{faults}");
 }
 
-/// `[[orbit]]` from a state (x, v, W); Rust and TOML agree on how a number is written.
 #[test]
 fn disks_that_roll_along_drawn_walls_go_where_another_program_has_them() {
     let scenes = fs::read_to_string(data().join("rolling/scenes.json")).unwrap();
@@ -227,6 +226,7 @@ fn disks_that_roll_along_drawn_walls_go_where_another_program_has_them() {
     }
 }
 
+/// `[[orbit]]` from a state (x, v, W); Rust and TOML agree on how a number is written.
 fn orbit_in_space(state: [f64; 9]) -> String {
     let [x, v, w] = [0, 3, 6].map(|i| format!("[{:?}, {:?}, {:?}]", state[i], state[i + 1], state[i + 2]));
     format!("[[orbit]]\nposition = {x}\nvelocity = {v}\nspin = {w}\n")

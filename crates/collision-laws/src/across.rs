@@ -28,7 +28,7 @@ pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -
 
 /// `a b − c d`, without the rounding of the products.
 #[inline]
-fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let ((ab, left), (cd, over)) = (two_prod(a, b), two_prod(c, d));
     let error = left - over;
     // none where splitting a factor beyond 2⁹⁹⁶ overflows
@@ -45,7 +45,7 @@ mod tests {
         // of (1 + h)² − (1 + 2h) = h² rounded products leave nothing
         let h = f64::from(1 << 30).recip();
         let (p, r) = (Vector2::new(1.0 + 2.0 * h, 1.0 + h), Vector2::new(1.0 + h, 1.0));
-        for unit in [1.0, 2.0_f64.powi(-1000), 2.0_f64.powi(1000)] {
+        for unit in [0, -1000, 1000].map(|k| libm::ldexp(1.0, k)) {
             let left = across(&p, &(r * unit));
             let exact = Vector2::new(-1.0, 1.0 + h) * (h * h / r.norm_squared());
             assert!((left - exact).amax() <= 2.0 * f64::EPSILON * h * h, "{unit:e}: {left}");

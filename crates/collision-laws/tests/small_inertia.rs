@@ -16,7 +16,7 @@ fn a_partly_rough_law_is_strict_however_small_the_inertia() {
     let projector = law.at(&contact).unwrap().projector(&contact.normal);
     let (v, w) = (Vector3::new(-1.0, -0.7, -0.9), Vector3::new(0.7, -0.3, 0.2));
     for exponent in 0..=12 {
-        let gamma_squared = 10.0_f64.powi(-exponent);
+        let gamma_squared = libm::exp10(-f64::from(exponent));
         let tensor = Matrix3::identity() * (gamma_squared * radius * radius);
         let body = RigidBody::<3>::new(1.0, Inertia::Tensor(tensor)).unwrap();
         let pair = Pair::new(contact, (body, -nu * radius), (Fixed, Vector3::zeros()));
@@ -52,7 +52,7 @@ fn the_spin_without_slip_keeps_its_digits_however_small_the_inertia() {
         let v = SVector::<f64, N>::from_fn(|i, _| of(i + 1, 4));
         let spin = SMatrix::<f64, N, N>::from_fn(|i, j| of(i, j) - of(j, i));
         for exponent in 0..=13 {
-            let s = moments * 10.0_f64.powi(-exponent);
+            let s = moments * libm::exp10(-f64::from(exponent));
             let body = RigidBody::new(1.0, Inertia::SecondMoments(s)).unwrap();
             let contact = Contact::new(SVector::zeros(), SVector::from_fn(|i, _| of(2 * i, 1) + 0.1), 0).unwrap();
             let pair = Pair::new(contact, (body, arm), (Fixed, SVector::zeros()));

@@ -69,7 +69,8 @@ impl Stretch {
         let length = self.length();
         let chord = self.to.point - self.from.point;
         let distance = libm::hypot(chord.x, chord.y);
-        // the arc is longer than its chord by so much, or by less: where rounding would have it shorter, it may still bend by more than rounding
+        // the arc is longer than its chord by so much, or by less: where rounding would have it shorter, it may still bend by more than
+        // that
         let longer = (length - distance).max(0.0) + rounding;
         let excess = (longer * (length + distance)).sqrt();
         // c/ℓ = 1 − φ²/24 for an arc that turns by φ
