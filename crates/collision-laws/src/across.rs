@@ -3,7 +3,7 @@
 //! Where a body hardly resists turning, the impulse is almost along the arm `r`, and in `p ∧ r = p rᵀ − r pᵀ` products cancel. Were they
 //! rounded, the inverse of the inertia would magnify what that makes of `p ∧ r`, in planes of rotation in part that leave the contact
 //! velocity as it is, so that nothing could mend it later. Rounding of `p` itself is another matter: what that does to the spin shows in
-//! the contact velocity, and [`Pair::collide`](crate::Pair::collide) takes it away.
+//! the contact velocity, and [`Pair::collide`](crate::Pair::collide) takes it away. (So is all of it in the plane.)
 
 use lanes::two_prod;
 use nalgebra::{SMatrix, SVector};
@@ -28,7 +28,7 @@ pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -
 
 /// `a b − c d`, without the rounding of the products.
 #[inline]
-pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
+fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let ((ab, left), (cd, over)) = (two_prod(a, b), two_prod(c, d));
     let error = left - over;
     // none where splitting a factor beyond 2⁹⁹⁶ overflows

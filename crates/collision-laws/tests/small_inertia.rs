@@ -2,7 +2,7 @@
 
 use collision_laws::{
     CollisionLaw, Contact, Fixed, Pair, Twist,
-    bodies::{Inertia, RigidBody},
+    bodies::{Inertia, RigidBody, Spatial},
     check::{self, Samples},
     laws::{NoSlip, Restitution, RoughPlane},
 };
@@ -75,4 +75,20 @@ fn the_spin_without_slip_keeps_its_digits_however_small_the_inertia() {
     in_dimension::<3>();
     in_dimension::<4>();
     in_dimension::<5>();
+}
+
+#[test]
+fn an_impulse_does_not_turn_a_body_in_space_about_its_arm() {
+    let tensor = Matrix3::new(2.0, 0.3, -0.2, 0.3, 1.5, 0.4, -0.2, 0.4, 1.7);
+    let arm = Vector3::new(0.3, -0.7, 0.45);
+    let contact = Contact::new(Vector3::zeros(), Vector3::new(0.1, 0.5, 0.2), 0).unwrap();
+    let before = (Twist::spatial(Vector3::new(-0.4, -0.9, 0.3), Vector3::new(0.7, -0.3, 0.2)), ());
+    for exponent in 0..=13 {
+        let inertia = tensor * libm::exp10(-f64::from(exponent));
+        let pair = Pair::new(contact, (Spatial::new(1.0, inertia).unwrap(), arm), (Fixed, Vector3::zeros()));
+        let after = pair.collide(&NoSlip, &before).velocities;
+        let gained = after.0.angular_velocity() - before.0.angular_velocity();
+        let about = (inertia * gained).dot(&arm) / (inertia.norm() * gained.norm() * arm.norm());
+        assert!(about.abs() <= 64.0 * f64::EPSILON, "1e-{exponent}: {about:e}");
+    }
 }

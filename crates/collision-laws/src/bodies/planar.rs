@@ -1,7 +1,7 @@
 //! A rigid body in the plane.
 
 use super::positive;
-use crate::{Body, Delassus, Error, Twist, across::difference_of_products};
+use crate::{Body, Delassus, Error, Twist};
 use nalgebra::{SVector, Unit, Vector2};
 
 /// A rigid body in the plane, of any shape: mass and moment of inertia about the centre of mass.
@@ -51,7 +51,7 @@ impl Body<2> for Planar {
 
     #[inline]
     fn apply_impulse(&self, arm: &SVector<f64, 2>, p: &SVector<f64, 2>, v: &Twist<2>) -> Twist<2> {
-        let torque = difference_of_products(arm.x, p.y, arm.y, p.x);
+        let torque = quarter_turn(arm).dot(p);
         Twist::planar(v.linear + p / self.mass, v.angular_velocity() + torque / self.moment)
     }
 
