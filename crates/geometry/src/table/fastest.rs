@@ -10,6 +10,7 @@ use crate::{
     afar::NEWTON,
     copies::finite_extent,
     nearest::nearest_of,
+    plane::slack,
     shapes::{Segment, Shape},
     walls::{
         Around, Corners, Enclosure, Hull, Junctions, List, Obstacles, Periodic, Pieces, Polygon, Scatterer, Seam,
@@ -95,13 +96,15 @@ impl Table {
         }
     }
 
-    /// All that there is in a cell, if that is one disk as a whole.
+    /// All that there is in a cell, if that is one disk as a whole, which touches none of its translates.
     fn lone_disk(&self, cell: &FundamentalCell) -> Option<Scatterer<2>> {
         match self.figures()[..] {
             [Figure::Circle { center, radius, inside: false }] => {
                 let (home, _) = cell.home(&center);
-                let size = cell.lattice().vectors().iter().map(Vector2::amax).fold(0.0, f64::max);
-                (radius > NEWTON * size && cell.contains_disk(home, radius))
+                let vectors = || cell.lattice().vectors().iter();
+                let size = vectors().map(Vector2::amax).fold(0.0, f64::max);
+                let apart = |vector: &Vector2<f64>| libm::hypot(vector.x, vector.y) - 2.0 * radius > slack([size]);
+                (radius > NEWTON * size && cell.contains_disk(home, radius) && vectors().all(apart))
                     .then(|| Scatterer::new(home, radius, 0).ok())?
             }
             _ => None,

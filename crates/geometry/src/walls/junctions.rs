@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// What starts on such a wall, within rounding, has just left it and does not cross it. Where it ends at another wall, or two of them end in
 /// one vertex, a path that has just left the other one starts as near to it, and would slip through. So orbits end there, as in a corner: up
 /// to `B/sin α` from a place where walls meet at the angle `α`, `B` being the rounding; and at tips that stand alone, as at any corner.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Junctions {
     /// Places and how far from them orbits end, by the first coordinate.
     places: Vec<(Vector2<f64>, f64)>,
@@ -49,7 +49,7 @@ impl Junctions {
         let extents = pieces.iter().map(|(_, piece)| piece.extent()).filter(Extent::is_finite);
         let size = extents.fold(0.0, |size: f64, e| size.max(e.size()));
         let within = |p: &Vector2<f64>| slack([size, p.x, p.y]);
-        let mut found = Junctions { places: vec![], reach: 0.0, on_others: false };
+        let mut found = Junctions::default();
         // ends of walls with two sides, on whatever these are, and those of others on them
         let others = BoxTree::new(double.iter().map(|&i| pieces[i].1.extent()));
         let is_near = |tree: &BoxTree<2>, p: &Vector2<f64>| {
@@ -99,6 +99,14 @@ impl Junctions {
             self.places.push((place, reach));
             self.reach = self.reach.max(reach);
         }
+    }
+
+    /// These and others, with how far from them orbits end \[L\].
+    pub(super) fn with(mut self, places: impl Iterator<Item = (Vector2<f64>, f64)>) -> Junctions {
+        self.places.extend(places);
+        self.places.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
+        self.reach = self.places.iter().fold(0.0, |most, (_, reach)| most.max(*reach));
+        self
     }
 
     /// Whether a wall of one side is met.

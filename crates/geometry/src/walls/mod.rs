@@ -26,6 +26,7 @@ mod normal;
 mod periodic;
 mod pieces;
 mod polygon;
+mod posts;
 mod rotated;
 mod scatterer;
 mod scatterers;

@@ -1,5 +1,8 @@
 //! Pieces of any kind: those that answer in lanes beside those that do not.
-use super::{Few, Graphs, Junctions, List, WallHit, Walls};
+use super::{
+    Few, Graphs, Junctions, List, WallHit, Walls,
+    posts::{Post, posts},
+};
 use crate::{
     Piece,
     shapes::{Shape, curve::Graph},
@@ -19,14 +22,21 @@ pub struct Pieces {
     list: Option<List>,
     /// Whether the list holds those known in lanes, too.
     all: bool,
-    /// Where walls with two sides end, if there are any.
+    /// Where walls with two sides end, and where round ones touch, if there are any.
     junctions: Option<Arc<Junctions>>,
 }
 
 impl Pieces {
-    /// The pieces with their numbers, and the corners of the boundary.
-    pub fn new(pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
-        let junctions = Junctions::of(&pieces).map(Arc::new);
+    /// The pieces with their numbers, and the corners of the boundary. Where circles or ellipses touch that have the table outside is a
+    /// corner, too.
+    pub fn new(mut pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
+        let mut junctions = Junctions::of(&pieces);
+        let posts = posts(&pieces);
+        if !posts.is_empty() {
+            junctions = Some(junctions.unwrap_or_default().with(posts.iter().map(|post| (post.place, post.reach()))));
+            pieces.extend(posts.iter().flat_map(Post::faces));
+        }
+        let junctions = junctions.map(Arc::new);
         let mut graphs: Vec<(usize, Graph)> = vec![];
         let others = pieces.into_iter().filter(|(number, piece)| {
             let cut = if piece.shape().is_some() { None } else { piece.graphs() };
