@@ -161,13 +161,18 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             // a hit within this cell or, but for rounding, on its edge; or in a direction that leaves none
             let late = exit * ROUNDING + other.select(second.late, first.late);
             let here = flying & !(exit + late).lt(flown + hit.time);
-            best = best.or(here, &WallHit { time: begun.high + (begun.low + (flown + hit.time)), ..hit });
+            let hit = WallHit { time: begun.high + (begun.low + (flown + hit.time)), ..hit };
+            if F::LANES == 1 && here.any() {
+                // with no selection between this and whatever there was
+                return hit;
+            }
+            best = best.or(here, &hit);
             flying = flying & !here;
             if !flying.any() {
                 break;
             }
-            // not for ever, in a lane that has hit
-            flown = flying.select(exit, flown);
+            // lanes that have hit fly on as well, since to ask which they are would be to wait for the hit
+            flown = exit;
             next[0] = other.select(next[0], next[0] + first.period);
             next[1] = other.select(next[1] + second.period, next[1]);
             for i in 0..2 {
