@@ -232,7 +232,7 @@ fn spanned<T>(item: &Item, value: Option<T>) -> Option<Spanned<T>> {
 fn is_infinite(mass: &Value) -> bool {
     match mass {
         Value::Float(x) => *x == f64::INFINITY,
-        Value::Text(text) => text == "inf",
+        Value::Text(text) => text == "inf" || text == "infinity",
         _ => false,
     }
 }

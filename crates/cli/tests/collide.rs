@@ -155,6 +155,15 @@ fn a_dropped_spinning_disk_is_sent_sideways() {
 }
 
 #[test]
+fn a_body_that_stays_where_it_is_has_infinite_mass_however_that_is_written() {
+    let expected = collide_text("fixed", TOML, &["--json"]);
+    for (k, mass) in ["inf", "\"infinity\""].iter().enumerate() {
+        let text = TOML.replace("\"inf\"", mass);
+        assert_eq!(collide_text(&format!("fixed-{k}"), &text, &["--json"]), expected, "{mass}");
+    }
+}
+
+#[test]
 fn nothing_is_printed_as_minus_zero() {
     // the impulse on the wall is the opposite of (0, −2)
     let bodies = "[{ mass = \"inf\" }, { mass = 1, position = [0, -1], inertia = \"1/2\" }]";
