@@ -1,5 +1,7 @@
 //! Velocities of one body: tangent vectors of its share of configuration space.
 
+mod sums;
+
 use crate::Error;
 use nalgebra::{SMatrix, SVector, Vector3};
 use std::fmt::Debug;
