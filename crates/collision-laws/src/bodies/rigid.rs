@@ -2,7 +2,7 @@
 
 use super::positive;
 use crate::{Body, Delassus, Error, Twist, across::across, symmetric::eigenframe};
-use nalgebra::{Matrix3, SMatrix, SVector, Unit};
+use nalgebra::{Matrix3, Rotation, SMatrix, SVector, Unit};
 
 /// How a body resists turning, in one of the forms in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,6 +100,28 @@ impl<const N: usize> RigidBody<N> {
     pub fn mass(&self) -> f64 {
         self.mass
     }
+
+    /// The body after it has been turned by the rotation `R`: its inertia is `R I Rᵀ` in the space frame, with the same principal
+    /// moments to the last bit.
+    ///
+    /// So a body is made once, in a frame of its own, and then has any pose. Turn that body by the whole rotation: of many turns one
+    /// after another the rounding of each stays.
+    ///
+    /// ```
+    /// use collision_laws::{Body, Twist, bodies::{Inertia, RigidBody}};
+    /// use nalgebra::{Matrix3, Rotation3, Vector3};
+    ///
+    /// let brick = RigidBody::<3>::new(1.0, Inertia::Tensor(Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 2.5))))?;
+    /// let askew = brick.turned(&Rotation3::from_axis_angle(&Vector3::z_axis(), 0.6));
+    /// let axis = Vector3::new(0.6_f64.cos(), 0.6_f64.sin(), 0.0); // where its first axis is now
+    /// let energy = askew.kinetic_energy(&Twist::spatial(Vector3::zeros(), axis));
+    /// assert!((energy - 0.5).abs() < 1e-15);
+    /// # Ok::<(), collision_laws::Error>(())
+    /// ```
+    #[must_use]
+    pub fn turned(&self, by: &Rotation<f64, N>) -> Self {
+        Self { frame: by.matrix() * self.frame, ..*self }
+    }
 }
 
 impl RigidBody<3> {
@@ -172,7 +194,8 @@ impl<const N: usize> Body<N> for RigidBody<N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Matrix2, Matrix4};
+    use crate::{Contact, check};
+    use nalgebra::{Matrix2, Matrix4, Vector4};
 
     #[test]
     fn an_inertia_says_what_is_wrong_with_it() {
@@ -232,5 +255,40 @@ mod tests {
             let along = Matrix2::new(cos * cos, sin * cos, sin * cos, sin * sin) * 3.0;
             assert!(RigidBody::<2>::new(1.0, Inertia::SecondMoments(along)).is_ok(), "{k}");
         }
+    }
+
+    /// A rotation of ℝ⁴ in two planes, which is exact in no digit.
+    fn askew() -> Rotation<f64, 4> {
+        let in_plane = |i: usize, j: usize, angle: f64| {
+            let (sin, cos) = libm::sincos(angle);
+            let mut r = Matrix4::identity();
+            (r[(i, i)], r[(i, j)], r[(j, i)], r[(j, j)]) = (cos, -sin, sin, cos);
+            r
+        };
+        Rotation::from_matrix_unchecked(in_plane(0, 1, 0.7) * in_plane(1, 3, -0.4) * in_plane(2, 3, 1.9))
+    }
+
+    #[test]
+    fn a_turned_body_is_the_one_whose_second_moments_are_turned() {
+        let (s, r) = (Matrix4::from_diagonal(&Vector4::new(1.0, 2.0, 0.5, 0.25)), askew());
+        let turned = RigidBody::<4>::new(3.0, Inertia::SecondMoments(s)).unwrap().turned(&r);
+        let moments = r.matrix() * s * r.matrix().transpose();
+        let made = RigidBody::<4>::new(3.0, Inertia::SecondMoments((moments + moments.transpose()) * 0.5)).unwrap();
+        let (arm, normal) = (Vector4::new(0.3, -0.2, 0.9, 0.4), Unit::new_normalize(Vector4::new(1.0, 2.0, 3.0, 4.0)));
+        let dense = |body: &RigidBody<4>| body.delassus(&arm, &normal).to_matrix(&normal);
+        let (found, expected) = (dense(&turned), dense(&made));
+        assert!((found - expected).amax() < 1e-14, "{found} for {expected}");
+        let contact = Contact::new(Vector4::zeros(), normal.into_inner(), 0).unwrap();
+        assert!(check::body(&turned, &contact, &arm, check::Samples::default()).worst() < 1e-14);
+    }
+
+    #[test]
+    fn a_turned_body_spins_with_the_energy_that_it_had_before_it_was_turned_with_its_spin() {
+        let second = Inertia::SecondMoments(Matrix4::from_diagonal(&Vector4::new(1.0, 2.0, 0.5, 0.25)));
+        let (body, r) = (RigidBody::<4>::new(3.0, second).unwrap(), askew());
+        let v = Twist::<4>::with_spin_coordinates(Vector4::zeros(), &[0.1, -0.4, 0.2, 0.9, 0.3, -0.7]).unwrap();
+        let moved = Twist::from_skew(Vector4::zeros(), &(r.matrix() * v.spin() * r.matrix().transpose()));
+        let (before, after) = (body.kinetic_energy(&v), body.turned(&r).kinetic_energy(&moved));
+        assert!((after / before - 1.0).abs() < 1e-14, "{after} for {before}");
     }
 }

@@ -5,11 +5,11 @@ use super::{
     rigid::{Inertia, symmetric},
 };
 use crate::{Body, Delassus, Error, Twist, across::across};
-use nalgebra::{Matrix3, SVector, Unit};
+use nalgebra::{Matrix3, Rotation3, SVector, Unit};
 
 /// A rigid body in space, of any shape: mass and inertia tensor about the centre of mass, in the space frame.
 ///
-/// `K = 1/m + [r]ₓ I⁻¹ [r]ₓᵀ`. The tensor is that of the present pose: a body that has turned is a new value.
+/// `K = 1/m + [r]ₓ I⁻¹ [r]ₓᵀ`. The tensor is that of the present pose: a body that has turned is a new value, [`turned`](Self::turned).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spatial {
     mass: f64,
@@ -39,6 +39,18 @@ impl Spatial {
     pub fn tensor(&self) -> &Matrix3<f64> {
         &self.tensor
     }
+
+    /// The body after it has been turned by the rotation `R`: its tensor is `R I Rᵀ` in the space frame.
+    ///
+    /// As with [`RigidBody::turned`], the rounding of many turns one after another stays.
+    #[must_use]
+    pub fn turned(&self, by: &Rotation3<f64>) -> Self {
+        let turn = |of: &Matrix3<f64>| {
+            let turned = by.matrix() * of * by.matrix().transpose();
+            turned * 0.5 + turned.transpose() * 0.5 // exactly symmetric; halved first: the sum may overflow
+        };
+        Self { mass: self.mass, tensor: turn(&self.tensor), inverse: turn(&self.inverse) }
+    }
 }
 
 impl Body<3> for Spatial {
@@ -62,5 +74,26 @@ impl Body<3> for Spatial {
             k[(i, i)] += 1.0 / self.mass;
         }
         Delassus::Dense(k * 0.5 + k.transpose() * 0.5) // halved first: the sum may overflow
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn a_body_turned_is_the_rigid_body_turned() {
+        let tensor = Matrix3::new(2.0, 0.25, -0.5, 0.25, 1.5, 0.125, -0.5, 0.125, 1.25);
+        let (axis, arm) = (Unit::new_normalize(Vector3::new(1.0, -2.0, 0.5)), Vector3::new(0.3, -0.7, 0.4));
+        let turn = Rotation3::from_axis_angle(&axis, 0.9);
+        let body = Spatial::new(3.0, tensor).unwrap().turned(&turn);
+        let same = RigidBody::<3>::new(3.0, Inertia::Tensor(tensor)).unwrap().turned(&turn);
+        assert_eq!(body.tensor, body.tensor.transpose());
+        let (k, other) = (body.delassus(&arm, &axis).to_matrix(&axis), same.delassus(&arm, &axis).to_matrix(&axis));
+        assert!((k - other).amax() < 1e-15 * 4.0, "{k} for {other}");
+        let v = Twist::spatial(Vector3::new(0.2, 0.1, -0.3), Vector3::new(1.0, 0.5, -2.0));
+        let (energy, other) = (body.kinetic_energy(&v), same.kinetic_energy(&v));
+        assert!((energy / other - 1.0).abs() < 1e-14, "{energy} for {other}");
     }
 }
