@@ -13,7 +13,8 @@ use lanes::{Lane, dot};
 /// What a collision with the wall does to a ball, in lanes: the law as the engine's loop applies it.
 ///
 /// `S` is the number of components of the scaled spin `γ R ω` that the law needs (see [`Orbit`]). Laws of
-/// [`collision_laws`] become ball laws by [`laws`](crate::laws).
+/// [`collision_laws`] become ball laws by [`laws`](crate::laws). In the plane and in space a law that is lent, `&L`, is one too, so that
+/// several billiards have one law.
 pub trait BallLaw<const N: usize, const S: usize>: Sync {
     /// Turns the velocity and the spin before a collision into those after it. The normal of the hit points into the table, and so must the
     /// velocity after it: otherwise the orbit ends, as [`Stop::IntoWall`].

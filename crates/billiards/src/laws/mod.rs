@@ -2,6 +2,7 @@
 mod coefficients;
 mod custom;
 mod disk;
+mod lent;
 mod mirror;
 mod per_piece;
 mod rough_ball;
