@@ -423,12 +423,18 @@ fn starts_that_do_not_fill_a_grid_leave_out_no_part_of_the_boundary() {
 }
 
 #[test]
-fn both_of_two_observers_see_the_last_collision() {
-    struct Stops(u64);
+fn both_of_two_observers_and_all_of_three_see_the_last_collision() {
+    /// Counts collisions, up to so many.
+    struct Stops(u64, u64);
+    impl Stops {
+        fn after(most: u64) -> Self {
+            Stops(0, most)
+        }
+    }
     impl<K, T> billiards::Observer<2, 1, K, T> for Stops {
         fn collision(&mut self, c: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
             self.0 = c.n;
-            if c.n == 3 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            if c.n == self.1 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         }
     }
     struct Sees(u64);
@@ -440,10 +446,27 @@ fn both_of_two_observers_see_the_last_collision() {
     }
     let circle = Planar { table: tables::circle(1.0).unwrap(), law: no_slip(0.5) };
     let [mut a, mut b] = [orbit([0.5, 0.0], [0.1, 0.7], 0.2); 2];
-    let (mut first, mut last) = ((Stops(0), Sees(0)), (Sees(0), Stops(0)));
+    let (mut first, mut last) = ((Stops::after(3), Sees(0)), (Sees(0), Stops::after(3)));
     assert_eq!(circle.run(&mut a, &Collisions(9), &mut first).stop, Stop::Observer);
     assert_eq!(circle.run(&mut b, &Collisions(9), &mut last).stop, Stop::Observer);
     assert_eq!([first.0.0, first.1.0, last.0.0, last.1.0], [3; 4]);
+    for stopping in 0..3 {
+        let most = |k: usize| if k == stopping { 3 } else { 9 };
+        let mut three = (Stops::after(most(0)), Stops::after(most(1)), Stops::after(most(2)));
+        let mut orbit = orbit([0.5, 0.0], [0.1, 0.7], 0.2);
+        assert_eq!(circle.run(&mut orbit, &Collisions(9), &mut three).stop, Stop::Observer, "{stopping}");
+        assert_eq!([three.0.0, three.1.0, three.2.0], [3; 3], "{stopping}");
+    }
+}
+
+#[test]
+fn of_three_observers_it_is_enough_if_one_looks_at_the_orbit() {
+    fn looks(observer: &impl billiards::Observer<2, 1, (), ()>) -> bool {
+        observer.looks()
+    }
+    let drift = EnergyDrift::new;
+    assert!(looks(&(drift(), (), ())) && looks(&((), drift(), ())) && looks(&((), (), drift())));
+    assert!(!looks(&((), (), ())));
 }
 
 #[test]

@@ -93,6 +93,24 @@ impl<const N: usize, const S: usize, K, T, A: Observer<N, S, K, T>, B: Observer<
     }
 }
 
+/// Three observers see the same run, as two do. More than three nest, as in `((a, b), (c, d))`.
+impl<const N: usize, const S: usize, K, T, A, B, C> Observer<N, S, K, T> for (A, B, C)
+where
+    A: Observer<N, S, K, T>,
+    B: Observer<N, S, K, T>,
+    C: Observer<N, S, K, T>,
+{
+    #[inline(always)]
+    fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
+        (&mut self.0, (&mut self.1, &mut self.2)).collision(collision)
+    }
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        self.0.looks() || self.1.looks() || self.2.looks()
+    }
+}
+
+/// An observer that is lent, or one of several types: `&mut dyn Observer<N, S, K, T>`.
 impl<const N: usize, const S: usize, K, T, O: Observer<N, S, K, T> + ?Sized> Observer<N, S, K, T> for &mut O {
     #[inline(always)]
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
