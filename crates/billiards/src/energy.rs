@@ -6,6 +6,8 @@
 //! (to the velocity as a whole where it grazes the wall; between parallel planes to velocity and spin along them). It takes the energy
 //! with which the orbit arrived, which is known before the law is: the next flight need not wait for the sum. The error of the energy is
 //! then that of [`BEAT`] collisions and one at most, and the work that of a fraction of one.
+mod bits;
+
 use crate::{in_lanes::InLanes, recurring::Recurring};
 use geometry::WallHit;
 use lanes::{Double, Lane, Mask};

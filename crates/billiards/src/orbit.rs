@@ -33,7 +33,8 @@ pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
     /// Scaled spin `γ R ω` [L T⁻¹]: kinetic energy is `(m/2)(|velocity|² + |spin|²)`.
     pub spin: [F; S],
     /// Keeps the energy where the law conserves it, and between round walls the [digits](crate::Recurring) of the velocity that
-    /// are rounded off here. It belongs to this motion: whoever changes position, velocity or spin makes a new orbit.
+    /// are rounded off here. It belongs to this motion: whoever changes position, velocity or spin makes a new orbit, and whoever keeps an
+    /// orbit in a file keeps its [bits](crate::Conserved::to_bits) too.
     pub keeper: K,
     /// What is tracked along the path.
     pub track: T,
