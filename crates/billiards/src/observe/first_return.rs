@@ -6,6 +6,9 @@ use lanes::Double;
 /// Stops an orbit at the first collision whose outcome lies in a set: a return to where it came from, or an escape through
 /// a hole in the wall.
 ///
+/// It watches one orbit, in a run or several. In an [`Ensemble`](crate::Ensemble) each orbit has one of its own, and the list of what they have
+/// [found](FirstReturn::found) merges.
+///
 /// ```
 /// use billiards::{Collision, Collisions, Conserved, Orbit, Planar, Stop, laws::Specular};
 /// use billiards::{geometry::tables, observe::FirstReturn};

@@ -7,6 +7,7 @@ use lanes::Double;
 /// Finds the smallest number of collisions after which an orbit returns to where its first collision left it, in the
 /// reduced phase space: the piece, the position and the velocities, but not the spin position `x₀`. Then it stops the run.
 /// It counts itself, so one orbit may come to it in several runs; one that goes on after that is stopped at each further return.
+/// In an [`Ensemble`](crate::Ensemble) each orbit has one of its own, and the list of what they have [found](Period::found) merges.
 ///
 /// Many no-slip orbits have a period there and yet turn a little further each time: whether `x₀` returns too,
 /// [`Return::drift`] says.
