@@ -1,5 +1,5 @@
 //! What a table is like: its parts, sizes and corners.
-use crate::{Component, LargestDisk, Table, components::components_of, joints::joints, table::SMOOTH};
+use crate::{Component, LargestDisk, Piece, Table, components::components_of, joints::joints, table::SMOOTH};
 
 /// The measures of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -8,7 +8,8 @@ pub struct Description {
     pub pieces: usize,
     /// Length of the boundary \[L\], per unit cell on a lattice.
     pub perimeter: f64,
-    /// Joints of two pieces at which the boundary turns, once each, and places where walls touch, once for each part of the table.
+    /// Joints of two pieces at which the boundary turns, once each, tips of walls without thickness, and places where walls touch, once for
+    /// each part of the table around them. (Of what touches an ellipse or a curve by a formula, the corners on that are not counted.)
     /// ([`Table::corners`] are vertices at which the normal jumps, two for a joint across cells of a lattice.)
     pub corners: usize,
     /// Those of them where the table's angle is greater than π.
@@ -40,7 +41,11 @@ impl Table {
         let parted = self.parted();
         let turns = match &parted {
             Some(parted) => parted.turns.clone(),
-            None => joints(self).iter().map(|joint| joint.turn(self)).collect(),
+            None => {
+                // about the tips of a wall without thickness, too
+                let tips = self.pieces().iter().filter_map(Piece::tips).flatten().map(|_| -core::f64::consts::PI);
+                joints(self).iter().map(|joint| joint.turn(self)).chain(tips).collect()
+            }
         };
         Description {
             pieces: self.pieces().len(),

@@ -162,3 +162,33 @@ fn a_piece_that_bounds_two_parts_is_named_in_both() {
     let sinai = table([room(2.0, 2.0), disk(1.0, 1.0, 1.0)]).describe();
     assert_eq!((sinai.components.len(), sinai.corners, sinai.re_entrant_corners), (4, 12, 0));
 }
+
+#[test]
+fn corners_are_counted_on_both_sides_of_what_stands_on_a_wall() {
+    let counts = |walls: Vec<Vec<Box<dyn Piece>>>| {
+        let described = table(walls).describe();
+        (described.corners, described.re_entrant_corners)
+    };
+    let circle = || vec![Box::new(Circle::new(v(0.0, 0.0), 1.0, true).unwrap()) as Box<dyn Piece>];
+    let there_and_back = |a, b| closed(&[a, b]);
+    for angle in [0.0, 0.5, 2.0, 3.0, 6.0] {
+        let (sin, cos) = libm::sincos(angle);
+        let rim = v(cos, sin);
+        let beside = |s: f64| rim * 0.5 + v(-sin, cos) * s;
+        // two right angles and a tip
+        assert_eq!(counts(vec![circle(), screen(v(0.0, 0.0), rim)]), (3, 1), "{angle}");
+        assert_eq!(counts(vec![circle(), there_and_back(v(0.0, 0.0), rim)]), (3, 1), "{angle}");
+        assert_eq!(counts(vec![circle(), screen(-rim, rim)]), (4, 0), "{angle}");
+        assert_eq!(counts(vec![circle(), closed(&[rim, beside(-0.2), beside(0.2)])]), (4, 2), "{angle}");
+        // alone, two tips
+        assert_eq!(counts(vec![circle(), screen(rim * 0.5, v(0.0, 0.0))]), (2, 2), "{angle}");
+        assert_eq!(counts(vec![circle(), there_and_back(rim * 0.5, v(0.0, 0.0))]), (2, 2), "{angle}");
+    }
+    let around = |slits: Vec<Vec<Box<dyn Piece>>>| {
+        counts([room(2.0, 2.0), disk(1.0, 1.0, 0.5)].into_iter().chain(slits).collect())
+    };
+    assert_eq!(around(vec![screen(v(1.5, 1.0), v(2.0, 1.0))]), (8, 0));
+    assert_eq!(around(vec![screen(v(1.5, 1.0), v(1.7, 1.0))]), (7, 1));
+    assert_eq!(around(vec![screen(v(1.5, 1.0), v(2.0, 1.2)), screen(v(1.5, 1.0), v(2.0, 0.8))]), (11, 0));
+    assert_eq!(counts(vec![room(2.0, 1.0), screen(v(0.5, 0.5), v(1.0, 0.5))]), (6, 2));
+}

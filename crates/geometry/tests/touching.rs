@@ -128,3 +128,48 @@ fn where_scatterers_do_not_touch_paths_pass() {
     let near = Table::periodic(vec![disk(v(0.5, 0.5), 0.5 - gap)], Some(square)).unwrap();
     assert!(near.with_walls(First(v(0.0, 0.0), v(1.0, 0.0))).time == f64::INFINITY);
 }
+
+fn loop_of(corners: &[[f64; 2]]) -> Vec<Box<dyn Piece>> {
+    let start = Vector2::from(corners[0]);
+    let mut outline = Outline::from(start);
+    for corner in corners[1..].iter().chain([&corners[0]]) {
+        outline = outline.line_to(Vector2::from(*corner)).unwrap();
+    }
+    outline.close().unwrap()
+}
+
+#[test]
+fn a_path_to_where_a_vertex_stands_on_a_wall_ends_there() {
+    let box_around = || loop_of(&[[0.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.0, 1.0]]);
+    let obstacle = || loop_of(&[[1.0, 0.0], [0.5, -0.2], [0.5, 0.2]]);
+    let circle = || vec![Box::new(Circle::new(v(0.0, 0.0), 1.0, true).unwrap()) as Box<dyn Piece>];
+    let halved = || loop_of(&[[0.0, -1.0], [1.0, -1.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    // walls beside, so that there are too many for a list of few
+    let many = || {
+        (0..40).flat_map(|k| {
+            let (x, y) = (0.02 + 0.01 * f64::from(k), -0.9);
+            loop_of(&[[x, y], [x, y + 0.005], [x + 0.005, y + 0.005], [x + 0.005, y]])
+        })
+    };
+    let tables = [
+        box_around().into_iter().chain(obstacle()).collect(),
+        obstacle().into_iter().chain(box_around()).collect(),
+        circle().into_iter().chain(obstacle()).collect(),
+        halved().into_iter().chain(obstacle()).collect(),
+        box_around().into_iter().chain(obstacle()).chain(many()).collect(),
+        circle().into_iter().chain(obstacle()).chain(many()).collect::<Vec<_>>(),
+    ];
+    for (k, pieces) in tables.into_iter().enumerate() {
+        let table = Table::new(pieces).unwrap();
+        for up in [1.0, -1.0] {
+            for (x, y) in [(0.75, 0.5), (0.5, 0.5), (0.9, 0.125)] {
+                let (from, to) = (v(x, up * y), v(1.0 - x, -up * y));
+                let hit = table.with_walls(First(from, to));
+                assert!(hit.corner && (hit.time - 1.0).abs() < 1e-14, "{k}: {from} {hit:?}");
+                // not beside it
+                let aside = table.with_walls(First(from, to + v(0.0, 1e-12 * up)));
+                assert!(!aside.corner, "{k}: {from} {aside:?}");
+            }
+        }
+    }
+}

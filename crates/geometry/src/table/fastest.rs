@@ -80,7 +80,8 @@ impl Table {
         let number = |(i, side): (usize, Option<Segment>)| Some((i, side.filter(|side| !side.is_two_sided())?));
         let sides: Option<Vec<_>> =
             self.pieces.iter().map(|piece| straight(&**piece)).enumerate().map(number).collect();
-        Some(Polygon::new(&sides?, &self.corners))
+        let junctions = Junctions::of(&self.numbered(0..self.pieces.len()));
+        Some(Polygon::new(&sides?, &self.corners).with_junctions(junctions))
     }
 
     /// The obstacles as one scatterer, if they are that.
@@ -135,7 +136,7 @@ impl Table {
             return None; // around all chains
         }
         if Junctions::of(&self.numbered(0..self.pieces.len())).is_some_and(|junctions| junctions.on_others()) {
-            return None; // where a wall with two sides stands on the container, orbits end
+            return None; // where a vertex or a wall with two sides stands on the container, orbits end
         }
         let corners = Corners::new(&self.corners);
         let is_corner = |vertex: &Vector2<f64>| corners.contains(vertex);

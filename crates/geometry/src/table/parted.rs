@@ -107,8 +107,10 @@ fn faces(piece: &Arc<dyn Piece>, number: usize) -> Vec<Part> {
 /// The parts of a piece between places; of one that is not cut, itself. `None` where a part cannot be made.
 fn cut(piece: &Arc<dyn Piece>, mut cuts: Vec<Place>, vertices: &Vertices, near: f64) -> Option<Vec<Box<dyn Piece>>> {
     let figure = piece.figure();
-    if let (None, [(s, _)]) = (piece.ends(), &cuts[..]) {
-        // an arc has two ends
+    if let (None, Some(&(s, point))) = (piece.ends(), cuts.first())
+        && cuts.iter().all(|(_, other)| (other - point).amax() <= near)
+    {
+        // an arc has two ends, however many walls stand where it is cut
         let opposite = s + 0.5 * piece.length();
         cuts.push((opposite, piece.point_at(opposite)));
     }

@@ -1,5 +1,5 @@
 //! Straight sides and nothing else, however many.
-use super::{ByLane, CORNER, Few, WallHit, Walls, corners::Corners};
+use super::{ByLane, CORNER, Few, Junctions, WallHit, Walls, corners::Corners};
 use crate::{
     Boundary, BoxTree, Extent, Hit, Line,
     boxes::{First, Inside, WIDTH, order},
@@ -8,6 +8,7 @@ use crate::{
 };
 use lanes::{Kernel, Lane, MOST_LANES, Mask};
 use nalgebra::Vector2;
+use std::sync::Arc;
 
 /// The straight sides of a table of any form, with holes or without: eight are tested at once, and where there are many, only
 /// those near the path.
@@ -16,6 +17,8 @@ pub struct Polygon {
     sides: ByLane<Sides>,
     /// The sides for all lanes at once, where they are not too many for that.
     few: Option<Few>,
+    /// Where vertices stand on sides, if any do.
+    junctions: Option<Arc<Junctions>>,
 }
 
 /// From so many blocks of eight sides on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower
@@ -101,7 +104,12 @@ impl Polygon {
             let shapes: Vec<_> = sides.iter().map(|(number, side)| (*number, Shape::Segment(*side))).collect();
             Few::new(&shapes, corners)
         });
-        Polygon { sides: ByLane(all), few }
+        Polygon { sides: ByLane(all), few, junctions: None }
+    }
+
+    /// The same sides, with places on them where orbits end.
+    pub(crate) fn with_junctions(self, junctions: Option<Junctions>) -> Polygon {
+        Polygon { junctions: junctions.map(Arc::new), ..self }
     }
 
     /// The same sides, each of them asked, with the same answers: a measure of where a tree pays.
@@ -177,9 +185,13 @@ impl Boundary<2> for Sides {
 impl Walls<2> for Polygon {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
-        match &self.few {
+        let mut first = match &self.few {
             Some(few) if F::LANES > 1 && few.len() < PER_LANE * F::LANES => few.first_hit(x, v),
             _ => self.sides.first_hit(x, v),
+        };
+        if let Some(junctions) = &self.junctions {
+            first.corner = first.corner | junctions.near(*x, first.point);
         }
+        first
     }
 }
