@@ -39,13 +39,12 @@ impl Table {
     /// ```
     pub fn describe(&self) -> Description {
         let parted = self.parted();
-        let turns = match &parted {
-            Some(parted) => parted.turns.clone(),
-            None => {
-                // about the tips of a wall without thickness, too
-                let tips = self.pieces().iter().filter_map(Piece::tips).flatten().map(|_| -core::f64::consts::PI);
-                joints(self).iter().map(|joint| joint.turn(self)).chain(tips).collect()
-            }
+        let turns = if let Some(parted) = &parted {
+            parted.turns.clone()
+        } else {
+            // about the tips of a wall without thickness, too
+            let tips = self.pieces().iter().filter_map(Piece::tips).flatten().map(|_| -core::f64::consts::PI);
+            joints(self).iter().map(|joint| joint.turn(self)).chain(tips).collect()
         };
         Description {
             pieces: self.pieces().len(),

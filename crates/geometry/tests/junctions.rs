@@ -4,6 +4,7 @@ use geometry::{
     Outline, Piece, Table, Vector2, WallHit, Walls, WithWalls,
     shapes::{Circle, Screen},
 };
+use lanes::{Kernel, Lane};
 
 fn v(x: f64, y: f64) -> Vector2<f64> {
     Vector2::new(x, y)
@@ -165,5 +166,48 @@ fn the_tip_of_a_wall_is_a_corner_from_every_side_and_a_flat_vertex_between_two_i
     for from in [v(0.0, 2.5), v(0.0, -1.5)] {
         let (pieces, hit) = table.with_walls(Run(from.into(), (b - from).into(), 1));
         assert!(hit.corner && pieces == [1], "{from:?}");
+    }
+}
+
+#[test]
+fn a_path_along_a_wall_without_thickness_ends_at_its_edge() {
+    let there_and_back = |a, b| Outline::from(a).line_to(b).unwrap().line_to(a).unwrap().close().unwrap();
+    let screen = |a, b| vec![Box::new(Screen::new(a, b).unwrap()) as Box<dyn Piece>];
+    let (a, b) = (v(0.25, 0.5), v(0.75, 0.5));
+    let beside = (0..30).flat_map(|k| screen(v(0.01 * f64::from(k), 2.0), v(0.01 * f64::from(k), 2.5)));
+    for pieces in [
+        circle().into_iter().chain(screen(a, b)).collect(),
+        circle().into_iter().chain(there_and_back(a, b)).collect(),
+        circle().into_iter().chain(screen(a, b)).chain(beside).collect::<Vec<_>>(),
+    ] {
+        let table = Table::new(pieces).unwrap();
+        for (from, velocity, far) in [([-1.0, 0.5], [0.5, 0.0], 2.5), ([2.0, 0.5], [-2.0, 0.0], 0.625)] {
+            let hit = table.with_walls(Run(from, velocity, 1)).1;
+            assert!(hit.corner && hit.time == far, "{hit:?}");
+            let hits = table.with_walls(SideBySide(from, velocity));
+            assert!(hits.iter().all(|hit| hit.corner && hit.time == far && hit.piece > 0.0), "{hits:?}");
+            // what leaves its other edge goes on
+            let hit = table.with_walls(Run(from, velocity.map(|v| -v), 1)).1;
+            assert!(!hit.corner && hit.number() == OUT, "{hit:?}");
+        }
+    }
+}
+
+/// The first hit of a path, in as many lanes as there are.
+struct SideBySide([f64; 2], [f64; 2]);
+
+impl WithWalls<2> for SideBySide {
+    type Output = Vec<WallHit<f64, 2>>;
+    fn run<W: Walls<2>>(self, walls: &W) -> Self::Output {
+        struct First<'a, W>(&'a W, SideBySide);
+        impl<W: Walls<2>> Kernel for First<'_, W> {
+            type Output = Vec<WallHit<f64, 2>>;
+            fn run<F: Lane>(self, zero: F) -> Self::Output {
+                let First(walls, SideBySide(x, v)) = self;
+                let hit = walls.first_hit(&x.map(|x| zero.same(x)), &v.map(|v| zero.same(v)));
+                (0..F::LANES).map(|lane| hit.one(lane)).collect()
+            }
+        }
+        lanes::dispatch(First(walls, self))
     }
 }

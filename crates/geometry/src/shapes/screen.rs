@@ -87,6 +87,9 @@ impl Screen {
 impl Piece for Screen {
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let v = path.velocity.into();
+        if let Some(crossing) = self.faces[0].edge_on(path.point.into(), v) {
+            return crossing;
+        }
         let to = self.faces[0].vertices().map(|tip| from(path.point.into(), *tip));
         let [there, back] = self.meet(v, to, to.map(|to| cross(v, to)));
         if there.really { there.into() } else { back.into() }

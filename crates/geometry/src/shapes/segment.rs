@@ -102,6 +102,16 @@ impl Segment {
         meet(between, to_a, v, self.normal, self.behind)
     }
 
+    /// When a path that runs along the segment, to the last bit, comes to it: at the nearer end.
+    ///
+    /// No side of a wall with two is crossed there, and of one with one side another wall is, that ends where this does.
+    pub(crate) fn edge_on(&self, x: [f64; 2], v: [f64; 2]) -> Option<Crossing> {
+        let to = self.vertices().map(|end| from(x, *end));
+        let ahead = to.map(|to| dot(to, v));
+        let along = to.iter().all(|to| cross(v, *to) == 0.0) && ahead.iter().all(|ahead| *ahead > 0.0);
+        along.then(|| Crossing { num: ahead[0].min(ahead[1]), den: dot(v, v) })
+    }
+
     /// The landing point and the normal; see [`Piece::landing`].
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
@@ -137,7 +147,9 @@ impl Segment {
 
 impl Piece for Segment {
     fn crossing(&self, path: &Line<2>) -> Crossing {
-        self.cross(path.point.into(), path.velocity.into())
+        let (x, v) = (path.point.into(), path.velocity.into());
+        let edge_on = if self.is_two_sided() { self.edge_on(x, v) } else { None };
+        edge_on.unwrap_or_else(|| self.cross(x, v))
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         let (point, normal) = self.land(path.point.into(), path.velocity.into(), time);

@@ -3,9 +3,9 @@ use super::{CORNER, WallHit, Walls, first::First};
 use crate::{
     afar::{NEWTON, on_circle},
     plane::{along, cross, from},
-    shapes::{Ellipse, Ground, Shape},
+    shapes::{Ellipse, Ground, Segment, Shape},
 };
-use lanes::{Lane, Mask, Rows, dot};
+use lanes::{Lane, MOST_LANES, Mask, Rows, dot};
 use nalgebra::Vector2;
 
 /// Shapes that are asked one after another, each for all lanes at once.
@@ -24,6 +24,8 @@ pub struct Few {
     ovals: Vec<Ellipse>,
     /// The corners, with the numbers of the pieces that end there.
     corners: Vec<([f64; 2], f64)>,
+    /// Straight walls with two sides, and their numbers.
+    edges: Vec<(Segment, f64)>,
     /// Size of their coordinates, of which rounding is a fraction.
     size: f64,
 }
@@ -95,7 +97,7 @@ impl Few {
     pub fn new(shapes: &[(usize, Shape)], corners: &[Vector2<f64>]) -> Few {
         let is_corner = |p: Option<[f64; 2]>| p.is_some_and(|p| corners.contains(&p.into()));
         let (mut entries, mut grounds, mut ovals, mut own): (Vec<Entry>, Vec<_>, Vec<_>, Vec<_>) = Default::default();
-        let mut numbers = vec![];
+        let (mut numbers, mut edges) = (vec![], vec![]);
         let mut end = None;
         for &(number, shape) in shapes {
             let [a, b] = ends(&shape);
@@ -118,7 +120,13 @@ impl Few {
             };
             grounds.push(ground);
             numbers.push(piece);
-            let corners = [a, b].map(is_corner);
+            let edge = match shape {
+                Shape::Segment(side) if side.is_two_sided() => Some(side),
+                Shape::Screen(screen) => Some(screen.faces()[0]),
+                _ => None,
+            };
+            edges.extend(edge.map(|edge| (edge, piece)));
+            let corners = [a, b].map(|end| edge.is_some() || is_corner(end));
             entries.push(Entry { shape, joined: a.is_some() && a == end, corners, place });
             own.extend([a, b].into_iter().filter(|p| is_corner(*p)).flatten().map(|p| (p, piece)));
             end = b;
@@ -132,6 +140,7 @@ impl Few {
             numbers: (!is_counted).then(|| Rows::new(numbers.collect())),
             ovals,
             corners: own,
+            edges,
             size: corners.iter().flat_map(|c| c.iter()).fold(0.0, |m: f64, c| m.max(c.abs())),
         }
     }
@@ -157,6 +166,23 @@ impl Few {
             own.map(|(corner, _)| (point - Vector2::from(*corner)).amax()).any(|distance| distance <= near)
         };
         piece.same(0.0).lt(piece.each(|lane| if ends(lane) { 1.0 } else { 0.0 }))
+    }
+
+    /// When paths come to an edge of a wall with two sides along which they run, and to which.
+    #[cold]
+    #[inline(never)]
+    fn edge_on<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> [F; 2] {
+        let (mut times, mut numbers) = ([f64::INFINITY; MOST_LANES], [0.0; MOST_LANES]);
+        for lane in 0..F::LANES {
+            let [x, v] = [x, v].map(|p| p.map(|p| p.lane(lane)));
+            for (edge, number) in &self.edges {
+                let time = edge.edge_on(x, v).map_or(f64::INFINITY, |crossing| crossing.time());
+                if time < times[lane] {
+                    (times[lane], numbers[lane]) = (time, *number);
+                }
+            }
+        }
+        [times, numbers].map(|of_lanes| x[0].load(&of_lanes))
     }
 }
 
@@ -222,7 +248,7 @@ impl Walls<2> for Few {
             [piece, ..] = numbers.at(piece);
         }
         let (anchor, normal) = ([a0, a1], [n0, n1]);
-        let time = num / den;
+        let mut time = num / den;
         let p = along(x, v, time);
         let y = [p[0] - anchor[0], p[1] - anchor[1]];
         // onto the line; or one Newton step towards the circle, as in the landings of the shapes themselves
@@ -248,12 +274,20 @@ impl Walls<2> for Few {
                 }
             }
         }
-        let point = [p1, p2];
+        let mut point = [p1, p2];
         let mut corner = zero.never();
         let reach = (x[0].abs() + x[1].abs()) + self.size;
         let clear = (reach * (NEAR * CORNER) * (v[0].abs() + v[1].abs())).lt(eye.aside);
         if (!clear).any() {
             corner = self.cornered(&x, &point, piece);
+            if !self.edges.is_empty() {
+                let [at, edge] = self.edge_on(x, v);
+                let sooner = at.lt(time);
+                let place = along(x, v, at);
+                [time, point[0], point[1], piece] =
+                    sooner.choose([at, place[0], place[1], edge], [time, point[0], point[1], piece]);
+                corner = corner | sooner;
+            }
         }
         WallHit { time, point, normal: [n1, n2], inverse: one, piece, corner }
     }
