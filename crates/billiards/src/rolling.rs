@@ -20,7 +20,8 @@ use lanes::{Double, Lane, Mask};
 ///
 /// A law that undoes itself returns in a circle after two collisions to the same velocity in the frame. Both are found before
 /// the first collision, in twice the digits, and change places at each one: nothing is rounded any more but the place. A keeper
-/// of the energy keeps these digits too, so that an orbit may be run bit by bit.
+/// of the energy keeps these digits too, so that an orbit may be run bit by bit. The frame is found anew by each run, from place and velocity
+/// in the plane: so what is run in parts agrees with what is run at once to rounding here, and to the last bit on all other walls.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling<'a, W, L> {
     /// What can be hit.

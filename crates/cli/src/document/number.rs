@@ -185,10 +185,18 @@ pub fn whole(item: &Item, range: RangeInclusive<u64>, problems: &mut Problems) -
     if found.is_none() {
         let (least, most) = (range.start(), *range.end());
         let most = if most == LARGEST_COUNT { "1e12".into() } else { most.to_string() };
-        problems.add(item.span, format!("{} is not a whole number from {least} to {most}", spell(x.value)));
+        let nearest = libm::round(x.value).clamp(*least as f64, *range.end() as f64);
+        problems.add_with_help(
+            item.span,
+            format!("{} is not a whole number from {least} to {most}", spell(x.value)),
+            format!("write for instance {}", spell(nearest)),
+        );
     }
     found.map(|n| Spanned::new(n, item.span))
 }
+
+/// 2⁵³: from here on, what is rounded to 53 bits may be another whole number than was meant.
+const TOO_LONG: f64 = 9_007_199_254_740_992.0;
 
 /// A whole number from 0 to 2⁶⁴ − 1.
 pub fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
@@ -201,6 +209,11 @@ pub fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
         return exact;
     }
     let x = number(item, problems)?.value;
+    if matches!(item.value, Value::Text(_)) && x >= TOO_LONG {
+        let help = "write its digits: what a formula gives is rounded to 53 bits";
+        problems.add_with_help(item.span, "a formula gives a seed below 2^53", help);
+        return None;
+    }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within range: just checked")]
     let seed = (x % 1.0 == 0.0 && (0.0..18_446_744_073_709_551_616.0).contains(&x)).then_some(x as u64);
     if seed.is_none() {

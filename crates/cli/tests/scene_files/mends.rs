@@ -232,3 +232,12 @@ fn a_table_in_braces_is_shown_by_an_example_that_works() {
     let help = help_with(SQUARE, "{ name = \"square\" }", "\"square\"");
     assert_eq!(help, "write [table] on a line of its own, and its keys below");
 }
+
+#[test]
+fn the_nearest_whole_number_in_range_is_offered_for_one_that_is_not() {
+    for (wrong, nearest) in [("0", "1"), ("1.5", "2"), ("1e13", "1000000000000")] {
+        let text = NAMED.replace("collisions = 1000", &format!("collisions = {wrong}"));
+        let errors = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap_err();
+        assert_eq!(errors[0].help, Some(format!("write for instance {nearest}")), "{wrong}");
+    }
+}

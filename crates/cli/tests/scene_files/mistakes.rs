@@ -85,6 +85,7 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (BOUNDARY, "count = 1e5", "count = 1e13", "30:9: 10000000000000 is not a whole number from 1 to 1e12"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = -1", "31:8: a seed is a whole number"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = \"1/2\"", "31:8: a seed is a whole number"),
+        (BOUNDARY, "seed = 18446744073709551615", "seed = \"2^53+1\"", "31:8: a formula gives a seed below 2^53"),
         (BOUNDARY, "seed = 18446744073709551615", "seed = 1e20", "31:8: a seed is a whole number"),
         (SPATIAL, "[table]\n", "[table]\nlattice = [[1, 0, 0]]\n", "4:11: tables in space have no lattice"),
         (BOUNDARY, "\"canonical\"", "\"random\"", "32:10: unknown sample \"random\""),
