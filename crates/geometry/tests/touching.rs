@@ -173,3 +173,19 @@ fn a_path_to_where_a_vertex_stands_on_a_wall_ends_there() {
         }
     }
 }
+
+#[test]
+fn so_it_does_where_rounding_has_taken_the_vertex_off_the_wall() {
+    for k in 1..60 {
+        let (angle, far) = (0.1 * f64::from(k), v(0.3 * f64::from(k), -f64::from(k * k)));
+        let at = |x: f64, y: f64| (far + turned(v(x, y), angle)).into();
+        let mut pieces = loop_of(&[at(0.0, -1.0), at(1.0, -1.0), at(1.0, 1.0), at(0.0, 1.0)]);
+        pieces.extend(loop_of(&[at(1.0, 0.0), at(0.5, -0.2), at(0.5, 0.2)]));
+        let table = Table::new(pieces).unwrap();
+        for (x, y) in [(0.75, 0.5), (0.5, 0.5), (0.75, -0.5), (0.5, -0.5)] {
+            let (from, to): (Vector2<f64>, Vector2<f64>) = (Vector2::from(at(x, y)), Vector2::from(at(1.0, 0.0)));
+            let hit = table.with_walls(First(from, to - from));
+            assert!(hit.corner && (hit.time - 1.0).abs() < 1e-14 * far.norm().max(1.0) / 0.5, "{k}: {hit:?}");
+        }
+    }
+}

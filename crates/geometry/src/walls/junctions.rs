@@ -1,5 +1,5 @@
-//! Where a wall with the table on both sides meets another wall, and where a vertex stands on one.
-use super::CORNER;
+//! Where a wall with the table on both sides meets another wall, and other places on walls where orbits end.
+use super::{CORNER, standing::standing};
 use crate::{BoxTree, Extent, Piece, plane::slack};
 use lanes::Lane;
 use nalgebra::Vector2;
@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 /// Places on walls, and not at their ends, where orbits end.
 ///
-/// Where a vertex of another chain of pieces stands on a wall there is a corner on either side of it, though the wall goes on.
-///
-/// Elsewhere rounding hides on which side of a wall a path is that has the table on both. What starts on such a wall, within rounding, has just left it and does not cross it. Where it ends at another wall, or two of them end in
-/// one vertex, a path that has just left the other one starts as near to it, and would slip through. So orbits end there, as in a corner: up
-/// to `B/sin α` from a place where walls meet at the angle `α`, `B` being the rounding; and at tips that stand alone, as at any corner.
+/// They are those where [vertices stand](standing), and those near which rounding hides on which side of a wall a path is that has the table
+/// on both. What starts on such a wall, within rounding, has just left it and does not cross it. Where it ends at another wall, or two of
+/// them end in one vertex, a path that has just left the other one starts as near to it, and would slip through. So orbits end there, as in
+/// a corner: up to `B/sin α` from a place where walls meet at the angle `α`, `B` being the rounding; and at tips that stand alone, as at any
+/// corner.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Junctions {
     /// Places and how far from them orbits end, by the first coordinate.
@@ -20,37 +20,6 @@ pub(crate) struct Junctions {
     reach: f64,
     /// Whether a wall of one side is met.
     on_others: bool,
-}
-
-/// Chains of pieces that follow one another in a list, with a box around each.
-struct Chains {
-    /// For each piece the number of its chain.
-    of: Vec<usize>,
-    tree: BoxTree,
-}
-
-impl Chains {
-    /// `None` where there is but one.
-    fn of(pieces: &[(usize, Arc<dyn Piece>)]) -> Option<Chains> {
-        let (mut of, mut boxes, mut end) = (Vec::with_capacity(pieces.len()), Vec::<Extent>::new(), None);
-        for (_, piece) in pieces {
-            let ends = piece.ends();
-            match (boxes.last_mut(), ends.map(|[a, _]| a)) {
-                (Some(last), Some(start)) if end == Some(start) => *last = last.union(piece.extent()),
-                _ => boxes.push(piece.extent()),
-            }
-            of.push(boxes.len() - 1);
-            end = ends.map(|[_, b]| b);
-        }
-        (boxes.len() > 1).then(|| Chains { of, tree: BoxTree::new(boxes) })
-    }
-
-    /// Whether a vertex of a piece may lie on another chain.
-    fn may_meet(&self, piece: usize, vertex: &Vector2<f64>, within: f64) -> bool {
-        let mut found = false;
-        self.tree.search(|e| e.distance(vertex) <= within, |other| found |= other != self.of[piece]);
-        found
-    }
 }
 
 /// A start within half the [`slack`] of a wall with two sides counts as on it, and is off by rounding of another half: this many times
@@ -74,16 +43,23 @@ struct Ray {
 impl Junctions {
     /// Those of the pieces with these numbers, if there are any.
     pub(crate) fn of(pieces: &[(usize, Arc<dyn Piece>)]) -> Option<Junctions> {
+        let (standing, mut found) = (standing(pieces), Junctions::of_two_sided(pieces));
+        found.on_others |= !standing.is_empty();
+        found = found.with(standing.into_iter());
+        if found.places.is_empty() { None } else { Some(found) }
+    }
+
+    /// Those near walls with the table on both sides.
+    fn of_two_sided(pieces: &[(usize, Arc<dyn Piece>)]) -> Junctions {
         let double: Vec<usize> = (0..pieces.len()).filter(|&i| pieces[i].1.has_two_sides()).collect();
-        let chains = Chains::of(pieces);
-        if double.is_empty() && chains.is_none() {
-            return None;
+        let mut found = Junctions::default();
+        if double.is_empty() {
+            return found;
         }
         let tree = BoxTree::new(pieces.iter().map(|(_, piece)| piece.extent()));
         let extents = pieces.iter().map(|(_, piece)| piece.extent()).filter(Extent::is_finite);
         let size = extents.fold(0.0, |size: f64, e| size.max(e.size()));
         let within = |p: &Vector2<f64>| slack([size, p.x, p.y]);
-        let mut found = Junctions::default();
         // ends of walls with two sides, on whatever these are, and those of others on them
         let others = BoxTree::new(double.iter().map(|&i| pieces[i].1.extent()));
         let is_near = |tree: &BoxTree<2>, p: &Vector2<f64>| {
@@ -105,25 +81,7 @@ impl Junctions {
                 near.iter().filter_map(|&i| Ray::of(i, &*pieces[i].1, &place, within(&place))).collect();
             found.add(place, &rays, within(&place));
         }
-        if let Some(chains) = chains {
-            let stands = |i: usize, vertex: &Vector2<f64>| {
-                let is_at = |end: Vector2<f64>| (end - vertex).amax() <= within(vertex);
-                let bears_it = |&k: &usize| {
-                    let piece = &pieces[k].1;
-                    let goes_on = !piece.has_two_sides() && !piece.ends().into_iter().flatten().any(is_at);
-                    chains.of[k] != chains.of[i] && goes_on && is_at(piece.closest(vertex).point)
-                };
-                chains.may_meet(i, vertex, within(vertex)) && is_near(&tree, vertex).iter().any(bears_it)
-            };
-            let mut standing = vec![];
-            for (i, (_, piece)) in pieces.iter().enumerate() {
-                let vertices = piece.ends().into_iter().flatten().filter(|p| p.iter().all(|x| x.is_finite()));
-                standing.extend(vertices.filter(|vertex| stands(i, vertex)));
-            }
-            found.on_others |= !standing.is_empty();
-            found = found.with(standing.into_iter().map(|vertex| (vertex, TIP * within(&vertex))));
-        }
-        if found.places.is_empty() { None } else { Some(found) }
+        found
     }
 
     fn add(&mut self, place: Vector2<f64>, rays: &[Ray], rounding: f64) {

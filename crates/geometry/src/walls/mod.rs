@@ -33,6 +33,7 @@ mod scatterers;
 mod slab;
 mod solids;
 mod sphere;
+mod standing;
 mod vessel;
 mod wedge;
 mod zonogon;
