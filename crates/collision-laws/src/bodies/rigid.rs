@@ -113,7 +113,7 @@ impl<const N: usize> RigidBody<N> {
     ///
     /// let brick = RigidBody::<3>::new(1.0, Inertia::Tensor(Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 2.5))))?;
     /// let askew = brick.turned(&Rotation3::from_axis_angle(&Vector3::z_axis(), 0.6));
-    /// let axis = Vector3::new(0.6_f64.cos(), 0.6_f64.sin(), 0.0); // where its first axis is now
+    /// let axis = Vector3::new(libm::cos(0.6), libm::sin(0.6), 0.0); // where its first axis is now
     /// let energy = askew.kinetic_energy(&Twist::spatial(Vector3::zeros(), axis));
     /// assert!((energy - 0.5).abs() < 1e-15);
     /// # Ok::<(), collision_laws::Error>(())
