@@ -243,6 +243,35 @@ fn the_mean_free_time_is_that_without_spin_where_nothing_turns_velocity_into_it(
 }
 
 #[test]
+fn the_mean_free_time_is_told_of_each_part() {
+    let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-parts", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let room = |x: f64, width: f64| {
+        let right = x + width;
+        format!(
+            "[[table.boundary]]\nloop = {{ from = [{x}, 0], edges = [{{ line_to = [{right}, 0] }}, \
+             {{ line_to = [{right}, 1] }}, {{ line_to = [{x}, 1] }}, {{ line_to = [{x}, 0] }}] }}\n"
+        )
+    };
+    let orbit = "[[orbit]]\nposition = [0.3, 0.4]\nvelocity = [0.6, 0.8]\n";
+    let scene = folder.join("scene.toml");
+    // π/4 in the square, π/3 in the rectangle, and 3π/10 of both
+    fs::write(&scene, format!("law = \"specular\"\n{}{}{orbit}", room(0.0, 1.0), room(2.0, 2.0))).unwrap();
+    let output = billiards().arg("check").arg(&scene).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let told = "  mean free   time 0.942478 = pi area/perimeter, at unit speed of the centre\n              \
+                in its parts 0.785398, 1.0472\n";
+    assert!(text.contains(told), "{text}");
+    // where a disk of some radius fits, too
+    let disk = "[particle]\nradius = 0.25\ninertia = \"uniform-disk\"\n";
+    fs::write(&scene, format!("law = \"no-slip\"\n{}{}{orbit}{disk}", room(0.0, 1.0), room(2.0, 2.0))).unwrap();
+    let output = billiards().arg("check").arg(&scene).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("in its parts 0.5, 0.75\n"), "{text}");
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
 fn points_of_an_ensemble_have_no_spin() {
     let folder = std::env::temp_dir().join(format!("billiards-scenes-{}-points", std::process::id()));
     fs::create_dir_all(&folder).unwrap();

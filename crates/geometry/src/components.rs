@@ -13,6 +13,8 @@ pub struct Component {
     pub pieces: Vec<usize>,
     /// Its area \[L²\], per unit cell on a lattice; infinite where it is unbounded.
     pub area: f64,
+    /// The length of its boundary \[L\], per unit cell on a lattice.
+    pub perimeter: f64,
 }
 
 impl Table {
@@ -90,7 +92,8 @@ fn components(table: &Table) -> Vec<Component> {
         let mut pieces: Vec<usize> = members.iter().flat_map(|c| c.iter().copied()).collect();
         pieces.sort_unstable();
         let area = table.bounded_by(members.iter().copied());
-        components.push(Component { pieces, area });
+        let perimeter = pieces.iter().map(|&i| table.pieces()[i].length()).sum();
+        components.push(Component { pieces, area, perimeter });
     }
     components
 }
@@ -350,6 +353,6 @@ mod tests {
         assert_eq!(whole.len(), 1);
         assert!((whole[0].area - (1.0 - PI / 16.0)).abs() < 1e-15);
         let channel = tables::channel(1.0, 1.0, 0.0).unwrap().components();
-        assert_eq!(channel, [Component { pieces: vec![0, 1], area: 1.0 }]);
+        assert_eq!(channel, [Component { pieces: vec![0, 1], area: 1.0, perimeter: 2.0 }]);
     }
 }

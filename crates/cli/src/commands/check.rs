@@ -108,15 +108,27 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if let Some(time) = scene.mean_free_time_without_spin {
         let formula = if plane { "pi area/perimeter" } else { "4 volume/surface" };
         writeln!(out, "  mean free   time {} = {formula}, at unit speed of the centre", measure(Some(time)))?;
+        in_parts(scene, time, out)?;
     }
     if let Some(time) = scene.mean_free_time {
         let formula = if plane { "4 area/perimeter" } else { "(15 pi/8) volume/surface" };
         writeln!(out, "  mean free   time {} = {formula}, at unit speed, spin included", measure(Some(time)))?;
+        in_parts(scene, time, out)?;
     }
     writeln!(out, "  engine      {}", scene.engine)?;
     writeln!(out, "  pieces      {}", scene.pieces.len())?;
     pieces(scene, out)?;
     starts(scene, out)
+}
+
+/// The mean free times in each part of a region that falls apart: an orbit stays in one of them.
+fn in_parts(scene: &Description, time: f64, out: &mut impl Write) -> io::Result<()> {
+    let factors = scene.centres.as_ref().unwrap_or(&scene.walls).factors();
+    if !factors.is_empty() {
+        let times: Vec<_> = factors.iter().map(|factor| measure(factor.map(|factor| time * factor))).collect();
+        writeln!(out, "              in its parts {}", times.join(", "))?;
+    }
+    Ok(())
 }
 
 /// Says so if a region falls apart.

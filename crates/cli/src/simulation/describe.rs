@@ -101,6 +101,21 @@ pub struct Region {
     pub corners: Option<[usize; 2]>,
     /// Areas, in space volumes, of its connected parts; of an explicit boundary in space nothing is measured, and there are none here.
     pub parts: Vec<Option<f64>>,
+    /// Perimeters of these, in the plane.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub perimeters: Vec<Option<f64>>,
+}
+
+impl Region {
+    /// By how much the ratio of area to perimeter, to which mean free times are proportional, differs in each part from that of all of it.
+    /// Nothing where there is one part, or where the ratio is infinite.
+    pub fn factors(&self) -> Vec<Option<f64>> {
+        let (Some(area), Some(perimeter), true) = (self.area, self.perimeter, self.parts.len() > 1) else {
+            return vec![];
+        };
+        let factor = |(part, length): (&Option<f64>, &Option<f64>)| Some((*part)? / area * (perimeter / (*length)?));
+        self.parts.iter().zip(&self.perimeters).map(factor).collect()
+    }
 }
 
 /// Where an orbit starts, and what becomes of it at first.
@@ -316,6 +331,7 @@ fn region(of: &geometry::Description, factor: f64) -> Region {
         surface: None,
         corners: Some([of.corners, of.re_entrant_corners]),
         parts: of.components.iter().map(|part| area(part.area)).collect(),
+        perimeters: of.components.iter().map(|part| finite(part.perimeter / factor)).collect(),
     }
 }
 
