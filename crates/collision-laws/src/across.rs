@@ -1,14 +1,15 @@
-//! The part of an impulse across its arm, to its own last digits however small it is: all that turns the body.
+//! The component of an impulse perpendicular to its arm, which is all that turns the body: accurate to its own last digits however small
+//! it is.
 //!
-//! Where a body hardly resists turning, the impulse is almost along the arm `r`, and in `p ∧ r = p rᵀ − r pᵀ` products cancel. Were they
-//! rounded, the inverse of the inertia would magnify what that makes of `p ∧ r`, in planes of rotation in part that leave the contact
-//! velocity as it is, so that nothing could mend it later. Rounding of `p` itself is another matter: what that does to the spin shows in
-//! the contact velocity, and [`Pair::collide`](crate::Pair::collide) takes it away. (So is all of it in the plane.)
+//! If a body hardly resists turning, the impulse is almost along the arm `r`, and the products in `p ∧ r = p rᵀ − r pᵀ` cancel. If they
+//! were rounded, the inverse of the inertia would magnify the error of `p ∧ r`, partly in planes of rotation that do not affect the
+//! contact velocity, so that nothing could correct it later. Rounding of `p` itself is harmless: its effect on the spin shows in the
+//! contact velocity, and [`Pair::collide`](crate::Pair::collide) removes it. (In the plane this is true of the whole error.)
 
 use lanes::two_prod;
 use nalgebra::{SMatrix, SVector};
 
-/// `p − r (r·p)/(r·r)`; zero where the arm is.
+/// `p − r (r·p)/(r·r)`; zero if the arm is zero.
 #[inline]
 pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -> SVector<f64, N> {
     let size = r.amax();
@@ -31,7 +32,7 @@ pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let ((ab, left), (cd, over)) = (two_prod(a, b), two_prod(c, d));
     let error = left - over;
-    // none where splitting a factor beyond 2⁹⁹⁶ overflows
+    // no correction where splitting a factor beyond 2⁹⁹⁶ overflows
     (ab - cd) + if error.is_finite() { error } else { 0.0 }
 }
 
@@ -42,7 +43,7 @@ mod tests {
 
     #[test]
     fn what_is_left_of_products_that_cancel_has_its_digits() {
-        // of (1 + h)² − (1 + 2h) = h² rounded products leave nothing
+        // rounded products would leave nothing of (1 + h)² − (1 + 2h) = h²
         let h = f64::from(1 << 30).recip();
         let (p, r) = (Vector2::new(1.0 + 2.0 * h, 1.0 + h), Vector2::new(1.0 + h, 1.0));
         for unit in [0, -1000, 1000].map(|k| libm::ldexp(1.0, k)) {

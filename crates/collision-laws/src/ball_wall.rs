@@ -5,9 +5,9 @@ use nalgebra::{SVector, Vector3};
 
 /// The collision map of a disk and a fixed wall, in the velocities `v₀ = γ R θ̇`, `vₜ = v·t`, `vₙ = v·ν` \[L T⁻¹\].
 ///
-/// `t = J ν`, with `J(x, y) = (−y, x)` and `ν` into the table; the kinetic energy is `(m/2)(v₀² + vₜ² + vₙ²)`. For a law that is the
-/// same at every contact this is one constant matrix, blocked into spin and tangent, and the normal. Maps are compared within rounding by
-/// the traits of [`approx`], coefficient by coefficient:
+/// `t = J ν`, with `J(x, y) = (−y, x)` and `ν` into the table; the kinetic energy is `(m/2)(v₀² + vₜ² + vₙ²)`. For a law that is the same
+/// at every contact this is one constant block-diagonal matrix: a block for spin and tangent, and one entry for the normal. The traits of
+/// [`approx`] compare maps within rounding, coefficient by coefficient:
 ///
 /// ```
 /// use approx::assert_abs_diff_eq;
@@ -56,8 +56,9 @@ impl DiskMap {
 /// assert_eq!(hoop.apply(0.25, 0.5, -1.0), (0.5, 0.25, 1.0));
 /// ```
 pub trait DiskLaw: CollisionLaw<2> {
-    /// The map for a disk with mass distribution parameter `gamma` = γ ≥ 0; γ = 0 is the limit of a disk with all mass in its centre,
-    /// which spins and leaves a rough wall as a smooth one. It is not a [`Point`](crate::bodies::Point), which no-slip throws straight back.
+    /// The map for a disk with mass distribution parameter `gamma` = γ ≥ 0; γ = 0 is the limit of a disk with all its mass at the centre,
+    /// which spins and leaves a rough wall as it would leave a smooth one. It differs from a [`Point`](crate::bodies::Point), which
+    /// no-slip throws straight back.
     fn disk_map(&self, gamma: f64) -> DiskMap;
 }
 

@@ -19,7 +19,7 @@ fn positive(quantity: &'static str, value: f64) -> Result<f64, Error> {
     if value > 0.0 && value.is_finite() { Ok(value) } else { Err(Error::NotPositive { quantity, value }) }
 }
 
-/// `value`, a product of positive numbers, if it is where numbers have all their digits.
+/// `value`, a product of positive numbers, if it lies in the range where numbers have all their digits.
 fn in_range(quantity: &'static str, value: f64) -> Result<f64, Error> {
     if value.is_normal() {
         return Ok(value);

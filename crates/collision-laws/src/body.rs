@@ -47,14 +47,14 @@ pub trait Body<const N: usize> {
         Self::Velocity::DIMENSION
     }
 
-    /// Whether the rigid motions of all space move the body, as they do any that is not held. What holds a hinged or fixed body takes up
-    /// momentum, so the pair conserves none; a hinged one answers `false` here.
+    /// Whether the body takes part in the rigid motions of all space, as any unconstrained body does. The support of a hinged or fixed
+    /// body takes up momentum, so the pair conserves none; a hinged body answers `false` here.
     fn is_free(&self) -> bool {
         self.degrees_of_freedom() > 0
     }
 }
 
-/// The wall: a body that nothing moves.
+/// The wall: an immovable body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Fixed;
 
@@ -75,9 +75,9 @@ impl<const N: usize> Body<N> for Fixed {
     }
 }
 
-/// A body that may be held fixed: `None` stays at rest, whatever velocity it is said to have.
+/// A body that may be held fixed: `None` stays at rest, whatever velocity it is given.
 ///
-/// For choices made at run time; [`Fixed`] is the same wall known when the program is compiled.
+/// For choices made at run time; [`Fixed`] is the same wall known at compile time.
 impl<const N: usize, B: Body<N>> Body<N> for Option<B> {
     type Velocity = B::Velocity;
 

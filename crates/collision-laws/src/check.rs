@@ -1,9 +1,9 @@
-//! The axioms as functions, for every law, ours or yours.
+//! Checks of the axioms, for any law, built in or your own.
 //!
 //! [`law`] tries a law on a pair of bodies with random velocities and returns a [`Report`] of numbers: how far the law is from
 //! each axiom, relative to the size of the velocities. [`map`] does the same for any map of `T_qM`, linear or not, and
-//! [`body`] tests the four maps of a [`Body`](crate::Body). Whether a law whose directions vary in space, or turn with the body, keeps
-//! the measure is seen in a whole step of a billiard: [`Slab`].
+//! [`body`] tests the four maps of a [`Body`](crate::Body). If the directions of a law vary in space, or turn with the body, only a whole
+//! step of a billiard shows whether it preserves the measure: [`Slab`].
 //!
 //! ```
 //! use collision_laws::{Contact, Fixed, Pair, bodies::Ball, check::{self, Axiom, Samples}, laws::{NoSlip, Restitution}};

@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 pub struct Classification<const N: usize> {
     /// How far the map is from each axiom.
     pub report: Report,
-    /// If it is a strict collision map, which: the point of `Gr(k, ν⊥)`, with k its [`rank`](Roughness::rank).
+    /// If it is a strict collision map, its point of `Gr(k, ν⊥)`, with k its [`rank`](Roughness::rank).
     pub strict: Option<Roughness<N>>,
 }
 
@@ -23,9 +23,8 @@ pub struct Classification<const N: usize> {
 /// [`check::tolerance`](crate::check::tolerance) any).
 ///
 /// A strict map is `C = 1 − 2P`, `P` the projector, orthogonal for the kinetic-energy metric, onto `W = G⁻¹Jᵀ span(ν, R)`; here `W` is
-/// read off `C` on the impulse space and `R` off `W`. Two bodies that nothing moves have no velocities, so that no axiom is broken and no
-/// map is strict. Source: Cox, Feres and Ward, arXiv:1501.06536; in Cox and Feres, *No-slip
-/// billiards in dimension two*, Theorem 1.1.
+/// read off `C` on the impulse space and `R` off `W`. Two immovable bodies have no velocities, so no axiom is broken and no map is
+/// strict. Source: Cox, Feres and Ward, arXiv:1501.06536; in Cox and Feres, *No-slip billiards in dimension two*, Theorem 1.1.
 ///
 /// # Errors
 /// [`Error::WrongLength`] unless the matrix has as many rows and columns as `T_qM` has dimensions, [`Error::NotFinite`].

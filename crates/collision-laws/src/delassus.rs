@@ -20,10 +20,10 @@ pub enum Delassus<const N: usize> {
 }
 
 impl<const N: usize> Delassus<N> {
-    /// The operator of a body that nothing moves.
+    /// The operator of an immovable body.
     pub const ZERO: Self = Self::Isotropic { normal: 0.0, tangent: 0.0 };
 
-    /// The share of its largest entry that rounding may take from an operator.
+    /// How much rounding may take from an operator, relative to its largest entry.
     const ROUNDING: f64 = 4.0 * N as f64 * f64::EPSILON;
 
     /// The operator of two bodies at one contact.
@@ -50,7 +50,7 @@ impl<const N: usize> Delassus<N> {
         }
     }
 
-    /// Whether the solution of `K p = u` loses no digit to speak of: in the frame of the normal it is two quotients; elsewhere
+    /// Whether `K p = u` can be solved with hardly any loss of digits: an isotropic operator takes two quotients; for any other,
     /// Gershgorin's discs must show that no two eigenvalues differ by more than a factor of 16.
     #[inline]
     pub(crate) fn is_well_conditioned(&self) -> bool {
@@ -64,7 +64,7 @@ impl<const N: usize> Delassus<N> {
         largest <= 16.0 * least
     }
 
-    /// The largest eigenvalue over the smallest; infinite or NaN where that is not positive or a number.
+    /// The largest eigenvalue over the smallest; infinite unless the smallest is positive, NaN if one of them is NaN.
     ///
     /// Where it is large, most ways to move the contact are ways to turn the body.
     pub fn condition_number(&self) -> f64 {
@@ -79,10 +79,11 @@ impl<const N: usize> Delassus<N> {
         if least > 0.0 { largest / least } else { f64::INFINITY }
     }
 
-    /// Whether `K p = u` has no solution `p` worth the name.
+    /// Whether `K p = u` has no meaningful solution `p`.
     ///
-    /// In the frame of the normal that is two quotients, and one eigenvalue takes no digit from the other, however small it is beside it: each
-    /// must be positive and a [normal](f64::is_normal) number. Elsewhere the smallest eigenvalue must not be lost in the rounding of the largest.
+    /// An isotropic operator takes two quotients, and neither eigenvalue costs the other any digits, however different they are: it is
+    /// singular unless both are positive and [normal](f64::is_normal) numbers. Any other is singular if its smallest eigenvalue is lost
+    /// in the rounding of the largest.
     pub fn is_singular(&self) -> bool {
         match self {
             Self::Isotropic { normal, tangent } => !(divides(*normal) && divides(*tangent)),
@@ -90,10 +91,10 @@ impl<const N: usize> Delassus<N> {
         }
     }
 
-    /// Whether [that](Self::is_singular) is so of `Q K Q`, the part of `K` on the normal and the given rough directions: all that a law needs which
-    /// pushes in no others.
+    /// Whether `Q K Q` is [singular](Self::is_singular), the part of `K` on the normal and the given rough directions: all that is needed
+    /// by a law that pushes in no other directions.
     ///
-    /// Its entries are sums of products, and rounded like the sums of their absolute values.
+    /// Its entries are sums of products, with rounding errors relative to the sums of the absolute values.
     pub fn is_singular_on(&self, roughness: &Roughness<N>, normal: &Unit<SVector<f64, N>>) -> bool {
         let nu = normal.as_ref();
         match (self, roughness) {
@@ -124,7 +125,7 @@ impl<const N: usize> Delassus<N> {
     }
 }
 
-/// Whether a quotient by this eigenvalue is right to all its digits.
+/// Whether division by this eigenvalue keeps all digits.
 fn divides(eigenvalue: f64) -> bool {
     eigenvalue > 0.0 && eigenvalue.is_normal()
 }
@@ -183,7 +184,7 @@ mod tests {
         assert_eq!(singular(&k(f64::NAN)), [true, true, true, true]);
         let ball = Delassus::Isotropic { normal: 1.0, tangent: f64::INFINITY };
         assert_eq!(singular(&ball), [false, true, true, true]);
-        // what gives way in no direction resists where the law pushes, and only there, in any units
+        // a direction that does not yield at all makes K singular only where the law pushes along it, in any units
         for unit in [1.0, 1e-60, 1e60] {
             let still = Delassus::Dense(Matrix3::from_diagonal(&Vector3::new(0.0, 1.0, 1.0)) * unit);
             assert_eq!(singular(&still), [false, true, false, true], "{unit:e}");

@@ -20,7 +20,7 @@ pub enum Error {
         /// Its value.
         value: f64,
     },
-    /// A quantity beyond 1.8e308, where no numbers are.
+    /// A quantity beyond 1.8e308, the largest number.
     #[error("{quantity} is beyond the range of numbers: other units of mass or length make it smaller")]
     TooLarge {
         /// Which quantity, in words.
@@ -65,7 +65,7 @@ pub enum Error {
         /// The largest.
         largest: f64,
     },
-    /// Second moments that no mass has.
+    /// Second moments that no distribution of mass has.
     #[error(
         "the second moments are not positive: {smallest:?} along one axis, where every part of a body counts with a square"
     )]
@@ -73,7 +73,7 @@ pub enum Error {
         /// The smallest eigenvalue.
         smallest: f64,
     },
-    /// An inertia given in a form that another dimension uses.
+    /// An inertia given in a form meant for another dimension.
     #[error("{form} describes a body in dimension {expected}, not {dimension}")]
     InertiaForm {
         /// The form that was given, in words.

@@ -6,25 +6,25 @@ use std::sync::Arc;
 
 /// From the contact velocity `u` to the impulse `p` on body 1. Object safe.
 ///
-/// Each method is a pure function of its arguments: it may be called more than once in a collision, or for a collision that is
-/// thrown away, as where orbits run side by side and some of them idle. Chance and memory have no place in it but as functions of the
-/// contact, as in [`RandomGrassmannian`](crate::laws::RandomGrassmannian).
+/// Each method is a pure function of its arguments: it may be called more than once in a collision, or for a collision that is discarded,
+/// as when orbits run side by side and some lanes are idle. Randomness and memory are allowed only as functions of the contact, as in
+/// [`RandomGrassmannian`](crate::laws::RandomGrassmannian).
 ///
-/// Where a law is taken by value, [`Through`](crate::Through) passes one that stays where it is, and [`AnyLaw`](crate::AnyLaw) one of
-/// several types.
+/// Where a law is taken by value, [`Through`](crate::Through) passes a pointer to one, and [`AnyLaw`](crate::AnyLaw) one of several
+/// types.
 pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
     ///
-    /// In a collision `u` approaches, `u·n < 0`. One that departs has an answer as well, and not NaN: [`check`](crate::check) applies the
-    /// law to any velocity, and to what it made of one.
+    /// In a collision the bodies approach, `u·n < 0`. For a receding `u` the law must return an impulse too, and not NaN:
+    /// [`check`](crate::check) applies the law to any velocity, including the results of the law.
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
 
-    /// The impulse that is still missing where the law was to lead from `u_minus` to a contact velocity `u*` and `u_plus` came out.
+    /// The impulse that is still missing if the law was to lead from `u_minus` to a contact velocity `u*` but `u_plus` came out.
     ///
-    /// Rounding makes such a difference where `K` is ill-conditioned, as of a body that hardly resists turning: the impulse is
-    /// off by the condition number times 10⁻¹⁶. With a `u_plus` that was computed from the bodies' velocities and not by `K`,
-    /// [`Pair::collide`](crate::Pair::collide) adds this until it no longer shrinks. A law that knows its `u*` returns the
-    /// solution of `K p = u* − u⁺`, half of what [`reflect`] makes of `u⁺ − u*`; for any other nothing is missing.
+    /// Rounding causes such a difference if `K` is ill-conditioned, as for a body that hardly resists turning: the impulse is then off by
+    /// the condition number times 10⁻¹⁶. [`Pair::collide`](crate::Pair::collide) computes `u_plus` from the bodies' velocities, not by
+    /// `K`, and adds the missing impulse until it no longer shrinks. A law that knows its `u*` returns the solution of `K p = u* − u⁺`,
+    /// half of what [`reflect`] makes of `u⁺ − u*`; for any other nothing is missing.
     #[inline]
     fn missing_impulse(
         &self,
@@ -36,17 +36,17 @@ pub trait CollisionLaw<const N: usize> {
         SVector::zeros()
     }
 
-    /// The directions in which, beside the normal, the law may push at `contact`: all of them unless it says otherwise.
+    /// The directions, besides the normal, in which the law may push at `contact`: all of them unless it says otherwise.
     ///
-    /// The impulse comes from the inverse of `K` on these and the normal, so only there must `K` have one
+    /// The impulse comes from the inverse of `K` on these and the normal, so `K` must be invertible only there
     /// ([`Pair::try_collide`](crate::Pair::try_collide)).
     #[inline]
     fn pushes(&self, _: &Contact<N>) -> Roughness<N> {
         Roughness::Rough
     }
 
-    /// Whether it is strict at every contact, as each [`StrictLaw`] is: then the normal component of the contact velocity is always turned
-    /// around and the energy kept, and whoever applies the law may hold what it rounds to that. No unless a law says so.
+    /// Whether the law is strict at every contact, as each [`StrictLaw`] is: then the normal component of the contact velocity always
+    /// reverses and the energy is conserved, and the caller may correct rounding errors accordingly. `false` unless a law says otherwise.
     #[inline]
     fn is_strict(&self) -> bool {
         false
@@ -55,11 +55,11 @@ pub trait CollisionLaw<const N: usize> {
 
 /// A law that only chooses rough directions. Every strict law is a [`CollisionLaw`].
 ///
-/// The choice may depend on the contact but not on the velocity, or the collision map is not linear. It is a function of the contact,
-/// since a collision may ask for it more than once and the answers must agree: a law drawn from a stream of random numbers at each call
-/// would not conserve energy. [`RandomGrassmannian`](crate::laws::RandomGrassmannian) draws by seed and place.
+/// The choice may depend on the contact but not on the velocity, or the collision map would not be linear. It must be a function of the
+/// contact, since a collision may ask for it more than once and the answers must agree: a law drawn from a stream of random numbers at
+/// each call would not conserve energy. [`RandomGrassmannian`](crate::laws::RandomGrassmannian) draws by seed and place.
 pub trait StrictLaw<const N: usize> {
-    /// The rough directions at `contact`: with its normal, not with that of another wall, or energy is not conserved.
+    /// The rough directions at `contact`, made with its normal: with that of another wall energy would not be conserved.
     fn roughness(&self, contact: &Contact<N>) -> Roughness<N>;
 }
 
@@ -116,13 +116,13 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> StrictLaw<N> for Arc<L> {
 ///
 /// With `P` the projector onto the rough directions and `Q = ν νᵀ + P`, it is the solution of `(Q K Q + 1 − Q) p = −2 Q u`;
 /// in words, the components of `u` along the normal and the rough directions reverse, and the impulse lies in their span.
-/// (The term `1 − Q` only makes the matrix invertible; it is scaled to the size of `Q K Q`. What rounding leaves of `p` off the span is
-/// taken away: for a body that hardly resists turning `K` is large there.)
+/// (The term `1 − Q` only makes the matrix invertible; it is scaled to the size of `Q K Q`. The part of `p` off the span, left by
+/// rounding, is removed: for a body that hardly resists turning `K` is large there.)
 ///
-/// The subspace of the roughness lies in the contact plane, `P ν = 0`; that of another normal gives an impulse that does not conserve
-/// energy, as [`check::law`](crate::check::law) tells.
+/// The subspace of the roughness must lie in the contact plane, `P ν = 0`; one made for another normal gives an impulse that does not
+/// conserve energy, which [`check::law`](crate::check::law) detects.
 ///
-/// The result is NaN if `K` is singular to working precision; [`Pair::try_collide`](crate::Pair::try_collide) says so.
+/// The result is NaN if `K` is singular to working precision; [`Pair::try_collide`](crate::Pair::try_collide) reports this.
 #[inline]
 pub fn reflect<const N: usize>(
     roughness: &Roughness<N>,

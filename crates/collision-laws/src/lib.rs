@@ -12,7 +12,7 @@
 //! (Q K Q + 1 − Q) p = −2 Q u        k = 0: specular,   k = N−1: no-slip,   else: a point of Gr(k, N−1)
 //! ```
 //!
-//! So a law is N-dimensional linear algebra, and never meets the N(N+1)/2 degrees of freedom of a body.
+//! So a law is N-dimensional linear algebra, and never sees the N(N+1)/2 degrees of freedom of a body.
 //!
 //! | mathematics | here |
 //! |---|---|
@@ -23,10 +23,11 @@
 //! | the collision map `C_q` | [`Pair::collide`], as a matrix [`Pair::collision_map`] |
 //! | the axioms, the moduli of strict maps | [`check`], [`classify()`] |
 //!
-//! Results have the same bits on every CPU. (Where another crate of a program turns on nalgebra's feature `std`, products of large matrices are
-//! fused where a CPU can, and the last digits of what [`check`] and [`classify()`] find depend on it; collisions do not.)
+//! Results have the same bits on every CPU. (If another crate in a program enables nalgebra's feature `std`, products of large matrices
+//! use fused operations on CPUs that have them, and the last digits of what [`check`] and [`classify()`] find depend on that; collisions
+//! do not.)
 //!
-//! A wall is a body that nothing moves, [`Fixed`]; a ball against a wall and two free bodies run the same code:
+//! A wall is an immovable body, [`Fixed`]; a ball against a wall and two free bodies run the same code:
 //!
 //! ```
 //! use collision_laws::{Contact, Pair, Twist, bodies::{Ball, Planar}, laws::NoSlip};

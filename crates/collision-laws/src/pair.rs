@@ -3,7 +3,7 @@
 use crate::{Body, CollisionLaw, Contact, Delassus, Error, TangentSpace, TangentVector};
 use nalgebra::{DMatrix, DVector, SVector};
 
-/// The sum of all entries without their signs: unlike the length it takes no squares, which would vanish or overflow in some units.
+/// The sum of the absolute values of all entries: unlike the length it takes no squares, which would vanish or overflow in some units.
 fn size_of<const N: usize>(p: &SVector<f64, N>) -> f64 {
     p.iter().map(|x| x.abs()).sum()
 }
@@ -102,10 +102,10 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
 
     /// The collision: the law applied to the contact velocity, whatever its direction.
     ///
-    /// The result is right to some roundings of what contact, bodies and velocities determine. That may be less than all digits: a
-    /// normal turned by ε turns the impulse of a law that does not push in the whole contact plane by as much, and in the spin of a body
-    /// with moment `I` that is `ε m r²/I` where the contact is nearly below its centre. A [`Ball`](crate::bodies::Ball) may lose as much
-    /// with every law that turns it.
+    /// The result is accurate to a few roundings of the contact, bodies and velocities. That may be less than all digits: if a law does
+    /// not push in the whole contact plane, turning the normal by ε turns the impulse by as much, and changes the spin of a body with
+    /// moment `I` by `ε m r²/I` where the contact is nearly below its centre. A [`Ball`](crate::bodies::Ball) may lose as much with every
+    /// law that turns it.
     #[inline]
     pub fn collide<L: CollisionLaw<N> + ?Sized>(
         &self,
@@ -122,7 +122,7 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
         collision
     }
 
-    /// Adds the impulse that is [missing](CollisionLaw::missing_impulse), as long as that becomes less.
+    /// Adds the impulse that is [missing](CollisionLaw::missing_impulse), as long as it shrinks.
     fn complete<L: CollisionLaw<N> + ?Sized>(
         &self,
         law: &L,
@@ -134,8 +134,8 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
             let u_plus = self.contact_velocity(&collision.velocities);
             let missing = law.missing_impulse(&self.contact, delassus, &collision.u_minus, &u_plus);
             let size = size_of(&missing);
-            // At most half of it remains each time, until the rounding of the contact velocity is reached. That of the impulse is no
-            // measure: a body that hardly resists turning spins by what is far below it. Of NaN nothing is added.
+            // Each step leaves at most half of it, until the rounding of the contact velocity is reached. The rounding of the impulse is
+            // no measure: a body that hardly resists turning responds to far smaller impulses. NaN is never added.
             if size == 0.0 || !(size < 0.5 * last) {
                 return;
             }
@@ -168,7 +168,7 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
         Ok(self.collide(law, v))
     }
 
-    /// The body, 1 or 2, whose touching point yields the more to an impulse.
+    /// The body, 1 or 2, whose touching point yields more to an impulse.
     fn easier_to_move(&self) -> usize {
         let normal = &self.contact.normal;
         let [first, second] = [self.first.delassus(&self.arms[0], normal), self.second.delassus(&self.arms[1], normal)];

@@ -8,8 +8,8 @@ const LOST: f64 = 64.0 * f64::EPSILON;
 
 /// A point of the Grassmannian `Gr(k, ν⊥)`: the choice a strict law makes at one contact.
 ///
-/// By \[CFW\] (Theorem 1.1 of Cox and Feres, *No-slip billiards in dimension two*) the strict collision maps at a contact are exactly these, k = 0 … N−1, whatever the
-/// bodies' inertia.
+/// By \[CFW\] (Theorem 1.1 of Cox and Feres, *No-slip billiards in dimension two*) the strict collision maps at a contact are exactly
+/// these, k = 0 … N−1, whatever the bodies' inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Roughness<const N: usize> {
     /// k = 0: only the normal pushes.
@@ -48,8 +48,8 @@ impl<const N: usize> Roughness<N> {
 
     /// Like [`spanned_by`](Self::spanned_by), but a direction that adds nothing lowers the rank instead of being an error.
     ///
-    /// This is what a law with fixed directions does where one of them happens to be the normal. At most N−1 of the
-    /// directions can count, and none that is not finite, as a direction away from a point is at this point.
+    /// A law with fixed directions uses this, since one of them may happen to be the normal. At most N−1 of the directions count, and
+    /// only finite ones: the direction away from a point, for example, is not finite at that point.
     pub fn of_span<'a>(
         normal: &Unit<SVector<f64, N>>,
         directions: impl IntoIterator<Item = &'a SVector<f64, N>>,
@@ -123,7 +123,7 @@ impl<const N: usize> Basis<N> {
         Self { columns, rank: 0 }
     }
 
-    /// Gram–Schmidt, twice, since one pass leaves an error of ε over the share of length that is left.
+    /// Gram–Schmidt, twice, since one pass leaves an error of ε divided by the share of length that is left.
     fn add(&mut self, direction: &SVector<f64, N>) -> Added {
         let size = direction.amax();
         if size == 0.0 || !direction.iter().all(|x| x.is_finite()) {

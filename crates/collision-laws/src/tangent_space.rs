@@ -39,7 +39,7 @@ impl<const N: usize> TangentSpace<N> {
             .collect();
         let metric = gram(pair, &basis);
         let (rough_to, rough_from) = unit_coordinates(&metric);
-        // once more: products of space axes have lost what is small beside the largest moment of a slender body
+        // a second time: inner products along the axes of space have lost what is small beside the largest moment of a slender body
         let nearly: Vec<_> = rough_from.column_iter().map(|x| pair.velocities(x.clone_owned().as_slice())).collect();
         let (to_last, from_last) = unit_coordinates(&gram(pair, &nearly));
         let (to_unit, from_unit) = (to_last * rough_to, rough_from * from_last);
@@ -134,8 +134,9 @@ impl<const N: usize> TangentSpace<N> {
         &self.normal
     }
 
-    /// How many times as large the rounding of single coordinates may be in the length of the metric: `‖ |Lᵀ| |L⁻ᵀ| ‖∞`, 1 for balls and
-    /// bodies in the plane, for a needle askew about the root of the ratio of its principal moments. It depends on no unit.
+    /// The factor by which the rounding of single coordinates may grow in the length of the metric: `‖ |Lᵀ| |L⁻ᵀ| ‖∞`. It is 1 for balls
+    /// and bodies in the plane, about the root of the ratio of the principal moments for a needle that lies askew, and independent of
+    /// units.
     pub(crate) fn rounding(&self) -> f64 {
         let rows = self.to_unit.abs() * self.from_unit.abs();
         rows.row_iter().map(|row| row.sum()).fold(0.0, f64::max)
@@ -146,8 +147,8 @@ impl<const N: usize> TangentSpace<N> {
         &self.impulses
     }
 
-    /// The least impulses `p ∈ ℝᴺ` at the contact that make the given changes of velocity, columns in the basis
-    /// [`impulse_space`](Self::impulse_space). Others do too if the bodies have fewer than N degrees of freedom.
+    /// The smallest impulses `p ∈ ℝᴺ` at the contact that make the given changes of velocity, columns in the basis
+    /// [`impulse_space`](Self::impulse_space). They are not the only ones if the bodies have fewer than N degrees of freedom.
     pub(crate) fn impulses_of(&self, changes: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         let across = self.triangle.transpose().qr();
         Some(across.q() * across.r().tr_solve_upper_triangular(changes)?)

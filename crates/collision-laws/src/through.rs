@@ -1,4 +1,4 @@
-//! Laws behind pointers: one that stays where it is, one of several types.
+//! Laws behind pointers: a borrowed law, or one of several types.
 
 use crate::{CollisionLaw, Contact, Delassus, Roughness};
 use nalgebra::SVector;
@@ -42,7 +42,7 @@ pub struct Through<P>(pub P);
 pub type AnyLaw<const N: usize> = Through<Arc<dyn CollisionLaw<N> + Send + Sync>>;
 
 impl<const N: usize> AnyLaw<N> {
-    /// Takes hold of `law`.
+    /// Wraps `law`.
     pub fn new(law: impl CollisionLaw<N> + Send + Sync + 'static) -> Self {
         Through(Arc::new(law))
     }

@@ -72,7 +72,7 @@ impl<const N: usize> TangentVector<N> for SVector<f64, N> {
 /// `Ω ∈ so(N)` is the spin as a skew matrix in the space frame \[T⁻¹\]; in the plane it is one number, counter-clockwise
 /// positive, in space an axial vector. Coordinates are those of `v`, then those of [`spin_coordinates`](Self::spin_coordinates).
 ///
-/// Within rounding it is compared by the traits of [`approx`], each coordinate with its own:
+/// The traits of [`approx`] compare velocities within rounding, each coordinate with its counterpart:
 ///
 /// ```
 /// use approx::{assert_relative_eq, assert_relative_ne};
@@ -119,8 +119,8 @@ impl<const N: usize> Twist<N> {
         Self { linear, spin: SMatrix::zeros() }
     }
 
-    /// The velocity with the given spin coordinates, of which the form depends on the dimension:
-    /// N = 2: `[ω]`; N = 3: the axial vector `[ω₁, ω₂, ω₃]`; else `Ω₂₁, Ω₃₁, Ω₃₂, Ω₄₁, …`, row by row below the diagonal.
+    /// The velocity with the given spin coordinates, whose form depends on the dimension: N = 2: `[ω]`; N = 3: the axial vector
+    /// `[ω₁, ω₂, ω₃]`; else `Ω₂₁, Ω₃₁, Ω₃₂, Ω₄₁, …`, row by row below the diagonal.
     ///
     /// # Errors
     /// [`Error::WrongLength`] unless there are N(N−1)/2 of them, [`Error::NotFinite`].

@@ -9,17 +9,17 @@ use nalgebra::{SVector, Unit};
 /// `γ² = 2λ/R²`, where `λ·1` is the matrix of second moments per unit mass; the moment of inertia about any 2-plane is
 /// `m γ² R²`. The contact lies on the sphere, so its arm is `±R ν`, and `K = ν νᵀ/m + (1 + 1/γ²)/m · (1 − ν νᵀ)`.
 ///
-/// An arm `a ν` of another length is that of a smaller or larger sphere around the same inertia, with `1/m + a²/(m γ² R²)` along
-/// the contact plane. An arm that is not along `ν` is no contact of a ball: `K` would not be the one that its velocities obey, and
-/// the law would not conserve energy.
+/// An arm `a ν` of another length describes a smaller or larger sphere around the same inertia: the eigenvalue on the contact plane is
+/// `1/m + a²/(m γ² R²)`. An arm that is not along `ν` is not a contact of a ball: `K` would not match the velocities that an impulse
+/// causes, and the law would not conserve energy.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball<const N: usize> {
     mass: f64,
     radius: f64,
     gamma: f64,
     moment: f64,
-    /// The power of two next to the radius. Lengths in this unit lose no digit, and with them spins are about as large as speeds:
-    /// the square of an angular velocity or `p/(m γ² R²)` alone may leave the range of numbers where no energy does.
+    /// The power of two next to the radius. Lengths in this unit lose no digit, and spins become about as large as speeds: the square of
+    /// an angular velocity, or `p/(m γ² R²)`, may leave the range of numbers even where the energy does not.
     unit: f64,
 }
 
@@ -33,7 +33,8 @@ impl<const N: usize> Ball<N> {
         let mass = positive("the mass", mass)?;
         let radius = positive("the radius", radius)?;
         let gamma_squared = positive("gamma squared", gamma_squared)?;
-        // twice the energy of a scaled spin over the square of the speed of the rim; with both of them m γ² R, in between, is in range too
+        // twice the spin energy over the square of the speed of the rim; if this and the moment are in range, so is m γ² R, which lies
+        // between
         let share = in_range("the mass times gamma squared", mass * gamma_squared)?;
         let moment = in_range("the moment of inertia", share * radius * radius)?;
         let unit = libm::ldexp(1.0, libm::frexp(radius).1);
@@ -108,7 +109,7 @@ mod tests {
     use crate::{Contact, Fixed, Pair, check, laws::NoSlip};
     use nalgebra::{Vector2, Vector3};
 
-    /// What a disk of radius 1 does at unit speed, it does at any size and speed, scaled.
+    /// A disk of radius 1 at unit speed and its scaled copies, of any size and speed, behave alike.
     #[test]
     fn neither_size_nor_speed_of_a_disk_matters() {
         let collide = |radius: f64, speed: f64| {
@@ -140,7 +141,7 @@ mod tests {
         let refused = Ball::<2>::uniform(1.0, 1e-160).unwrap_err();
         assert!(matches!(refused, Error::TooSmall { value, .. } if value > 0.0), "{refused}");
         assert!(Ball::<2>::uniform(1.0, 1e-150).is_ok());
-        // a product whose own value is ordinary, by way of one that is not
+        // a product of ordinary size, with an intermediate result that is not
         for (mass, radius, gamma_squared) in [(1e-150, 1e150, 1e-172), (1e-150, 1e150, 1e-180)] {
             let refused = Ball::<2>::with_gamma_squared(mass, radius, gamma_squared).unwrap_err();
             assert!(matches!(refused, Error::TooSmall { quantity: "the mass times gamma squared", .. }), "{refused}");

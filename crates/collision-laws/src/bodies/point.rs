@@ -6,8 +6,8 @@ use nalgebra::{SVector, Unit};
 
 /// A point mass in ℝᴺ.
 ///
-/// It touches where it is: its arm is zero. `K = 1/m`, so no-slip reverses its velocity: `v⁺ = −v`. A ball with γ → 0 does not come near
-/// that, since it spins: see [`NoSlip`](crate::laws::NoSlip).
+/// Its contact point is its position, so its arm is zero. `K = 1/m`, so no-slip reverses its velocity: `v⁺ = −v`. A ball with γ → 0 does
+/// not approach this, since it spins: see [`NoSlip`](crate::laws::NoSlip).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
     mass: f64,

@@ -10,11 +10,11 @@ use nalgebra::{Matrix3, Rotation, SMatrix, SVector, Unit};
 pub enum Inertia<const N: usize> {
     /// N = 2: the moment of inertia about the centre of mass \[M L²\].
     Moment(f64),
-    /// N = 3: the inertia tensor about the centre of mass, in the space frame \[M L²\]. A collision is defined for every positive one,
-    /// so it may be one that no rigid body has, in which a principal moment exceeds the sum of the two others.
+    /// N = 3: the inertia tensor about the centre of mass, in the space frame \[M L²\]. A collision is defined for every positive tensor,
+    /// even for one that no rigid body has, in which a principal moment exceeds the sum of the other two.
     Tensor(SMatrix<f64, N, N>),
-    /// Any N: the second moments per unit mass `S`, in the space frame \[L²\]: `mS = ∫ r rᵀ dm`. No eigenvalue is negative; it is zero
-    /// along what a flat body lies across.
+    /// Any N: the second moments per unit mass `S`, in the space frame \[L²\]: `mS = ∫ r rᵀ dm`. No eigenvalue is negative; a flat body
+    /// has the eigenvalue zero perpendicular to itself.
     SecondMoments(SMatrix<f64, N, N>),
 }
 
@@ -70,7 +70,7 @@ impl<const N: usize> RigidBody<N> {
             Inertia::SecondMoments(s) => {
                 let (axes, frame) = eigenframe(symmetric("S, the second moments,", &s)?);
                 let smallest = axes.min();
-                // flat bodies have a zero, which the rounding of S and of its eigenvalues may make negative
+                // a flat body has a zero eigenvalue, which the rounding of S and of its eigenvalues may make negative
                 if smallest < -4.0 * N as f64 * f64::EPSILON * axes.amax() {
                     return Err(Error::SecondMomentsNotPositive { smallest });
                 }
@@ -88,7 +88,7 @@ impl<const N: usize> RigidBody<N> {
             }
             return Err(Error::InertiaNotPositive { smallest });
         }
-        // below the rounding of the eigenvalues, a moment is zero
+        // a moment below the rounding of the eigenvalues counts as zero
         if smallest <= f64::EPSILON * largest {
             return Err(Error::InertiaLost { smallest, largest });
         }
@@ -104,8 +104,8 @@ impl<const N: usize> RigidBody<N> {
     /// The body after it has been turned by the rotation `R`: its inertia is `R I Rᵀ` in the space frame, with the same principal
     /// moments to the last bit.
     ///
-    /// So a body is made once, in a frame of its own, and then has any pose. Turn that body by the whole rotation: of many turns one
-    /// after another the rounding of each stays.
+    /// So make a body once, in a frame of its own, and turn it to any pose. Always turn that original body by the whole rotation: the
+    /// rounding errors of successive turns accumulate.
     ///
     /// ```
     /// use collision_laws::{Body, Twist, bodies::{Inertia, RigidBody}};
@@ -138,7 +138,7 @@ fn planes<const N: usize>() -> impl Iterator<Item = (usize, usize)> {
     (0..N).flat_map(|i| (0..i).map(move |j| (i, j)))
 }
 
-/// `a`, called so in messages, if it is finite and symmetric up to rounding.
+/// `a`, if it is finite and symmetric up to rounding; `quantity` is its name in messages.
 pub(super) fn symmetric<const N: usize>(
     quantity: &'static str,
     a: &SMatrix<f64, N, N>,
@@ -237,13 +237,13 @@ mod tests {
         assert!(slender.to_string().contains("lost in rounding"), "{slender}");
         assert!(of(1.0, 2.0, 1e-15).is_ok());
         assert_eq!(of(1.0, 0.0, 1.0).unwrap_err(), Error::InertiaNotPositive { smallest: 0.0 });
-        // m(λ₁ + λ₂) overflows, of the second body in two planes of three
+        // m(λ₁ + λ₂) overflows; for the second body in two of the three planes
         let out = Error::TooLarge { quantity: "a principal moment of inertia" };
         let disk = RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::identity() * 1e308));
         assert_eq!(disk.unwrap_err(), out);
         let rod = Matrix3::from_diagonal(&[1e299, 1e285, 1e285].into());
         assert_eq!(RigidBody::<3>::new(1e10, Inertia::SecondMoments(rod)).unwrap_err(), out);
-        // on the way to a moment nothing overflows that is not in the range of numbers itself
+        // no intermediate result overflows unless a moment itself does
         assert!(of(1.2e308, 1.2e308, 1.2e308).is_ok());
         assert!(RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::new(1.2e308, 0.0, 0.0, 0.0))).is_ok());
     }
@@ -257,7 +257,7 @@ mod tests {
         }
     }
 
-    /// A rotation of ℝ⁴ in two planes, which is exact in no digit.
+    /// A rotation of ℝ⁴ in two planes; all its entries are rounded.
     fn askew() -> Rotation<f64, 4> {
         let in_plane = |i: usize, j: usize, angle: f64| {
             let (sin, cos) = libm::sincos(angle);

@@ -42,7 +42,7 @@ impl Spatial {
 
     /// The body after it has been turned by the rotation `R`: its tensor is `R I Rᵀ` in the space frame.
     ///
-    /// As with [`RigidBody::turned`], the rounding of many turns one after another stays.
+    /// As with [`RigidBody::turned`], the rounding errors of successive turns accumulate.
     #[must_use]
     pub fn turned(&self, by: &Rotation3<f64>) -> Self {
         let turn = |of: &Matrix3<f64>| {

@@ -1,7 +1,7 @@
-//! The axioms one by one: the defect of one velocity, or of one map at one velocity.
+//! The axioms one by one: the defect at one velocity, or of one map at one velocity.
 //!
-//! Velocities are in the coordinates of [`Pair::coordinates`](crate::Pair::coordinates). What each number means is said at
-//! [`Axiom`](super::Axiom).
+//! Velocities are in the coordinates of [`Pair::coordinates`](crate::Pair::coordinates). [`Axiom`](super::Axiom) says what each number
+//! means.
 
 use crate::TangentSpace;
 use nalgebra::{DMatrix, DVector};
@@ -25,7 +25,7 @@ pub fn energy<const N: usize>(space: &TangentSpace<N>, before: &DVector<f64>, af
     (after.norm_squared() - 1.0).abs()
 }
 
-/// Linear momentum: its change in the length of the kinetic-energy metric, over `|v|`; `None` if a body is not free.
+/// Linear momentum: its change, measured in the kinetic-energy metric, over `|v|`; `None` if a body is not free.
 pub fn linear_momentum<const N: usize>(
     space: &TangentSpace<N>,
     before: &DVector<f64>,
@@ -34,7 +34,7 @@ pub fn linear_momentum<const N: usize>(
     space.translations().map(|motions| along(motions, space, before, after))
 }
 
-/// Angular momentum: its change in the length of the kinetic-energy metric, over `|v|`; `None` if a body is not free.
+/// Angular momentum: its change, measured in the kinetic-energy metric, over `|v|`; `None` if a body is not free.
 pub fn angular_momentum<const N: usize>(
     space: &TangentSpace<N>,
     before: &DVector<f64>,
@@ -102,7 +102,7 @@ pub fn measure_ratio<const N: usize>(
 ) -> f64 {
     let unit = |y: &DVector<f64>| space.to_unit(&map(&space.from_unit(y)));
     let y = space.to_unit(v);
-    // the quotients need room to vary: this step leaves truncation and rounding both below 1e-12 for maps as smooth as sine
+    // a step that is not too short: truncation and rounding are both below 1e-12 for maps as smooth as sine
     let step = y.norm() / 512.0;
     let determinant = jacobian_determinant(unit, &y, step);
     (determinant * space.normal().dot(&unit(&y)) / space.normal().dot(&y)).abs()

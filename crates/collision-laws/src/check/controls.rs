@@ -1,10 +1,11 @@
 //! Negative controls: laws that look right and do not preserve the canonical measure.
 //!
-//! In both the one rough direction of a surface in space depends on the *velocity*. Energy, momenta and the place of the impulse
-//! are as they should be, and the second is even reversible; but neither is linear in the velocity, and that is the
-//! hypothesis the measure needs. A check that passes them is no check.
+//! In both, the one rough direction of a surface in space depends on the *velocity*. Energy and momenta are conserved, the impulse acts
+//! at the contact, and the second law is even reversible; but neither is linear in the velocity, which is the hypothesis that
+//! preservation of the measure needs. A check that passes them is worthless.
 //!
-//! `ψ` is the angle of the tangential contact velocity `uₜ` ([`slip_angle`]), `φ` that of the rough direction. The statements hold for a ball, where reversing the part of `uₜ` along `φ` turns `ψ` into `2φ + π − ψ` and keeps `|uₜ|`.
+//! `ψ` is the angle of the tangential contact velocity `uₜ` ([`slip_angle`]), `φ` that of the rough direction. The statements hold for a
+//! ball, where reversing the part of `uₜ` along `φ` turns `ψ` into `2φ + π − ψ` and keeps `|uₜ|`.
 
 use crate::{CollisionLaw, Contact, Delassus, Roughness, reflect};
 use nalgebra::{SVector, Vector3};

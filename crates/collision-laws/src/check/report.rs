@@ -2,16 +2,16 @@
 
 use std::fmt;
 
-/// A defect that no rounding explains, for bodies of comparable size; for others, see [`tolerance`](super::tolerance).
+/// A defect larger than rounding can explain, for bodies of comparable size; for others, see [`tolerance`](super::tolerance).
 ///
-/// A law that breaks an axiom by less than this, such as a restitution of 1 − 10⁻¹⁰, is not told from a strict one.
+/// A law that breaks an axiom by less than this, such as a restitution of 1 − 10⁻¹⁰, cannot be told from a strict one.
 pub const TOLERANCE: f64 = 1e-9;
 
 /// The properties of a strict collision map, and two that follow from them.
 ///
-/// Defects are taken in the kinetic-energy metric, in which a velocity `v` has the length `|v|`. Those of a law are the
-/// largest over the sampled velocities; those of a matrix are Frobenius norms in unit coordinates, which bound them, but for
-/// [`Measure`](Self::Measure), whose ratio at one velocity may be anything where that is almost along the wall.
+/// Defects are measured in the kinetic-energy metric, in which a velocity `v` has the length `|v|`. For a law they are the largest over
+/// the sampled velocities; for a matrix they are Frobenius norms in unit coordinates, which bound these. The exception is
+/// [`Measure`](Self::Measure), whose ratio at a velocity almost along the wall may be anything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axiom {
     /// Energy is conserved: `| |v⁺|² − |v|² | / |v|²`; of a matrix `‖CᵀC − 1‖`.
@@ -27,9 +27,9 @@ pub enum Axiom {
     OutgoingToIngoing,
     /// The impulse acts only at the contact: the part of `v⁺ − v` outside the impulse space `C_q = G⁻¹Jᵀℝᴺ`.
     ContactImpulse,
-    /// `C(v + w) = C v + C w`. Taken for granted of a matrix.
+    /// `C(v + w) = C v + C w`. Always true of a matrix.
     Linearity,
-    /// The canonical measure `|⟨v, N̂⟩| dq dv` is kept: see [`Report::measure_ratio`]; of a matrix `‖ |det C| CᵀN̂ ± N̂ ‖` with the
+    /// The canonical measure `|⟨v, N̂⟩| dq dv` is preserved: see [`Report::measure_ratio`]; of a matrix `‖ |det C| CᵀN̂ ± N̂ ‖` with the
     /// better sign, zero exactly if the ratio is 1 at every velocity.
     Measure,
 }
@@ -80,7 +80,7 @@ pub(super) fn worse(defect: f64, than: f64) -> bool {
 impl Report {
     pub(crate) const EMPTY: Self = Self { defects: [None; Axiom::ALL.len()], measure_ratio: 1.0 };
 
-    /// Takes note of a defect, keeping the largest.
+    /// Records a defect, keeping the largest.
     pub(crate) fn note(&mut self, axiom: Axiom, defect: f64) {
         let kept = &mut self.defects[axiom as usize];
         if kept.is_none_or(|old| worse(defect, old)) {
@@ -88,7 +88,7 @@ impl Report {
         }
     }
 
-    /// Takes note of a measure ratio, keeping that farthest from 1, and of how far from it the ratios at other velocities are.
+    /// Records a measure ratio, keeping the one farthest from 1, and how far from 1 the ratios at other velocities are.
     pub(crate) fn note_measure_ratio(&mut self, ratio: f64, elsewhere: f64) {
         let defect = ((ratio - 1.0) * (ratio - 1.0) + elsewhere * elsewhere).sqrt();
         if self.defect(Axiom::Measure).is_none_or(|old| worse(defect, old)) {
@@ -102,8 +102,8 @@ impl Report {
         self.defects[axiom as usize]
     }
 
-    /// The factor by which the collision multiplies the canonical measure: `|det DC(v)| · |⟨C v, N̂⟩| / |⟨v, N̂⟩|`, 1 for a
-    /// strict law; the sampled value farthest from 1, and for a matrix that at `v = N̂`.
+    /// The factor by which the collision multiplies the canonical measure: `|det DC(v)| · |⟨C v, N̂⟩| / |⟨v, N̂⟩|`, 1 for a strict law.
+    /// For a law it is the sampled value farthest from 1, for a matrix the value at `v = N̂`.
     ///
     /// The whole differential of `(q, v) ↦ (q, C_q v)` is block triangular with blocks 1 and `DC`, so however the law varies over
     /// the boundary this is its determinant.
@@ -111,16 +111,16 @@ impl Report {
         self.measure_ratio
     }
 
-    /// The axioms whose defect is not known to be within `tolerance`, with the defect: all of them if that is NaN.
+    /// The axioms whose defect is not known to be within `tolerance`, each with its defect: all of them if `tolerance` is NaN.
     pub fn broken(&self, tolerance: f64) -> impl Iterator<Item = (Axiom, f64)> {
         let found = Axiom::ALL.into_iter().filter_map(|axiom| Some((axiom, self.defect(axiom)?)));
         found.filter(move |(_, defect)| !(*defect <= tolerance))
     }
 
-    /// Whether every axiom was tried, but for those that say nothing here, and no defect exceeds `tolerance`. Without any
-    /// [sample](super::Samples) nothing was tried.
+    /// Whether every applicable axiom was tested and no defect exceeds `tolerance`. Without any [sample](super::Samples) nothing was
+    /// tested.
     pub fn is_strict(&self, tolerance: f64) -> bool {
-        // the energy is an axiom for all bodies, walls and maps
+        // the energy axiom applies to all bodies, walls and maps
         self.defect(Axiom::Energy).is_some() && self.broken(tolerance).next().is_none()
     }
 }

@@ -1,11 +1,11 @@
-//! A whole step of a billiard: where a law's directions vary from place to place, or turn with the body, only flight and collision
-//! together show whether the measure is kept.
+//! A whole step of a billiard: if a law's directions vary from place to place, or turn with the body, only flight and collision together
+//! show whether the measure is preserved.
 
 use super::jacobian_determinant;
 use crate::{CollisionLaw, Contact, Fixed, Pair, bodies::Ball};
 use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector2, Vector3};
 
-/// A ball between two planes at distance `height`, of the centre: it flies from the floor to the ceiling and collides there.
+/// A ball between two planes, which let its centre rise by `height`: it flies from the floor to the ceiling and collides there.
 ///
 /// ```
 /// use collision_laws::{CollisionLaw, Contact, bodies::Ball, check::{Slab, SlabState}, laws::{Grooved, Restitution}};
@@ -38,13 +38,13 @@ pub type LawOfOrientation<'a> = &'a dyn Fn(&UnitQuaternion<f64>) -> Box<dyn Coll
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlabState {
     orientation: UnitQuaternion<f64>,
-    /// Where, a rotation from the orientation, tangential velocity, scaled spin.
+    /// Place, rotation relative to `orientation`, tangential velocity, scaled spin.
     coordinates: DVector<f64>,
 }
 
 impl SlabState {
-    /// From the place of the centre \[L\], how the ball is turned, and its tangential velocity and scaled spin `W = γ R ω` in units of the
-    /// speed. Where these leave nothing for rising, all that follows is NaN.
+    /// The state with this place of the centre \[L\], orientation of the ball, and tangential velocity and scaled spin `W = γ R ω` in
+    /// units of the speed. If these leave no speed for rising, everything that follows is NaN.
     pub fn new(
         place: Vector2<f64>,
         orientation: UnitQuaternion<f64>,
@@ -59,7 +59,7 @@ impl SlabState {
     }
 }
 
-/// A ball on its way: `(x₁, x₂, γ R · rotation, v₁, v₂, W)` in parts.
+/// The coordinates `(x₁, x₂, γ R · rotation, v₁, v₂, W)` of a ball in flight, one by one.
 struct Parts {
     place: Vector2<f64>,
     rotation: Vector3<f64>,
@@ -83,7 +83,7 @@ impl Slab {
         self.ball.gamma() * self.ball.radius()
     }
 
-    /// How the ball has turned when it meets the ceiling, and the velocity of its contact point there.
+    /// The orientation of the ball when it meets the ceiling, and the velocity of its contact point there.
     pub fn meeting(&self, state: &SlabState) -> (UnitQuaternion<f64>, Vector3<f64>) {
         let Parts { velocity, spin, .. } = Parts::of(&state.coordinates);
         let omega = spin / self.scale();
@@ -91,15 +91,15 @@ impl Slab {
         (turned, velocity + omega.cross(&(Vector3::z() * self.ball.radius())))
     }
 
-    /// The determinant of the step, flight and collision, in ten coordinates in which the canonical measure is Lebesgue measure: place, `γ R`
-    /// times the rotation from a fixed orientation, tangential velocity and scaled spin. Strict laws have ±1 (Cox & Feres, Section 1); it is
-    /// found as by [`jacobian_determinant`] with that `step`.
+    /// The determinant of the step, flight and collision, in ten coordinates in which the canonical measure is Lebesgue measure: place,
+    /// `γ R` times the rotation from a fixed orientation, tangential velocity and scaled spin. It is ±1 for strict laws (Cox & Feres,
+    /// Section 1), and is computed as by [`jacobian_determinant`], with that `step`.
     pub fn determinant(&self, law: LawOfOrientation<'_>, state: &SlabState, step: f64) -> f64 {
         let (image, _) = self.meeting(state);
         jacobian_determinant(|x| self.step(law, x, [&state.orientation, &image]), &state.coordinates, step)
     }
 
-    /// The step, with the orientation in exponential coordinates about one base before and another one after.
+    /// The step. Orientations are exponential coordinates about `base` before it and about `image` after it.
     fn step(
         &self,
         law: LawOfOrientation<'_>,

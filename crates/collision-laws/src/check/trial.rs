@@ -20,13 +20,14 @@ impl Default for Samples {
     }
 }
 
-/// The defect that rounding may leave at a contact: [`TOLERANCE`], or where that is more 1e-12 times the larger of two roots, that of the
-/// [condition number](crate::Delassus::condition_number) of `K` and that of the ratio of the principal moments of a slender body askew.
+/// The defect that rounding may cause at a contact: [`TOLERANCE`] or, if that is larger, 1e-12 times the larger of two square roots: that
+/// of the [condition number](crate::Delassus::condition_number) of `K`, and that of the ratio of the principal moments of a slender body
+/// that lies askew.
 ///
 /// A velocity of unit length in the metric turns a body with little inertia so fast that the contact velocity is the first root times as
-/// large, and rounded accordingly. Where such a body lies along no axis of space, each coordinate of its spin is the second root times as
+/// large, and rounded accordingly. If a slender body lies along no axis of space, each coordinate of its spin is the second root times as
 /// large as the spin that another body of that energy has, and rounded accordingly. The derivatives of the measure check multiply the
-/// rounding by 10³. Beyond 1/ε there is no tolerance that would tell anything, and it grows no further.
+/// rounding by 10³. If a condition number or ratio exceeds 1/ε no tolerance would be meaningful, and this one grows no further.
 pub fn tolerance<A: Body<N>, B: Body<N>, const N: usize>(pair: &Pair<A, B, N>) -> f64 {
     let roots = pair.delassus().condition_number().sqrt().max(pair.tangent_space().rounding());
     TOLERANCE.max(1e-12 * roots.min(1.0 / f64::EPSILON.sqrt()))
@@ -48,8 +49,8 @@ fn approach<const N: usize>(space: &TangentSpace<N>, stream: &mut ChaCha8Rng) ->
 
 /// How far `law` is from each axiom, for these two bodies at this contact.
 ///
-/// Energy, momenta, the direction of the image, linearity and measure are tried at velocities of approach; the involution
-/// needs the law at the velocities of recession it leads to. Two bodies that nothing moves have no velocities, so that no axiom is broken.
+/// Energy, momenta, the direction of the image, linearity and measure are tested at approaching velocities; the involution also needs the
+/// law at the receding velocities that result. Two immovable bodies have no velocities, so no axiom is broken.
 pub fn law<A: Body<N>, B: Body<N>, L: CollisionLaw<N> + ?Sized, const N: usize>(
     pair: &Pair<A, B, N>,
     law: &L,
@@ -93,7 +94,7 @@ pub fn map<const N: usize>(
     report
 }
 
-/// How well the maps of a [`Body`] fit together; all numbers are zero up to rounding, and exactly so of a body that nothing moves.
+/// How well the maps of a [`Body`] fit together; all numbers are zero up to rounding, and exactly zero for an immovable body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BodyReport {
     /// `|J(v + G⁻¹Jᵀp) − u − K p|`, relative to the terms.
@@ -103,7 +104,7 @@ pub struct BodyReport {
     /// The largest `|Kᵢⱼ − Kⱼᵢ|`, relative to the largest entry.
     pub symmetry: f64,
     /// How far the contact point of the body strays from the point of space it touches, in rigid motions of all space; 0 for a body that
-    /// is not [free](Body::is_free) and has no part in them.
+    /// is not [free](Body::is_free) and takes no part in them.
     pub rigid_motion: f64,
 }
 
@@ -115,7 +116,7 @@ impl BodyReport {
     }
 }
 
-/// `defect / size`; nothing is no part of nothing.
+/// `defect / size`; 0 for 0/0.
 fn relative(defect: f64, size: f64) -> f64 {
     if defect == 0.0 && size == 0.0 { 0.0 } else { defect / size }
 }
@@ -149,7 +150,7 @@ pub fn body<B: Body<N>, const N: usize>(
     for _ in 0..samples.count {
         let v = pair.velocities(approach(&space, &mut stream).as_slice());
         let p = SVector::<f64, N>::from_fn(|_, _| gaussian(&mut stream));
-        // an impulse worth about as much energy as the velocity; any is worth nothing to what nothing moves
+        // an impulse that carries about as much energy as the velocity; on an immovable body no impulse carries any
         let p = if moves { p / p.dot(&(k * p)).sqrt() } else { p };
         let after = pair.apply_impulse(&p, &v);
         let (u, u_after, change) =
@@ -230,7 +231,7 @@ mod tests {
             let wrong = |report: BodyReport| {
                 [report.contact_velocity, report.work, report.symmetry, report.rigid_motion].map(|x| x > 1e-3)
             };
-            // the truth; a metric that is none of its; a spin that turns the arm the other way; an answer to twice the impulse
+            // the true maps; the metric of something else; a spin that turns the arm the other way; the response to twice the impulse
             assert_eq!(wrong(tried(1.0, 1.0, 1.0)), [false, false, false, false]);
             assert_eq!(wrong(tried(2.0, 1.0, 1.0)), [false, true, false, false]);
             assert!(tried(1.0, -1.0, 1.0).rigid_motion > 0.1);

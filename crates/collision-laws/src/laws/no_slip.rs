@@ -6,9 +6,10 @@ use crate::{Contact, DiskLaw, DiskMap, Roughness, StrictLaw};
 ///
 /// `p = −2 K⁻¹ u`; `u` \[L T⁻¹\], `p` \[M L T⁻¹\], `K` \[M⁻¹\]. Roughness rank N−1.
 ///
-/// A point without spin is thrown straight back, `v⁺ = −v`: a contact velocity that is its own reverses. The limit γ → 0 of a disk that
-/// spins ([`disk_map`](DiskLaw::disk_map) at 0) is not that: so little inertia takes up the whole slip, and the disk leaves as from a
-/// smooth wall. Both are called points; the one has no spin, the other all of its mass in the centre and a rim that turns for nothing.
+/// A point without spin is thrown straight back, `v⁺ = −v`: its contact velocity is its own velocity, which reverses. The limit γ → 0 of
+/// a spinning disk ([`disk_map`](DiskLaw::disk_map) at 0) is different: so little inertia takes up the whole slip, and the disk leaves as
+/// from a smooth wall. Both are called points; the first has no spin, the second has all its mass at the centre and a rim without
+/// inertia.
 ///
 /// Source: Broomhead and Gutkin (1993); Cox and Feres, *No-slip billiards in dimension two*, equation (update2), for a uniform
 /// disk against a fixed wall.

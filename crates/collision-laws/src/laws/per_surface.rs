@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 /// A law per surface label, itself a law.
 ///
-/// `L` is one type: name it where the laws are alike, or use [`AnyLaw`](crate::AnyLaw) or `Box<dyn StrictLaw<N>>`.
+/// `L` is a single type: that of the laws if they are alike, else [`AnyLaw`](crate::AnyLaw) or `Box<dyn StrictLaw<N>>`.
 ///
 /// ```
 /// use collision_laws::{AnyLaw, laws::{NoSlip, PerSurface, Specular}};

@@ -4,7 +4,7 @@ use crate::{Contact, Error, Roughness, StrictLaw, random::gaussian};
 use nalgebra::SVector;
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
-/// A point of `Gr(k, ν⊥)` drawn at each hit, uniformly: its law is the Haar measure.
+/// A point of `Gr(k, ν⊥)` drawn at each hit, uniformly: its distribution is the Haar measure.
 ///
 /// The draw is a function of the seed and the contact (point and surface, to the last bit) and of nothing else. So runs
 /// repeat exactly, in any order and on any number of threads, and an orbit that returns to the very same point meets the same

@@ -55,12 +55,12 @@ impl Restitution {
         self.tangential
     }
 
-    /// Whether the impulse has a part beside the normal: at `eₜ = −1` it has none.
+    /// Whether the impulse has a part besides the normal one: at `eₜ = −1` it has none.
     fn pushes_tangentially(&self) -> bool {
         self.tangential > -1.0
     }
 
-    /// The share of the no-slip map and that of the specular map whose sum the law is, before the loss in the normal.
+    /// The weights of the no-slip map and of the specular map whose weighted sum is the law, before the loss in the normal.
     fn shares(&self) -> (f64, f64) {
         (0.5 * (1.0 + self.tangential), 0.5 * (self.normal - self.tangential))
     }

@@ -28,8 +28,8 @@ impl<const N: usize> RoughPlane<N> {
     /// The law with the given rough directions, of any length.
     ///
     /// # Errors
-    /// [`Error::TooManyRoughDirections`] if there are more than N−1, [`Error::NotFinite`]. Whether they are independent in a
-    /// contact plane, [`at`](Self::at) says.
+    /// [`Error::TooManyRoughDirections`] if there are more than N−1, [`Error::NotFinite`]. [`at`](Self::at) tells whether they are
+    /// independent in a contact plane.
     pub fn new(directions: &[SVector<f64, N>]) -> Result<Self, Error> {
         if directions.len() + 1 > N {
             return Err(Error::TooManyRoughDirections { given: directions.len(), most: N - 1 });

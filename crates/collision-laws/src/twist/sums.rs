@@ -5,7 +5,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// `v + w`, coordinate by coordinate \[L T⁻¹, T⁻¹\]; the spin is exactly skew again.
 ///
-/// A strict collision acts on the velocities of the pair as a reflection, so half of before and after together is what it leaves alone:
+/// A strict collision acts on the velocities of the pair as a reflection, so it leaves the mean of those before and after unchanged:
 ///
 /// ```
 /// use collision_laws::{Contact, Fixed, Pair, Twist, bodies::Ball, laws::NoSlip};
