@@ -12,16 +12,16 @@ use lanes::{Lane, dot};
 
 /// What a collision with the wall does to a ball, in lanes: the law as the engine's loop applies it.
 ///
-/// `S` is the number of components of the scaled spin `γ R ω` that the law needs (see [`Orbit`]). Laws of
-/// [`collision_laws`] become ball laws by [`laws`](crate::laws). In the plane and in space a law that is lent, `&L`, is one too, so that
-/// several billiards have one law.
+/// `S` is the number of components of the scaled spin `γ R ω` that the law needs (see [`Orbit`]). The [`laws`](crate::laws) turn laws of
+/// [`collision_laws`] into ball laws. In the plane and in space a borrowed law, `&L`, is a ball law too, so that several billiards can
+/// share one.
 pub trait BallLaw<const N: usize, const S: usize>: Sync {
     /// Turns the velocity and the spin before a collision into those after it. The normal of the hit points into the table, and so must the
     /// velocity after it: otherwise the orbit ends, as [`Stop::IntoWall`].
     fn collide<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], spin: &mut [F; S]);
 
-    /// The same, to the last bit, at a hit whose normal is a unit vector along an axis: for laws that need fewer products there, one after
-    /// another, than elsewhere.
+    /// The same, to the last bit, at a hit whose normal is a unit vector along an axis: for laws that need a shorter chain of products
+    /// there.
     #[inline(always)]
     fn collide_along_axis<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], spin: &mut [F; S]) {
         self.collide(hit, velocity, spin);
@@ -43,14 +43,14 @@ pub trait BallLaw<const N: usize, const S: usize>: Sync {
         *velocity = [v[0] * n1 + v[1] * n2, v[1] * n1 - v[0] * n2];
     }
 
-    /// Whether it always turns the velocity's component along the normal around and keeps the energy, as every strict law does: what
-    /// the energy lacks can then be handed there sooner, and the speed need not be asked for again.
+    /// Whether it always reverses the velocity's component along the normal and conserves the energy, as every strict law does: then an
+    /// error of the energy can be corrected there sooner, and the speed need not be computed again.
     #[inline(always)]
     fn is_strict(&self) -> bool {
         false
     }
 
-    /// What it does in the frame of a hit in the plane, if it undoes itself and is the same at every hit.
+    /// What it does in the frame of a hit in the plane, if it is an involution and the same at every hit.
     fn mirror(&self) -> Option<Mirror> {
         None
     }
@@ -69,12 +69,12 @@ pub struct Billiard<'a, W, L> {
 ///
 /// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
 pub trait Motion<const N: usize, const S: usize> {
-    /// Whether a step is so short that a CPU, which looks ahead over some hundred instructions, comes to the next one of the same
-    /// orbits before the last is done, unless many take turns.
+    /// Whether a step is so short that a CPU, which looks ahead over some hundred instructions, reaches the next step of the same orbits
+    /// before the last one is done, unless many orbits take turns.
     const IS_SHORT: bool = false;
     /// What is carried from collision to collision besides the orbit.
     type Carried<F: Lane>: Copy;
-    /// What a flight finds out besides the hit.
+    /// What a flight yields besides the hit.
     type Arrival<F: Lane>: Copy;
 
     /// Orbits that start from anywhere, as many as `zero` has lanes.
@@ -92,8 +92,8 @@ pub trait Motion<const N: usize, const S: usize> {
         orbit: &Orbit<F, N, S, K, T>,
         carried: &Self::Carried<F>,
     ) -> (WallHit<F, N>, Self::Arrival<F>);
-    /// Moves the orbit to the hit and through the collision there. Returns whether it leaves the wall so flat that the next flight
-    /// cannot be told from rounding, or has stalled: under a strict law, whether the normal speed is not above `slow`.
+    /// Moves the orbit to the hit and through the collision there. Returns whether it leaves the wall at so flat an angle that the next
+    /// flight cannot be told from rounding, or has stalled: under a strict law, whether the normal speed is not above `slow`.
     fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
         &self,
         orbit: &mut Orbit<F, N, S, K, T>,
@@ -102,21 +102,21 @@ pub trait Motion<const N: usize, const S: usize> {
         arrival: &Self::Arrival<F>,
         slow: F,
     ) -> F::Mask;
-    /// The normal speed up to which an orbit of these velocities grazes, under a strict law.
+    /// The normal speed up to which an orbit of these velocities counts as grazing, under a strict law.
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
-    /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, it ends where two of them meet, or its velocity
-    /// is no number.
+    /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, it ends where two of them meet, or its
+    /// velocity is not a number.
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
         ended(&velocity, Stop::Escaped)
     }
     /// The normal speed with which orbits have left the last wall, if their law is not strict: a strict one lets nothing into a wall.
     fn leaving<F: Lane>(&self, carried: &Self::Carried<F>) -> F;
-    /// Writes into the orbit what `collide` has only carried on: called where somebody looks at it.
+    /// Writes into the orbit what `collide` has only carried along; called when the orbit is looked at.
     #[inline(always)]
     fn settle<F: Lane, K, T>(&self, _: &mut Orbit<F, N, S, K, T>, _: &Self::Carried<F>) {}
 }
 
-/// The normal speed up to which an orbit of these velocities grazes under a strict law. Spin that never becomes velocity has no part in it.
+/// The normal speed up to which an orbit of these velocities grazes under a strict law. Spin that never becomes velocity does not count.
 pub(crate) fn slow<const N: usize, const S: usize>(
     law: &impl BallLaw<N, S>,
     velocity: &[f64; N],
@@ -172,7 +172,7 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         if self.law.is_strict() {
             return !slow.lt((normal_speed * hit.inverse).abs());
         }
-        // a law that leaves the ball on its way into the wall leaves it flat, too
+        // a ball that a law leaves moving into the wall counts as flat, too
         *leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
         let speed = sum(&orbit.velocity);
         let flat = !(speed * ROUNDED).max(before).lt(*leaving);

@@ -1,18 +1,18 @@
-//! Motion along a wall, and past its end, as far as rounding tells.
+//! Motion along a wall, and past its end, within rounding.
 use crate::energy::sum;
 use geometry::{WallHit, Walls};
 use lanes::{Lane, dot};
 
-/// A normal speed up to this part of the speed may be that of a particle which follows a focusing wall: a chord at this angle rises
-/// above the wall by no more than places are rounded.
+/// A normal speed up to this fraction of the speed may be that of a particle which follows a focusing wall: a chord at this angle rises
+/// above the wall by no more than the rounding of positions.
 const FLAT: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 
-/// A particle no farther than this part of its coordinates from a wall may stand on it.
+/// A particle may be on a wall if it is no farther from it than this fraction of its coordinates.
 const NEAR: f64 = 4.0 * f64::EPSILON;
 
-/// Whether a particle that a law has slowed down creeps along a focusing wall: it came from there on a flight that rose above it by no
-/// more than rounding, and leaves it as flat, by the normal speeds of arrival and leaving. From then on chords are as long as rounding
-/// makes them.
+/// Whether a particle that a law has slowed down creeps along a focusing wall: it came from that wall on a flight that rose above it by
+/// no more than rounding, and leaves it at as flat an angle, judged by the normal speeds of arrival and departure. From then on rounding
+/// determines the lengths of chords.
 #[inline(always)]
 pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, leaving]: [F; 2], speed: F) -> F::Mask {
     // how far it rose is a fourth of this
@@ -20,8 +20,8 @@ pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, lea
     leaving.lt(speed * FLAT) & rise.lt(sum(&hit.point) * NEAR)
 }
 
-/// Whether a path that meets no wall starts on a focusing one, along which it runs, within rounding: paths which are turned a little
-/// out of the table cross that wall at once, those that are turned a little inwards come back to it.
+/// Whether a path that meets no wall starts on a focusing one and runs along it, within rounding: paths that are turned a little out of
+/// the table cross that wall at once, and those that are turned a little inwards come back to it.
 #[cold]
 #[inline(never)]
 pub(crate) fn follows<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {

@@ -1,61 +1,62 @@
 //! Keeping the energy of long orbits to the last digit.
 //!
 //! Rounding in a reflection changes the energy by about 10⁻¹⁶ per collision, always in the same direction for the
-//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions [`Conserved`] computes the energy with an
-//! error of about 2⁻⁷⁵ and hands what is missing to the **normal** component of the outgoing velocity, from where the law took it
-//! (to the velocity as a whole where it grazes the wall; between parallel planes to velocity and spin along them). It takes the energy
-//! with which the orbit arrived, which is known before the law is: the next flight need not wait for the sum. The error of the energy is
-//! then that of [`BEAT`] collisions and one at most, and the work that of a fraction of one.
+//! same constants: after 10⁹ collisions 10⁻⁷ would be gone. Every [`BEAT`] collisions [`Conserved`] computes the energy with an error of
+//! about 2⁻⁷⁵ and adds what is missing to the **normal** component of the outgoing velocity, from which the law took it (to the velocity
+//! as a whole where it grazes the wall; between parallel planes to velocity and spin along them). It uses the energy with which the orbit
+//! arrived, which is known before the law is applied, so that the next flight need not wait for the sum. The error of the energy is then
+//! at most that of [`BEAT`] + 1 collisions, and the cost a fraction of that of one collision.
 mod bits;
 
 use crate::{in_lanes::InLanes, recurring::Recurring};
 use geometry::WallHit;
 use lanes::{Double, Lane, Mask};
 
-/// The energy is restored after so many collisions.
+/// The energy is restored after this many collisions.
 ///
-/// A collision changes it by about 1.5·10⁻¹⁶ at random, so that it is right to about √16 times that, whatever the number
-/// of collisions. The branch that is taken then is hardly ever foreseen: at every 64th collision one orbit would take 2 to 11 % less, but
-/// what an ellipse conserves would wander farther than 10⁻¹² in 10⁷ collisions.
+/// A collision changes it by about 1.5·10⁻¹⁶ at random, so that its error is about √16 times that, whatever the number of collisions. The
+/// branch taken then is hardly ever predicted: at every 64th collision one orbit would take 2 to 11 % less time, but the invariant of
+/// an ellipse would wander farther than 10⁻¹² in 10⁷ collisions.
 pub const BEAT: u32 = 16;
 
-/// What has less than this part of the energy is not corrected by what the energy lacks: no correction of a velocity is more than
-/// ½/√10⁻³ = 16 times that.
+/// A component with less than this share of the energy receives no correction of the energy: so no relative correction of a velocity is
+/// more than ½/√10⁻³ = 16 times the relative error of the energy.
 pub(crate) const LITTLE: f64 = 1e-3;
 
-/// No rounding loses so much of the energy between two beats; a law that does is left alone.
+/// Rounding never loses this share of the energy between two beats; a law that does is left alone.
 pub(crate) const MOST: f64 = 1e-6;
 
-/// What happens to the energy of an orbit besides the law.
+/// What is done about the energy of an orbit besides the law.
 pub trait EnergyKeeper<F: Lane, const N: usize, const S: usize>: Copy {
     /// For an orbit that starts with this velocity and spin.
     fn new(velocity: &[F; N], spin: &[F; S]) -> Self;
     /// What an orbit in flight lacks of `|v|² + |w|²`, if the collision ahead is to make up for it, otherwise 0.
     ///
-    /// It is asked for before the hit is looked for, so that nothing waits for it.
+    /// It is called before the hit is sought, so that nothing waits for it.
     fn owed(&self, velocity: &[F; N], spin: &[F; S]) -> F;
-    /// As much of what is owed as rounding can have lost: nothing where a law has taken it, and nothing from then on. For laws that may.
+    /// The part of `owed` that rounding can have lost: nothing where a law has taken it, and nothing from then on. For laws that may take
+    /// energy.
     #[inline(always)]
     fn rounded_off(&mut self, owed: F) -> F {
         owed
     }
     /// Sees what `arrived` at a collision, and may correct the velocity that leaves it.
     fn leave(&mut self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>);
-    /// The same as [`leave`](EnergyKeeper::leave) under a strict law [between parallel walls](geometry::Walls::are_parallel), where what is
-    /// along the normal is never rounded: for what is not, of velocity and spin.
+    /// Like [`leave`](EnergyKeeper::leave) under a strict law [between parallel walls](geometry::Walls::are_parallel), where the normal
+    /// component is never rounded: corrects velocity and spin along the walls.
     fn leave_along(&mut self, velocity: &mut [F; N], spin: &mut [F; S], hit: &WallHit<F, N>, arrived: &Arrived<F>);
-    /// Takes back what the rounded length of the normal, which should be 1, does to the velocity that leaves a collision.
+    /// Removes the effect of the rounded length of the normal, which should be 1, on the velocity that leaves a collision.
     fn straighten(&mut self, _velocity: &mut [F; N], _hit: &WallHit<F, N>, _arrived: &Arrived<F>) {}
-    /// The same as [`leave`](EnergyKeeper::leave) for the components of velocities along the normal, which comes first, and the
-    /// tangents, and for the spin with them: for the velocity as a whole, of which a strict law leaves the normal component as it is.
+    /// Like [`leave`](EnergyKeeper::leave) in the frame of the wall, with the normal component of the velocity first, then the tangential
+    /// ones, and the spin: corrects velocity and spin as a whole, where a strict law leaves the size of the normal component as it is.
     fn leave_in_frame(&mut self, velocity: &mut [F; N], spin: &mut [F; S], owed: F);
-    /// What a velocity and a spin lack of `|v|² + |w|²` as it should be, as part of it, to 2⁻⁷⁵; nothing where no energy is kept.
+    /// The relative deficit of a velocity and a spin in `|v|² + |w|²`, to 2⁻⁷⁵; 0 where no energy is kept.
     #[inline(always)]
     fn lack(&self, velocity: &[F; N], _spin: &[F; S]) -> F {
         velocity[0].same(0.0)
     }
-    /// How much of what they lack velocity and spin make up for, in parts of what they would if they grew alike: 1 and 1, or all of it the
-    /// velocity and nothing the spin, where that is as it was at the start and no law has touched it.
+    /// The shares of the deficit that velocity and spin make up for, relative to those if both grew by the same factor: 1 and 1; or the
+    /// velocity makes up for all of it and the spin for nothing, if the spin is as it was at the start and no law has touched it.
     #[inline(always)]
     fn shares(&self, velocity: &[F; N], _spin: &[F; S]) -> [F; 2] {
         [velocity[0].same(1.0); 2]
@@ -109,8 +110,8 @@ fn square<F: Lane, const N: usize>(zero: F, of: &[F; N]) -> F {
     of.iter().fold(zero, |sum, x| sum + *x * *x)
 }
 
-/// The sum of all components without their signs: between the length of `(velocity, spin)` and its multiple by the root of their number,
-/// without squares, which may be too large or too small for numbers.
+/// The sum of the absolute values of all components. It lies between the length of `(velocity, spin)` and that length times the root of
+/// their number, and needs no squares, which may over- or underflow.
 #[inline(always)]
 pub(crate) fn speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
     let mut all = sum(velocity);
@@ -120,7 +121,7 @@ pub(crate) fn speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], 
     all
 }
 
-/// The sum of components without their signs.
+/// The sum of the absolute values of the components.
 #[inline(always)]
 pub(crate) fn sum<F: Lane, const N: usize>(of: &[F; N]) -> F {
     let mut sum = of[0].abs();
@@ -130,7 +131,7 @@ pub(crate) fn sum<F: Lane, const N: usize>(of: &[F; N]) -> F {
     sum
 }
 
-/// Nothing: for laws that do not conserve energy, and for those who want the bare arithmetic.
+/// Keeps nothing: for laws that do not conserve energy, and for the bare arithmetic.
 pub type Free = ();
 
 impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Free {
@@ -152,10 +153,10 @@ impl<const N: usize, const S: usize> Keeping<N, S> for Free {
     type In<F: Lane> = ();
 }
 
-/// The energy of the start, kept: for laws that conserve it.
+/// Keeps the energy of the start: for laws that conserve it.
 ///
-/// From where an orbit lacks more than 10⁻⁶ of that energy, nothing is given back any more: then the law takes it, and the orbit goes on
-/// as with [`Free`]. A law that takes less than that in [`BEAT`] collisions is not told from rounding: it wants [`Free`] from the start.
+/// Once an orbit lacks more than 10⁻⁶ of that energy, nothing is restored any more: then the law takes it, and the orbit goes on as with
+/// [`Free`]. A law that takes less than that in [`BEAT`] collisions cannot be told from rounding: use [`Free`] from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conserved<F, const N: usize> {
     /// `3·2²⁵` times a power of two not below the speed: adding and subtracting it rounds to 26 bits.
@@ -171,9 +172,9 @@ pub struct Conserved<F, const N: usize> {
     share: F,
     /// 2, or 0 where nothing is kept.
     twice: F,
-    /// Collisions since the energy was restored, in all lanes alike.
+    /// Collisions since the energy was restored, the same in all lanes.
     beat: u32,
-    /// Between round walls, what each run after the first goes on with.
+    /// Between round walls, what each run after the first continues from.
     recurring: Recurring<F>,
 }
 
@@ -212,7 +213,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
         });
         let (high, low) = precise_square(grid, velocity, spin);
         let zero = all.same(0.0);
-        // of speeds so small that their squares vanish nothing is missing, and no part of it infinite
+        // for speeds so small that their squares vanish nothing is missing, and no share is infinite
         let share = all.same(0.5) / all.max(all.same(f64::MIN_POSITIVE));
         Conserved {
             grid,
@@ -269,7 +270,7 @@ impl<F: Lane, const N: usize, const S: usize> EnergyKeeper<F, N, S> for Conserve
             }
             let much = self.little.lt(square);
             let growth = much.select(arrived.owed * 0.5 / much.select(square, one), zero);
-            // what next to nothing is along the walls of, has been lost across them, if at all: by a law that does round there
+            // if almost nothing moves along the walls, energy can only be lost across them, by a law that does round there
             self.restore(velocity, hit, &Arrived { owed: much.select(zero, arrived.owed), ..*arrived });
             for i in 0..N {
                 velocity[i] = velocity[i] + velocity[i] * (growth * along(i));
@@ -377,7 +378,7 @@ impl<const N: usize, const S: usize> Keeping<N, S> for Conserved<f64, N> {
 }
 
 impl<F: Lane, const N: usize> Conserved<F, N> {
-    /// The same, or one that changes nothing, as [`Free`]: for a law of which no type tells whether it conserves energy.
+    /// This keeper, or one that changes nothing, like [`Free`]: for a law whose type does not tell whether it conserves energy.
     ///
     /// ```
     /// use billiards::{Collisions, Conserved, EnergyKeeper, Orbit, Planar, laws::Disk};
@@ -416,22 +417,21 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
         due
     }
 
-    /// Whether rounding, and no law, can have lost so much of the energy.
+    /// Whether rounding alone can have lost this much of the energy.
     #[inline(always)]
     fn is_rounding(&self, missing: F) -> F::Mask {
         missing.abs().lt(self.high * MOST)
     }
 
-    /// What a velocity and a spin lack of the energy, as `|v|² + |w|²`.
+    /// The amount of `|v|² + |w|²` that a velocity and a spin lack.
     #[inline(always)]
     fn missing<const S: usize>(&self, velocity: &[F; N], spin: &[F; S]) -> F {
         let (high, low) = precise_square(self.grid, velocity, spin);
         (self.high - high) + (self.low - low)
     }
 
-    /// Hands what the energy lacked on arrival to the velocity that leaves: to its normal component, of which the size is known
-    /// before the law is applied; or, where that is next to nothing or not reversed, to the velocity as a whole, the share of it that
-    /// is not in the spin.
+    /// Adds the energy that was missing on arrival to the outgoing velocity: to its normal component, whose size is known before the law
+    /// is applied; or, where that is almost zero or not reversed, to the velocity as a whole, without the share that belongs to the spin.
     #[inline(always)]
     fn restore(&self, velocity: &mut [F; N], hit: &WallHit<F, N>, arrived: &Arrived<F>) {
         let (vn, normal) = (arrived.normal_speed, &hit.normal);
@@ -445,8 +445,8 @@ impl<F: Lane, const N: usize> Conserved<F, N> {
     }
 }
 
-/// Tells the compiler that a branch is seldom taken: what it needs should not take registers from the others. (Of the many that
-/// lanes have, it would spill some around it.)
+/// Tells the compiler that a branch is seldom taken, so that it does not take registers from the others. (Of the many registers that
+/// lanes need, the compiler would otherwise spill some around it.)
 #[cold]
 fn seldom() {}
 
@@ -474,7 +474,7 @@ mod tests {
         }
     }
 
-    /// The error of the energy that leaves the collision at which it is restored, for one of 10⁻⁹ that arrives.
+    /// The error of the energy after the collision that restores it, for an error of 10⁻⁹ on arrival.
     fn off(arrived: [f64; 2], normal: [f64; 2], leaves: [f64; 2], reverses: bool) -> f64 {
         let mut keeper = <Conserved<f64, 2> as EnergyKeeper<f64, 2, 0>>::new(&arrived, &[]);
         let lacking = |v: [f64; 2]| v.map(|v| v * (1.0 - 0.5e-9));

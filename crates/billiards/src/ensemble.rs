@@ -32,7 +32,7 @@ pub struct Ensemble {
     block: u64,
 }
 
-/// Orbits per block by default: many enough that merging is nothing beside them.
+/// Orbits per block by default: enough to make the cost of merging negligible.
 const BLOCK: u64 = 256;
 
 impl Ensemble {
@@ -46,8 +46,8 @@ impl Ensemble {
         Ensemble { orbits, block: BLOCK }
     }
 
-    /// The same in blocks of so many orbits, at least one. Sums of numbers may differ in their rounding from those of other
-    /// blocks; counts do not.
+    /// The same in blocks of this many orbits, at least one. Sums of numbers may be rounded differently with other blocks; counts are the
+    /// same.
     #[must_use]
     pub fn in_blocks_of(self, orbits: u64) -> Self {
         Ensemble { block: orbits.max(1), ..self }

@@ -3,7 +3,7 @@ use crate::Stop;
 use collision_laws::DiskMap;
 use thiserror::Error;
 
-/// Why something cannot be built or computed: of a table, of a law, or of the billiard that they make.
+/// Why a table, a law, or the billiard that they make cannot be built or computed.
 ///
 /// ```
 /// use billiards::{Error, Planar, collision_laws::laws::Restitution, geometry::tables, laws::Disk};
@@ -25,7 +25,7 @@ pub enum Error {
     /// Something wrong with a body or its law.
     #[error(transparent)]
     Law(#[from] collision_laws::Error),
-    /// A ball that cannot be.
+    /// A parameter of a ball that is out of range.
     #[error("the {quantity} of the ball must be {must}, not {value:?}")]
     Ball {
         /// What was given.
@@ -97,7 +97,7 @@ pub enum Error {
         /// Speed, spin included.
         speed: f64,
     },
-    /// A law that has no time reversal, because it does not undo itself.
+    /// A law that has no time reversal, because it is not an involution.
     #[error(
         "the law is no involution: applied twice it changes the velocity by {defect:e} of the speed, so nothing leads back"
     )]

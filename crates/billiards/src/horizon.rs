@@ -1,12 +1,12 @@
-//! How long the digits of an orbit last.
+//! For how many collisions the digits of an orbit are right.
 //!
-//! Rounding moves an orbit by an ulp at each collision, and the billiard map carries that on: like a power of the number of
-//! collisions on integrable tables, exponentially on chaotic ones, where after some forty collisions no digit is left. The
-//! covariance `P` of the error of (position, velocity, spin) at the collisions is carried along by the derivative `M` of the
-//! billiard map, and the n-th collision adds the rounding `Q` of its own. Rounded constants of a law or of a table do the
-//! same again and again, so errors are taken to add up and not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound
-//! for the sum of errors with whatever correlation, from `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`.
-//! What a derivative is blind to, vertices and obstacles that are passed at less than the error, twins of the orbit see (`twins`).
+//! Rounding moves an orbit by an ulp at each collision, and the billiard map amplifies that: like a power of the number of collisions on
+//! integrable tables, exponentially on chaotic ones, where no digit is left after some forty collisions. The covariance `P` of the error
+//! of (position, velocity, spin) at the collisions is propagated by the derivative `M` of the billiard map, and the n-th collision adds
+//! its own rounding `Q`. Rounded constants of a law or of a table cause the same error again and again, so errors are assumed to add up,
+//! not to cancel: `P ← (1 + 1/n) M P Mᵀ + (1 + n) Q`, the least bound for the sum of errors with arbitrary correlation, from
+//! `(a + b)(a + b)ᵀ ≤ (1 + c) a aᵀ + (1 + 1/c) b bᵀ`. Twins of the orbit (`twins`) detect what a derivative cannot: vertices and
+//! obstacles that are passed at a distance below the error.
 use crate::{billiard::Motion, bounce::Bounce, start::Start, with_motion::WithMotion};
 use geometry::{Table, Vector2, WallHit, tables::SpatialTable};
 use spread::Spread;
@@ -21,8 +21,8 @@ pub trait Bend<const N: usize> {
     /// \[L⁻¹\].
     fn bend(&self, hit: &WallHit<f64, N>, flight: f64, along: &[f64; N]) -> [f64; N];
 
-    /// The largest of the numbers that the wall is made of at a hit \[L\], such as the radius of a flat arc: their rounding moves the
-    /// place of the hit. 0 where none is larger than the coordinates of the wall's points.
+    /// The largest of the numbers that define the wall at a hit \[L\], such as the radius of a flat arc: their rounding moves the place
+    /// of the hit. 0 where none is larger than the coordinates of the wall's points.
     fn size(&self, _hit: &WallHit<f64, N>) -> f64 {
         0.0
     }
@@ -45,12 +45,12 @@ impl Bend<3> for SpatialTable {
     }
 }
 
-/// Any walls, felt by two shots straight at the wall beside the hit.
+/// Any walls, whose curvature is felt by two shots straight at the wall on either side of the hit.
 ///
-/// Where one of them finds another piece, another face of the same solid or nothing, as beside a vertex, the other one is compared
-/// with the hit itself; where both do, the wall counts as flat. A face is another one if the normal turns at once and not by half as
-/// much halfway there. A difference quotient is right to 10⁻⁴ or better; that is enough for chaotic
-/// orbits, and for others up to about a thousand collisions.
+/// Where one of them finds another piece, another face of the same solid or nothing, as beside a vertex, the other one is compared with
+/// the hit itself; where both do, the wall counts as flat. A face is another one if the normal turns abruptly, that is, not by half as
+/// much halfway there. A difference quotient is accurate to 10⁻⁴ or better; that is enough for chaotic orbits, and for others up to about
+/// a thousand collisions.
 #[derive(Clone, Copy)]
 pub struct Felt<'a, const N: usize, const S: usize>(pub &'a dyn Bounce<N, S>);
 
@@ -60,7 +60,7 @@ impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
     }
 }
 
-/// Up to where an orbit is the one that was asked for, and not one of the many that rounding makes of it.
+/// How far a computed orbit is the one that was asked for, and not one of the many that rounding makes of it.
 ///
 /// ```
 /// use billiards::{Billiard, Felt, Horizon, Start, laws::Specular};
@@ -82,12 +82,12 @@ impl<const N: usize, const S: usize> core::fmt::Debug for Felt<'_, N, S> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Horizon {
-    /// Collisions whose place is known: those before the error was as large as the table, or all that were looked at.
+    /// Collisions whose place is known: those before the error was as large as the table, or all that were examined.
     pub collisions: u64,
-    /// When the last of them was \[T\].
+    /// The time of the last of them \[T\].
     pub time: f64,
-    /// A bound for the error of the last of them, to first order: of the position in units of the size (of a table of no size: of how
-    /// far the orbit had been from a wall that it hit next), or of the velocity in units of the speed, whichever is larger.
+    /// A bound for the error of the last of them, to first order: of the position in units of the size (for a table without a size: of
+    /// the farthest distance of the orbit from a wall that it hit next), or of the velocity in units of the speed, whichever is larger.
     pub error: f64,
     /// Whether the next collision is lost.
     pub lost: bool,
@@ -95,32 +95,32 @@ pub struct Horizon {
 
 /// The relative step of difference quotients of laws.
 ///
-/// Strict laws are linear in the velocities and quadratic in the normal, so that symmetric quotients are exact but for
-/// rounding, 10⁻¹³ here: neutral orbits stay neutral. Any other law is right to 10⁻⁶.
+/// Strict laws are linear in the velocities and quadratic in the normal, so that symmetric quotients are exact up to rounding, 10⁻¹³
+/// here: neutral orbits stay neutral. For any other law the derivative is accurate to 10⁻⁶.
 const STEP: f64 = 1.0 / 1024.0;
 
-/// The same for the place of a hit, of which the rounding of coordinates is the limit. Most laws are the same beside it, and then this
-/// derivative is 0 exactly; a field that is smooth over a flight is right to 10⁻⁸. One that is drawn anew at each place changes by as
-/// much as it can over this step already, so that two collisions with it leave nothing.
+/// The same for the place of a hit, where the rounding of coordinates is the limit. Most laws are the same next to it, and then this
+/// derivative is exactly 0; for a field that is smooth over a flight it is accurate to 10⁻⁸. A field that is drawn anew at each place
+/// already changes as much as it can over this step, so that after two collisions with it no digit is left.
 const PLACE: f64 = 1.0 / 67_108_864.0; // 2⁻²⁶
 
-/// How far from a hit the wall is felt for its curvature, in parts of the flight; never less than this part of the distance
-/// from the origin, of which normals are rounded by ε: both leave an error of 10⁻⁴ of the curvature at most.
+/// How far from a hit the wall is felt for its curvature, as a fraction of the flight; never less than the second fraction of the
+/// distance from the origin, since normals are rounded by ε of that distance: both leave an error of 10⁻⁴ of the curvature at most.
 const NEARBY: [f64; 2] = [1.0 / 65_536.0, 1.0 / 1_099_511_627_776.0]; // 2⁻¹⁶, 2⁻⁴⁰
 
-/// By how much of what the normal turns near a hit it may turn unevenly; where curvature changes over a length, that is the step in
-/// parts of that length.
+/// The fraction of the normal's turn near a hit that may be uneven; if the curvature changes over some length, this is the step as a
+/// fraction of that length.
 const UNEVEN: f64 = 0.25;
 
 impl Horizon {
-    /// Follows an orbit on a table of some `size` \[L\] for at most so many collisions and so much time, `[collisions, time]`.
+    /// Follows an orbit on a table of the given `size` \[L\], at most up to the limit `[collisions, time]`.
     ///
-    /// For a table of no size (a strip, a wedge) give infinity: then the farthest counts that the orbit has been from a wall that it hit
-    /// next, which is the width of a strip however it lies.
-    /// Where a path displaced by the error would hit something else, and not be beside the orbit again soon after, the orbit is lost.
+    /// For a table without a size (a strip, a wedge) give infinity: then the size is the farthest distance of the orbit from a wall that
+    /// it hit next, which is the width of a strip however it lies. Where a path displaced by the error would hit something else, and not
+    /// be beside the orbit again soon after, the orbit is lost.
     ///
-    /// Any law will do, also one that is another at each place: it is differentiated by velocity, spin, normal and place. Where nothing
-    /// is known of the walls' curvature, `walls` is [`Felt`].
+    /// Any law will do, even one that varies from place to place: it is differentiated with respect to velocity, spin, normal and place.
+    /// If the curvature of the walls is not known, `walls` is [`Felt`].
     ///
     /// An orbit that [`run`](crate::run) ends sooner, as [grazing](crate::Stop::Grazing) or [stalled](crate::Stop::Stalled), is followed
     /// beyond its end: where that may be, give as the limit the number of collisions that it makes.
@@ -139,7 +139,7 @@ impl Horizon {
         loop {
             let hit = billiard.first_hit(&at.position, &at.velocity);
             let time = horizon.time + hit.time;
-            // NaN is over at once
+            // NaN ends it at once
             let within = (horizon.collisions as f64) < limit[0] && time <= limit[1];
             if !within || !(hit.time < f64::INFINITY) || hit.corner {
                 return horizon;
@@ -154,7 +154,7 @@ impl Horizon {
             derivative.carry(&mut spread, &next, n);
             twins.look(&Beside { walls, derivative: &derivative, next: &next, size }, &across, &mut spread);
             let error = spread.error(&next, size);
-            // NaN is an error, too
+            // NaN counts as an error, too
             if !(error < 1.0) {
                 return Horizon { lost: true, ..horizon };
             }
@@ -164,7 +164,7 @@ impl Horizon {
     }
 }
 
-/// [`Horizon::of`], on whatever motion there is.
+/// [`Horizon::of`], for any motion.
 pub(crate) struct HorizonOn<'a, const N: usize, const S: usize> {
     pub(crate) walls: &'a dyn Bend<N>,
     pub(crate) start: Start<N, S>,
@@ -231,7 +231,7 @@ struct Derivative<'a, const N: usize, const S: usize> {
     before: Start<N, S>,
     hit: WallHit<f64, N>,
     normal: [f64; N],
-    /// The largest of the numbers that the place of the hit is made of \[L\].
+    /// The largest of the numbers that define the place of the hit \[L\].
     length: f64,
     /// How far the place of the hit is moved, times [`PLACE`] \[L\].
     nearby: f64,
@@ -245,7 +245,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
         let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
-        // between the flight, over which a law may change, and the coordinates, which are rounded
+        // a length between the flight, over which a law may change, and the rounding of the coordinates
         let nearby = libm::sqrt(length * flight.max(f64::EPSILON * length));
         Derivative { billiard, before: *at, hit: *hit, normal, length: length.max(walls.size(hit)), nearby, bends }
     }
@@ -257,8 +257,8 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         next
     }
 
-    /// The sizes of which velocity and spin are rounded: both that of the whole motion, unless the law leaves the spin alone and does not
-    /// ask for it.
+    /// The sizes to which the rounding of velocity and spin is relative: for both that of the whole motion, unless the law neither
+    /// changes nor reads the spin.
     fn sizes(&self, next: &Start<N, S>) -> [f64; 2] {
         let Start { velocity, spin, .. } = self.before;
         let (other, _) = self.collide(&self.hit.point, &self.normal, velocity, spin.map(|w| -w));
@@ -275,7 +275,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         spread.round(0.0, self.sizes(next), 1.0 + n);
     }
 
-    /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, the normal there is another, and the law depends on it.
+    /// `M d`: `dq = dx + t dv` is moved along the path back to the wall, where the normal differs, and the law depends on it.
     fn apply(&self, d: &Start<N, S>) -> Start<N, S> {
         let Derivative { before: Start { velocity: v, spin: w, .. }, hit, normal: n, nearby, .. } = self;
         let moved = plus(&d.position, hit.time, &d.velocity);
@@ -298,7 +298,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         Start { position, velocity, spin }
     }
 
-    /// What the hit does to a velocity and a spin if it is at another point and its normal another one, of about unit length.
+    /// What the hit does to a velocity and a spin if it is at another point, with another normal of about unit length.
     fn collide(
         &self,
         point: &[f64; N],
@@ -312,8 +312,8 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
     }
 }
 
-/// The derivative at 0 by a symmetric difference over this step; 0 where nothing changes, however long the step, or nothing has a
-/// length.
+/// The derivative at 0 by a symmetric difference over this step; 0 if the step is infinite, because nothing ever changes, or 0, because
+/// nothing has a length.
 fn quotient<const N: usize, const S: usize>(
     step: f64,
     f: impl Fn(f64) -> ([f64; N], [f64; S]),
@@ -358,7 +358,7 @@ impl<const N: usize, const S: usize> Bend<N> for Felt<'_, N, S> {
         let felt = |side: f64| {
             let (far, halfway) = (seen(side)?, seen(0.5 * side)?);
             let turn = plus(&far, -1.0, &normal);
-            // on a wall that bends evenly none, beside an edge all of it
+            // on an evenly curved wall none of it, beside an edge all of it
             let uneven = plus(&turn, -2.0, &plus(&halfway, -1.0, &normal));
             (norm(&uneven) <= UNEVEN * norm(&turn) + 8.0 * f64::EPSILON).then_some(far)
         };

@@ -12,7 +12,7 @@ pub trait InLanes<F: Lane>: Clone {
     fn all(one: &Self::One, zero: F) -> Self;
     /// Puts what belongs to an orbit into one lane.
     fn put(&mut self, lane: usize, one: &Self::One);
-    /// After how many collisions an orbit can join these, because all of them count together.
+    /// After how many collisions an orbit can join these, because all lanes share one count.
     fn wait(&self, _: &Self::One) -> u64 {
         0
     }

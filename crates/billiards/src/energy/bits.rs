@@ -1,15 +1,15 @@
-//! An energy keeper as plain numbers: so an orbit is kept in a file and goes on later.
+//! An energy keeper as plain numbers, so that an orbit can be stored in a file and continued later.
 use super::{BEAT, Conserved};
 use crate::recurring::Recurring;
 use lanes::Double;
 
 impl<const N: usize> Conserved<f64, N> {
-    /// All that it knows, as the bits of its numbers; see [`f64::to_bits`]. One of them may be that of infinity, which not every format of
-    /// files has as a number. Their order is that of this version.
+    /// Its whole state, as the bits of its numbers; see [`f64::to_bits`]. One of the numbers may be infinite, which not every file format
+    /// can represent. Their order is specific to this version.
     ///
-    /// Position, velocity, spin and tracks of an orbit are numbers that anyone can read and write. With these the orbit goes on as if
-    /// it had not been kept, in the same bits. (With a [new](crate::EnergyKeeper::new) keeper it would have the rounded energy of that
-    /// moment, and its last digits would be others.)
+    /// Position, velocity, spin and tracks of an orbit are numbers that anyone can read and write. With these bits the orbit goes on as
+    /// if it had never been stored, bit for bit. (A [new](crate::EnergyKeeper::new) keeper would take the rounded energy of that moment,
+    /// and the last digits of the orbit would differ.)
     ///
     /// ```
     /// use billiards::{Collisions, Conserved, Orbit, Planar, laws::Disk};
@@ -39,8 +39,8 @@ impl<const N: usize> Conserved<f64, N> {
         [grid, high, low, spin, little, share, twice, u64::from(beat), a[0], a[1], b[0], b[1], c[0], c[1]]
     }
 
-    /// The keeper with these [bits](Self::to_bits); `None` where they count more collisions since the energy was restored than there can be,
-    /// so that they are those of something else.
+    /// The keeper with these [bits](Self::to_bits); `None` if they count more collisions since the energy was restored than possible, so
+    /// that they cannot be those of a keeper.
     pub fn from_bits(bits: [u64; 14]) -> Option<Self> {
         let beat = u32::try_from(bits[7]).ok().filter(|beat| *beat < BEAT)?;
         let number = |i: usize| f64::from_bits(bits[i]);
@@ -105,7 +105,7 @@ mod tests {
         format!("{orbit:?}")
     }
 
-    /// Runs an orbit on without having been written and read, and with, from where it has come after `collisions`.
+    /// Continues an orbit from its state after `collisions`: without being written and read, and with.
     fn on(table: Table, law: Disk, spin: f64, collisions: u64) -> [Tracked; 2] {
         let billiard = Planar { table, law };
         let mut orbit = started(spin);

@@ -2,7 +2,7 @@
 use super::{along, dot, norm, plus};
 use crate::start::Start;
 
-/// Rounding moves a coordinate by so much of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
+/// Rounding moves a coordinate by this fraction of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
 /// The covariance of the errors, by columns.
@@ -10,19 +10,19 @@ const ROUNDING: f64 = 0.5 * f64::EPSILON;
 pub(super) struct Spread<const N: usize, const S: usize>(Vec<Start<N, S>>);
 
 impl<const N: usize, const S: usize> Spread<N, S> {
-    /// Of what is known exactly.
+    /// That of an exact state.
     pub(super) fn none() -> Self {
         Spread(vec![Start::ZERO; Start::<N, S>::COORDINATES])
     }
 
-    /// Of a start whose numbers are rounded.
+    /// That of a start whose numbers are rounded.
     pub(super) fn new(start: &Start<N, S>) -> Self {
         let mut spread = Spread::none();
         spread.round(norm(&start.position), [norm(&start.velocity), start.speed()], 1.0);
         spread
     }
 
-    /// Adds `weight` times the square of a rounding of coordinates, and of velocity and spin, of these sizes.
+    /// Adds `weight` times the square of the rounding of coordinates, velocity and spin of these sizes.
     pub(super) fn round(&mut self, length: f64, [velocity, spin]: [f64; 2], weight: f64) {
         for (i, column) in self.0.iter_mut().enumerate() {
             let of = match i {
@@ -81,9 +81,9 @@ impl<const N: usize, const S: usize> Spread<N, S> {
         }
     }
 
-    /// Errors by which a path of some velocity is displaced across itself after some time: `N − 1` that reach the border of
-    /// the ellipse of displacements, `Pg / √(gᵀPg)` for the largest `g·d = u·(dx + t dv)` along an axis `u` across the path, then the
-    /// same of what is left of `P` without it.
+    /// Errors that displace a path of some velocity sideways after some time: `N − 1` of them on the border of the ellipse of
+    /// displacements, `Pg / √(gᵀPg)` for the largest `g·d = u·(dx + t dv)` along an axis `u` across the path, then the same for what is
+    /// left of `P` without it.
     pub(super) fn across(&self, velocity: &[f64; N], time: f64) -> Vec<Start<N, S>> {
         let mut axes = along(&velocity.map(|v| v / norm(velocity)));
         let displaced = |d: &Start<N, S>, u: &[f64; N]| dot(u, &plus(&d.position, time, &d.velocity));

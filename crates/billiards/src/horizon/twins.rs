@@ -1,52 +1,56 @@
-//! Twins of an orbit, which see what the derivative of the billiard map is blind to.
+//! Twins of an orbit, which detect what the derivative of the billiard map cannot.
 //!
-//! Beside a vertex the map has a derivative on either side, and is another map on each; so it is beside an obstacle that is grazed. An
-//! orbit that passes there at less than its error may be on the wrong side. So twins of the orbit, displaced across the path by
-//! [`REACH`] times the error, both ways, make the same collision: `f(x + d) − f(x) − M d` is what the error makes of itself besides `M d`.
-//! Where the map is smooth, that is of second order. Where a wall ends or turns, it is an error of its own, and enters the covariance
-//! as one: `P ← (1 + c) P + (1 + 1/c) j jᵀ` for a jump `j` of `c` times the error. Of another collision nothing is known.
+//! On the two sides of a vertex the map is differentiable, but a different map on each; so is it beside a grazed obstacle. An
+//! orbit that passes there at a distance below its error may be on the wrong side. So twins of the orbit, displaced sideways by [`REACH`]
+//! times the error, both ways, make the same collision: `f(x + d) − f(x) − M d` is the part of the error's image that the derivative
+//! misses. Where the map is smooth, that is of second order. Where a wall ends or turns, it is an error in its own right, and enters the
+//! covariance as one: `P ← (1 + c) P + (1 + 1/c) j jᵀ` for a jump `j` of `c` times the error. If the collision is another one, nothing is
+//! known.
 //!
-//! A twin collides twice. It starts from the place of the orbit, aimed beside the next hit, so that it lands on a wall whatever that is; from
-//! there its second flight is displaced over all its length. One that hits something else is followed on, as the orbit is: after the right
-//! angle of a square, two collisions later, a specular twin is beside the orbit again whichever side comes first, and after a specular disk
-//! that it grazes, one collision later.
+//! A twin collides twice. It starts from the place of the orbit, aimed beside the next hit, so that it lands on a wall of any shape; from
+//! there its second flight is displaced over its whole length. If a twin hits something else, it and the orbit are followed further:
+//! after the right angle of a square, a specular twin is beside the orbit again two collisions later, whichever side comes first, and
+//! after a specular disk that it grazes, one collision later.
 use super::{
     Bend, Bounce, Derivative, dot, norm, plus,
     spread::{Spread, relative},
 };
 use crate::start::Start;
 
-/// How far the twins are from the orbit, in units of the root of the covariance, which is a bound, but of mean squares.
+/// How far the twins are from the orbit, in units of the root of the covariance, which bounds only mean squares.
 const REACH: f64 = 2.0;
 
-/// A deviation up to this part of the error is none: the derivative is no better where walls are felt and laws are differentiated, and the
-/// error is told to one digit.
+/// A deviation up to this fraction of the error counts as none: the derivative is no more accurate where walls are felt and laws are
+/// differentiated numerically, and the error is given to one digit.
 const LINEAR: f64 = 1.0 / 64.0;
 
-/// Nor is one up to so many times what one collision rounds, rms: that is 8 ulp, for the flights and hits of orbit and twin together.
+/// So does one up to this many times the rms rounding of one collision: that is 8 ulp, for the flights and hits of orbit and twin
+/// together.
 const NOISE: f64 = 16.0;
 
-/// For so many collisions of each the two are followed until they meet again: specular paths on either side of a corner of π/n do after
-/// n of them, and are seen to on the next hit.
+/// Orbit and twin are followed for this many collisions each until they meet again: specular paths on either side of a corner of π/n do
+/// so after n collisions, and this shows at the next hit.
 const MEETING: usize = 8;
 
-/// They meet where they are apart by no more than this part of the jump, nor than so many times the root of the error of it, in time as
-/// well: a specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. Farther apart is no proof:
-/// polygons of rational angles know few directions, and one place in 64 is nearer than the first by chance.
+/// They have met if they are apart, in time as well, by no more than this fraction of the jump, nor than this many times the root of the
+/// error times the jump: a specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. A larger
+/// distance is no proof: in polygons with rational angles there are few directions, and one place in 64 is nearer than the first limit by
+/// chance.
 const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
 
-/// A larger jump, in units of the table's size or of the speed, is another collision, of which nothing is known: less than a digit is left.
+/// A larger jump, in units of the table's size or of the speed, means another collision, of which nothing is known: less than a digit is
+/// left.
 const ANOTHER: f64 = 0.125;
 
-/// A flight shorter than this times the displacement is no path to aim along, as between the sides of a vertex at less than the error: a twin
-/// would be turned there, not displaced, by a sixteenth or more. Those that have landed before go on.
+/// A flight shorter than this times the displacement is too short to aim along, as between the sides of a vertex at a distance below the
+/// error: a twin would be turned there, not displaced, by a sixteenth or more. Twins that have landed before go on.
 const AIM: f64 = 16.0;
 
 /// A path beside the orbit.
 #[derive(Clone, Copy, Debug)]
 struct Twin<const N: usize, const S: usize> {
     at: Start<N, S>,
-    /// Less the orbit, along both paths: on a lattice the two may be told in different cells.
+    /// Its state minus that of the orbit, followed along both paths: on a lattice the two may be in different cells.
     apart: Start<N, S>,
     /// How much later than the orbit it has come here.
     late: f64,
@@ -63,7 +67,7 @@ impl<const N: usize, const S: usize> Twin<N, S> {
 struct Path<const N: usize, const S: usize> {
     from: Start<N, S>,
     direction: [f64; N],
-    /// By what it is displaced from the orbit's, and by how much where it begins.
+    /// Its displacement from the orbit, as a state, and that of its beginning.
     displaced: Start<N, S>,
     begins: [f64; N],
 }
@@ -77,17 +81,17 @@ enum Landing<const N: usize, const S: usize> {
     Nowhere,
 }
 
-/// What the error makes of itself besides what the derivative says, so many collisions later.
+/// The part of the error that the derivative misses, some collisions later.
 #[derive(Clone, Copy, Debug)]
 struct Jump<const N: usize, const S: usize> {
     later: usize,
     by: Start<N, S>,
-    /// Of what size that is, relative.
+    /// Its relative size.
     size: f64,
 }
 
 impl<const N: usize, const S: usize> Jump<N, S> {
-    /// The larger one, when both are over; at once if nothing is left.
+    /// The larger one, at the time of the later one; at once if nothing is left.
     fn and(self, other: Self) -> Self {
         let larger = if self.size >= other.size { self } else { other };
         let later = if larger.size < f64::INFINITY { self.later.max(other.later) } else { 0 };
@@ -100,7 +104,7 @@ impl<const N: usize, const S: usize> Jump<N, S> {
 pub(super) struct Twins<const N: usize, const S: usize> {
     /// Those that have landed beside the orbit.
     landed: Vec<Twin<N, S>>,
-    /// A jump to come, where twins are known to be beside the orbit again only then.
+    /// A jump to come: the twins are known to be beside the orbit again only then.
     coming: Option<Jump<N, S>>,
 }
 
@@ -110,7 +114,7 @@ pub(super) struct Beside<'a, const N: usize, const S: usize> {
     pub(super) derivative: &'a Derivative<'a, N, S>,
     /// The orbit after it.
     pub(super) next: &'a Start<N, S>,
-    /// Of the table.
+    /// The size of the table.
     pub(super) size: f64,
 }
 
@@ -119,8 +123,8 @@ impl<const N: usize, const S: usize> Twins<N, S> {
         Twins { landed: Vec::new(), coming: None }
     }
 
-    /// Has twins make a collision of the orbit, those that have landed and new ones displaced by `across` ([`Spread::across`]), and adds
-    /// to the error after it what they see.
+    /// Lets twins make a collision of the orbit, those that have landed and new ones displaced by `across` ([`Spread::across`]), and adds
+    /// what they detect to the error after it.
     pub(super) fn look(&mut self, beside: &Beside<'_, N, S>, across: &[Start<N, S>], spread: &mut Spread<N, S>) {
         if let Some(jump) = &mut self.coming {
             jump.later -= 1;
@@ -145,7 +149,7 @@ impl<const N: usize, const S: usize> Twins<N, S> {
                     (known, jump) => known.or(jump),
                 };
             }
-            // where none could be aimed, those before go on
+            // if none could be aimed, the earlier ones go on
             let [second, first] = unmoved;
             self.landed = if first.is_empty() { second } else { first };
             if self.coming.is_some_and(|jump| jump.later > 0) {
@@ -159,8 +163,8 @@ impl<const N: usize, const S: usize> Twins<N, S> {
 }
 
 impl<const N: usize, const S: usize> Beside<'_, N, S> {
-    /// The path of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, and with its velocity when it does; none
-    /// where that is too far beside it.
+    /// The path of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, with the velocity that it would
+    /// have there; `None` where that is too far beside the orbit.
     fn aimed(&self, d: Start<N, S>) -> Option<Path<N, S>> {
         let Derivative { before, hit, .. } = self.derivative;
         let v = &before.velocity;
@@ -181,7 +185,8 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         Twin { at, apart: Start { position, ..at.plus(-1.0, self.next) }, late: time - hit.time }
     }
 
-    /// What a twin that was displaced by `d` before the collision tells of the error after it, if anything; one that hits nothing, all.
+    /// The jump of the error after the collision that a twin displaced by `d` before it shows, if any; if the twin hits nothing, the
+    /// orbit is lost.
     fn jump(&self, twin: Option<&Twin<N, S>>, d: &Start<N, S>, spread: &Spread<N, S>) -> Option<Jump<N, S>> {
         let expected = self.derivative.apply(d);
         let lost = Start { position: [f64::INFINITY; N], ..Start::ZERO };
@@ -211,7 +216,7 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         Jump { later, by, size }
     }
 
-    /// What this collision rounds, relative; 0 where nobody asks.
+    /// The relative rounding of this collision; 0 if not `asked`.
     fn rounding(&self, asked: bool) -> f64 {
         let mut spread = Spread::none();
         if asked {
@@ -232,7 +237,7 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         [near, nothing]: [f64; 2],
     ) -> (Option<Jump<N, S>>, bool) {
         let billiard = self.derivative.billiard;
-        // places and times are told from those of the orbit's hit
+        // places and times are relative to those of the orbit's hit
         let placed = |at: &Start<N, S>, position| Start { position, ..*at };
         let (mut at, mut place, mut time) = (twin.at, twin.apart.position, twin.late);
         let mut twins = vec![(placed(&at, place), time)];
@@ -275,7 +280,7 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
     }
 }
 
-/// The next collision of a path in some direction from a place; what it hits, it hits with the velocity that is told.
+/// The next collision of a path in some direction from a place; the collision itself uses the velocity of `from`.
 fn fly<const N: usize, const S: usize>(
     billiard: &dyn Bounce<N, S>,
     from: &Start<N, S>,
