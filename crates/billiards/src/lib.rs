@@ -1,25 +1,26 @@
 //! Billiards with any collision law: the engine, phase space, observers, ensembles.
 //!
-//! A particle flies freely to the wall of its table, and a collision law turns its velocity and its spin. Everything is
-//! generic in what a scene has, and nothing that it lacks is carried along:
+//! A particle flies freely to the wall of its table, where a collision law changes its velocity and its spin. Everything is generic, so
+//! that a scene carries only what it needs:
 //!
 //! * [`Orbit`]: position, velocity, as many components of spin as the law needs, what keeps the energy
 //!   ([`Conserved`] or [`Free`]), and what is tracked along the path ([`Clock`], [`Angle`], [`Cell`], or nothing).
 //! * [`Billiard`]: walls and a law; [`run`] is the loop, [`run_side_by_side`] the same for many orbits in the lanes of
 //!   vector registers, with the same bits. [`Planar`] and [`Spatial`] choose the fastest walls for a table;
-//!   [`WithMotion`] is for loops of your own on them.
+//!   [`WithMotion`] is for your own loops on these.
 //! * [`laws`]: laws of [`collision_laws`] as the loop applies them; [`laws::Custom`] runs any of them, yours included.
 //! * [`observe`]: measurements that watch a run, alone or several together, and may stop it.
-//! * [`Horizon`]: up to where rounding has left digits of an orbit.
+//! * [`Horizon`]: how far rounding leaves digits of an orbit.
 //! * [`ReducedState`]: arc length, spin and tangential velocity; the billiard map and its inverse.
 //! * [`Ensemble`] and [`Starts`]: many orbits on the canonical measure, the same whatever the number of threads.
 //!
-//! What laws, walls, tracks and observers of your own take from other crates comes with this one, in the versions that it uses:
-//! [`collision_laws`], [`geometry`], [`lanes`] and [`nalgebra`]. (Four names are there twice: [`Planar`], [`Spatial`] are not the bodies
-//! [`collision_laws::bodies::Planar`], [`collision_laws::bodies::Spatial`], nor [`Collision`], [`Error`] those of [`collision_laws`].)
+//! The crates that your own laws, walls, tracks and observers need are re-exported, in the versions that this crate uses:
+//! [`collision_laws`], [`geometry`], [`lanes`] and [`nalgebra`]. (Four names occur twice: [`Planar`] and [`Spatial`] are not the bodies
+//! [`collision_laws::bodies::Planar`] and [`collision_laws::bodies::Spatial`], and [`Collision`] and [`Error`] are not those of
+//! [`collision_laws`].)
 //!
-//! Each combination of law, keeper, track and observer is compiled for every kind of walls: in a crate with many of them,
-//! `opt-level = 0` under `[profile.dev]`, and 2 under `[profile.dev.package."*"]`, makes seconds of minutes.
+//! Each combination of law, keeper, track and observer is compiled for every kind of walls: in a crate with many of them, `opt-level = 0`
+//! under `[profile.dev]`, and 2 under `[profile.dev.package."*"]`, turns minutes of compile time into seconds.
 //!
 //! The scaled spin is `v₀ = γ R θ̇`, so that the energy is `(m/2)(|v|² + v₀²)`; normals point into the table.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]

@@ -9,23 +9,23 @@ pub trait Limit<T> {
 }
 
 /// A limit of many orbits [side by side](crate::run_side_by_side). Each ends as [`Limit::is_beyond`] says, in the same state as alone;
-/// what is here says when that is asked.
+/// the methods here tell when to ask for that.
 pub trait LaneLimit<const N: usize, const S: usize, T: Tracking<N, S>>: Limit<T> {
-    /// Collisions that nobody goes beyond.
+    /// The number of collisions that no orbit exceeds.
     fn most(&self) -> u64;
-    /// In which lanes a flight may be beyond the limit, of those within so many collisions; `None` where none ever is.
+    /// In which lanes a flight may be beyond the limit, among those within `most` collisions; `None` if none ever is.
     #[inline(always)]
     fn may_be_beyond<F: Lane>(&self, _track: &T::In<F>, _flight: F) -> Option<F::Mask> {
         None
     }
 }
 
-/// So many collisions.
+/// A number of collisions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collisions(pub u64);
 
-/// So much time \[T\] since the start, as a [`Clock`](crate::Clock) tracks it. The run ends at the last collision before;
-/// [`position_at`](crate::Orbit::position_at) knows the rest of the way.
+/// A time \[T\] since the start, as a [`Clock`](crate::Clock) tracks it. The run ends at the last collision before that time;
+/// [`position_at`](crate::Orbit::position_at) tells the rest of the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time(pub f64);
 

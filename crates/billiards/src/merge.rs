@@ -6,13 +6,13 @@ use std::collections::BTreeMap;
 /// Counts and extremes merge exactly, in any order. Sums and means are rounded, each block in the order of its orbits, and an
 /// [`Ensemble`](crate::Ensemble) merges in the order of the blocks, so its results are the same on any number of threads.
 pub trait Merge {
-    /// What was measured here and there together; `other` comes after `self`.
+    /// The combination of what was measured here and there; `other` comes after `self`.
     #[must_use]
     fn merge(self, other: Self) -> Self;
 
-    /// The orbit that was watched is over, and another begins: what goes on from collision to collision ends here.
+    /// The orbit that was watched is over, and another begins: what is carried from collision to collision ends here.
     ///
-    /// An [`Ensemble`](crate::Ensemble) says so before each orbit. What is put together of several measurements passes it on.
+    /// An [`Ensemble`](crate::Ensemble) calls this before each orbit. Combinations of measurements pass it on.
     fn next_orbit(&mut self) {}
 }
 

@@ -9,7 +9,7 @@ use lanes::Lane;
 ///
 /// `S` is the number of spin components that the scene needs: 0 for a point, 1 for a disk, 3 for a ball in space. The tables of
 /// [`Planar`](crate::Planar) run a disk and those of [`Spatial`](crate::Spatial) a ball; for a point under
-/// [`Specular`](crate::laws::Specular) the spin stays 0. Without one it runs on [`Walls`](geometry::Walls) of your choice:
+/// [`Specular`](crate::laws::Specular) the spin stays 0. A point without spin runs on [`Walls`](geometry::Walls) of your choice:
 ///
 /// ```
 /// use billiards::{Billiard, Collisions, Orbit, laws::Specular, run};
@@ -22,19 +22,19 @@ use lanes::Lane;
 /// # Ok::<(), billiards::Error>(())
 /// ```
 ///
-/// `K` keeps the energy, `T` tracks what grows along the path; both are `()` where nobody asks.
+/// `K` keeps the energy, `T` tracks what grows along the path; both are `()` where not needed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
     /// Position of the centre \[L\].
     pub position: [F; N],
-    /// Velocity of the centre [L T⁻¹]. Round walls and keepers of the energy take squares of speeds, so these should lie between
-    /// 10⁻¹⁵⁰ and 10¹⁵⁰.
+    /// Velocity of the centre [L T⁻¹]. Round walls and keepers of the energy take squares of speeds, so speeds should lie between 10⁻¹⁵⁰
+    /// and 10¹⁵⁰.
     pub velocity: [F; N],
     /// Scaled spin `γ R ω` [L T⁻¹]: kinetic energy is `(m/2)(|velocity|² + |spin|²)`.
     pub spin: [F; S],
-    /// Keeps the energy where the law conserves it, and between round walls the [digits](crate::Recurring) of the velocity that
-    /// are rounded off here. It belongs to this motion: whoever changes position, velocity or spin makes a new orbit, and whoever keeps an
-    /// orbit in a file keeps its [bits](crate::Conserved::to_bits) too.
+    /// Keeps the energy where the law conserves it, and between round walls the [digits](crate::Recurring) of the velocity that are
+    /// rounded off here. It belongs to this motion: to change position, velocity or spin make a new orbit, and to store an orbit in a
+    /// file store its [bits](crate::Conserved::to_bits) too.
     pub keeper: K,
     /// What is tracked along the path.
     pub track: T,
@@ -43,10 +43,9 @@ pub struct Orbit<F, const N: usize, const S: usize, K = (), T = ()> {
 impl<F: Lane, const N: usize, const S: usize, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>> Orbit<F, N, S, K, T> {
     /// The orbit that starts at `position` with `velocity` and scaled `spin`.
     ///
-    /// No table is asked: the position must lie in it, on a lattice in its
-    /// [cell](geometry::Table::cell), or what walls answer means nothing.
-    /// [`Planar::orbit`](crate::Planar::orbit) and [`Spatial::orbit`](crate::Spatial::orbit) look; starts on a wall come from
-    /// [`Starts`](crate::Starts) and [`ReducedState`](crate::ReducedState).
+    /// The table is not consulted: the position must lie in it, on a lattice in its [cell](geometry::Table::cell), or the answers of the
+    /// walls are meaningless. [`Planar::orbit`](crate::Planar::orbit) and [`Spatial::orbit`](crate::Spatial::orbit) check this; starts on
+    /// a wall come from [`Starts`](crate::Starts) and [`ReducedState`](crate::ReducedState).
     #[inline]
     pub fn new(position: [F; N], velocity: [F; N], spin: [F; S], track: T) -> Self {
         Orbit { position, velocity, spin, keeper: K::new(&velocity, &spin), track }
@@ -56,10 +55,10 @@ impl<F: Lane, const N: usize, const S: usize, K: EnergyKeeper<F, N, S>, T: Track
 impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N, S, K, T> {
     /// Velocity and spin with the energy of the start to the last digit: `|E − E₀| ≤ 2⁻⁵¹ E₀` wherever the orbit is.
     ///
-    /// The orbit itself goes on without: its energy is restored at every [`BEAT`](crate::BEAT)th collision and off by what the ones
-    /// since then round, up to 10⁻¹⁴. All components grow by the same factor, but for a spin that is what it was at the start: the specular law
-    /// leaves it alone, and so does this, unless nearly all energy is spin. What is right already stays as it is, and so does everything where
-    /// no energy is kept.
+    /// The orbit itself goes on without this correction: its energy is restored at every [`BEAT`](crate::BEAT)th collision, and in
+    /// between it is off by the rounding since then, up to 10⁻¹⁴. All components grow by the same factor, except a spin that is what it
+    /// was at the start: the specular law leaves that alone, and so does this, unless nearly all energy is spin. What is right already
+    /// stays as it is, and so does everything where no energy is kept.
     ///
     /// ```
     /// use billiards::{Collisions, Conserved, Orbit, Planar, laws::Disk};
@@ -90,9 +89,10 @@ impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T> Orbit<f64, N
 
 impl<const N: usize, const S: usize, K: EnergyKeeper<f64, N, S>, T: Timed> Orbit<f64, N, S, K, T> {
     /// Where the centre is at `time` \[T\], on the flight that begins here: `x + (t − t₀) v`, with the [restored](Orbit::restored)
-    /// velocity. Before that flight it is where the flight begins; after its end the law is not asked, and a lattice has no cells.
+    /// velocity. For times before that flight it is where the flight begins; beyond the end of the flight no collision is applied, and a
+    /// lattice has no cells.
     ///
-    /// A run for so much [`Time`](crate::Time) leaves the orbit at its last collision before; this says how far it has come since.
+    /// A run up to a [`Time`](crate::Time) leaves the orbit at its last collision before; this tells how far it has come since.
     ///
     /// ```
     /// use billiards::{Clock, Orbit, Planar, Time, laws::Specular};

@@ -28,8 +28,9 @@ pub struct Planar<L> {
 }
 
 impl<L> Planar<L> {
-    /// The orbit that starts at `position` with `velocity` and scaled `spin`; on a lattice at the same point of the
-    /// [cell](Table::cell) where paths are followed, which is the unit cell for most: a [`Cell`](crate::Cell) in the track counts from there.
+    /// The orbit that starts at `position` with `velocity` and scaled `spin`. On a lattice it starts at the equivalent point of the
+    /// [cell](Table::cell) in which paths are followed, which is the unit cell for most: a [`Cell`](crate::Cell) in the track counts from
+    /// there.
     ///
     /// ```
     /// use billiards::{Error, Orbit, Planar, geometry::tables, laws::Specular};
@@ -69,13 +70,13 @@ impl<L> Planar<L> {
 }
 
 impl<L: BallLaw<2, 1>> Planar<L> {
-    /// Does something with the fastest motion that the table has.
+    /// Applies `then` to the fastest motion that the table has.
     pub fn with_motion<A: WithMotion<2, 1>>(&self, then: A) -> A::Output {
         self.table.with_walls(OnWalls { law: &self.law, then })
     }
 
-    /// Runs an orbit on the fastest walls that the table has. It starts in the table, which [`Planar::orbit`] makes sure of. On a lattice it
-    /// is first brought into the [cell](Table::cell) where paths are followed, which is a flight of no time to its tracks.
+    /// Runs an orbit on the fastest walls that the table has. It must start in the table, as [`Planar::orbit`] ensures. On a lattice
+    /// it is first brought into the [cell](Table::cell) in which paths are followed, which its tracks see as a flight of zero time.
     ///
     /// ```
     /// use billiards::{Clock, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};
@@ -121,8 +122,8 @@ impl<L: BallLaw<2, 1>> Planar<L> {
         self.with_motion(ManyOn { orbits: &mut orbits, limit, observer, finished });
     }
 
-    /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
-    /// [`Horizon::of`]. On a lattice it starts at the same point of the [cell](Table::cell), as in a run.
+    /// For how many collisions the digits of an orbit are right on this table of the given size \[L\], up to the limit
+    /// `[collisions, time]`; see [`Horizon::of`]. On a lattice it starts at the equivalent point of the [cell](Table::cell), as in a run.
     ///
     /// ```
     /// use billiards::{Planar, Start, geometry::tables, laws::Specular};
@@ -142,7 +143,7 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     }
 }
 
-/// Where an orbit is the same in the cell of a table on a lattice, as a hit at once; `None` where it lies there.
+/// The equivalent of a position in the cell of a table on a lattice, as a hit at time 0; `None` if it already lies there.
 fn way_home(table: &Table, position: &[f64; 2]) -> Option<WallHit<f64, 2>> {
     let (cell, position) = (table.cell()?, Vector2::from(*position));
     // a hit on an edge may lie beyond it by a rounding, and goes on from there

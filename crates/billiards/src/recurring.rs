@@ -1,12 +1,12 @@
-//! What an orbit knows for ever of its velocity between round walls.
+//! What an orbit keeps of its velocity between round walls.
 use crate::{in_lanes::InLanes, laws::Mirror};
 use lanes::{Double, Lane};
 
 /// Spin and velocity in the frame of a round wall, right after a collision, under a law that [undoes itself](Mirror): they come
 /// back at every second collision, in all of these digits.
 ///
-/// The velocity of an [orbit](crate::Orbit) is rounded. A run that goes on from there would turn by another angle at each
-/// collision, 10⁻¹⁶ off, so the first run leaves here what it has found from the start.
+/// The velocity of an [orbit](crate::Orbit) is rounded. A run that continued from there would turn by another angle at each collision,
+/// 10⁻¹⁶ off, so the first run stores here what it has found from the start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Recurring<F = f64> {
     pub(crate) normal: Double<F>,
@@ -14,12 +14,12 @@ pub struct Recurring<F = f64> {
     pub(crate) tangential: Double<F>,
 }
 
-/// In units of rounding of the speed: where two velocities are the same motion. The rounding of position and velocity, of which
-/// the velocity in the frame is made, changes it by about 3.
+/// Two velocities no farther apart than this fraction of the speed are the same motion. The rounding of position and velocity, from which
+/// the velocity in the frame is computed, changes it by about 3 ε.
 const SAME: f64 = 16.0 * f64::EPSILON;
 
 impl<F: Lane> Recurring<F> {
-    /// At rest: nothing is known, as many times as `zero` has lanes.
+    /// Nothing is known, as at rest, in as many lanes as `zero` has.
     pub(crate) fn nothing(zero: F) -> Self {
         let zero = Double::new(zero);
         Recurring { normal: zero, spin: zero, tangential: zero }
@@ -27,7 +27,7 @@ impl<F: Lane> Recurring<F> {
 }
 
 impl Recurring {
-    /// What has been `seen`, rounded, in the digits that are known, those after the next collision if these fit; or as it is
+    /// The motion that was `seen`, rounded, in the digits that are known, or in those after the next collision if these fit; as it was
     /// seen, if it is another motion.
     pub(crate) fn recall(&self, seen: Recurring, mirror: &Mirror) -> Recurring {
         let [spin, tangential] = mirror.apply([self.spin, self.tangential]);

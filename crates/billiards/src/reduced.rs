@@ -23,7 +23,7 @@ pub struct ReducedState {
     /// Number of the piece.
     pub piece: usize,
     /// Arc length along the piece \[L\], with the table on the left: from 0 to its length, on a closed curve modulo that. Lines and rays
-    /// count from a point of theirs, both ways and one ([`Piece`]).
+    /// count from one of their points, lines in both directions and rays in one ([`Piece`]).
     pub s: f64,
     /// Scaled spin `v₀ = γ R θ̇` [L T⁻¹].
     pub v0: f64,
@@ -53,8 +53,8 @@ impl ReducedState {
         ReducedState { v0: self.v0 / self.speed, vt: self.vt / self.speed, speed: 1.0, ..self }
     }
 
-    /// Arc length along the whole boundary, from the start of piece 0, all pieces laid end to end; then `v₀` and `vₜ`. After a piece without
-    /// end, as the first wall of a strip, it is infinite and tells no place: there `piece` and `s` do.
+    /// Arc length along the whole boundary, from the start of piece 0, all pieces laid end to end; then `v₀` and `vₜ`. Beyond a piece of
+    /// infinite length, such as the first wall of a strip, it is infinite and identifies no place: there `piece` and `s` do.
     pub fn coordinates(&self, table: &Table) -> [f64; 3] {
         let before: f64 = table.pieces().iter().take(self.piece).map(geometry::Piece::length).sum();
         [before + self.s, self.v0, self.vt]
@@ -157,7 +157,7 @@ impl ReducedState {
 /// Arc lengths are known to this part of the length of a piece.
 const LENGTHS: f64 = 1e-12;
 
-/// What rounding may leave of `R R − 1`, in parts of the speed: a law of a point that spins loses half of its digits.
+/// What rounding may leave of `R R − 1`, as a fraction of the speed: a law of a point that spins loses half of its digits.
 const REVERSIBLE: f64 = 1e-6;
 
 impl<L: BallLaw<2, 1>> Planar<L> {

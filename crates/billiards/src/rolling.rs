@@ -14,21 +14,21 @@ use lanes::{Double, Lane, Mask};
 
 /// Homogeneous walls and a law: the frame of the last hit rolls along the wall with the orbit.
 ///
-/// In a circle and in a strip the normal and the tangential velocity at a collision depend on those at the last one and
-/// on nothing else. Carried on as they are, they are not rounded to the directions of the plane and back, and they wait
-/// for no search: faster, and without the drift of the phase that a rounded chord has.
+/// In a circle and in a strip the normal and the tangential velocity at a collision depend only on those at the last one. Carried along
+/// in this frame, they are not rounded to the coordinates of the plane and back, and need not wait for a search: this is faster, and
+/// avoids the drift of the phase that a rounded chord has.
 ///
-/// A law that undoes itself returns in a circle after two collisions to the same velocity in the frame. Both are found before
-/// the first collision, in twice the digits, and change places at each one: nothing is rounded any more but the place. A keeper
-/// of the energy keeps these digits too, so that an orbit may be run bit by bit. The frame is found anew by each run, from place and velocity
-/// in the plane: so what is run in parts agrees with what is run at once to rounding here, and to the last bit on all other walls.
+/// Under a law that is an involution, the velocity in the frame returns after every two collisions in a circle. Both velocities are found
+/// before the first collision, to twice the digits, and alternate: nothing but the place is rounded any more. A keeper of the energy
+/// keeps these digits too, so that an orbit may be run in parts. Each run finds the frame anew, from place and velocity in the plane: so
+/// a run in parts agrees with a single run up to rounding here, and to the last bit on all other walls.
 #[derive(Clone, Copy, Debug)]
 pub struct Rolling<'a, W, L> {
     /// What can be hit.
     pub walls: &'a W,
     /// What a hit does.
     pub law: &'a L,
-    /// The law, where it undoes itself and the walls are round.
+    /// The law, if it is an involution and the walls are round.
     mirror: Option<Mirror>,
     /// Whether the law is the specular one.
     specular: bool,
@@ -109,7 +109,7 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
         !W::ROUND && self.law.is_strict()
     }
 
-    /// The frame of the first hit, with the velocity in the frame from which the path would have come.
+    /// The frame of the first hit, with the velocity in the frame that an orbit on this path would have had after an earlier hit.
     fn before<K: EnergyKeeper<f64, 2, 1>, T>(&self, orbit: &mut Orbit<f64, 2, 1, K, T>) -> Frame<f64> {
         let hit = self.walls.first_hit(&orbit.position, &orbit.velocity);
         let velocity = self.walls.arrival(&orbit.position, &orbit.velocity, &hit.normal);
@@ -141,8 +141,8 @@ impl<'a, W: Homogeneous, L: BallLaw<2, 1>> Rolling<'a, W, L> {
     }
 }
 
-/// A velocity that has, with the spin, the energy that it should have: along itself, so that its direction stays; as it is
-/// where nearly all energy is spin, or a law has taken it.
+/// The velocity scaled, in the same direction, so that with the spin it has the energy that it should have; unchanged if nearly all
+/// energy is spin, or if a law has taken it.
 fn with_energy(velocity: [Double; 2], spin: f64, square: Option<Double>) -> [Double; 2] {
     let own = velocity[0].times(velocity[0]).plus(velocity[1].times(velocity[1]));
     match square {

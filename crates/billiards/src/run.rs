@@ -13,7 +13,7 @@ use crate::{
 use core::ops::ControlFlow;
 use lanes::Task;
 
-/// `0 < time < ∞`, as one comparison of integers: a chain of floating-point operations leaves those idle.
+/// `0 < time < ∞`, as one comparison of integers: the units for these are idle during a chain of floating-point operations.
 #[inline(always)]
 fn moves(time: f64) -> bool {
     time.to_bits().wrapping_sub(1) < f64::INFINITY.to_bits() - 1
@@ -62,7 +62,7 @@ where
         let orbit = &mut orbit;
         let slow = billiard.slow(&orbit.velocity, &orbit.spin);
         let mut n = 0;
-        // flights of no length in a row, and the number of the last one
+        // consecutive flights of zero length, and the number of the last one
         let (mut idle, mut idle_at) = (0, 0);
         let stop = loop {
             let (hit, arrival) = billiard.flight(orbit, &carried);
@@ -113,7 +113,7 @@ where
     }
 }
 
-/// [`run`], on whatever motion there is.
+/// [`run`], for any motion.
 pub(crate) struct RunOn<'a, const N: usize, const S: usize, K, T, M, O> {
     pub(crate) orbit: &'a mut Orbit<f64, N, S, K, T>,
     pub(crate) limit: &'a M,

@@ -27,8 +27,8 @@ pub struct Finished<const N: usize, const S: usize, K, T> {
 /// Runs every orbit up to a limit, as many side by side as this CPU has lanes, and hands over each one as it
 /// ends (in no particular order). The observer sees all collisions; `()` costs nothing.
 ///
-/// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next one at
-/// once, so that one early end or one long life holds nobody up.
+/// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next one at once, so that
+/// neither an early end nor a long run holds up the others.
 pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, L, O>(
     billiard: &B,
     orbits: &mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
@@ -42,7 +42,7 @@ pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, L, O>(
     L: LaneLimit<N, S, T>,
     O: LaneObserver<N, S, K, T>,
 {
-    // lanes that nobody has sat in yet hold the first orbit
+    // lanes that have not been used yet hold the first orbit
     let Some(first) = orbits.next() else { return };
     lanes::dispatch(Many {
         billiard,
@@ -65,7 +65,7 @@ struct Many<'a, B, const N: usize, const S: usize, K, T, L, O> {
     limit: &'a L,
     observer: &'a mut O,
     finished: &'a mut dyn FnMut(Finished<N, S, K, T>),
-    /// Whether somebody else sits in some lane since the next end was looked for.
+    /// Whether some lane has got another orbit since the next end was looked for.
     changed: bool,
 }
 
@@ -74,8 +74,8 @@ const TWINS: usize = 2;
 /// The same where [a step is short](Motion::IS_SHORT).
 const MANY_TWINS: usize = 8;
 
-/// Seats side by side, where vectors are widest: of starts that all run equally long, a multiple of so many leaves none empty. (In
-/// strips, where steps are short, there are four times as many.)
+/// The number of orbits side by side, where vectors are widest: if all starts run equally long, a multiple of it leaves no lane empty.
+/// (In strips, where steps are short, there are four times as many.)
 pub const SEATS: usize = TWINS * MOST_LANES;
 
 /// A twin of vectors of orbits.
@@ -87,7 +87,7 @@ struct Group<F: Lane, const N: usize, const S: usize, K, T, C, V> {
     /// The normal speed that counts as grazing.
     slow: F,
     lanes: [Seat; MOST_LANES],
-    /// Whether nobody sits here any more, and nobody will.
+    /// Whether it holds no orbit any more, and never will.
     empty: bool,
 }
 
@@ -102,10 +102,10 @@ type GroupOf<F, const N: usize, const S: usize, B, K, T, O> = Group<
     <O as LaneObserver<N, S, K, T>>::View<F>,
 >;
 
-/// Who sits in a lane.
+/// What a lane holds.
 #[derive(Clone, Copy)]
 struct Seat {
-    /// The orbit's number; none where the lane idles along, until the next beat or because the starts have run out.
+    /// The orbit's number; `None` while the lane is idle, until the next beat or because the starts have run out.
     index: Option<u64>,
     /// The step with which it ends, or the beat at which an idle lane gets its next orbit.
     until: u64,
@@ -124,8 +124,8 @@ where
     L: LaneLimit<N, S, T>,
     O: LaneObserver<N, S, K, T>,
 {
-    /// Hands over the orbits of the lanes in which `ended` says why, and seats the next starts there: when the
-    /// energy keeper has come as far as theirs, so that each orbit has the beats that it has on its own.
+    /// Hands over the orbits of the lanes in which `ended` says why, and puts the next starts there: as soon as the energy keeper has
+    /// come as far as theirs, so that each orbit has the same beats as on its own.
     #[cold]
     #[inline(never)]
     fn change<F: Lane>(
@@ -155,7 +155,7 @@ where
             match (wait, self.upcoming.take()) {
                 (Some(0), Some(mut orbit)) => {
                     let index = *next;
-                    // the last number is that of no step: nobody lives to see it
+                    // the last number is that of no step: no run gets there
                     (seat.index, seat.until) = (Some(index), step.saturating_add(self.limit.most()).min(u64::MAX - 1));
                     *next += 1;
                     idle[lane] = false;
@@ -177,7 +177,7 @@ where
             group.empty = group.lanes[..F::LANES].iter().all(|seat| seat.until == u64::MAX);
             self.observer.end(&mut group.view, mask(&idle));
         }
-        // an idle lane follows an orbit, which has a future: one that has just ended would be looked at with every step
+        // an idle lane copies an orbit that goes on: one that has just ended would be looked at in every step
         let idle = core::array::from_fn(|lane| lane < F::LANES && group.lanes[lane].index.is_none());
         let model = group.lanes.iter().take(F::LANES).position(|seat| seat.index.is_some());
         if let Some(model) = model.filter(|_| idle.contains(&true)) {
@@ -303,7 +303,7 @@ where
             if until == u64::MAX {
                 break;
             }
-            // who comes later in place of an orbit that ends early may end before
+            // an orbit that takes the place of one that ended early may end before
             self.changed = false;
             while step < until && !self.changed {
                 for group in groups.iter_mut().filter(|group| !group.empty) {
@@ -343,7 +343,7 @@ where
     }
 }
 
-/// [`run_side_by_side`], on whatever motion there is.
+/// [`run_side_by_side`], for any motion.
 pub(crate) struct ManyOn<'a, const N: usize, const S: usize, K, T, L, O> {
     pub(crate) orbits: &'a mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,
     pub(crate) limit: &'a L,

@@ -53,12 +53,12 @@ impl<L> Spatial<L> {
 }
 
 impl<L: BallLaw<3, 3>> Spatial<L> {
-    /// Does something with the fastest motion that the table has.
+    /// Applies `then` to the fastest motion that the table has.
     pub fn with_motion<A: WithMotion<3, 3>>(&self, then: A) -> A::Output {
         self.table.with_walls(OnWalls { law: &self.law, then })
     }
 
-    /// Runs an orbit. It starts in the table, which [`Spatial::orbit`] makes sure of.
+    /// Runs an orbit. It must start in the table, as [`Spatial::orbit`] ensures.
     ///
     /// ```
     /// use billiards::{Clock, Collisions, Conserved, Orbit, Spatial, Stop, laws::RoughBall};
@@ -108,8 +108,8 @@ impl<L: BallLaw<3, 3>> Spatial<L> {
         self.with_motion(ManyOn { orbits, limit, observer, finished });
     }
 
-    /// How long the digits of an orbit last on this table of some size \[L\], for at most so many `[collisions, time]`; see
-    /// [`Horizon::of`].
+    /// For how many collisions the digits of an orbit are right on this table of the given size \[L\], up to the limit
+    /// `[collisions, time]`; see [`Horizon::of`].
     pub fn horizon(&self, start: Start<3, 3>, size: f64, limit: [f64; 2]) -> Horizon {
         self.with_motion(HorizonOn { walls: &self.table, start, size, limit })
     }

@@ -1,4 +1,4 @@
-//! Where the orbits of an ensemble start: each by its number alone.
+//! Where the orbits of an ensemble start: each start depends on its number alone.
 mod canonical;
 mod grid;
 mod spatial;
@@ -31,7 +31,7 @@ impl<const N: usize, const S: usize> Start<N, S> {
     }
 }
 
-/// The starts of an ensemble: that of an orbit depends on its number and on nothing else, not on who runs it or when.
+/// The starts of an ensemble: each depends on the number of the orbit and on nothing else, not on who runs it or when.
 pub trait Starts<const N: usize, const S: usize>: Sync {
     /// The start of orbit number `i`.
     fn start(&self, i: u64) -> Start<N, S>;

@@ -7,7 +7,8 @@ use lanes::{Lane, dot};
 pub enum Stop {
     /// The limit was reached.
     Finished,
-    /// An observer had seen enough of an orbit that goes on. Where the collision that it saw last ends the orbit, that is told.
+    /// An observer had seen enough of an orbit that could go on. If the collision that it saw last ends the orbit, that is reported
+    /// instead.
     Observer,
     /// The path ends in a corner, where no normal is defined.
     Corner,
@@ -18,9 +19,9 @@ pub enum Stop {
     /// Many collisions without any progress: the end of a cusp. Or the particle has all but stopped, under a law that takes energy from
     /// it.
     Stalled,
-    /// A law has left a velocity that is no number, or one so large that its square is infinite.
+    /// A law has left a velocity that is not a number, or one so large that its square is infinite.
     NotFinite,
-    /// A law has left the ball on its way into the wall.
+    /// A law has left the ball moving into the wall.
     IntoWall,
 }
 
@@ -50,18 +51,18 @@ pub struct Outcome {
     pub collisions: u64,
 }
 
-/// So many flights of no length in a row are no motion: two curves that touch can hold a particle for ever.
+/// This many consecutive flights of zero length count as no motion: two curves that touch can hold a particle for ever.
 pub(crate) const MOST_IDLE: u32 = 64;
 
-/// A normal speed up to this fraction of the speed (the sum of all components without their signs) cannot be told from rounding.
+/// A normal speed up to this fraction of the speed (the sum of the absolute values of all components) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
-/// What a law leaves of a normal speed by rounding is up to this fraction of the speeds before and after: the normal component is a sum of
-/// products, is taken off, and asked for again, each rounded.
+/// Rounding under a law may leave a normal speed of up to this fraction of the speeds before and after: the normal component is a sum of
+/// products, is subtracted, and computed again, each time rounded.
 pub(crate) const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
-/// A normal speed below 0 by more than this part of the speed is that of a ball which a law lets into the wall: less may be rounding, also
-/// where the law has left no more than 10⁻⁷ of the speed.
+/// A normal speed below 0 by more than this fraction of the speed means that a law lets the ball into the wall: less may be rounding,
+/// even where the law has left no more than 10⁻⁷ of the speed.
 const INWARDS: f64 = 1.0 / 8_388_608.0; // 2⁻²³
 
 /// The square of a normal speed of this has lost its digits.
@@ -73,7 +74,7 @@ pub(crate) fn has_stalled<F: Lane, const N: usize>(velocity: &[F; N]) -> F::Mask
     dot(velocity, velocity).lt(velocity[0].same(f64::MIN_POSITIVE))
 }
 
-/// Why an orbit of this velocity ends: `why`, where the velocity is one.
+/// Why an orbit of this velocity ends: `why`, unless the velocity is not a number or has stalled.
 pub(crate) fn ended<const N: usize>(velocity: &[f64; N], why: Stop) -> Stop {
     if !dot(velocity, velocity).is_finite() {
         Stop::NotFinite

@@ -1,4 +1,4 @@
-//! What grows along a path: time, spin position, the cell of a lattice. Where nobody asks, the track is `()`.
+//! What grows along a path: time, spin position, the cell of a lattice. Where nothing is tracked, the track is `()`.
 use crate::in_lanes::InLanes;
 use geometry::{Lattice, Vector2, WallHit};
 use lanes::{Double, Lane, MOST_LANES};
@@ -41,7 +41,7 @@ pub trait Turned {
 
 /// A track that may know the cell of the lattice.
 pub trait InCell {
-    /// The accumulated translation in multiples of the lattice vectors; `None` where nobody counts it, as in most tracks.
+    /// The accumulated translation in multiples of the lattice vectors; `None` where it is not counted, as in most tracks.
     #[inline(always)]
     fn cell(&self) -> Option<[f64; 2]> {
         None

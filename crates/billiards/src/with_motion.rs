@@ -6,7 +6,7 @@ use crate::{
 };
 use geometry::{Homogeneous, Walls, WithWalls};
 
-/// Something to be done with a motion, whatever its type: what it calls is compiled for that.
+/// An action on a motion of any type: the code that it calls is compiled for that type.
 ///
 /// ```
 /// use billiards::{Bounce, Motion, OnWalls, WithMotion, geometry::{Table, tables}, laws::Specular};
@@ -26,19 +26,19 @@ use geometry::{Homogeneous, Walls, WithWalls};
 /// # Ok::<(), billiards::Error>(())
 /// ```
 pub trait WithMotion<const N: usize, const S: usize> {
-    /// What comes of it.
+    /// Its result.
     type Output;
-    /// Does it.
+    /// Performs the action.
     fn run<B: Motion<N, S> + Bounce<N, S>>(self, motion: &B) -> Self::Output;
 }
 
-/// A law and what is to be done, for [`with_walls`](geometry::Table::with_walls): with a [`Billiard`], or where the walls are homogeneous
-/// with [`Rolling`].
+/// A law and an action, for [`with_walls`](geometry::Table::with_walls): the action gets a [`Billiard`], or a [`Rolling`] where the walls
+/// are homogeneous.
 #[derive(Clone, Copy, Debug)]
 pub struct OnWalls<'a, L, A> {
     /// What a collision does.
     pub law: &'a L,
-    /// What is to be done.
+    /// The action.
     pub then: A,
 }
 

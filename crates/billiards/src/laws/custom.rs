@@ -12,21 +12,21 @@ const LEAST_GAMMA: f64 = 1.0 / (1_u64 << 26) as f64;
 
 /// Any [`CollisionLaw`] for a ball: linear or not, the same everywhere or a field over the boundary, per piece, random.
 ///
-/// Billiards of any law are those of a disk in the plane and of a ball in space, with their spin; [`Specular`](super::Specular) runs in
-/// any dimension, of points too.
+/// A billiard with any law is that of a disk in the plane or of a ball in space, with its spin; [`Specular`](super::Specular) runs in any
+/// dimension, also for points.
 ///
 /// The law sees the contact as [`collision_laws`] describes it: the point where the ball touches the wall (its centre is at
-/// the hit, so this is `centre − R ν`), the unit normal ν, and the number of the piece as surface label. It runs one lane
-/// after the other, those in which no orbit is too: its impulse must be a [pure function](CollisionLaw) of its arguments, or results
-/// depend on how many lanes a CPU has. [`Disk`](super::Disk), [`Specular`](super::Specular) and [`RoughBall`](super::RoughBall) are the fast
-/// ways of the laws that they cover.
+/// the hit, so this is `centre − R ν`), the unit normal ν, and the number of the piece as surface label. It is called for one lane after
+/// another, idle lanes included: its impulse must be a [pure function](CollisionLaw) of its arguments, or results would depend on how
+/// many lanes a CPU has. [`Disk`](super::Disk), [`Specular`](super::Specular) and [`RoughBall`](super::RoughBall) are faster for the laws
+/// that they cover.
 ///
-/// Of a law that [is strict](CollisionLaw::is_strict) the engine knows what rounding may not change, as of those.
+/// If a law [is strict](CollisionLaw::is_strict), the engine knows what rounding must not change, as it does for those.
 ///
 /// The contact velocity of a spinning ball is `u = v − (1/γ) W × ν` with the scaled spin `W = γ R ω`, so it is right to about
-/// `ε/γ` of the speed. In the limit γ → 0 of a point (γ < 2⁻²⁶ here) the slip is measured in the units of the spin: the
-/// tangential parts of `u` and of the impulse are `γ u` and `p/γ`. Strict laws and restitution do not notice such a change of
-/// units, and may have it for any γ ([`with_scaled_slip`](Self::with_scaled_slip)); laws that do, such as friction, have no limit there.
+/// `ε/γ` of the speed. In the limit γ → 0 of a point (γ < 2⁻²⁶ here) the slip is measured in the units of the spin: the tangential parts
+/// of `u` and of the impulse are `γ u` and `p/γ`. Strict laws and restitution are unaffected by this change of units, and may use it for
+/// any γ ([`with_scaled_slip`](Self::with_scaled_slip)); laws that are affected, such as friction, have no limit there.
 ///
 /// ```
 /// use billiards::{BallLaw, laws::{Custom, Disk}};
@@ -52,9 +52,9 @@ pub struct Custom<L, const N: usize> {
     mass: f64,
     radius: f64,
     gamma: f64,
-    /// What a velocity of the centre along the wall counts in the slip: 1, or γ where γ is next to nothing.
+    /// The weight of a velocity of the centre along the wall in the slip: 1, or γ where γ is almost zero.
     centre: f64,
-    /// What a scaled spin counts in the slip: 1/γ as much.
+    /// The weight of a scaled spin in the slip: 1/γ times that.
     rim: f64,
     /// Whether the law is strict at every contact.
     strict: bool,
@@ -116,9 +116,8 @@ impl<L, const N: usize> Custom<L, N> {
         Err(Error::Ball { quantity: "radius", must: "finite and not negative", value: radius })
     }
 
-    /// The same for a law that does not notice in which units the slip is measured, such as strict laws and restitution: if γ is below 1,
-    /// it is the tangential parts of `γ u` and `p/γ` that the law has to do with, and is right to rounding for any γ, not to `ε/γ` of the
-    /// speed.
+    /// The same for a law that does not depend on the units of the slip, such as strict laws and restitution: if γ is below 1, the law
+    /// works with the tangential parts of `γ u` and `p/γ`, and is accurate to rounding for any γ, not to `ε/γ` of the speed.
     #[must_use]
     pub fn with_scaled_slip(self) -> Self {
         if self.gamma < 1.0 { Custom { centre: self.gamma, rim: 1.0, ..self } } else { self }

@@ -14,8 +14,8 @@ pub struct Disk {
     pub(super) in_frame: Coefficients,
     /// The same for a strict law, which undoes itself.
     mirror: Option<Mirror>,
-    /// Whether spin and tangential velocity stay as they are, at each hit alike: a CPU foresees this, and the next flight
-    /// does not wait for products by 0 and 1.
+    /// Whether every hit leaves spin and tangential velocity as they are: a CPU predicts this branch, and the next flight does not wait
+    /// for products by 0 and 1.
     smooth: bool,
 }
 
@@ -26,7 +26,7 @@ impl Disk {
     /// the scaled spin changes by −1/γ times that. Each way to run an orbit uses the entries of the map that suit it, so any other
     /// map would be a different law on different tables.
     ///
-    /// It takes some milliseconds: of a strict law's coefficients those digits are looked for that keep the energy best.
+    /// This takes some milliseconds: for a strict law it searches for the rounding of the coefficients that keeps the energy best.
     ///
     /// # Errors
     /// [`Error::Ball`] unless γ is finite and not negative; [`Error::NoContactImpulse`] of a law whose map is not one of impulses at

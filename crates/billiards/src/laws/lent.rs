@@ -1,4 +1,4 @@
-//! A law that is lent: several billiards may have one.
+//! A borrowed law: several billiards may share one.
 use super::Mirror;
 use crate::billiard::BallLaw;
 use geometry::WallHit;

@@ -1,4 +1,4 @@
-//! Laws that undo themselves, to twice the digits.
+//! Laws that are their own inverse, to twice the digits.
 use collision_laws::DiskMap;
 use lanes::Double;
 

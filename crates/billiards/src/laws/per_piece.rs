@@ -14,9 +14,9 @@ pub struct PerPiece {
     in_plane: Table,
     in_frame: Table,
     last: f64,
-    /// Whether each of them is.
+    /// Whether each of them is strict.
     strict: bool,
-    /// Whether each of them is specular, by whatever name: then spin has no part in anything.
+    /// Whether each of them is specular, by whatever name: then spin plays no part.
     specular: bool,
 }
 

@@ -78,7 +78,7 @@ impl BallLaw<3, 3> for RoughBall {
             Rough::Along(direction) => {
                 let d = [vn.same(direction[0]), vn.same(direction[1]), vn.same(direction[2])];
                 let mut t = d;
-                // once more: what rounding leaves along the normal is much of a direction that is almost normal to the wall
+                // twice: if a direction is almost normal to the wall, what rounding leaves along the normal is a large part of it
                 for _ in 0..2 {
                     let along = dot(&t, n);
                     for i in 0..3 {

@@ -17,17 +17,17 @@ pub(super) struct Slip {
     pub(super) reflects: bool,
 }
 
-/// A strict law needs no more digits than these: what is left of `p·u − 2` and `p ∧ u` at most.
+/// A strict law needs no more digits than this: an upper bound for what is left of `p·u − 2` and `p ∧ u`.
 const ENOUGH: f64 = f64::EPSILON / 2048.0;
-/// Lengths of `u` to choose from. One in some 10⁶ will do.
+/// The number of lengths of `u` to choose from. About one in 10⁶ is good enough.
 const LENGTHS: u32 = 1 << 22;
 
 impl Slip {
     /// That of a map for a disk with mass distribution parameter γ.
     ///
-    /// The map of a strict law that is not specular is the reflection in `u`, with `p = 2u/|u|²`. Rounded coefficients
-    /// would stretch the plane by 10⁻¹⁶ in every collision alike. The length of `u` is free, though, and each one rounds
-    /// otherwise: it is taken such that `p·u = 2` and `p ∥ u` to three digits more than the coefficients have.
+    /// The map of a strict law that is not specular is the reflection in `u`, with `p = 2u/|u|²`. Rounded coefficients would stretch the
+    /// plane by 10⁻¹⁶ in every collision, always the same way. The length of `u` is free, though, and each length rounds differently: it
+    /// is chosen such that `p·u = 2` and `p ∥ u` to three digits more than the coefficients have.
     pub(super) fn of(map: &DiskMap, gamma: f64) -> Slip {
         // the direction of u, with a greater component of 1
         let push = if gamma <= 1.0 { [1.0, -gamma] } else { [1.0 / gamma, -1.0] };

@@ -3,9 +3,9 @@ use super::{Start, Starts, checked, in_unit_ball, leaving, stream, uniform};
 use crate::Error;
 use geometry::{Perimeter, Table};
 
-/// The canonical measure of a planar table, which the billiard map of every strict law preserves: position uniform by arc
-/// length on the boundary, `(v₀, vₜ)/speed` uniform in the unit disk, velocity into the table; of a point, which has no spin, `vₜ/speed`
-/// uniform between −1 and 1.
+/// The canonical measure of a planar table, which the billiard map of every strict law preserves: position uniform by arc length on the
+/// boundary, `(v₀, vₜ)/speed` uniform in the unit disk, velocity into the table; for a point, which has no spin, `vₜ/speed` uniform
+/// between −1 and 1.
 ///
 /// ```
 /// use billiards::{Canonical, Starts, geometry::tables};

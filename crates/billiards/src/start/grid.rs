@@ -5,15 +5,15 @@ use geometry::{BoundaryPoint, Perimeter, Table};
 
 /// A regular grid over the reduced phase space of a planar table: one start in each cell, all cells of equal canonical measure.
 ///
-/// `(s, v₀, vₜ)` are taken in arc length and polar coordinates `(v₀, vₜ) = speed · r (cos φ, sin φ)`, with `r²` and `φ` in equal
-/// steps. Starts lie in the middle of `r²` and `φ`, and at the golden section of `s`: the middle of an arc would often be a vertex
-/// where sides have lengths in simple ratios. Numbers from [`Grid::count`] on begin again. Of points, which have no spin, `(s, vₜ)` are taken
-/// so.
+/// `(s, v₀, vₜ)` are taken in arc length and polar coordinates `(v₀, vₜ) = speed · r (cos φ, sin φ)`, with `r²` and `φ` in equal steps.
+/// Starts lie in the middle of `r²` and `φ`, and at the golden section of `s`: the middle of an arc would often be a vertex where sides
+/// have lengths in simple ratios. From number [`Grid::count`] on the starts repeat. For points, which have no spin, the grid is one in
+/// `(s, vₜ)`.
 #[derive(Clone, Debug)]
 pub struct Grid<'a, const S: usize = 1> {
     perimeter: Perimeter<'a>,
     speed: f64,
-    /// Cells in arc length, `r²` and `φ`; of points in arc length and `vₜ`, and one.
+    /// Cells in arc length, `r²` and `φ`; for points in arc length and `vₜ`, and one.
     cells: [u64; 3],
     /// Starts.
     count: u64,

@@ -4,8 +4,8 @@ use crate::Error;
 use geometry::{Surface, Vector3};
 
 /// The canonical measure of a ball on a table in space: position uniform by area on the boundary, tangential velocities
-/// `(vₜ, W)/speed` uniform in the unit ball of ℝ⁵, velocity into the table; of a point, which has no spin, `vₜ/speed` uniform in the unit
-/// disk.
+/// `(vₜ, W)/speed` uniform in the unit ball of ℝ⁵, velocity into the table; for a point, which has no spin, `vₜ/speed` uniform in the
+/// unit disk.
 ///
 /// The infinite slab looks the same everywhere: there the positions fill a square as wide as the slab is high.
 #[derive(Clone, Debug)]
