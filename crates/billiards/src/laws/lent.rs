@@ -41,7 +41,7 @@ impl<const S: usize, L: BallLaw<2, S>> BallLaw<2, S> for &L {
     }
 }
 
-/// In space, where no frame of the plane is asked for.
+/// In space, where the frame of the plane is not used.
 impl<const S: usize, L: BallLaw<3, S>> BallLaw<3, S> for &L {
     #[inline(always)]
     fn collide<F: Lane>(&self, hit: &WallHit<F, 3>, velocity: &mut [F; 3], spin: &mut [F; S]) {

@@ -4,9 +4,9 @@ use lanes::{Lane, Mask, WHOLE};
 
 /// How many of the points fell into each cell of a grid over a window of the plane, in one layer or several.
 ///
-/// Memory does not grow with the points, and counts merge exactly, in any order. Counting a point takes a few
-/// multiplications and an addition to a byte: of every count the last eight bits lie close together, so that the cells at
-/// work fit into the cache of a core, and only every 256th point of a cell goes beyond.
+/// Memory does not grow with the points, and counts merge exactly, in any order. Counting a point takes a few multiplications and an
+/// addition to a byte: the low eight bits of all counts lie close together, so that the cells in use fit into the cache of a core, and
+/// only every 256th point of a cell goes beyond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Density {
     low: [f64; 2],
@@ -18,20 +18,20 @@ pub struct Density {
     scale: [f64; 2],
     /// The number of cells from one row to the next.
     stride: f64,
-    /// The cell of nobody, as [`count`](Self::count) wants it.
+    /// The cell for lanes without a point, in the form that [`count`](Self::count) takes.
     nobody: f64,
-    /// Counts modulo 256, layer by layer, each with a border of cells around the window for the points outside; at the
-    /// end those of nobody.
+    /// Counts modulo 256, layer by layer, each with a border of cells around the window for the points outside; at the end those of lanes
+    /// without a point.
     few: Vec<u8>,
-    /// What is missing in them: multiples of 256.
+    /// What is missing in these counts: multiples of 256.
     many: Vec<u64>,
 }
 
 /// The last bits of `x + WHOLE`: the whole number nearest to `x`, for `0 ≤ x < 2⁵¹`.
 const LAST_BITS: u64 = (1 << 51) - 1;
-/// Cells are counted so many points later: some vectors of any width.
+/// Cells are counted this many points later: a few vectors of any width.
 const MOST_NOTED: usize = 256;
-/// So many cells are carried over together.
+/// This many cells are carried over together.
 const MOST_FULL: usize = 256;
 
 impl Density {
@@ -54,7 +54,7 @@ impl Density {
         Density::new([-1.0; 2], [1.0; 2], [size; 2])
     }
 
-    /// So many empty grids over the same window, at least one.
+    /// This many empty grids over the same window, at least one.
     ///
     /// # Panics
     /// As [`Density::new`].
@@ -84,7 +84,7 @@ impl Density {
         counts
     }
 
-    /// Those of a row of a layer; none if there is no such row.
+    /// The counts of a row of a layer; none if there is no such row.
     pub fn row(&self, layer: usize, row: usize) -> impl Iterator<Item = u64> {
         let [width, height] = self.size;
         let first = self.first(layer) + row.min(height) * (width + 2);
@@ -131,7 +131,7 @@ impl Density {
         self.add_to(point, self.layer(0));
     }
 
-    /// The layer of this number, as [`add_to`](Self::add_to) wants it.
+    /// The layer of this number, in the form that [`add_to`](Self::add_to) takes.
     pub fn layer(&self, layer: usize) -> f64 {
         self.first(layer) as f64
     }
@@ -182,7 +182,7 @@ impl Density {
     }
 }
 
-/// Counts a point; whether that makes another 256 of them. A point far outside, which has no cell, is not counted.
+/// Counts a point; returns whether that makes another 256 of them. A point far outside, which has no cell, is not counted.
 #[inline(always)]
 fn adds_to(few: &mut [u8], cell: usize) -> bool {
     let Some(few) = few.get_mut(cell) else { return false };
@@ -198,8 +198,8 @@ fn number(cell: f64) -> usize {
     number
 }
 
-/// The last cells of points, which are not counted yet: a count need not wait for what finds its cell, and what finds the
-/// next ones need not wait for the count.
+/// The cells of the latest points, which are not counted yet: so a count need not wait for the search for its cell, and the search for
+/// the next cells need not wait for the count.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct Noted {
@@ -216,7 +216,7 @@ impl Noted {
         Noted { cells: [density.nobody; MOST_NOTED], oldest: 0, full: Vec::with_capacity(MOST_FULL) }
     }
 
-    /// Notes the [`cells`](Density::cells) of points of this density, and counts as many others.
+    /// Notes the [`cells`](Density::cells) of points of this density, and counts as many earlier ones.
     #[inline(always)]
     pub fn note<F: Lane>(&mut self, density: &mut Density, cells: F) {
         let oldest = if self.oldest + F::LANES > MOST_NOTED { 0 } else { self.oldest };
@@ -261,7 +261,7 @@ fn carry(full: &mut Vec<usize>, many: &mut [u64], cell: usize) {
 }
 
 impl Density {
-    /// Adds the points of another grid; of one with another window, size or number of layers, as points outside.
+    /// Adds the points of another grid; if that has another window, size or number of layers, they count as points outside.
     pub fn merge_in(&mut self, other: &Self) {
         let same = (self.low, self.high, self.size, self.layers) == (other.low, other.high, other.size, other.layers);
         if !same {
@@ -276,7 +276,7 @@ impl Density {
         for ((few, many), (other_few, other_many)) in cells.zip(other.few.iter().zip(&other.many)) {
             let (sum, carry) = few.overflowing_add(*other_few);
             *few = sum;
-            // memory that nobody has written to need not be there
+            // memory that was never written need not be allocated
             let more = other_many + if carry { 256 } else { 0 };
             if more > 0 {
                 *many += more;

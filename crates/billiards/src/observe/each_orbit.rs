@@ -8,14 +8,14 @@ use std::collections::BTreeMap;
 
 /// An [`Observer`] of its own for each of the orbits that run side by side, merged in the order of the starts.
 ///
-/// What comes out is the same, to the last bit, on every CPU, and the same as if one orbit ran after another, each with an observer of its
-/// own. One observer that sees them all adds up their collisions in another order than observers that are merged: its means may differ in
-/// the last bits. Of several runs, what was seen is merged in the order of the runs.
+/// The result is the same, to the last bit, on every CPU, and the same as if one orbit ran after another, each with an observer of its
+/// own. A single observer that sees them all adds up their collisions in another order than observers that are merged: its means may
+/// differ in the last bits. Several runs are merged in their order.
 ///
 /// Each collision is taken out of its lane, which costs more than a [`LaneObserver`] made for the purpose, such as a
-/// [`VelocityPortrait`](super::VelocityPortrait) that counts: an observer as large as that for each orbit costs more than the orbits. An
-/// orbit of which its observer has seen enough goes on unseen. The observers of orbits that have ended stay in memory while one that
-/// began before them goes on.
+/// [`VelocityPortrait`](super::VelocityPortrait) that counts: with an observer as large as that for each orbit, the observers would cost
+/// more than the orbits. An orbit whose observer has seen enough goes on unobserved. The observers of orbits that have ended stay in
+/// memory as long as an orbit that began before them goes on.
 ///
 /// ```
 /// use billiards::{Canonical, Collisions, Conserved, Orbit, Planar, Starts, laws::Disk};

@@ -7,7 +7,7 @@ use lanes::{Double, two_prod};
 /// The largest relative change of the energy since the start.
 ///
 /// The energy is computed in twice the digits of an `f64`, so that the drift is that of the orbit and not of the
-/// measurement. In between the collisions at which the energy is restored it is that of what these round; see
+/// measurement. Between the collisions at which the energy is restored it includes the rounding of the collisions since; see
 /// [`Orbit::restored`].
 #[derive(Clone, Copy, Debug)]
 pub struct EnergyDrift {
@@ -31,7 +31,7 @@ impl Energy {
         Energy { scale, square: square(scale, &orbit.velocity, &orbit.spin) }
     }
 
-    /// By how much of itself it differs from that of a state.
+    /// Its relative difference from the energy of a state.
     fn change(&self, velocity: &[f64], spin: &[f64]) -> f64 {
         let now = square(self.scale, velocity, spin);
         let change = (now.high - self.square.high) + (now.low - self.square.low);
@@ -51,10 +51,10 @@ fn square(scale: f64, velocity: &[f64], spin: &[f64]) -> Double {
 }
 
 impl EnergyDrift {
-    /// No orbit yet. One that nobody told it to [follow](Self::follow) is followed from its first collision.
+    /// No orbit yet. An orbit that it was not told to [follow](Self::follow) is followed from its first collision.
     ///
-    /// Whoever runs one orbit after another without an [`Ensemble`](crate::Ensemble) calls that, or
-    /// [`next_orbit`](Merge::next_orbit), for each.
+    /// To run one orbit after another without an [`Ensemble`](crate::Ensemble), call `follow` or [`next_orbit`](Merge::next_orbit) for
+    /// each.
     #[allow(clippy::new_without_default, reason = "one way to begin")]
     pub fn new() -> Self {
         EnergyDrift { start: None, largest: 0.0 }
@@ -80,7 +80,7 @@ impl EnergyDrift {
         self.start.map_or(0.0, |start| start.change(&orbit.velocity, &orbit.spin))
     }
 
-    /// Sees the orbit that it follows as it is where its energy is [restored](Orbit::restored).
+    /// Looks at the orbit that it follows, with its energy [restored](Orbit::restored).
     pub fn see_restored<K: EnergyKeeper<f64, N, S>, T, const N: usize, const S: usize>(
         &mut self,
         orbit: &Orbit<f64, N, S, K, T>,

@@ -6,8 +6,8 @@ use lanes::Double;
 /// Stops an orbit at the first collision whose outcome lies in a set: a return to where it came from, or an escape through
 /// a hole in the wall.
 ///
-/// It watches one orbit, in a run or several. In an [`Ensemble`](crate::Ensemble) each orbit has one of its own, and the list of what they have
-/// [found](FirstReturn::found) merges.
+/// It watches one orbit, in one run or several. In an [`Ensemble`](crate::Ensemble) give each orbit its own, and merge the list of what
+/// they have [found](FirstReturn::found).
 ///
 /// ```
 /// use billiards::{Collision, Collisions, Conserved, Orbit, Planar, Stop, laws::Specular};
@@ -41,7 +41,7 @@ pub struct Entry {
 }
 
 impl<F> FirstReturn<F> {
-    /// Waits for the first collision that `is_in` says yes to.
+    /// Waits for the first collision for which `is_in` is true.
     pub fn to<const N: usize, const S: usize, K, T>(is_in: F) -> Self
     where
         F: FnMut(&Collision<'_, N, S, K, T>) -> bool,
@@ -49,7 +49,7 @@ impl<F> FirstReturn<F> {
         FirstReturn { is_in, collisions: 0, time: Double::new(0.0), found: None }
     }
 
-    /// When it came, if it did.
+    /// When the orbit entered the set, if it did.
     pub fn found(&self) -> Option<Entry> {
         self.found
     }

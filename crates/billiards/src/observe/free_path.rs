@@ -22,20 +22,19 @@ pub struct FreePath<const N: usize, const S: usize> {
 impl<const N: usize, const S: usize> FreePath<N, S> {
     /// No flights yet. A flight counts if its start was seen: a collision, or where [`FreePath::follow`] was called.
     ///
-    /// Whoever runs one orbit after another without an [`Ensemble`](crate::Ensemble) calls that, or
-    /// [`next_orbit`](Merge::next_orbit), for each.
+    /// To run one orbit after another without an [`Ensemble`](crate::Ensemble), call `follow` or [`next_orbit`](Merge::next_orbit) for
+    /// each.
     #[allow(clippy::new_without_default, reason = "one way to begin")]
     pub fn new() -> Self {
         FreePath { flight: None, time: Moments::default(), length: Moments::default() }
     }
 
-    /// The next flight begins where this orbit is. An orbit that starts on the wall has its first flight counted so.
+    /// The next flight begins where this orbit is: so the first flight of an orbit that starts on the wall is counted.
     pub fn follow<K, T>(&mut self, orbit: &Orbit<f64, N, S, K, T>) {
         self.flight = Some(Flight::from(orbit));
     }
 
-    /// Mean time between collisions \[T\]; its standard error is that of flights independent of one another: one of each of many
-    /// orbits.
+    /// Mean time between collisions \[T\]; its standard error assumes independent flights, such as one of each of many orbits.
     pub fn time(&self) -> Mean {
         self.time.mean()
     }

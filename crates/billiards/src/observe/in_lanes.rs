@@ -5,17 +5,16 @@ use lanes::Lane;
 
 /// Watches runs of many orbits side by side; see [`run_side_by_side`](crate::run_side_by_side).
 ///
-/// It sees every collision that an [`Observer`](super::Observer) of the single orbits would see, as many at a time as
-/// the CPU has lanes, those of one orbit in order. It must not touch what no orbit is in: lanes idle along where there
-/// are fewer orbits than lanes.
+/// It sees every collision that an [`Observer`](super::Observer) of the single orbits would see, as many at a time as the CPU has lanes,
+/// those of one orbit in order. It must ignore lanes without an orbit: some are idle where there are fewer orbits than lanes.
 pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> {
     /// What it knows of the orbits in the lanes of a vector.
     type View<F: Lane>;
-    /// There is no orbit in any lane.
+    /// The view while no lane has an orbit.
     fn nobody<F: Lane>(&self, zero: F) -> Self::View<F>;
     /// Orbit number `index`, in the order of the starts, begins in the lane where `here` is true.
     fn begin<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask, index: u64, orbit: &Orbit<f64, N, S, K, T>);
-    /// There is no orbit any more in some lanes.
+    /// The orbits in some lanes have ended, and no others have taken their place.
     fn end<F: Lane>(&mut self, view: &mut Self::View<F>, here: F::Mask);
     /// A collision has just happened in every lane with an orbit.
     fn collision<F: Lane>(
@@ -24,14 +23,14 @@ pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Trac
         hit: &WallHit<F, N>,
         orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
     );
-    /// Whether it looks at the orbits: where nobody does, they are written down at their ends only.
+    /// Whether it looks at the orbits: if no observer does, they are written down only when they end.
     #[inline(always)]
     fn looks(&self) -> bool {
         true
     }
 }
 
-/// Nobody watches: costs nothing.
+/// No observer: costs nothing.
 impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneObserver<N, S, K, T> for () {
     type View<F: Lane> = ();
     fn nobody<F: Lane>(&self, _: F) {}
@@ -45,7 +44,7 @@ impl<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> LaneOb
     }
 }
 
-/// An observer that is lent.
+/// A borrowed observer.
 impl<const N: usize, const S: usize, K, T, O> LaneObserver<N, S, K, T> for &mut O
 where
     K: Keeping<N, S>,

@@ -1,4 +1,4 @@
-//! Measurements: one per file. The engine calls, an observer looks and may stop the run.
+//! Measurements: one per file. The engine calls an observer, which looks and may stop the run.
 mod density;
 mod each_orbit;
 mod energy_drift;
@@ -58,14 +58,14 @@ impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
 pub trait Observer<const N: usize, const S: usize, K, T> {
     /// A collision has just happened. `Break` ends the orbit.
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()>;
-    /// Whether it looks at the orbit: where nobody does, that is written down at the end only.
+    /// Whether it looks at the orbit: if no observer does, the orbit is written down only at the end.
     #[inline(always)]
     fn looks(&self) -> bool {
         true
     }
 }
 
-/// Nobody watches: costs nothing.
+/// No observer: costs nothing.
 impl<const N: usize, const S: usize, K, T> Observer<N, S, K, T> for () {
     #[inline(always)]
     fn collision(&mut self, _: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {
@@ -110,7 +110,7 @@ where
     }
 }
 
-/// An observer that is lent, or one of several types: `&mut dyn Observer<N, S, K, T>`.
+/// A borrowed observer, or one of several types: `&mut dyn Observer<N, S, K, T>`.
 impl<const N: usize, const S: usize, K, T, O: Observer<N, S, K, T> + ?Sized> Observer<N, S, K, T> for &mut O {
     #[inline(always)]
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()> {

@@ -29,15 +29,15 @@ pub struct Moments {
 pub struct Mean {
     /// Of how many numbers.
     pub count: u64,
-    /// The mean; NaN of none.
+    /// The mean; NaN for an empty sample.
     pub mean: f64,
-    /// Its standard error, where they are independent of one another; NaN of fewer than two, and where the squares of all that they differ
-    /// by are too small for a number.
+    /// Its standard error, if the numbers are independent of one another; NaN for fewer than two numbers, and if the squares of all their
+    /// deviations are too small for a number.
     pub standard_error: f64,
 }
 
 impl Moments {
-    /// Takes a number in.
+    /// Adds a number.
     #[inline]
     pub fn add(&mut self, x: f64) {
         self.count += 1;
@@ -67,7 +67,7 @@ impl FromIterator<f64> for Moments {
 
 impl Merge for Moments {
     fn merge(self, other: Self) -> Self {
-        // of nothing there is no mean, from which the others could be far off
+        // an empty sample has no mean, from which the others could be far off
         if self.count == 0 || other.count == 0 {
             return if self.count == 0 { other } else { self };
         }

@@ -8,8 +8,8 @@ use core::ops::ControlFlow;
 /// In a circle the flights of one orbit touch one concentric circle (specular) or alternately two (no-slip), their
 /// caustics: about the centre this is the radius of the smaller one.
 ///
-/// On a lattice each flight is the straight path that ends at the hit as the table's cell has it, and the point is one point: where a flight
-/// leaves a cell, it passes copies of the point in the cells before, which are not looked at.
+/// On a lattice each flight is the straight path that ends at the hit in the table's cell, and the point is a single one: copies of it
+/// that the flight passes in earlier cells are not considered.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<const N: usize, const S: usize> {
     point: [f64; N],

@@ -6,11 +6,10 @@ use lanes::Double;
 
 /// Finds the smallest number of collisions after which an orbit returns to where its first collision left it, in the
 /// reduced phase space: the piece, the position and the velocities, but not the spin position `x₀`. Then it stops the run.
-/// It counts itself, so one orbit may come to it in several runs; one that goes on after that is stopped at each further return.
-/// In an [`Ensemble`](crate::Ensemble) each orbit has one of its own, and the list of what they have [found](Period::found) merges.
+/// It counts collisions itself, so an orbit may come to it in several runs; an orbit that goes on after that is stopped at each further
+/// return. In an [`Ensemble`](crate::Ensemble) give each orbit its own, and merge the list of what they have [found](Period::found).
 ///
-/// Many no-slip orbits have a period there and yet turn a little further each time: whether `x₀` returns too,
-/// [`Return::drift`] says.
+/// Many no-slip orbits have a period there and yet turn a little further each time: [`Return::drift`] tells whether `x₀` returns too.
 ///
 /// ```
 /// use billiards::{Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};

@@ -32,12 +32,12 @@ impl<'a, E: Extend<ReducedState>> ReducedPortrait<'a, E> {
         ReducedPortrait { table, states }
     }
 
-    /// What it went into.
+    /// The collection that it went into.
     pub fn states(&self) -> &E {
         &self.states
     }
 
-    /// What it went into.
+    /// The collection that it went into.
     pub fn into_states(self) -> E {
         self.states
     }

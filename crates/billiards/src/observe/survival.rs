@@ -32,8 +32,8 @@ impl Survival {
         Survival { ages, ended, orbits: 0 }
     }
 
-    /// An orbit that made so many collisions ([`Outcome::collisions`](crate::Outcome::collisions)) and no more. One that was
-    /// ended by a limit counts rightly up to that limit.
+    /// Adds an orbit that made this many collisions ([`Outcome::collisions`](crate::Outcome::collisions)) and no more. An orbit that was
+    /// ended by a limit is counted correctly up to that limit.
     pub fn add(&mut self, collisions: u64) {
         self.orbits += 1;
         let reached = self.ages.partition_point(|&age| age <= collisions);
@@ -58,7 +58,7 @@ impl Survival {
     }
 }
 
-/// Orbits counted at other ages count at those of the first that they are known to have reached.
+/// If the ages differ, the orbits of the second count at those ages of the first that they are known to have reached.
 impl Merge for Survival {
     fn merge(mut self, other: Self) -> Self {
         for (&age, &ended) in other.ages.iter().zip(&other.ended) {

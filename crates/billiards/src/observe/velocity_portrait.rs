@@ -39,12 +39,12 @@ impl<E: Extend<[f64; 2]>> VelocityPortrait<E> {
         VelocityPortrait(points)
     }
 
-    /// What it went into.
+    /// The collection that it went into.
     pub fn points(&self) -> &E {
         &self.0
     }
 
-    /// What it went into.
+    /// The collection that it went into.
     pub fn into_points(self) -> E {
         self.0
     }
