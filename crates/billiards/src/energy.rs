@@ -506,7 +506,7 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_made_up_for_at_once() {
-        // in the normal component, or as a whole where that is next to nothing or something else than before
+        // in the normal component, or as a whole if that is almost zero or has changed
         assert!(off([0.6, -0.8], [0.0, 1.0], [0.6, 0.8], true).abs() < 1e-16);
         assert!(off([1.0, -0.01], [0.0, 1.0], [1.0, 0.01], true).abs() < 1e-16);
         assert!(off([0.6, -0.8], [0.0, 1.0], [0.6, 0.8], false).abs() < 1e-16);

@@ -102,7 +102,7 @@ pub enum Error {
         "the law is no involution: applied twice it changes the velocity by {defect:e} of the speed, so nothing leads back"
     )]
     Irreversible {
-        /// By how much, in parts of the speed.
+        /// By how much, as a fraction of the speed.
         defect: f64,
     },
     /// A step of the billiard map that ends before the next collision.

@@ -48,7 +48,7 @@ struct Reference {
 /// A return to the start in the reduced phase space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Return {
-    /// After so many collisions.
+    /// After this many collisions.
     pub period: u64,
     /// How far from it: the larger of the distance over the length and the change of velocity over the speed.
     pub error: f64,

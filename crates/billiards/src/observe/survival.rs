@@ -1,7 +1,7 @@
 //! How many orbits last how long.
 use crate::merge::Merge;
 
-/// How many orbits made at least so many collisions before they left: through an opening, to infinity, or into a set that
+/// How many orbits made at least a number of collisions before they left: through an opening, to infinity, or into a set that
 /// [`FirstReturn`](super::FirstReturn) watches.
 ///
 /// ```

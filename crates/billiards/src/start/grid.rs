@@ -23,7 +23,7 @@ pub struct Grid<'a, const S: usize = 1> {
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl<'a> Grid<'a> {
-    /// A grid of so many positions, radii and angles.
+    /// A grid of this many positions, radii and angles.
     ///
     /// # Errors
     /// Those of [`Canonical::new`](crate::Canonical::new), and [`Error::Grid`] without cells or with too many to count.
