@@ -34,7 +34,7 @@ pub fn two_prod<F: Lane>(a: F, b: F) -> (F, F) {
 /// Used as a compensated accumulator: the time and the spin position of a long orbit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Double<F = f64> {
-    /// The rounded value; of a [gathered](Double::gather) sum, that of its terms as they came.
+    /// The rounded value; of a [gathered](Double::gather) sum, the plain sum of its terms in order.
     pub high: F,
     /// What rounding left over.
     pub low: F,
@@ -57,8 +57,8 @@ impl<F: Lane> Double<F> {
         self.high = high;
     }
 
-    /// Adds `a` to a long sum, whose two parts need not be apart: the next term waits for one addition, not for seven. After `n`
-    /// terms the small part has what `n` roundings of the other have left out, and is rounded itself as often.
+    /// Adds `a` to a long sum, whose two parts may overlap: the next term waits for one addition, not for seven. After `n` terms the
+    /// small part holds what `n` roundings of the large one have lost, and has itself been rounded as often.
     #[inline(always)]
     pub fn gather(&mut self, a: F) {
         let (sum, error) = two_sum(self.high, a);

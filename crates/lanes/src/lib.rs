@@ -15,7 +15,7 @@
 //! assert_eq!(fall(3.0, 2.0), f64::INFINITY);
 //! ```
 //!
-//! The CPU is asked at run time ([`dispatch`]): AVX-512, AVX2, NEON and so on, or plain `f64`s where none is known.
+//! The instruction set is chosen at run time ([`dispatch`]): AVX-512, AVX2, NEON and so on, or plain `f64`s where none is known.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod double;
@@ -32,10 +32,10 @@ pub use wide::{Wide, WideMask, dispatch, instruction_set, vectorized};
 use core::fmt::Debug;
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// No kernel has more lanes: two vectors of the widest instruction set.
+/// The largest number of lanes of any kernel: two vectors of the widest instruction set.
 pub const MOST_LANES: usize = 16;
 
-/// `3·2⁵¹`, of which the last bit is worth 1: `x + WHOLE − WHOLE` is the whole number nearest to `x`, for `|x| < 2⁵¹`.
+/// `3·2⁵¹`, whose last bit is worth 1: `x + WHOLE − WHOLE` is the whole number nearest to `x`, for `|x| < 2⁵¹`.
 ///
 /// ```
 /// assert_eq!([2.5, 3.5, -1.2].map(|x| x + lanes::WHOLE - lanes::WHOLE), [2.0, 4.0, -1.0]);
@@ -53,7 +53,7 @@ pub fn stored<F: Lane, const K: usize>(numbers: &[F; K]) -> [[f64; MOST_LANES]; 
     lanes
 }
 
-/// `a · b`, summed from the first product on.
+/// `a · b`, summed in order.
 #[inline(always)]
 pub fn dot<F: Lane, const N: usize>(a: &[F; N], b: &[F; N]) -> F {
     let mut sum = a[0] * b[0];
@@ -93,7 +93,7 @@ pub trait Lane:
     /// `|self|` with the sign bit of `sign`.
     #[must_use]
     fn copysign(self, sign: Self) -> Self;
-    /// These numbers where `self` is above 0, the opposite ones where it is below; one or the other where it is 0.
+    /// These numbers where `self` is above 0, their opposites where it is below, either where it is 0.
     ///
     /// With one lane this is a branch, as in [`choose`](Mask::choose).
     #[must_use]
@@ -109,7 +109,7 @@ pub trait Lane:
     fn each(self, f: impl FnMut(usize) -> f64) -> Self;
     /// Four columns of rows, one row per lane: lane `k` of number `i` is `row(k)[i]`.
     ///
-    /// Numbers that stand together are looked up so in fewer steps than by [`each`](Lane::each), one after another.
+    /// This looks up adjacent numbers in fewer steps than [`each`](Lane::each), which takes one after another.
     #[must_use]
     fn columns<'a>(self, row: impl Fn(usize) -> &'a [f64; 4]) -> [Self; 4];
     /// The rows of a table at places to which [`WHOLE`] was added; see [`Rows::at`].
@@ -128,11 +128,11 @@ pub trait Lane:
     #[must_use]
     #[inline(always)]
     fn never(self) -> Self::Mask {
-        // a compiler sees that this is a constant, which it does not see of a comparison
+        // a compiler sees that this is a constant; of a comparison it does not
         let any = self.lt(self);
         any & !any
     }
-    /// The larger of two numbers; where one is NaN, either, as the processor has it.
+    /// The larger of two numbers; where one is NaN, either one, as the processor has it.
     #[must_use]
     #[inline(always)]
     fn max(self, other: Self) -> Self {
@@ -146,7 +146,7 @@ pub trait Lane:
     fn above_zero(self) -> Self {
         self.max(self.same(0.0))
     }
-    /// The smaller of two numbers; where one is NaN, either, as the processor has it.
+    /// The smaller of two numbers; where one is NaN, either one, as the processor has it.
     #[must_use]
     #[inline(always)]
     fn min(self, other: Self) -> Self {
@@ -160,15 +160,15 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
     fn select(self, yes: F, no: F) -> F;
     /// `yes` where true, `no` where false, for several numbers that belong together.
     ///
-    /// With one lane this is a branch, which the CPU predicts and so goes on without waiting for the numbers; select
-    /// one number at a time where a prediction would mostly fail.
+    /// With one lane this is a branch, which the CPU predicts so that it goes on without waiting for the numbers; select one number at a
+    /// time where a prediction would mostly fail.
     #[must_use]
     #[inline(always)]
     fn choose<const K: usize>(self, yes: [F; K], mut no: [F; K]) -> [F; K]
     where
         F: Copy,
     {
-        // no closure: a compiler may leave it a function of its own, which is not compiled for the instruction set
+        // no closure: a compiler may leave it as a function of its own, which is not compiled for the instruction set
         for i in 0..K {
             no[i] = self.select(yes[i], no[i]);
         }

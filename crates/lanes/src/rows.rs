@@ -1,4 +1,4 @@
-//! Tables of which every lane looks up a row of its own.
+//! Tables in which every lane looks up a row of its own.
 use crate::{Lane, MOST_LANES, WHOLE};
 
 /// Rows of four numbers, looked up by their place.
@@ -17,7 +17,7 @@ pub struct Rows {
     columns: Box<Columns>,
 }
 
-/// Aligned like vectors of 512 bits, so that none is kept in two lines of the cache.
+/// Aligned like vectors of 512 bits, so that none straddles two cache lines.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 struct Columns([[f64; MOST_LANES]; 4]);
@@ -38,8 +38,8 @@ impl Rows {
         Rows { rows, columns: Box::new(Columns(columns)) }
     }
 
-    /// The row at a place in every lane, as four columns; the places are whole numbers from 0 to the last. Any other is a mistake of who
-    /// asks: it finds some row, or panics.
+    /// The row at a place in every lane, as four columns. The places must be whole numbers from 0 to the last; any other finds some row,
+    /// or panics.
     #[must_use]
     #[inline(always)]
     pub fn at<F: Lane>(&self, place: F) -> [F; 4] {

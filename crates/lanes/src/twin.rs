@@ -1,4 +1,4 @@
-//! Two vectors side by side: what one waits for, the other hides.
+//! Two vectors side by side: each hides the latency of the other.
 use crate::{Lane, Mask, Rows};
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 

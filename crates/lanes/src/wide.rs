@@ -12,8 +12,8 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// As many numbers as a vector register of the instruction set `S` holds, aligned like `A`.
 ///
-/// Aligned to their size, they are never kept in two lines of the cache, which takes twice as long to read and to write; and nothing
-/// stands between them that would be copied with them.
+/// Aligned to their size, they never straddle two cache lines, which would take twice as long to read and to write; and there is no
+/// padding between them that would be copied with them.
 #[derive(Clone, Copy, Debug)]
 pub struct Wide<S: Simd, A> {
     simd: S,
@@ -21,7 +21,7 @@ pub struct Wide<S: Simd, A> {
     value: S::f64s,
 }
 
-/// Aligned like registers of 512 bits: to a line of the cache.
+/// Aligned like registers of 512 bits: to a cache line.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Line;
@@ -113,7 +113,7 @@ impl<S: Simd, A: Copy + Debug> Lane for Wide<S, A> {
         }
         numbers
     }
-    // of NaN and another number elsewhere than on x86 these would be NaN, and not the second
+    // except on x86 these would return NaN, and not the second number, if one of the two is NaN
     #[cfg(target_arch = "x86_64")]
     #[inline(always)]
     fn max(self, other: Self) -> Self {
@@ -190,7 +190,7 @@ impl<S: Simd> WideMask<S> {
     /// The lanes as bits, the first one lowest.
     #[inline(always)]
     fn to_bits(self) -> u64 {
-        // one instruction, where lane after lane would take three each
+        // one instruction, where going lane by lane would take three for each
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V3>() {
             return u64::from(avx2.avx._mm256_movemask_pd(bytemuck::cast(self.value)).cast_unsigned());
@@ -247,8 +247,8 @@ impl<S: Simd, A: Copy + Debug> Mask<Wide<S, A>> for WideMask<S> {
     }
 }
 
-/// What is done with the widest vectors of this CPU. In 32-bit programs on x86, where those of 512 bits have counted wrong, it is done
-/// number by number.
+/// Performs an operation with the widest vectors of this CPU. In 32-bit programs on x86, where vectors of 512 bits have given wrong
+/// results, it is done number by number.
 #[inline(always)]
 fn widest<O: WithSimd>(operation: O) -> O::Output {
     if cfg!(target_arch = "x86") { operation.with_simd(pulp::Scalar) } else { Arch::new().dispatch(operation) }
@@ -284,7 +284,7 @@ pub fn vectorized<T: Task>(task: T) -> T::Output {
             self.0.run()
         }
     }
-    // AVX-512 keeps truth values in registers of their own, which takes a single chain of operations longer
+    // AVX-512 keeps truth values in registers of their own, which makes a single chain of operations slower
     #[cfg(target_arch = "x86_64")]
     if let Some(avx2) = pulp::x86::V3::try_new() {
         return avx2.vectorize(Run(task));
