@@ -54,7 +54,7 @@ impl Verdict {
     }
 }
 
-/// How much work a measurement may be.
+/// How much work a measurement may take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Effort {
     /// Two seconds or less each.
@@ -148,7 +148,7 @@ impl Quantity {
         Quantity::equal(label, measured, 0.0, bound)
     }
 
-    /// A count, of which nothing may be off.
+    /// A count, which must be exact.
     pub fn count(label: impl Into<String>, measured: usize, expected: usize) -> Quantity {
         Quantity::equal(label, measured as f64, expected as f64, 0.0)
     }
@@ -179,12 +179,12 @@ impl Quantity {
         }
     }
 
-    /// A number that does not exceed another one but for rounding.
+    /// A number that does not exceed another one, except by rounding.
     pub fn at_most(label: impl Into<String>, measured: f64, limit: f64, rounding: f64) -> Quantity {
         Quantity { label: label.into(), measured, expected: limit, relation: Relation::AtMost, bound: rounding }
     }
 
-    /// A number that does not fall below another one but for rounding.
+    /// A number that does not fall below another one, except by rounding.
     pub fn at_least(label: impl Into<String>, measured: f64, limit: f64, rounding: f64) -> Quantity {
         Quantity { label: label.into(), measured, expected: limit, relation: Relation::AtLeast, bound: rounding }
     }

@@ -88,7 +88,7 @@ impl Bounce {
 
 /// How the orbit of a state ends: after `most` collisions, or before that because `watch` or the motion says so.
 ///
-/// One closure type for all claims: the engine is compiled once.
+/// All claims pass closures of one type, so that the engine is compiled only once.
 pub(crate) fn fly(
     billiard: &Billiard,
     start: State,

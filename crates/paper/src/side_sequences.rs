@@ -20,7 +20,7 @@ pub struct Node {
     pub share: f64,
     /// One standard error of the share.
     pub standard_error: f64,
-    /// Whether orbits do it.
+    /// Whether any orbit follows it.
     pub occurs: bool,
 }
 
@@ -36,7 +36,7 @@ pub fn tree(length: usize, velocities: usize) -> Vec<Node> {
         let v = walls.leaving(0, v0, vt, vn);
         of_one.clear();
         walls.follow(&mut vec![0], v, [0.0, 1.0], (0.0, 1.0), length, &mut of_one);
-        // words that this velocity has not: a share of 0 for it
+        // words that do not occur with this velocity: a share of 0 for it
         for (word, mean) in &mut shares {
             if !of_one.contains_key(word) {
                 mean.add(0.0);
@@ -66,8 +66,8 @@ pub fn tree(length: usize, velocities: usize) -> Vec<Node> {
     nodes
 }
 
-/// A shorter interval of starts is rounding. An image is off by an ulp over `v·ν`, which is hardly ever below 10⁻³ in a sample, and magnified
-/// as much by the next one.
+/// A shorter interval of starts counts as rounding. An image is off by an ulp over `v·ν`, which is hardly ever below 10⁻³ in a sample,
+/// and the next one magnifies this by as much again.
 const EMPTY: f64 = 1e-9;
 
 /// Whether sides are named in the order of first appearance.

@@ -23,8 +23,8 @@ pub fn opening(delta: f64, gamma_squared: f64) -> Option<f64> {
     (cos > 0.0 && cos < 1.0).then(|| 2.0 * libm::acos(cos))
 }
 
-/// The opening angle for which two hits turn velocities by `α`, a uniform disk's: `arccos(1/2 − (3/2) cos(α/2))`; `None` if
-/// there is none in (0, π).
+/// The opening angle for which two hits turn velocities by `α`, for a uniform disk: `arccos(1/2 − (3/2) cos(α/2))`; `None` if there is
+/// none in (0, π).
 pub fn opening_of_turn(alpha: f64) -> Option<f64> {
     let cos = UNIFORM - (1.0 + UNIFORM) * libm::cos(0.5 * alpha);
     (cos > -1.0 && cos < 1.0).then(|| libm::acos(cos))

@@ -55,7 +55,7 @@ impl Sides {
     }
 }
 
-/// How an orbit ends that is watched until it hits something else than the two sides.
+/// How an orbit ends that is followed until it hits something other than the two sides.
 fn watched(billiard: &Billiard, pieces: [usize; 2], start: State, most: usize) -> Stop {
     fly(billiard, start, most, &mut |bounce| {
         if pieces.contains(&bounce.piece) { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }

@@ -18,8 +18,8 @@ pub(super) const CLAIM: Claim = Claim {
     measure,
 };
 
-/// The share of orbits on which neighbours at 10⁻⁹ part no faster than linearly: the farthest they come in hits N to 2N is at most three times the
-/// farthest up to N. Twice is linear; half as much again is for where in a turn the hits fall.
+/// The share of orbits whose neighbours at 10⁻⁹ part no faster than linearly: their farthest distance in hits N to 2N is at most three
+/// times that up to N. Twice is linear; half as much again allows for where in a turn the hits fall.
 fn regular(billiard: &Billiard, orbits: usize, collisions: usize) -> f64 {
     let tiny = 1e-9;
     let is_regular = |sample: &usize| {

@@ -21,7 +21,7 @@ pub(super) const CLAIM: Claim = Claim {
     measure,
 };
 
-/// How orbits that start within 10⁻³ of the period-two orbit end that are watched until they no longer go to and fro between the same two
+/// How orbits end that start within 10⁻³ of the period-two orbit and are followed until they no longer go to and fro between the same two
 /// disks.
 fn watched(gamma_squared: f64, radius: f64, orbits: usize, collisions: usize) -> Vec<Stop> {
     let torus = no_slip(tables::sinai_torus(radius, 1.0), gamma_squared);

@@ -38,8 +38,8 @@ pub(super) fn random_start(stream: &mut Stream) -> State {
 
 /// What rounding may do to lengths over ℓ in so many collisions from such a start.
 ///
-/// A collision rounds the velocity along the wall, 0.14 or more, by an ulp of the speed, always the same way at worst. What energy is then
-/// missing the engine makes up for in ẋ₂; so ℓ is off by 1 + ℓ² ≤ 11 times as much, relatively.
+/// A collision rounds the velocity along the wall, 0.14 or more, by an ulp of the speed, at worst always the same way. The engine makes
+/// up for the missing energy in ẋ₂; so the relative error of ℓ is 1 + ℓ² ≤ 11 times as large.
 pub(super) fn rounding(collisions: f64) -> f64 {
     32.0 * f64::EPSILON * collisions
 }
