@@ -1,4 +1,4 @@
-//! And in space, between several shapes?
+//! Can a room in space be bounded by several shapes?
 //!
 //! A rounded brick and a ball in a can, and a rough ball in between. Expected: over the invariant measure the mean path between
 //! collisions is 4V/S, for any room and any strict law. References: Santaló, *Integral geometry and geometric probability*; volume

@@ -7,7 +7,7 @@
 //! vertex.
 //!
 //! `cargo run --release --example exactness -- 3000` for three thousand rays of each kind at each piece; the default is twenty-five.
-//! `-- 3000 cone` for those of them whose names have a cone in them.
+//! `-- 3000 cone` for those pieces only whose names contain `cone`.
 #[path = "../tests/oracle/mod.rs"]
 mod oracle;
 

@@ -1,8 +1,8 @@
-//! What is left of the digits after millions of collisions?
+//! How many digits are left after millions of collisions?
 //!
-//! Expected: the energy is kept to the last digit whatever the length; the other invariants of integrable tables lose little;
-//! the time is so exact that the position in a square at t = 10⁵ is right to 10⁻¹⁰; and how far the angle on a circle is off the
-//! closed form, after a hundred times as many collisions: 10⁻¹⁶ per collision at most.
+//! Expected: the energy is kept to the last digit whatever the length; the other invariants of integrable tables lose little; the time is
+//! so exact that the position in a square at t = 10⁵ is right to 10⁻¹⁰; and on a circle, after a hundred times as many collisions, the
+//! angle differs from the closed form by at most 10⁻¹⁶ per collision.
 //!
 //! `cargo run --release --example long_runs -- 10000000` for ten million collisions; the default is 10⁵.
 #[path = "../tests/long/mod.rs"]

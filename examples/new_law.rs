@@ -1,8 +1,8 @@
 //! How do I add a collision law of my own?
 //!
 //! A floor of rough and smooth tiles: one type, one function that says which directions are rough at a contact.
-//! Expected: on each kind of tile this is a strict law: it keeps energy and momenta, is its own inverse, and preserves
-//! the billiard measure; so it is whatever the pattern. Reference: Cox, Feres and Ward, arXiv:1501.06536, and `collision_laws::check`.
+//! Expected: on each kind of tile this is a strict law: it keeps energy and momenta, is its own inverse, and preserves the billiard
+//! measure, whatever the pattern. Reference: Cox, Feres and Ward, arXiv:1501.06536, and `collision_laws::check`.
 use billiards::{
     Collisions, Orbit, Planar, Stop,
     collision_laws::{

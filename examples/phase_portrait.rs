@@ -1,8 +1,8 @@
 //! What does a no-slip orbit look like in velocity phase space?
 //!
-//! In a polygon an orbit draws closed curves around the points of a periodic one: of the disk of velocities (v0, v·t) it
-//! visits few cells, however long it runs. In a square with a scattering disk an orbit goes nearly everywhere. Expected:
-//! below 20 % of the cells in an isosceles triangle, above 90 % with the scattering disk.
+//! In a polygon an orbit draws closed curves around the points of a periodic one, and visits few cells of the disk of velocities
+//! (v0, v·t), however long it runs. In a square with a scattering disk an orbit goes nearly everywhere. Expected: below 20 % of the cells
+//! in an isosceles triangle, above 90 % with the scattering disk.
 //! Reference: Cox and Feres, *No-slip billiards in dimension two*, section on phase portraits.
 use billiards::{
     Collisions, Conserved, Error, Orbit, Planar,
