@@ -45,7 +45,7 @@ impl<const N: usize, const S: usize, T: Tracking<N, S>> LaneLimit<N, S, T> for C
 impl<T: Timed> Limit<T> for Time {
     #[inline(always)]
     fn is_beyond(&self, _: u64, track: &T, flight: f64) -> bool {
-        // NaN is over at once
+        // NaN ends it at once
         !(track.time() + flight <= self.0)
     }
 }

@@ -97,7 +97,7 @@ impl<A: Merge, B: Merge, C: Merge> Merge for (A, B, C) {
 mod tests {
     use super::*;
 
-    /// Whether the next orbit was told of, and what was seen, in its order.
+    /// Whether the next orbit was announced, and what was seen, in its order.
     #[derive(Debug, PartialEq)]
     struct Seen(bool, Vec<u8>);
 

@@ -5,9 +5,8 @@ use lanes::Lane;
 
 /// Turns an orbit around that has just collided at `hit`: `R(x, v⁺) = (x, −C v⁺)`.
 ///
-/// A strict law is an involution, so `C v⁺` is the velocity `v⁻` with which the orbit arrived, and `−v⁻` points into the
-/// table and back to where it came from: `T⁻¹ = R T R` for the billiard map `T`, and `R R = 1`. Laws that are no involutions
-/// have no such reversal.
+/// A strict law is an involution, so `C v⁺` is the velocity `v⁻` with which the orbit arrived, and `−v⁻` points into the table and back
+/// to where it came from: `T⁻¹ = R T R` for the billiard map `T`, and `R R = 1`. Laws that are not involutions have no such reversal.
 ///
 /// The energy keeper starts anew; what is tracked goes on, so that the time still grows and the spin position goes back.
 ///

@@ -40,7 +40,7 @@ pub struct Frame<F: Lane> {
     place: [F; 2],
     /// Normal velocity.
     normal: F,
-    /// The motion along the wall, and where it recurs that between every second and third hit.
+    /// The motion along the wall; where it recurs, that of every second flight.
     even: Along<F>,
     odd: Along<F>,
     /// Which of the two comes now, in all lanes alike.
@@ -262,7 +262,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             self.law.collide_in_frame(hit, &mut velocity, &mut orbit.spin);
             orbit.keeper.leave_in_frame(&mut velocity, &mut orbit.spin, owed);
             if self.law.is_strict() {
-                // exactly, also where the law has been asked in the coordinates of the plane
+                // exact, also where the law was applied in the coordinates of the plane
                 velocity[0] = arrival;
             }
             [carried.normal, carried.even.tangential] = velocity;

@@ -90,7 +90,7 @@ where
                 billiard.settle(orbit, &carried);
             }
             let seen = observer.collision(&Collision { n, hit: &hit, orbit });
-            // an observer may let the orbit go on later, where it goes on
+            // an observer's stop means that the orbit could go on, so an end of the orbit itself comes first
             if stays {
                 break Stop::Grazing;
             }

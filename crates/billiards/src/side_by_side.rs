@@ -234,7 +234,7 @@ where
         self.change(group, next, step, &ended);
     }
 
-    /// Looks at a hit that is a corner, out of reach, without motion or beyond the limit somewhere; whether an orbit ended.
+    /// Looks at a hit that is a corner, out of reach, without motion or beyond the limit somewhere; returns whether an orbit ended.
     #[cold]
     #[inline(never)]
     fn look<F: Lane>(
@@ -332,7 +332,7 @@ where
     type Output = ();
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) {
-        // on a CPU without vectors that we know, two groups of one are enough: it has not more than 16 registers
+        // on a CPU whose vectors we do not know, two groups of one are enough: it has no more than 16 registers
         if const { F::LANES == 1 } {
             self.all::<F, TWINS>(zero);
         } else if const { B::IS_SHORT } {

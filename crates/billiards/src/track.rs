@@ -21,7 +21,7 @@ pub trait Tracking<const N: usize, const S: usize>: Clone {
     type In<F: Lane>: Track<F, N, S> + InLanes<F, One = Self>;
 }
 
-/// A track that knows the time: a [`Clock`], or a pair of which that is the first.
+/// A track that knows the time: a [`Clock`], or a pair that begins with one.
 pub trait Timed {
     /// The time since the start \[T\].
     fn time(&self) -> f64;

@@ -19,8 +19,8 @@ pub trait TangentVector<const N: usize>: Copy + Debug + PartialEq {
     /// The velocity with these coordinates; missing ones are zero.
     fn from_coordinates(coordinates: &[f64]) -> Self;
 
-    /// The velocity of the body in the rigid motion `x ↦ a + Ω (x − Q)` of all space, where `arm = Q − centre`;
-    /// asked for bodies that are [free](crate::Body::is_free) only.
+    /// The velocity of the body in the rigid motion `x ↦ a + Ω (x − Q)` of all space, where `arm = Q − centre`; called only for bodies
+    /// that are [free](crate::Body::is_free).
     fn of_rigid_motion(arm: &SVector<f64, N>, a: &SVector<f64, N>, spin: &SMatrix<f64, N, N>) -> Self;
 
     /// The velocity of the body's material point at `arm`, seen from the centre of mass: `v + Ω r` at `r` for a [`Twist`].

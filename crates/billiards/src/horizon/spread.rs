@@ -96,7 +96,7 @@ impl<const N: usize, const S: usize> Spread<N, S> {
             });
             let left = left.zip(&axes).map(|(d, u)| (displaced(&d, u), d)).enumerate();
             let Some((axis, (square, d))) = left.max_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b)) else { break };
-            // where rounding is all that is left, there is one direction less
+            // where rounding is all that is left, there is one direction fewer
             if !(square > 0.0) {
                 break;
             }

@@ -81,7 +81,7 @@ struct Tally {
     strict: usize,
     /// The law of the rough directions found, against the map.
     law: Vec<f64>,
-    /// Reflections in one direction more that is no impulse at the contact, found strict.
+    /// Reflections in one direction more, which is no impulse at the contact, that were found strict.
     false_alarms: usize,
 }
 
