@@ -1,15 +1,15 @@
 //! Landings on round walls that are tiny beside the flight.
 //!
-//! A place on a round wall is brought onto it, and the length of its normal found, by one step of Newton's method each. What these leave
-//! is the square of what the place is off, as part of the radius. Rounding puts it off by that of the flight's length, so walls with a
-//! radius of 10⁻⁸ of that and less need more.
+//! A landing point is projected onto a round wall, and its normal normalised, by one step of Newton's method each. These leave a
+//! relative error that is the square of the point's distance from the wall, in units of the radius. Rounding puts the point off by the
+//! rounding error of the flight's length, so walls with a radius of 10⁻⁸ of that length or less need more.
 use lanes::{Lane, Mask, dot};
 
-/// By how much, as part of the radius, a place may be off for Newton's method to leave next to nothing: `√ε/2`.
+/// How far off the wall, as a fraction of the radius, a point may lie for Newton's method to leave next to no error: `√ε/2`.
 pub(crate) const NEWTON: f64 = 1.0 / (1 << 27) as f64;
 
-/// The point of a circle and the normal where a path lands whose place `y` is off it by more than [`NEWTON`]; of the circle, its centre,
-/// `±1/r`, from there to the normal, and `r²`.
+/// The point and the normal where a path lands on a circle, if its position `y` relative to the centre is off the circle by more than
+/// [`NEWTON`]. The circle is given by its centre, the factor `±1/r` from relative position to normal, and `r²`.
 #[cold]
 #[inline(never)]
 pub(crate) fn on_circle<F: Lane>(
@@ -19,7 +19,7 @@ pub(crate) fn on_circle<F: Lane>(
     [to_normal, square]: [F; 2],
 ) -> ([F; 2], [F; 2]) {
     let (zero, one) = (v[0].same(0.0), v[0].same(1.0));
-    // against the path where the place is the centre itself
+    // opposite to the path where the position is the centre itself
     let distance = dot(y, y);
     let somewhere = zero.lt(distance);
     let to = [somewhere.select(y[0], -v[0]), somewhere.select(y[1], -v[1])];

@@ -1,8 +1,8 @@
-//! A tree of boxes: which of many things are near a place or on a path, without asking all of them.
+//! A tree of boxes: finds which of many things are near a point or on a path, without asking all of them.
 //!
 //! Eight children per node, whose boxes lie side by side, coordinate by coordinate, so that all eight are tested at once. The
 //! tree has no pointers: things are taken eight at a time in some order, then the boxes around these eight at a time, and so
-//! on up to one node. A search keeps what it has yet to look at in an array of fixed size and allocates nothing.
+//! on up to one node. A search keeps the nodes it has yet to visit in an array of fixed size and allocates nothing.
 mod first;
 mod near;
 mod order;
@@ -14,19 +14,19 @@ use nalgebra::SVector;
 pub(crate) use first::{First, Inside};
 pub(crate) use order::order;
 
-/// Children of a node: as many numbers as fill a line of the cache, and the widest registers.
+/// Children of a node: as many numbers as fill a cache line, and the widest registers.
 pub(crate) const WIDTH: usize = 8;
 
 /// Levels of the highest tree, of 8¹¹ boxes: more than the 2³¹ whose places fit into 28 bits a node.
 const LEVELS: usize = 11;
 
-/// What a search has yet to look at, at most: seven siblings on every level, and the last one's eight.
+/// Most nodes that a search has yet to visit: seven siblings on every level, and the eight children of the last one.
 const OPEN: usize = LEVELS * (WIDTH - 1) + 1;
 
 /// A tree over boxes numbered from 0, for paths in N dimensions.
 ///
-/// The tree leaves out what cannot matter and the things in the boxes decide, so the answers are those of asking each of
-/// them, bit for bit, in logarithmic time. At most 2³¹ boxes.
+/// The tree only skips what cannot matter, and the things in the boxes decide; so the answers are bit for bit those of asking
+/// each of them, in logarithmic time. At most 2³¹ boxes.
 #[derive(Clone)]
 pub struct BoxTree<const N: usize = 2> {
     /// All levels one after another: first the boxes themselves, eight to a node, last the root.
@@ -38,7 +38,7 @@ pub struct BoxTree<const N: usize = 2> {
     size: f64,
 }
 
-/// Eight boxes; those that are not there are empty.
+/// Eight boxes; missing ones are empty.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Eight<const N: usize> {
@@ -76,8 +76,8 @@ impl<const N: usize> Eight<N> {
 }
 
 impl<const N: usize> BoxTree<N> {
-    /// The tree over some boxes, whose sides may lie at infinity, in the better of two orders: their own, in which the
-    /// pieces of a boundary follow one another, and that of halving at the median.
+    /// The tree over some boxes, whose sides may lie at infinity, in the better of two orders: their own, in which the pieces
+    /// of a boundary follow one another, and that of recursive halving at the median.
     pub fn new(boxes: impl IntoIterator<Item = Extent<N>>) -> Self {
         let boxes: Vec<Extent<N>> = boxes.into_iter().collect();
         match order(&boxes) {

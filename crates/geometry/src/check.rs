@@ -1,4 +1,4 @@
-//! What every piece promises, as functions: for the shapes here and for anyone's own.
+//! What every piece promises, as functions that check it: for the shapes here and for your own.
 use crate::{
     path::Line,
     piece::{Extent, Piece},
@@ -8,8 +8,8 @@ use nalgebra::Vector2;
 
 /// How well a piece keeps its promises: the greatest deviation seen, of each kind.
 ///
-/// Lengths are relative to the size of the region (or of the coordinates, where a path leaves it). What rounding alone allows is of the order 10⁻¹⁵; the last two
-/// compare with difference quotients, which are themselves good to about 10⁻⁹ and 10⁻⁶ for a curve whose radius of
+/// Lengths are relative to the size of the region (or of the coordinates, where a path leaves it). Rounding alone accounts for about 10⁻¹⁵;
+/// the last two compare with difference quotients, which are themselves accurate to about 10⁻⁹ and 10⁻⁶ for a curve whose radius of
 /// curvature is of the order of its size.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PieceReport {
@@ -25,19 +25,19 @@ pub struct PieceReport {
     pub normal_length: f64,
     /// `ν·v/|v|` at a crossing, where it is positive: a crossing must lead out of the table.
     pub inward: f64,
-    /// A path that starts on the piece and returns to it, run backwards: the distance at which it misses its start,
-    /// times the sine of the angle there.
+    /// For a path that starts on the piece and returns to it, run backwards: the distance by which it misses its start, times the sine of
+    /// the angle there.
     pub reversal: f64,
     /// `arc_length_of(landing_at(s)) − s`, and the distance between `point_at(arc_length_of(p))` and the point of the landing `p`.
     pub arc_length: f64,
-    /// The normal, of `landing_at` and of `closest` from beside the piece, against the difference quotient of `point_at`.
+    /// The normals of `landing_at`, and of `closest` for a point beside the piece, against the difference quotient of `point_at`.
     pub normal_direction: f64,
     /// The curvature against the difference quotient of the normal, times the size of the region.
     pub curvature: f64,
 }
 
 impl PieceReport {
-    /// The greatest of the deviations that should be rounding: all but the last two.
+    /// The greatest of the deviations that should be rounding errors: all but the last two.
     pub fn rounding(&self) -> f64 {
         [self.off_boundary, self.off_path, self.normal_length, self.inward, self.reversal, self.arc_length]
             .into_iter()
@@ -59,9 +59,9 @@ const SAMPLES: u32 = 256;
 
 /// Sends `paths` paths through a region and measures a piece against its promises (see [`Piece`]).
 ///
-/// The starts fill the region evenly, the directions the circle. For a piece of finite size `piece.extent()` is a good
-/// region. A crossing counts as missed if the signed distance to the piece changes from the table's side to the other
-/// one earlier; excursions shorter than 1/256 of the path escape this test.
+/// The starts fill the region evenly, and the directions the circle. For a piece of finite size `piece.extent()` is a good region. A
+/// crossing counts as missed if the signed distance to the piece changes from the table's side to the other side before the reported time;
+/// excursions shorter than 1/256 of the path escape this test.
 ///
 /// ```
 /// use geometry::{Piece, Vector2, check, shapes::Ellipse};
@@ -85,7 +85,7 @@ pub fn piece(piece: &dyn Piece, region: Extent, paths: u32) -> PieceReport {
             point: region.min + span.component_mul(&Vector2::from(part)),
             velocity: Vector2::new(libm::cos(angle), libm::sin(angle)) * (0.5 + part[0]),
         };
-        // a curve that divides the plane is the whole boundary: nothing is promised about paths from behind it
+        // a curve that divides the plane is the whole boundary: nothing is promised about paths that start behind it
         let at = piece.closest(&path.point);
         if !(divides && (path.point - at.point).dot(&at.normal) < 0.0) {
             follow(piece, &path, size, &mut report);
@@ -131,7 +131,7 @@ fn missed(piece: &dyn Piece, path: &Line<2>, until: f64, size: f64) -> bool {
         let at = piece.closest(&path.at(t));
         (path.at(t) - at.point).dot(&at.normal)
     };
-    // so close to the time that was reported, both are the same crossing
+    // closer to the reported time than this, both are the same crossing
     let until = until * (1.0 - 1e-6);
     let (mut last, mut before) = (0.0, side(0.0));
     for k in 1..=SAMPLES {
@@ -147,7 +147,7 @@ fn missed(piece: &dyn Piece, path: &Line<2>, until: f64, size: f64) -> bool {
                     high = middle;
                 }
             }
-            // beside the piece the sign changes too, but at a distance, or at its ends
+            // the sign also changes beside the piece, but at a distance from it, or at its ends
             let p = path.at(high);
             let at = piece.closest(&p).point;
             let ends = piece.ends().into_iter().flatten();
@@ -172,12 +172,12 @@ fn parametrisation(piece: &dyn Piece, size: f64, points: u32, report: &mut Piece
         let off = if closed { off.min((length - off).abs()) } else { off };
         let again = (piece.point_at(found) - at.point).norm();
         PieceReport::note(&mut report.arc_length, off.max(again) / size);
-        // the cube root of rounding balances the two errors of a difference quotient
+        // a step of the cube root of the rounding error balances the two errors of a difference quotient
         let step = (1e-5 * size).min(0.25 * length / f64::from(points));
         let [before, after] = [s - step, s + step].map(|s| piece.landing_at(s));
         let tangent = (after.point - before.point) / (2.0 * step);
         let normal = Vector2::new(-tangent.y, tangent.x);
-        // a point beside a wall, on the table's side, tells the face as well as the arc length does
+        // a point beside a wall, on the table's side, determines the face just as the arc length does
         let foot = piece.closest(&(at.point + at.normal * step));
         for told in [at, foot] {
             PieceReport::note(&mut report.normal_direction, (normal - told.normal).norm());

@@ -18,8 +18,9 @@ pub struct Component {
 }
 
 impl Table {
-    /// The connected parts of the table, in the order of their lowest piece numbers: what a point can reach. Walls part it where they touch
-    /// at points, too, and a piece may bound several of them; where ellipses or curves by formulas touch, that is not seen.
+    /// The connected parts of the table (what a point can reach), in the order of their lowest piece numbers. Walls that only touch at
+    /// points also separate parts, and a piece may bound several of them; contacts of ellipses and of curves given by formulas are not
+    /// recognised.
     ///
     /// ```
     /// use geometry::tables;
@@ -33,7 +34,7 @@ impl Table {
     }
 }
 
-/// The connected parts of a table, which may be parted.
+/// The connected parts of a table, perhaps given as parted where boundaries touch.
 pub(crate) fn components_of(table: &Table, parted: Option<Parted>) -> Vec<Component> {
     let mut found = components(parted.as_ref().map_or(table, |parted| &parted.table));
     if let Some(Parted { numbers, .. }) = parted {
@@ -58,13 +59,14 @@ fn components(table: &Table) -> Vec<Component> {
             groups.unite(k, next);
         }
     }
-    // in one direction, every chain sees the next one of its part of the table, and the last of them its outer wall: upwards but for
-    // two degrees, as a drawn side or a line through two drawn vertices hardly ever is; away from a wall that goes on for ever
+    // in a fixed direction every chain sees the next one of its part of the table, and the last of them its outer wall: two degrees off
+    // the vertical, a direction that drawn sides and lines through two drawn vertices hardly ever have; or away from a wall that goes
+    // on for ever
     let forward = period.map_or(Vector2::new(1.0, 0.0), |period| period / libm::hypot(period.x, period.y));
     let up = Vector2::new(-forward.y, forward.x) * 0.999_472_5 + forward * 0.032_475_5;
     for k in 0..chains.len() {
         let others = distant.iter().filter(|&&other| other != k).map(|&other| Aim::At(other));
-        // what has no wall that goes on for ever above it has one below it
+        // a part without an endless wall above it has one below it
         let down = period.map(|_| Aim::Along(-up));
         for aim in [Aim::Along(up), Aim::Inward].into_iter().chain(down).chain(others) {
             let until = |wall: &Wall| {
@@ -77,7 +79,7 @@ fn components(table: &Table) -> Vec<Component> {
             }
         }
     }
-    // where no wall goes on for ever, all that is around no room is around the same part
+    // where no wall goes on for ever, all chains that enclose no room bound the same part from within
     if distant.is_empty() && period.is_none() {
         let around_no_room = |group: &Vec<usize>| {
             let length: f64 = group.iter().flat_map(|&k| &chains[k]).map(|&i| table.pieces()[i].length()).sum();
@@ -98,11 +100,11 @@ fn components(table: &Table) -> Vec<Component> {
     components
 }
 
-/// How chains go on in translates of others, or of themselves.
+/// How chains continue in translates of others, or of themselves.
 struct Continued {
     /// For each chain the one of which a translate begins where it ends.
     after: Vec<Option<usize>>,
-    /// How far the first wall that goes on for ever comes before it is itself again.
+    /// The translation after which the first endless wall repeats itself.
     period: Option<Vector2<f64>>,
 }
 
@@ -119,7 +121,7 @@ impl Continued {
         let open: Vec<(usize, [Vector2<f64>; 2])> = (0..chains.len()).filter_map(|k| Some((k, ends(k)?))).collect();
         let mut after = vec![None; chains.len()];
         for (at, &(k, [_, end])) in open.iter().enumerate() {
-            // itself first: where walls touch, several begin
+            // the chain itself first: where walls touch, several chains begin
             let mut from_here = open[at..].iter().chain(&open[..at]);
             after[k] = from_here.find(|(_, [start, _])| lattice.between(start, &end).is_some()).map(|(next, _)| *next);
         }
@@ -140,7 +142,7 @@ impl Continued {
     }
 }
 
-/// Which of several things belong together.
+/// Disjoint sets: which of several things belong together.
 struct Groups(Vec<usize>);
 
 impl Groups {
@@ -195,7 +197,7 @@ mod tests {
     #[test]
     fn walls_with_two_sides_take_nothing_of_a_cell() {
         let cell = || Lattice::new(&[v(1.44, -0.24), v(-0.45, 1.44)]).unwrap();
-        // whose triangles about a vertex sum up to rounding of either sign, or to 0
+        // whose triangles about a vertex sum to a rounding error of either sign, or to 0
         for shift in 0..20 {
             let at = f64::from(shift) / 7.0;
             let corners = [v(0.446 + at, -0.153), v(0.616 + at, 0.02), v(0.487 + at, 0.2), v(0.355 + at, 0.205)];
@@ -207,7 +209,7 @@ mod tests {
             assert!((area - cell().cell_area()).abs() < 1e-15, "{area}");
             assert_eq!(table.components().iter().map(|part| part.area).collect::<Vec<_>>(), [area]);
         }
-        // in the open plane there is no end of what is around a wall, or an obstacle
+        // in the open plane the region around a wall or an obstacle is infinite
         let (from, to) = (v(0.1, 0.2), v(0.7, 0.3));
         let wall = Outline::from(from).line_to(to).unwrap().line_to(from).unwrap().close().unwrap();
         for pieces in [wall, vec![disk(0.0, 0.0, 1.0)], square(0.0, 0.0, 1.0, true)] {
@@ -273,7 +275,7 @@ mod tests {
         assert_eq!(room.validate(), Ok(()));
         let found = room.components();
         assert_eq!((found.len(), found[0].pieces.len(), found[0].area), (1, 10, 81.0));
-        // outside of the room there is no table
+        // outside the room there is no table
         let loops = [square(0.0, 0.0, 9.0, false), slit(10.0)];
         let beside = Table::new(loops.into_iter().flatten().collect()).unwrap().validate();
         assert!(matches!(beside, Err(Error::Orientation { piece: 4..=5 })), "{beside:?}");

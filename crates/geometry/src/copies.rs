@@ -1,4 +1,4 @@
-//! Pieces with all translates that matter, and a tree to find them by place.
+//! Pieces with all translates that matter, and a tree to find them by position.
 use crate::{BoxTree, Extent, Lattice, Piece, lattice::multiples, nearest::nearest_of, shapes::Translated};
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -8,9 +8,9 @@ use std::sync::Arc;
 pub(crate) struct Translate {
     /// The number of the piece.
     pub(crate) number: usize,
-    /// By how many of each lattice vector it is moved.
+    /// How many of each lattice vector it is moved by.
     pub(crate) cell: [f64; 2],
-    /// By what it is moved.
+    /// The translation by which it is moved.
     pub(crate) by: Vector2<f64>,
     /// The piece, moved.
     pub(crate) piece: Arc<dyn Piece>,
@@ -36,7 +36,7 @@ impl Translate {
 #[derive(Clone, Debug)]
 pub(crate) struct Copies {
     all: Vec<Translate>,
-    /// For each piece, where it is among them, unmoved.
+    /// For each piece, the index of the unmoved copy.
     home: Vec<usize>,
     boxes: Vec<Extent>,
     tree: BoxTree,
@@ -70,7 +70,7 @@ impl Copies {
         (&self.all[index], &self.boxes[index])
     }
 
-    /// The index of a piece itself.
+    /// The index of a piece's unmoved copy.
     pub(crate) fn home(&self, number: usize) -> usize {
         self.home[number]
     }
@@ -108,8 +108,8 @@ impl Copies {
     }
 }
 
-/// Most translations of one piece. Where a cell is so thin that there are more, those that are so many cells away are left out: something
-/// nearer is in between.
+/// Most translations of one piece. Where a cell is so thin that there would be more, those farther than this many cells away are left
+/// out: something nearer is in between.
 const MOST: f64 = 1e6;
 
 /// The translations that may bring a box near another one.

@@ -1,4 +1,4 @@
-//! Times as fractions: comparing two needs no division.
+//! Times as fractions, so that comparing two needs no division.
 use lanes::{Lane, Mask};
 
 /// The time `num / den` at which a path crosses a piece outwards; `den > 0`, and `num` is infinite where it never does.
@@ -14,8 +14,8 @@ pub struct Crossing<F = f64> {
 }
 
 impl<F: Lane> Crossing<F> {
-    /// At time `num / den` where `really`, never elsewhere. A negative numerator (a start that rounding put outside)
-    /// counts as 0.
+    /// A crossing at time `num / den` where `really` holds, and none elsewhere. A negative numerator (a start that
+    /// rounding put outside) counts as 0.
     #[inline(always)]
     pub fn when(really: F::Mask, num: F, den: F) -> Self {
         let zero = num.same(0.0);
@@ -38,14 +38,14 @@ impl<F: Lane> Crossing<F> {
     }
 }
 
-/// What a piece finds in every lane: a crossing at time `num / den` where `really` and `den > 0`.
+/// What a piece finds in every lane: a crossing at time `num / den` where `really` holds and `den > 0`.
 ///
-/// Who compares it with another crossing by cross-multiplication need not look at the sign of `den`: nothing is less than
-/// a time that is not negative times one that is not positive.
+/// Comparing it with another crossing by cross-multiplication needs no test of the sign of `den`: a numerator ≥ 0 times a
+/// positive denominator is never less than a time ≥ 0 times a `den` ≤ 0.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Candidate<F: Lane> {
     pub(crate) really: F::Mask,
-    /// Negative where rounding put the start outside: that counts as 0.
+    /// Negative where rounding put the start outside, which counts as 0.
     pub(crate) num: F,
     pub(crate) den: F,
 }

@@ -1,4 +1,4 @@
-//! What a table is like: its parts, sizes and corners.
+//! Description of a table: its parts, sizes and corners.
 use crate::{Component, LargestDisk, Piece, Table, components::components_of, joints::joints, table::SMOOTH};
 
 /// The measures of a table.
@@ -8,9 +8,9 @@ pub struct Description {
     pub pieces: usize,
     /// Length of the boundary \[L\], per unit cell on a lattice.
     pub perimeter: f64,
-    /// Joints of two pieces at which the boundary turns, once each, tips of walls without thickness, and places where walls touch, once for
-    /// each part of the table around them. (Of what touches an ellipse or a curve by a formula, the corners on that are not counted.)
-    /// ([`Table::corners`] are vertices at which the normal jumps, two for a joint across cells of a lattice.)
+    /// Number of corners: joints of two pieces at which the boundary turns (once each), tips of walls without thickness, and points where
+    /// walls touch (once for each part of the table around them). Corners where something touches an ellipse or a curve given by a formula
+    /// are not counted. ([`Table::corners`] are vertices at which the normal jumps, two for a joint across cells of a lattice.)
     pub corners: usize,
     /// Those of them where the table's angle is greater than π.
     pub re_entrant_corners: usize,
@@ -42,7 +42,7 @@ impl Table {
         let turns = if let Some(parted) = &parted {
             parted.turns.clone()
         } else {
-            // about the tips of a wall without thickness, too
+            // and about the tips of walls without thickness
             let tips = self.pieces().iter().filter_map(Piece::tips).flatten().map(|_| -core::f64::consts::PI);
             joints(self).iter().map(|joint| joint.turn(self)).chain(tips).collect()
         };

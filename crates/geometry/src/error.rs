@@ -45,7 +45,7 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
-    /// A radius as a function of the angle that is another after a whole turn.
+    /// A radius as a function of the angle that has another value after a whole turn.
     #[error("the curve does not close: r(2π) must be r(0) = {start}, not {end}")]
     Unclosed {
         /// The radius at angle 0.
@@ -56,24 +56,24 @@ pub enum Error {
     /// A radius as a function of the angle that jumps.
     #[error("the curve is open: r(φ) jumps from {before} to {after} at φ = {angle:.4}")]
     PolarJump {
-        /// Where, in radians.
+        /// The angle of the jump, in radians.
         angle: f64,
-        /// The radius before it.
+        /// The radius before the jump.
         before: f64,
-        /// The radius after it.
+        /// The radius after the jump.
         after: f64,
     },
     /// A formula that is positive inside its curve.
     #[error("the formula must be negative inside its curve; it is positive there")]
     Inverted,
-    /// A formula for a radius that is none in some direction, or cannot be shown to be one.
+    /// A formula for a radius that is not positive and finite in some direction, or cannot be shown to be.
     #[error("r(φ) must be positive and finite at every angle; near φ = {angle:.4} {}", comes_to(*radius, *certain))]
     PolarRadius {
         /// About where, in radians.
         angle: f64,
-        /// What the formula says there, or what it may be by the bounds on it.
+        /// The value of the formula there, or a value that its bounds allow.
         radius: f64,
-        /// Whether the formula says so.
+        /// Whether this is the value of the formula itself.
         certain: bool,
     },
     /// A formula for a radius without a derivative in some direction.
@@ -82,24 +82,24 @@ pub enum Error {
         /// About where, in radians.
         angle: f64,
     },
-    /// A formula for a radius with a kink where the bounds on its second derivative do not tell it from what is around it.
+    /// A formula for a radius with a kink that the bounds on its second derivative cannot separate from its surroundings.
     #[error("r(φ) has a kink near φ = {angle:.4} that cannot be told from what is around it")]
     PolarKink {
         /// About where, in radians.
         angle: f64,
     },
-    /// A formula with so many waves that nobody waits for the first hit.
+    /// A formula with too many oscillations for the first hit to be found in reasonable time.
     #[error("the curve winds to and fro thousands of times, more often than can be tabulated")]
     Winding,
-    /// A formula without a zero in its box, as far as is seen.
+    /// A formula for which no zero was found in its box.
     #[error(
         "no curve was found in the box of the formula: on none of its lines does it change sign, and in the middle it is {:?}", six_digits(*value)
     )]
     NoCurve {
-        /// What the formula says in the middle of its box.
+        /// The value of the formula in the middle of its box.
         value: f64,
     },
-    /// A curve with a parallel that would turn back: its radius of curvature is smaller than the distance.
+    /// A curve whose parallel would turn back: its radius of curvature is smaller than the distance.
     #[error(
         "the curve bends too much for a parallel at distance {distance}: near {} its radius of curvature is smaller",
         about(at)
@@ -107,22 +107,22 @@ pub enum Error {
     Bend {
         /// The distance of the parallel.
         distance: f64,
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
-    /// A curve with a kink that points into the table, about which its parallel would be open, or with the tip of a cusp, where it would cross
-    /// itself.
+    /// A curve with a kink that points into the table, around which its parallel would have a gap, or with the tip of a cusp, where its
+    /// parallel would cross itself.
     #[error("the curve has a kink near {}", about(at))]
     Kink {
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
-    /// A piece with such a kink, or a curvature without bound: where a disk can go around it is not known.
+    /// A piece with such a kink, or with unbounded curvature: where a disk can go around it is not known.
     #[error("piece {piece} has a kink near {} that a disk cannot be followed around", about(at))]
     RoughPiece {
         /// The piece.
         piece: usize,
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
     /// A formula that does not bound a table.
@@ -138,20 +138,20 @@ pub enum Error {
     Parametrised {
         /// What the curve must do.
         must: ParametricRule,
-        /// About which parameter it does not.
+        /// About the parameter at which it does not.
         parameter: f64,
     },
     /// Sides that do not bound a convex (and, where asked for, centrally symmetric) polygon.
     #[error("the sides do not bound a convex polygon of the kind asked for")]
     NotConvex,
-    /// A boundary that starts or ends in the middle of nowhere.
+    /// A boundary that starts or ends at a point where nothing joins it.
     #[error("the boundary is open: piece {piece} {}", into_nowhere(*starts, *gap))]
     Open {
         /// The piece.
         piece: usize,
-        /// Whether it is the start of the piece that is the end of no other one; otherwise it ends where no other one starts.
+        /// Whether the piece starts where no other one ends; otherwise it ends where no other one starts.
         starts: bool,
-        /// Distance to the nearest end, or start; infinite where there is none.
+        /// Distance to the nearest end (or start) of another piece; infinite where there is none.
         gap: f64,
     },
     /// Two pieces that cross.
@@ -161,7 +161,7 @@ pub enum Error {
         first: usize,
         /// The other.
         second: usize,
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
     /// A boundary traversed with the table on its right.
@@ -180,12 +180,12 @@ pub enum Error {
         /// The piece.
         piece: usize,
     },
-    /// A stretch there and back with the table on neither side.
+    /// A stretch traversed there and back with the table on neither side.
     #[error("piece {piece} runs there and back near {}, where the table lies on neither side of it", about(at))]
     Spike {
         /// The piece.
         piece: usize,
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
     /// A loop that rounding has made flat.
@@ -198,7 +198,7 @@ pub enum Error {
         /// Its area.
         area: f64,
     },
-    /// A piece that rounding has used up.
+    /// A piece that is no longer than the rounding of its coordinates.
     #[error(
         "piece {piece} has a length of only {length:?}: its points coincide within the rounding of their coordinates"
     )]
@@ -213,22 +213,22 @@ pub enum Error {
     SelfCrossing {
         /// The piece.
         piece: usize,
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
-    /// The outline of a shape that crosses itself, so that it has no inside which others could be united with.
+    /// The outline of a shape that crosses itself, so that it has no well-defined inside to unite with others.
     #[error("the outline of the shape crosses itself near {}", about(at))]
     CrossedOutline {
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
-    /// An infinite piece where translates of it would fill the plane.
+    /// An infinite piece on a lattice, where its translates would fill the plane.
     #[error("piece {piece} is infinite: on a lattice, only lines along a single lattice vector may be")]
     InfiniteOnLattice {
         /// The piece.
         piece: usize,
     },
-    /// Pieces so large beside the cell of a lattice that their translates would be millions.
+    /// Pieces so large compared with the cell of a lattice that there would be millions of translates.
     #[error(
         "piece {piece} reaches over {cells:e} cells of the lattice: its vectors are short beside the piece, or nearly parallel"
     )]
@@ -238,7 +238,7 @@ pub enum Error {
         /// About so many cells.
         cells: f64,
     },
-    /// A piece so far from the unit cell of a lattice that coordinates there do not tell one cell from the next.
+    /// A piece so far from the unit cell of a lattice that rounded coordinates there cannot tell one cell from the next.
     #[error(
         "piece {piece} lies {cells:.0e} cells of the lattice away, where coordinates are rounded to parts of a cell"
     )]
@@ -260,7 +260,7 @@ pub enum Error {
         /// The largest coordinate of a vertex.
         size: f64,
     },
-    /// A disk that fits nowhere.
+    /// A disk that fits nowhere in the table.
     #[error("a disk of radius {} has no room to move in the table; its radius must be less than {}", short(*radius), short(*largest))]
     NothingLeft {
         /// The radius asked for.
@@ -268,7 +268,7 @@ pub enum Error {
         /// Radius of the largest disk in the table.
         largest: f64,
     },
-    /// A radius at which the region of centres changes its form, so that rounding decides about it.
+    /// A radius at which the topology of the region of centres changes, so that rounding would decide about it.
     #[error(
         "a disk of radius {} just touches several walls at once near {}; a radius a little smaller or greater decides whether it passes",
         short(*radius),
@@ -277,7 +277,7 @@ pub enum Error {
     Undecided {
         /// The radius asked for.
         radius: f64,
-        /// About where.
+        /// Approximate location.
         at: [f64; 2],
     },
     /// A file that holds no outline or surface, or not one that can be read.
@@ -318,13 +318,13 @@ pub enum Error {
         /// What it must be.
         must: &'static str,
     },
-    /// Walls or a table that extend to infinity where something is to be uniform on them.
+    /// Infinite walls or an infinite table on which something is to be distributed uniformly.
     #[error("{what} is infinite: nothing is uniform on it")]
     Unbounded {
         /// The length or area, in words.
         what: &'static str,
     },
-    /// Walls that do not bound a table together.
+    /// Walls that together do not bound a table.
     #[error(
         "nothing is left of the walls, or too little to draw from: no point of one was found on the table's side of all others"
     )]
@@ -345,7 +345,7 @@ pub enum Error {
         /// The parameter.
         name: &'static str,
     },
-    /// A parameter that is not of the form asked for.
+    /// A parameter of the wrong form.
     #[error("{name} must be {must}, not {found}")]
     Form {
         /// The parameter.
@@ -375,7 +375,7 @@ fn into_nowhere(starts: bool, gap: f64) -> String {
     }
 }
 
-/// A point to six digits; a coordinate that is nothing beside the other one is 0.
+/// A point to six digits; a coordinate that is negligible beside the other one is shown as 0.
 fn about(at: &[f64; 2]) -> String {
     let size = at[0].abs().max(at[1].abs());
     let [x, y] = at.map(|x| if x.abs() < 1e-12 * size { 0.0 } else { six_digits(x) }).map(|x| format!("{x:?}"));
@@ -386,7 +386,7 @@ fn six_digits(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// A number with an exponent where it would be a row of zeros.
+/// A number, with an exponent where there would otherwise be a row of zeros.
 fn short(x: f64) -> String {
     format!("{x:?}").trim_end_matches(".0").into()
 }

@@ -34,7 +34,8 @@ impl<const N: usize> Extent<N> {
         is_finite(&self.min) && is_finite(&self.max)
     }
 
-    /// A point on the same side of all that lies in the box, and along no axis farther from it than it is long, if it is.
+    /// A point on the same side of everything in the box, moved so that along each axis it lies no farther from the box
+    /// than the box is long (where the box has a length).
     pub(crate) fn beside(&self, point: &SVector<f64, N>) -> SVector<f64, N> {
         let size = (self.max - self.min).map(|length| if length > 0.0 { length } else { f64::INFINITY });
         point.sup(&(self.min - size)).inf(&(self.max + size))
@@ -51,7 +52,7 @@ impl<const N: usize> Extent<N> {
         (0..N).all(|i| self.min[i] <= other.max[i] + reach && other.min[i] <= self.max[i] + reach)
     }
 
-    /// Greatest finite coordinate, without sign.
+    /// Greatest absolute value of the finite coordinates.
     pub(crate) fn size(&self) -> f64 {
         self.min.iter().chain(self.max.iter()).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()))
     }

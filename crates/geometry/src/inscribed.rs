@@ -18,18 +18,18 @@ pub struct LargestDisk {
     pub radius: f64,
 }
 
-/// The search for the best place goes on until no place can be better by more than this part; from there an ascent
-/// finds the top.
+/// The search for the best place goes on until no place can be better by more than this relative amount; from there an ascent finds the
+/// maximum.
 const COARSE: f64 = 1.0 / 1024.0;
 
-/// Squares looked at, at most: a ridge of equally good places would need ever more.
+/// Most squares examined: a ridge of equally good places would need ever more.
 const MOST_SQUARES: usize = 40_000;
 
 /// Directions of walls without end that differ by no more than this (radians) are parallel: each is rounded to half an ulp per
 /// component.
 const PARALLEL: f64 = 8.0 * f64::EPSILON;
 
-/// A part of a curve's length of which the square is below rounding.
+/// A fraction of a curve's length whose square is below rounding.
 const NEARLY: f64 = 1e-9;
 
 /// A square of the search.
@@ -62,17 +62,17 @@ impl Ord for Square {
 /// Places along a curve between which the distance from a point has one minimum at most.
 const PLACES: u32 = 256;
 
-/// Signed distances from a table's boundary, by a tree.
+/// Signed distances from a table's boundary, found with a tree.
 struct Field {
     copies: Copies,
-    /// On a lattice, with a corner of a cell about which all translates are known.
+    /// On a lattice, the lattice and a corner of a cell around which all translates are known.
     cell: Option<(Lattice, Vector2<f64>)>,
-    /// Arc lengths along curves that may be touched in several places, and where these are, once somebody asks.
+    /// Arc lengths along curves that may be touched in several places, and the landings there, computed when first needed.
     places: Vec<OnceCell<Vec<(f64, Landing)>>>,
 }
 
 impl Field {
-    /// Of a table, whose box or that of whose unit cell is given.
+    /// The field of a table; `home` is the box of the table or of its unit cell.
     fn new(table: &Table, home: &Extent) -> Field {
         let copies = Copies::new(table.pieces(), table.shortest(), home, (home.max - home.min).amax());
         let places = copies.order().map(|_| OnceCell::new()).collect();
@@ -81,7 +81,7 @@ impl Field {
         Field { copies, cell: table.shortest().map(|lattice| (lattice.clone(), corner)), places }
     }
 
-    /// The same place in the cell.
+    /// The equivalent point in the cell.
     fn home(&self, point: Vector2<f64>) -> Vector2<f64> {
         let Some((lattice, corner)) = &self.cell else { return point };
         point - lattice.translation(lattice.coordinates(&(point - corner)).map(libm::floor))
@@ -94,7 +94,7 @@ impl Field {
         feet
     }
 
-    /// The points of all pieces that may come as near as `reach`, each closest among its neighbours along the piece.
+    /// The points of all pieces within about `reach` at which the distance has a local minimum along the piece.
     fn local_feet(&self, point: &Vector2<f64>, reach: f64) -> Vec<Landing> {
         let mut feet = self.feet(point, reach);
         // how far a foot lies ahead of the point, along the curve
@@ -117,7 +117,7 @@ impl Field {
                         let rate = 1.0 + piece.curvature(&here.point) * (here.point - point).dot(&here.normal);
                         [ahead(&here), rate]
                     };
-                    // a step of Newton's method leaves its square; each asks for an arc length, which may be an integral
+                    // a step of Newton's method leaves the square of the error; each needs an arc length, which may be an integral
                     let guess = low + (high - low) * (behind / (behind - beyond));
                     feet.push(piece.landing_at(rising_root_near(guess, rise, [low, high], NEARLY * length)));
                 }
@@ -127,8 +127,7 @@ impl Field {
         feet
     }
 
-    /// Climbs from a point to the nearest local maximum of the distance: where three walls, or two opposite ones, are
-    /// equally far.
+    /// Climbs from a point to the nearest local maximum of the distance, where three walls, or two opposite ones, are equally far.
     fn climb(&self, mut center: Vector2<f64>, start: f64) -> LargestDisk {
         let mut radius = self.copies.signed_distance(&center);
         let mut step = start;
@@ -192,13 +191,13 @@ fn best_step(walls: &[Vector3<f64>], limit: f64) -> Vector2<f64> {
 impl Table {
     /// The largest disk that fits in the table; on a lattice it may overlap its own translates.
     ///
-    /// The radius is right to rounding unless two places far apart differ by less than a thousandth: then it is that of
-    /// one of them.
+    /// The radius is correct to rounding unless the best radii at two places far apart differ by less than a thousandth: then it is that
+    /// of one of them.
     pub fn largest_disk(&self) -> LargestDisk {
         let finite = self.pieces().iter().all(|p| p.extent().is_finite());
         let home = self.search_box();
         if finite {
-            // around holes alone, and walls on both sides, there is no end
+            // the table around nothing but holes and two-sided walls is unbounded
             let width = (home.max - home.min).norm();
             if self.shortest().is_none() && self.enclosed_by(&self.chains()) <= slack([width * width]) {
                 return LargestDisk { center: home.max * 2.0 - home.min, radius: f64::INFINITY };
@@ -214,12 +213,12 @@ impl Table {
                 radius: f64::INFINITY,
             };
         }
-        // boxes 16 times as large each: where the disk keeps growing, there is no end to it
+        // two boxes, the second 16 times as large: where the disk keeps growing with the box, it has no largest size
         let (middle, half) = ((home.min + home.max) * 0.5, (home.max - home.min) * 0.5);
         let in_box = |k: f64| self.largest_disk_in(&Extent { min: middle - half * k, max: middle + half * k });
         let [small, large] = [in_box(4.0), in_box(64.0)];
         let best = if large.radius > small.radius { large } else { small };
-        // nothing but straight walls is out there, and an ascent that goes beyond finds no end
+        // out there are only straight walls, and an ascent that goes beyond finds no maximum
         let beyond = (0..2).any(|i| (best.center[i] - middle[i]).abs() > 1024.0 * half.amax());
         if large.radius > 8.0 * small.radius || beyond {
             return LargestDisk { center: large.center, radius: f64::INFINITY };
@@ -227,7 +226,7 @@ impl Table {
         best
     }
 
-    /// A direction in which the table is a sector far away, however narrow, between straight walls without end: any disk fits in there.
+    /// A direction in which the table is, far away, a sector (however narrow) between infinite straight walls: any disk fits in there.
     fn widening(&self) -> Option<Vector2<f64>> {
         struct Far {
             angle: f64,
@@ -273,7 +272,7 @@ impl Table {
         })
     }
 
-    /// A box that contains the table, or its unit cell, or all that is finite of it.
+    /// A box that contains the table, or its unit cell, or all its finite parts.
     fn search_box(&self) -> Extent {
         let corners = |p: &std::sync::Arc<dyn crate::Piece>| match p.figure() {
             Figure::Line { through, .. } => vec![through],
@@ -301,7 +300,7 @@ impl Table {
             let distance = field.copies.signed_distance(&field.home(middle));
             Square { middle, half, distance, bound: distance + half * core::f64::consts::SQRT_2 }
         };
-        // squares as wide as the box is narrow, but not too many
+        // squares as wide as the narrow side of the box, but not too many
         let side = sides.min().max(sides.max() / 256.0);
         let mut open = BinaryHeap::new();
         let count = sides.map(|s| libm::ceil(s / side).max(1.0));
@@ -335,15 +334,16 @@ impl Table {
                 }
             }
         }
-        // in the very middle between walls there may be no slope, though it rises to both sides: the ascent begins beside it, too
+        // exactly midway between walls the slope may vanish although the distance rises to both sides: a second ascent begins beside that
+        // point
         let step = best.half.max(best.distance.abs() * COARSE);
         let [here, beside] = [Vector2::zeros(), Vector2::new(0.61, 0.79) * step]
             .map(|aside| field.climb(field.home(best.middle + aside), step));
         if beside.radius > here.radius { beside } else { here }
     }
 
-    /// A place far from all walls, on a lattice along one vector between finite pieces: on either side of these the table ends, or has no
-    /// end.
+    /// A place far from all walls, on a lattice of one vector with finite pieces only: to either side of these the table either ends or
+    /// is unbounded.
     fn far_across(&self, home: &Extent) -> Option<Vector2<f64>> {
         let &[along] = self.shortest()?.vectors() else { return None };
         let across = Vector2::new(-along.y, along.x) * (2.0 * (home.max - home.min).norm() / along.norm());
@@ -476,7 +476,7 @@ mod tests {
         assert!(of(vec![line(0.0, 1.0)]).largest_disk().radius.is_infinite());
         let ray = |x: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, 4.0), left).unwrap()) as Box<dyn Piece>;
         assert!(of(vec![ray(1.0, true), ray(-1.0, false)]).largest_disk().radius.is_infinite());
-        // however narrow; the plane around it has room as well, and a strip with one end no more than one with none
+        // however narrow; the plane around it has room as well, and a half-infinite strip has no more room than an infinite one
         for angle in [1e-3, 1e-9, 1e-14, 3.0] {
             assert!(crate::tables::wedge(angle).unwrap().largest_disk().radius.is_infinite(), "{angle}");
         }

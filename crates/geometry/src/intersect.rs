@@ -1,8 +1,8 @@
 //! Where two pieces of boundary meet.
 //!
-//! Segments, rays, lines, arcs and circles are intersected in closed form; where an end of one piece lies on the other
-//! that meeting is taken as it is, and the second point of a pair follows by reflection instead of a square root. All
-//! other curves are intersected by subdivision, which cannot lose a transversal crossing, and Newton's method.
+//! Segments, rays, lines, arcs and circles are intersected in closed form; where an end of one piece lies on the other, that end is taken
+//! as the meeting exactly, and the second point of a pair follows by reflection instead of a square root. All other curves are intersected
+//! by subdivision, which cannot lose a transversal crossing, and Newton's method.
 mod exact;
 mod self_crossing;
 mod subdivision;
@@ -17,7 +17,7 @@ pub(crate) use self_crossing::self_crossing;
 pub enum MeetingKind {
     /// They pass through one another.
     Crossing,
-    /// They touch, both of them going on, and do not pass through one another by more than rounding.
+    /// They touch, both of them continuing beyond the point, and do not pass through one another by more than rounding.
     Tangency,
     /// An end of one lies on the other: a shared vertex, or a junction.
     End,
@@ -39,8 +39,9 @@ pub struct Meeting {
 /// The points that two pieces have in common, in the order of the first piece.
 ///
 /// Points closer together than rounding of the coordinates (16 ulp of the greatest) are one point. A stretch in common
-/// appears as its two ends. The place of a tangency of curves without a closed form is known to the root of rounding
-/// only, for that is how long they run together. A piece has no meetings with itself here; see [`Table::validate`](crate::Table::validate).
+/// appears as its two ends. The position of a tangency of curves without a closed form is known only to the square root of rounding, since
+/// the curves run together over about that length. A piece has no meetings with itself here; see
+/// [`Table::validate`](crate::Table::validate).
 ///
 /// ```
 /// use geometry::{MeetingKind, Vector2, meetings, shapes::{Circle, FullLine}};
@@ -52,7 +53,7 @@ pub struct Meeting {
 /// # Ok::<(), geometry::Error>(())
 /// ```
 pub fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
-    // a wall without thickness is met as one of its faces, and at its tips it touches, for nothing passes through there
+    // a wall without thickness is met as one of its faces; a meeting at one of its tips is a touch, for nothing passes through there
     let tips = [a, b].map(Piece::tips);
     if tips.iter().any(Option::is_some) {
         let faces = tips.map(|t| t.and_then(|[p, q]| Segment::new(p, q).ok()));
@@ -102,7 +103,7 @@ mod tests {
         assert_eq!(swapped.len(), found.len());
         for (m, n) in found.iter().zip(&swapped) {
             assert_eq!(m.kind, n.kind);
-            // the place of a tangency found by subdivision is known to the root of rounding
+            // the position of a tangency found by subdivision is known to the square root of rounding
             let close = if m.kind == Tangency { 1e-6 } else { 1e-14 };
             assert!((m.point - n.point).norm() < close, "{m:?} {n:?}");
         }
@@ -193,7 +194,7 @@ mod tests {
             let wall = Segment::new(v(0.3, 0.1) - along, v(0.3, 0.1) + along).unwrap();
             let found = meetings(&wall, &arc);
             let [Meeting { point, kind: Crossing, .. }] = found[..] else { panic!("{radius}: {found:?}") };
-            // whereas along the wall it is known as well as the arc only
+            // whereas along the wall it is known only as well as the arc is
             let off = (point - v(0.3, 0.1)).dot(&wall.closest(&point).normal);
             assert!(off.abs() < 3e-16, "{radius}: {off:e}");
         }
@@ -224,7 +225,7 @@ mod tests {
 
     #[test]
     fn subdivision_agrees_with_the_closed_form() {
-        // an ellipse with equal axes is a circle, but of no known figure
+        // an ellipse with equal axes is a circle, but is not known as one
         for k in 0..60 {
             let t = f64::from(k);
             let center = v(0.7 * libm::sin(t), 1.1 * libm::cos(2.0 * t));
@@ -259,7 +260,7 @@ mod tests {
 
     #[test]
     fn curves_that_cross_at_a_tiny_angle_meet_there() {
-        // an ellipse and itself, turned about one of its points: bending alike they part there by the angle alone
+        // an ellipse and a copy turned about one of its points: with equal curvature there they separate by the angle alone
         for k in 0..600 {
             let t = 0.01 * f64::from(k);
             let [x, y] = [5.0 * libm::sin(t), 3.0 * libm::cos(0.7 * t)];
@@ -271,7 +272,7 @@ mod tests {
             let center = pivot + v(cos * away.x - sin * away.y, sin * away.x + cos * away.y);
             let turned = Ellipse::new(center, [1.0, 0.75], t + angle, true).unwrap();
             let found = meetings(&ellipse, &turned);
-            // what points of curves are off by, 64 ulp of the greatest coordinate, over the angle
+            // the error of points of curves, 64 ulp of the greatest coordinate, divided by the angle
             let near = |m: &Meeting| (m.point - pivot).norm() < 64.0 * f64::EPSILON * 6.0 / angle;
             assert!(found.iter().any(near), "{k}, angle {angle:e}: {found:?}");
         }

@@ -13,8 +13,8 @@ pub(crate) struct Joint {
     pub(crate) vertex: Vector2<f64>,
 }
 
-/// Directions straight back, within this (radians), are those of a cusp or of the tip of a slit: a point where curves touch is
-/// known to the root of rounding, 10⁻⁸, only.
+/// Directions that turn straight back within this (radians) are those of a cusp or of the tip of a slit: a point where curves touch
+/// is known only to the square root of rounding, 10⁻⁸.
 const CUSP: f64 = 2e-7;
 
 impl Joint {
@@ -48,8 +48,8 @@ impl Branch {
     }
 }
 
-/// Directions that differ by less than this (radians) are told apart by curvature: a point where curves touch is known
-/// to the root of rounding only.
+/// Directions that differ by less than this (radians) are told apart by curvature: a point where curves touch is known only to the
+/// square root of rounding.
 const STRAIGHT_BACK: f64 = 1e-6;
 
 /// Which of several branches turns most sharply to the left.
@@ -71,13 +71,13 @@ pub(crate) fn leftmost(incoming: Branch, outgoing: impl Iterator<Item = Branch>)
     outgoing.map(clockwise).enumerate().min_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(k, _)| k)
 }
 
-/// The joints of a table, on a lattice also those across cells where nothing starts within one.
+/// The joints of a table; on a lattice also those across cells, for pieces after which none starts within the same cell.
 pub(crate) fn joints(table: &Table) -> Vec<Joint> {
     joints_where(table, <[Candidate]>::is_empty)
 }
 
-/// The same where translates may touch what starts within a cell, for each part of the table by itself; of `n` pieces on a lattice in
-/// `n²` operations.
+/// The same where translates may touch what starts within a cell, for each part of the table by itself; takes `n²` operations for `n`
+/// pieces on a lattice.
 pub(crate) fn joints_around_parts(table: &Table) -> Vec<Joint> {
     joints_where(table, |_| true)
 }
@@ -85,7 +85,7 @@ pub(crate) fn joints_around_parts(table: &Table) -> Vec<Joint> {
 /// A piece that starts at a vertex, and by how many lattice vectors it is moved.
 type Candidate = (usize, [f64; 2]);
 
-/// Those of what starts within a cell, and across cells if these ask for it.
+/// Joints to what starts within a cell, and across cells if `across` says so for the candidates within it.
 fn joints_where(table: &Table, across: impl Fn(&[Candidate]) -> bool) -> Vec<Joint> {
     let pieces = table.pieces();
     let mut starts: Vec<(Vector2<f64>, usize)> = pieces
@@ -107,7 +107,7 @@ fn joints_where(table: &Table, across: impl Fn(&[Candidate]) -> bool) -> Vec<Joi
             let within = candidates.clone();
             candidates.extend(starts.iter().filter_map(moved).filter(|moved| !within.contains(moved)));
         }
-        // where several tables touch, each keeps to itself
+        // where several parts of the table touch, each is followed by itself
         let incoming = Branch::of(&**piece, &vertex);
         let start = |&(j, _): &Candidate| pieces[j].ends().map_or(vertex, |[a, _]| a);
         let outgoing = candidates.iter().map(|c| Branch::of(&*pieces[c.0], &start(c)));

@@ -16,7 +16,8 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// Farther away than so many cells, coordinates are rounded to an eighth of a cell and more, and soon cells can no longer be counted.
+    /// Beyond this many cells, coordinates are rounded to an eighth of a cell or more, and a little farther cells can no longer be
+    /// counted.
     pub const FARTHEST_CELL: f64 = 1_125_899_906_842_624.0; // 2⁵⁰
 
     /// The lattice spanned by one or two vectors \[L\].
@@ -29,7 +30,7 @@ impl Lattice {
         Lattice::spanned_by(vectors)
     }
 
-    /// The same, of vectors of any size.
+    /// The same for vectors of any size.
     fn spanned_by(vectors: &[Vector2<f64>]) -> Result<Lattice, Error> {
         let full = match vectors {
             [a] => Matrix2::from_columns(&[*a, Vector2::new(-a.y, a.x)]),
@@ -45,7 +46,7 @@ impl Lattice {
         &self.vectors
     }
 
-    /// The same lattice with vectors as short as possible (Lagrange, Gauss), and how many of the old ones each of the new ones is.
+    /// The same lattice with vectors as short as possible (Lagrange–Gauss reduction), and each new vector in multiples of the old ones.
     pub(crate) fn reduced(&self) -> (Lattice, [[f64; 2]; 2]) {
         let mut of_old = [[1.0, 0.0], [0.0, 1.0]];
         let &[mut a, mut b] = self.vectors.as_slice() else { return (self.clone(), of_old) };
@@ -58,7 +59,7 @@ impl Lattice {
                 of_old.swap(0, 1);
             }
             let share = a.dot(&b) / a.norm_squared();
-            // rounding may see a half as more
+            // rounding may make a half appear as more
             if share.is_nan() || share.abs() <= 0.5 + 1e-9 {
                 break;
             }
@@ -70,7 +71,7 @@ impl Lattice {
         if !shorter {
             return (self.clone(), [[1.0, 0.0], [0.0, 1.0]]);
         }
-        // to the last digit what the old ones make of it
+        // computed from the old vectors, to agree with these to the last digit
         let vectors = of_old.map(|[i, j]| self.translation([i, j]));
         Lattice::spanned_by(&vectors)
             .map_or_else(|_| (self.clone(), [[1.0, 0.0], [0.0, 1.0]]), |lattice| (lattice, of_old))
@@ -99,8 +100,8 @@ impl Lattice {
         }
     }
 
-    /// The point of the unit cell that is the same as `point`, and the translation from the one to the other, in
-    /// multiples of the vectors.
+    /// The point of the unit cell that is equivalent to `point`, and the translation from the one to the other, in multiples of the
+    /// vectors.
     pub fn reduce(&self, point: &Vector2<f64>) -> (Vector2<f64>, [f64; 2]) {
         let (mut p, mut cell) = (*point, [0.0; 2]);
         for (i, vector) in self.vectors.iter().enumerate() {
@@ -111,28 +112,28 @@ impl Lattice {
         (p, cell)
     }
 
-    /// The lattice vector that a displacement is but for something small, in multiples of the vectors: its coordinates, rounded.
+    /// The lattice vector that a displacement equals up to something small, in multiples of the vectors: its lattice coordinates, rounded.
     ///
-    /// It is the nearest one to displacements up to half as far from it as two neighbouring rows of the lattice are apart. Farther
-    /// away, or where a short vector is a sum of long ones, another may be nearer.
+    /// It is the nearest lattice vector if the displacement is within half the distance of neighbouring rows of the lattice from it.
+    /// Farther away, or where a short vector is a sum of long ones, another may be nearer.
     pub fn rounded(&self, displacement: &Vector2<f64>) -> [f64; 2] {
         self.coordinates(displacement).map(libm::round)
     }
 
-    /// By how many of each vector `b` is farther than `a`, where within rounding they differ by a lattice vector.
+    /// How many of each vector lead from `a` to `b`, where within rounding they differ by a lattice vector.
     pub(crate) fn between(&self, a: &Vector2<f64>, b: &Vector2<f64>) -> Option<[f64; 2]> {
         let cell = self.rounded(&(b - a));
         let off = b - a - self.translation(cell);
         (is_finite(a) && is_finite(b) && off.amax() <= slack(a.iter().chain(b.iter()).copied())).then_some(cell)
     }
 
-    /// The translation that is `cell` multiples of the vectors.
+    /// The translation by the multiples `cell` of the vectors.
     pub fn translation(&self, cell: [f64; 2]) -> Vector2<f64> {
         self.vectors.iter().zip(cell).map(|(v, c)| v * c).sum()
     }
 }
 
-/// All multiples of two vectors from the least to the largest of each.
+/// All pairs of multiples, each from its least to its largest value.
 pub(crate) fn multiples([first, second]: [[f64; 2]; 2]) -> impl Iterator<Item = [f64; 2]> {
     let up = |[least, largest]: [f64; 2]| successors(Some(least), |k| Some(k + 1.0)).take_while(move |k| *k <= largest);
     up(first).flat_map(move |i| up(second).map(move |j| [i, j]))

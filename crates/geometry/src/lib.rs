@@ -2,15 +2,16 @@
 //!
 //! Three layers, each with one job:
 //!
-//! * A [`Piece`] is an exact curve: [`shapes`] has segments, rays, lines, arcs, circles and more. A shape of your own
-//!   is one implementation.
-//! * A [`Table`] is a numbered set of pieces that hang together ([`Outline`] draws them; `tables` has the classical
-//!   ones), perhaps repeated by a [`Lattice`].
-//! * [`walls`] answer the engine's one question, in lanes of any width: what is hit first? A table finds the fastest
-//!   walls for itself ([`Table::with_walls`]).
+//! * A [`Piece`] is an exact curve: [`shapes`] has segments, rays, lines, arcs, circles and more. To add a shape of
+//!   your own, implement this one trait.
+//! * A [`Table`] is a numbered set of connected pieces ([`Outline`] draws them; [`tables`] has the classical ones),
+//!   perhaps repeated by a [`Lattice`].
+//! * [`walls`] answer the engine's one question, in SIMD lanes of any width: what is hit first? A table chooses the
+//!   fastest walls by itself ([`Table::with_walls`]).
 //!
 //! Everything is oriented: the boundary is traversed with the table on its left, and normals point into the table.
-//! Nothing here has an absolute tolerance; scaling a table by a power of two scales every answer to the last bit.
+//! Nothing here has an absolute tolerance; scaling a table by a power of two scales every answer exactly, to the
+//! last bit.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod afar;

@@ -1,12 +1,12 @@
-//! Which of several pieces is nearest to a point, and so tells on which side of the boundary the point lies.
+//! Which of several pieces is nearest to a point, and so determines on which side of the boundary the point lies.
 use crate::{Landing, Piece};
 use nalgebra::Vector2;
 
-/// Distances that differ by no more than this part are equal but for rounding.
+/// Distances whose relative difference is no more than this are equal up to rounding.
 const SAME: f64 = 1e-12;
 
-/// Curvatures of curves by formulas and by distance are right to ten digits and more; no two that are meant to differ are as
-/// close as this part.
+/// Curvatures of curves given by formulas, and of parallels, are correct to ten digits or more; no two that are meant to differ are
+/// as close as this relative difference.
 pub(crate) const ALIKE: f64 = 1e-6;
 
 /// A piece, seen from a point.
@@ -27,7 +27,7 @@ impl<'a> Foot<'a> {
         Foot { number, piece, landing, square: off.norm_squared(), height: landing.normal.dot(&off) }
     }
 
-    /// Whether this piece tells more about the point than another one.
+    /// Whether this piece rather than the other one decides on which side the point lies.
     fn decides_before(&self, other: &Foot) -> bool {
         let equal = |a: f64, b: f64| a <= b * (1.0 + SAME) && b <= a * (1.0 + SAME);
         if !equal(self.square, other.square) {
@@ -44,21 +44,21 @@ impl<'a> Foot<'a> {
     /// Whether this piece lies between the point and another piece that touches it at the common foot and has the table on its other
     /// side.
     fn lies_before(&self, other: &Foot) -> bool {
-        // what bends more towards the point is nearer to all others around it
+        // the piece that bends more towards the point is nearer to all other points around it
         let [own, its] = [self, other].map(|foot| {
             let curvature = foot.piece.curvature(&foot.landing.point);
             if foot.height < 0.0 { -curvature } else { curvature }
         });
         if (own - its).abs() <= ALIKE * (own.abs() + its.abs()) {
-            // two sides of one wall, and the table on both
+            // two sides of one wall, with the table on both
             return self.height > other.height;
         }
         own > its
     }
 }
 
-/// The nearest of some pieces, the point of it that is closest, and its inward normal: they tell on which side of the boundary the
-/// point lies, where several pieces are equally near, too.
+/// The nearest of some pieces, its closest point, and its inward normal there: they determine on which side of the boundary the
+/// point lies, even where several pieces are equally near.
 pub(crate) fn nearest_of<'a>(
     pieces: impl Iterator<Item = (usize, &'a dyn Piece)>,
     point: &Vector2<f64>,

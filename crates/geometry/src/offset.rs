@@ -1,10 +1,9 @@
 //! Where the centre of a disk can be: the inward offset of a table.
 //!
-//! Every piece is moved inwards by the radius: straight walls shift, focusing arcs shrink, dispersing arcs grow, other
-//! curves become [`Parallel`](crate::shapes::Parallel)s, and arcs about the re-entrant corners join what they part. What
-//! is moved too far, over corners or through necks, crosses the rest. So all crossings are found, the moved pieces cut
-//! there, and only those parts kept that are as far from the boundary as they should be; they bound the region of
-//! centres.
+//! Every piece is moved inwards by the radius: straight walls shift, focusing arcs shrink, dispersing arcs grow, other curves become
+//! [`Parallel`](crate::shapes::Parallel)s, and arcs about the re-entrant corners close the gaps that open there. What is moved too far,
+//! over corners or through necks, crosses the rest. So all crossings are found, the moved pieces are cut there, and only those parts are
+//! kept that are as far from the boundary as they should be; they bound the region of centres.
 mod arrangement;
 mod moved;
 mod raw;
@@ -16,20 +15,21 @@ use crate::{Error, Extent, Figure, Piece, Table, shapes::kink};
 use arrangement::Arrangement;
 use nalgebra::Vector2;
 
-/// Parts of a curve in which a kink is looked for.
+/// Number of parts of a curve in which a kink is looked for.
 const PLACES: u32 = 256;
 
-/// A region between parallels of curves that is no wider than this many times the rounding of the table's coordinates is refused: points
-/// of the curves are known to a few times that, so of a region as thin orbits would leave at the vertices, one flight in a million.
+/// A region between parallels of curves that is no wider than this many times the rounding of the table's coordinates is refused: points of
+/// the curves are known only to a few times that rounding, so orbits would leave such a thin region at its vertices, about one flight in a
+/// million.
 const THIN: f64 = 262_144.0; // 2¹⁸
 
-/// Which piece of the drawn boundary a piece of an offset comes from.
+/// Where a piece of an offset comes from on the drawn boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Origin {
     /// The parallel of the piece of that number.
     Piece(usize),
-    /// The arc about the re-entrant corner where one piece ends and another starts; about the tip of a wall without thickness both are
-    /// that wall.
+    /// The arc about the re-entrant corner where one piece ends and another starts; at the tip of a wall without thickness both are that
+    /// wall.
     Corner {
         /// The piece that ends at the corner.
         before: usize,
@@ -56,7 +56,7 @@ impl Origin {
 /// The region of centres of a disk on a table.
 #[derive(Clone, Debug)]
 pub struct Offset {
-    /// The region, a table by itself.
+    /// The region, itself a table.
     pub table: Table,
     /// For each of its pieces, where it comes from.
     pub origins: Vec<Origin>,
@@ -67,8 +67,8 @@ impl Table {
     /// that radius can be.
     ///
     /// Pieces are numbered loop by loop, each loop from its piece of lowest origin. A neck narrower than the disk cuts the
-    /// region into several parts; a neck exactly as wide counts as closed, or is
-    /// refused as [`Error::Undecided`] where rounding decides about it.
+    /// region into several parts; a neck exactly as wide counts as closed, or is refused as [`Error::Undecided`] where rounding would
+    /// decide about it.
     ///
     /// ```
     /// use geometry::{Origin, tables};
@@ -84,7 +84,7 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Radius`] for a radius that is negative or not finite, [`Error::NothingLeft`] where no such disk fits,
-    /// [`Error::Undecided`] where rounding decides whether it does, [`Error::RoughPiece`] for a kink within a piece. The table should
+    /// [`Error::Undecided`] where rounding would decide whether it does, [`Error::RoughPiece`] for a kink within a piece. The table should
     /// satisfy [`Table::validate`].
     pub fn offset(&self, radius: f64) -> Result<Offset, Error> {
         if radius == 0.0 {
@@ -102,7 +102,7 @@ impl Table {
         };
         if loops.is_empty() {
             let largest = self.largest_disk();
-            // one that all but fits
+            // a disk that all but fits
             let fits = largest.radius > radius;
             return Err(if fits {
                 undecided(radius, largest.center)
@@ -128,8 +128,8 @@ impl Table {
         Ok(Offset { table: if self.unbounded { table.unbounded() } else { table }, origins })
     }
 
-    /// Whether no disk of this radius fits for sure. (One that all but fits is left to the parallels of the pieces; of those far beyond the
-    /// table each crosses each.)
+    /// Whether certainly no disk of this radius fits. (Radii that almost fit are left to the parallels of the pieces; for much larger ones
+    /// every parallel would cross every other.)
     fn is_less_than(&self, radius: f64) -> bool {
         if let Some(lattice) = self.shortest() {
             // on a flat torus a copy of any point lies within half the sum of two shortest vectors, and so does a wall
@@ -140,10 +140,10 @@ impl Table {
         extent.is_finite() && radius > size.min() && !self.contains(&(extent.max + size))
     }
 
-    /// What is undecided at a kink within a piece is so for every radius.
+    /// An error for a kink within a piece, where the offset is undecided for every radius.
     fn rough_piece(&self, radius: f64, error: &Error) -> Option<Error> {
         let Error::Undecided { at, .. } = error else { return None };
-        // on a lattice the kink may be that of a copy
+        // on a lattice it may be the kink of a copy
         let is_there = |p: &Vector2<f64>| self.lattice().is_some() || (p - Vector2::from(*at)).norm() <= 1.5 * radius;
         let is_curve = |p: &dyn Piece| p.figure() == Figure::Other && p.tips().is_none();
         self.pieces().iter().enumerate().filter(|(_, curve)| is_curve(&***curve)).find_map(|(piece, curve)| {

@@ -78,10 +78,10 @@ impl Outline {
         }
     }
 
-    /// The pieces, once the last vertex is the first one again.
+    /// The pieces of the closed loop, whose last vertex must be the first one.
     ///
     /// # Errors
-    /// [`Error::Open`] where it is not.
+    /// [`Error::Open`] if it is not.
     pub fn close(self) -> Result<Vec<Box<dyn Piece>>, Error> {
         if self.pieces.is_empty() {
             return Err(Error::Empty);

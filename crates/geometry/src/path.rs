@@ -20,10 +20,10 @@ impl<const N: usize> Line<N> {
         self.point + self.velocity * t
     }
 
-    /// The same, and what rounding left over.
+    /// The position as a rounded value and its rounding error.
     ///
-    /// A place that is rounded lies off the path by half an ulp, and so sees a wall too early or too late by that over the sine of the
-    /// angle to it.
+    /// A rounded position lies off the path by half an ulp, and so meets a wall too early or too late by that divided by the sine of
+    /// the angle between them.
     pub(crate) fn at_exactly(&self, t: f64) -> [SVector<f64, N>; 2] {
         let mut rest = SVector::zeros();
         let rounded = SVector::from_fn(|i, _| {

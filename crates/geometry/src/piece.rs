@@ -1,4 +1,4 @@
-//! A piece of a planar boundary, as the sum of what anything may ask of it.
+//! A piece of a planar boundary: everything that may be asked of it.
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -19,7 +19,7 @@ pub struct Landing {
     pub normal: Vector2<f64>,
 }
 
-/// The exact figure of a piece, for those who can use it: composite walls, offsets, pictures.
+/// The exact figure of a piece, for code that can use it: composite walls, offsets, pictures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Figure {
     /// A straight segment, table on its left.
@@ -94,7 +94,7 @@ pub trait Piece: Debug + Send + Sync {
 
     /// The point at arc length `s`, and the inward normal there.
     ///
-    /// A piece with a parameter of its own need not look for the point again to know the normal.
+    /// A piece with its own parametrisation need not search for the point again to know the normal.
     fn landing_at(&self, s: f64) -> Landing {
         let point = self.point_at(s);
         Landing { point, normal: self.closest(&point).normal }
@@ -105,7 +105,7 @@ pub trait Piece: Debug + Send + Sync {
 
     /// The arc length of a landing: the inverse of [`Piece::landing_at`].
     ///
-    /// A piece that lies on itself, as a wall without thickness does, tells by the normal on which of its faces that is.
+    /// A piece that lies on itself, as a wall without thickness does, tells by the normal which of its faces is meant.
     fn arc_length_of(&self, landing: &Landing) -> f64 {
         self.arc_length_at(&landing.point)
     }
@@ -121,18 +121,18 @@ pub trait Piece: Debug + Send + Sync {
     fn extent(&self) -> Extent;
 
     /// The area \[L²\] between the piece and its chord, `½ ∫ (x dy − y dx)` about a point of the chord: positive where the piece runs
-    /// counter-clockwise around it, 0 for a straight one. A closed curve has its own area, infinite pieces have NaN.
+    /// counter-clockwise around it, 0 for a straight one. A closed curve has the area it encloses; infinite pieces have NaN.
     ///
-    /// [`enclosed_area`] is what several pieces bound together.
+    /// [`enclosed_area`] is the area that several pieces bound together.
     fn area(&self) -> f64;
 
-    /// The piece as a shape that answers in lanes, if it is one: lists of those run side by side at full speed, other
-    /// pieces one lane after another.
+    /// The piece as a shape that answers in SIMD lanes, if it is one: lists of such shapes run side by side at full speed, other pieces one
+    /// lane after another.
     fn shape(&self) -> Option<Shape> {
         None
     }
 
-    /// The piece as polynomial graphs over short chords, in the order of traversal, if it is a smooth curve that these give to
+    /// The piece as polynomial graphs over short chords, in the order of traversal, if it is a smooth curve that these represent to
     /// rounding: paths meet them in tens of nanoseconds, and side by side in lanes.
     fn graphs(&self) -> Option<Vec<Graph>> {
         None
@@ -143,7 +143,7 @@ pub trait Piece: Debug + Send + Sync {
         None
     }
 
-    /// Whether the table lies behind the piece, too, so that what starts on it, within rounding, does not cross it.
+    /// Whether the table also lies behind the piece, so that a path that starts on it, within rounding, does not cross it.
     fn has_two_sides(&self) -> bool {
         self.tips().is_some() || self.shape().is_some_and(|shape| shape.is_two_sided())
     }
@@ -156,8 +156,8 @@ impl dyn Piece + '_ {
     }
 }
 
-/// How far points of an arc may be off \[L\]: by the [`slack`] of its centre and radius, however short it is. Those of other pieces are off by
-/// that of their coordinates only.
+/// The error of points of a piece \[L\]: on an arc, however short, the [`slack`] of its centre and radius; on other pieces only that of
+/// their coordinates.
 pub(crate) fn rounding(piece: &dyn Piece) -> f64 {
     match piece.figure() {
         Figure::Arc { center, radius, .. } => slack([center.x, center.y, radius]),
@@ -165,10 +165,10 @@ pub(crate) fn rounding(piece: &dyn Piece) -> f64 {
     }
 }
 
-/// The area \[L²\] that pieces enclose, each of which begins where the one before it ends: positive if they run counter-clockwise. From
-/// the end of the last one to the start of the first leads a straight line; infinite pieces have the area NaN.
+/// The area \[L²\] enclosed by pieces each of which begins where the one before it ends: positive if they run counter-clockwise. A straight
+/// line closes the loop from the end of the last one to the start of the first; infinite pieces have the area NaN.
 ///
-/// Triangles are summed about a vertex, so that no digit depends on how far away the origin is.
+/// Triangles are summed about a vertex, so that no accuracy is lost far from the origin.
 pub fn enclosed_area<'a>(pieces: impl IntoIterator<Item = &'a dyn Piece>) -> f64 {
     let mut corner = None;
     let mut area = 0.0;

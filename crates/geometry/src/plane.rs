@@ -1,10 +1,10 @@
-//! Products in the plane, in lanes.
+//! Products of plane vectors, in lanes.
 use crate::Error;
 use lanes::{Double, Lane, two_sum};
 use nalgebra::SVector;
 
-/// Directions that differ by less than this (radians) are one: rounding of vertices turns short pieces by more than an ulp, and no
-/// angle that anybody means is this small.
+/// Directions that differ by less than this (radians) count as equal: rounding of vertices turns short pieces by more than an ulp, and no
+/// intended angle is this small.
 pub(crate) const SAME_DIRECTION: f64 = 1e-9;
 
 /// The smaller part of 1 in the golden section.
@@ -39,7 +39,7 @@ pub(crate) fn moved(p: [f64; 2], by: [f64; 2]) -> [f64; 2] {
     [p[0] + by[0], p[1] + by[1]]
 }
 
-/// What tells points apart that differ in any bit; −0 is 0.
+/// A key that distinguishes points that differ in any bit; −0 is 0.
 pub(crate) fn key<const N: usize>(point: impl Into<[f64; N]>) -> [u64; N] {
     point.into().map(|x| (x + 0.0).to_bits())
 }
@@ -49,7 +49,7 @@ pub(crate) fn is_finite<const N: usize>(point: &SVector<f64, N>) -> bool {
     point.iter().all(|x| x.is_finite())
 }
 
-/// Refuses a point with a coordinate that is not finite, by the name that it has.
+/// Refuses a point with a coordinate that is not finite, naming it in the error.
 pub(crate) fn finite<const N: usize>(name: &'static str, point: &SVector<f64, N>) -> Result<(), Error> {
     match point.iter().find(|x| !x.is_finite()) {
         Some(&value) => Err(Error::Parameter { name, must: "finite", value }),
@@ -57,7 +57,7 @@ pub(crate) fn finite<const N: usize>(name: &'static str, point: &SVector<f64, N>
     }
 }
 
-/// The square of a length must be a number, and so must what comes of it.
+/// Refuses a length whose square, or what is computed from it, would over- or underflow.
 pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
     if (1e-150..=1e150).contains(&value) {
         return Ok(());
@@ -65,7 +65,7 @@ pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
     Err(Error::Length { name, must: "between 1e-150 and 1e150", value })
 }
 
-/// The unit vector from `a` to `b`, each component right to its last digit, and the distance; `None` where there is no direction.
+/// The unit vector from `a` to `b`, each component correct to its last digit, and the distance; `None` where there is no direction.
 pub(crate) fn direction(a: [f64; 2], b: [f64; 2]) -> Option<([f64; 2], f64)> {
     let d = [0, 1].map(|i| two_sum(b[i], -a[i]));
     let size = d[0].0.abs().max(d[1].0.abs());
@@ -89,20 +89,21 @@ pub(crate) fn slack(coordinates: impl IntoIterator<Item = f64>) -> f64 {
     16.0 * f64::EPSILON * coordinates.into_iter().fold(0.0, |m: f64, c| m.max(c.abs()))
 }
 
-/// How far behind an infinite straight wall a start must lie to be beyond it: minus the rounding of coordinates, which grows along the wall.
+/// The signed distance below which a start counts as beyond an infinite straight wall: minus the rounding of coordinates, which grows along
+/// the wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Behind {
-    /// Times `|x₁| + |x₂|` of the start.
+    /// Factor of `|x₁| + |x₂|` of the start.
     relative: f64,
     constant: f64,
 }
 
 impl Behind {
-    /// Of a wall through a point whose coordinates have this [`slack`].
+    /// For a wall through a point whose coordinates have this [`slack`].
     pub(crate) fn of(slack: f64) -> Behind {
         Behind { relative: -16.0 * f64::EPSILON, constant: -slack }
     }
-    /// Of one side of a wall with two: a start must lie inside by half of that.
+    /// For one side of a two-sided wall: a start must lie inside by half of that.
     pub(crate) fn two_sided(self) -> Behind {
         Behind { relative: 0.5 * self.relative.abs(), constant: 0.5 * self.constant.abs() }
     }

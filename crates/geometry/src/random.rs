@@ -1,4 +1,4 @@
-//! Numbers without pattern, the same at each run: where trials are made, and in tests.
+//! Reproducible pseudo-random numbers, for trials and tests.
 
 /// Numbers in [0, 1), in steps of 2⁻⁵³: the upper bits of a linear congruential generator.
 pub(crate) fn uniform(mut state: u64) -> impl FnMut() -> f64 {

@@ -27,7 +27,7 @@ pub struct Interior<'a> {
     edges: [Vector2<f64>; 2],
 }
 
-/// So many trial points in a row outside the table, and a point is given up.
+/// After this many trial points in a row outside the table, the search for a point is given up.
 const MOST_TRIALS: u32 = 1_000_000;
 
 impl<'a> Interior<'a> {
@@ -70,7 +70,7 @@ impl<'a> Interior<'a> {
 #[derive(Clone, Debug)]
 pub struct Perimeter<'a> {
     table: &'a Table,
-    /// Arc length up to the start of each piece, and the whole.
+    /// Arc length up to the start of each piece, and the total length.
     offsets: Vec<f64>,
     length: f64,
 }
@@ -130,7 +130,7 @@ mod tests {
 
     #[test]
     fn points_of_a_table_are_spread_evenly() {
-        // even points count areas to about (log n)²/n: 2e-3 for n = 20 000
+        // such points measure areas to about (log n)²/n: 2e-3 for n = 20 000
         let table = tables::mushroom(1.0, 0.5, 0.75).unwrap();
         let interior = Interior::of(&table).unwrap();
         let mut uniform = even();

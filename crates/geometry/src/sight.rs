@@ -1,4 +1,4 @@
-//! What can be seen from a boundary along straight lines: enough to tell its sides apart and its parts.
+//! What can be seen from a boundary along straight lines: enough to tell its sides and its connected parts apart.
 use crate::{
     Extent, Figure, Lattice, MeetingKind, Piece, Table,
     copies::{Copies, finite_extent},
@@ -9,21 +9,21 @@ use crate::{
 };
 use nalgebra::Vector2;
 
-/// Lines that meet a wall at less than this angle (radians) may be on either side of it: a touch is known to the root of
-/// rounding, 10⁻⁸, only.
+/// Lines that meet a wall at less than this angle (radians) may be on either side of it: a touch is known only to the square root of
+/// rounding, 10⁻⁸.
 const GRAZING: f64 = 1e-6;
 
-/// Tries to find a line of sight that grazes nothing and meets no vertex.
+/// Number of tries to find a line of sight that grazes nothing and meets no vertex.
 const TRIES: usize = 16;
 
-/// Each further try along a normal leans by so much more (radians, about).
+/// Each further try along a normal leans by about this much more (radians).
 const LEAN: f64 = 0.0625;
 
-/// So far along a wall (times the size of the table) its two faces are still one, while walls that touch at a point are apart by its
-/// square times the difference of their curvatures, which is more than rounding.
+/// This far along a wall (times the size of the table) its two faces still coincide, whereas walls that touch at a point are
+/// separated by the square of it times the difference of their curvatures, which is more than rounding.
 const BESIDE: f64 = 1e-5;
 
-/// A table's chains of pieces, ready to be looked at.
+/// A table's chains of pieces, prepared for lines of sight.
 pub(crate) struct Sight<'a> {
     table: &'a Table,
     copies: Copies,
@@ -33,7 +33,7 @@ pub(crate) struct Sight<'a> {
     known: Option<Extent>,
     /// Greatest finite coordinate; 1 where there is none (lines through the origin).
     pub(crate) size: f64,
-    /// By how much points of pieces may be off.
+    /// The error that points of pieces may have.
     pub(crate) rounding: f64,
     pub(crate) chains: Vec<Vec<usize>>,
     /// For each piece, its chain.
@@ -42,7 +42,7 @@ pub(crate) struct Sight<'a> {
     pub(crate) extents: Vec<Extent>,
 }
 
-/// Where to look.
+/// Where a line of sight leads.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Aim {
     Inward,
@@ -60,26 +60,26 @@ pub(crate) struct Wall {
     pub(crate) into_table: bool,
 }
 
-/// A meeting of a line of sight with a piece, so far from its start.
+/// A meeting of a line of sight with a piece, at a distance from the start of the line.
 struct Ahead {
     far: f64,
     /// The index of its copy.
     index: usize,
-    /// What it is; nothing where the line grazes or meets a vertex.
+    /// The wall met; `None` where the line grazes or meets a vertex.
     wall: Option<Wall>,
 }
 
 /// What is met by a line of sight.
 struct Prospect {
-    /// The piece that is the other face of the wall on which the line starts, if that has two.
+    /// The piece that is the other face of the wall on which the line starts, if that wall has two.
     other_face: Option<usize>,
     /// All that lies ahead, in order.
     ahead: Vec<Ahead>,
 }
 
 impl<'a> Sight<'a> {
-    /// `cells`: how many more translates to take into account on each side, on a lattice. Those around all places from which and at
-    /// which lines go are always known.
+    /// `cells`: how many more translates to take into account on each side, on a lattice. Those around all starting points and
+    /// targets of lines are always known.
     pub(crate) fn new(table: &'a Table, cells: f64) -> Sight<'a> {
         let pieces = table.pieces();
         let coordinates = pieces.iter().map(|p| match p.figure() {
@@ -125,8 +125,9 @@ impl<'a> Sight<'a> {
         (0..self.chains.len()).filter(|&k| !self.extents[k].is_finite()).collect()
     }
 
-    /// The walls on a line of sight from a chain, from that chain itself on to the first that satisfies `until`; with
-    /// whether the line escapes beyond the last of them, or from where all translates are known. `None` where no line is clear.
+    /// The walls on a line of sight from a chain, starting with that chain itself, up to the first that satisfies `until`; and
+    /// whether the line escapes beyond the last of them, or leaves the region where all translates are known. `None` where no line
+    /// is clear.
     pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
         'tries: for k in 0..TRIES {
             let (index, from) = self.place(chain, k, GOLDEN);
@@ -138,11 +139,12 @@ impl<'a> Sight<'a> {
                 Aim::Inward => leaning,
                 Aim::Outward => -leaning,
                 Aim::Along(direction) => direction,
-                // a part that is not 1 minus that of the start: lines between circles that touch would go through where they do
+                // not the fraction complementary to that of the start: lines between circles that touch would pass through the point
+                // of contact
                 Aim::At(other) => self.place(other, k, 0.754_877_666_246_693).1 - from,
             };
             let direction = direction / libm::hypot(direction.x, direction.y);
-            // as seen from where the line goes: a wall with two sides has the table on both
+            // as seen from the side to which the line leaves: a two-sided wall has the table on both
             let facing = direction.dot(&copy.piece.closest(&(from + direction * self.aside())).normal);
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
@@ -157,7 +159,7 @@ impl<'a> Sight<'a> {
                 let Some(Prospect { other_face, ahead }) = self.ahead(index, from, direction, limit) else {
                     continue 'tries;
                 };
-                // of two faces of one wall the line starts on the one that it leaves
+                // of the two faces of one wall, the line starts on the one that it leaves
                 let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
                 let mut walls = vec![Wall { number, into_table: facing > 0.0 || other_face.is_some() }];
                 for met in ahead.chunk_by(|a, b| b.far <= a.far + rounding) {
@@ -166,7 +168,7 @@ impl<'a> Sight<'a> {
                     }
                     let found = match *met {
                         [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
-                        // two faces of one wall: the line comes to the one and goes on from the other
+                        // two faces of one wall: the line arrives at the one and goes on from the other
                         [Ahead { far, index: i, wall: Some(a) }, Ahead { index: j, wall: Some(b), .. }]
                             if a.into_table != b.into_table
                                 && self.coincide([i, j], from + direction * far, rounding) =>
@@ -220,7 +222,7 @@ impl<'a> Sight<'a> {
         8.0 * self.rounding
     }
 
-    /// All that is met by the line from a point of the copy with the given index; of what is farther than the limit, some.
+    /// All that the line meets from a point of the copy with the given index; beyond the limit perhaps not everything.
     fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>, limit: f64) -> Option<Prospect> {
         let ray = Ray::new(from, direction, true).ok()?;
         let rounding = self.rounding.max(slack(from.iter().copied()));
@@ -243,7 +245,7 @@ impl<'a> Sight<'a> {
                         other_face = Some(copy.number);
                         continue;
                     }
-                    // as seen from where the line comes
+                    // as seen from the side from which the line arrives
                     let facing = copy.piece.closest(&(m.point - direction * self.aside())).normal.dot(&direction);
                     let clear = m.kind == MeetingKind::Crossing && facing.abs() > GRAZING;
                     let wall = clear.then_some(Wall { number: copy.number, into_table: facing > 0.0 });
@@ -255,8 +257,8 @@ impl<'a> Sight<'a> {
         Some(Prospect { other_face, ahead })
     }
 
-    /// The `k`-th of some places spread over a chain: index of the copy, and the point. Irrational parts of the length
-    /// soon find one from which no corner is seen.
+    /// The `k`-th of some places spread over a chain: index of the copy, and the point. With irrational fractions of the length one
+    /// is soon found from which the line meets no corner.
     fn place(&self, chain: usize, k: usize, part: f64) -> (usize, Vector2<f64>) {
         let chain = &self.chains[chain];
         let i = chain[k * chain.len() / TRIES];
@@ -276,7 +278,7 @@ impl<'a> Sight<'a> {
     }
 }
 
-/// A point of a line along a lattice, which may be anywhere on it: in the cell that begins near a given point.
+/// A point of an infinite line along a lattice vector, taken in the cell that begins near a given point.
 fn in_cell(line: &dyn Piece, lattice: &Lattice, near: Vector2<f64>, part: f64) -> Vector2<f64> {
     line.closest(&(near + lattice.vectors()[0] * part)).point
 }

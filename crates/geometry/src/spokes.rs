@@ -1,4 +1,4 @@
-//! The boundaries around a point in which they touch.
+//! The boundaries around a point at which they touch.
 use crate::{
     Error, Extent,
     copies::Copies,
@@ -9,9 +9,9 @@ use crate::{
 use core::{cmp::Ordering, f64::consts::TAU};
 use nalgebra::Vector2;
 
-/// A boundary that comes into the point or goes out of it, as it lies when seen from there.
+/// A boundary that comes into the point or goes out of it, as seen from the point.
 struct Spoke {
-    /// The angle of its direction; of those that cannot be told apart by it, the first one's.
+    /// The angle of its direction; directions that cannot be told apart share the angle of the first.
     angle: f64,
     /// How much it bends to the left on its way from the point.
     curvature: f64,
@@ -22,7 +22,8 @@ struct Spoke {
 }
 
 impl Spoke {
-    /// Counter-clockwise around the point: those that leave it in one direction bend away from each other.
+    /// Counter-clockwise order around the point; those with the same direction are ordered by how they bend away from
+    /// each other.
     fn order(&self, other: &Spoke) -> Ordering {
         self.angle.total_cmp(&other.angle).then(self.curvature.total_cmp(&other.curvature))
     }
@@ -35,9 +36,10 @@ impl Spoke {
 }
 
 /// Fails unless boundaries that come into a point and go out of it alternate around it, as they do around every point
-/// where tables touch. Otherwise two of them cross there, or a stretch there and back leads out of the table.
+/// where tables touch. Otherwise two of them cross there, or a spike (a stretch there and back) lies outside the
+/// table.
 pub(crate) fn alternate(copies: &Copies, point: &Vector2<f64>) -> Result<(), Error> {
-    // two sides of one wall: what lies between them has no room for a table
+    // two sides of one wall: there is no room for a table between them
     let (mut walls, mut spokes): (Vec<[Spoke; 2]>, Vec<Spoke>) = (vec![], vec![]);
     for spoke in in_order(around(copies, point)) {
         match spokes.pop() {
@@ -61,7 +63,7 @@ pub(crate) fn alternate(copies: &Copies, point: &Vector2<f64>) -> Result<(), Err
     Ok(())
 }
 
-/// All boundaries that come into a point or go out of it: both, where it lies within a piece.
+/// All boundaries that come into a point or go out of it; a piece on whose interior the point lies does both.
 fn around(copies: &Copies, point: &Vector2<f64>) -> Vec<Spoke> {
     let mut spokes: Vec<Spoke> = vec![];
     let here = Extent { min: *point, max: *point };
@@ -93,7 +95,7 @@ fn around(copies: &Copies, point: &Vector2<f64>) -> Vec<Spoke> {
     spokes
 }
 
-/// The same in order around the point, from behind the widest gap on, so that equal directions stay together.
+/// The same in order around the point, starting after the widest gap, so that equal directions stay together.
 fn in_order(mut spokes: Vec<Spoke>) -> Vec<Spoke> {
     spokes.sort_by(|a, b| a.angle.total_cmp(&b.angle));
     let gap = |k: usize| {

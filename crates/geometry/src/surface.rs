@@ -1,7 +1,7 @@
 //! Random points of boundaries in space.
 use nalgebra::Vector3;
 
-/// A boundary in space of which points can be drawn, uniform by area.
+/// A boundary in space from which points can be drawn, uniform by area.
 pub trait Surface: Sync {
     /// A random point of the boundary \[L\], uniform by area, and the unit normal there, into the table.
     ///
@@ -24,7 +24,7 @@ impl<S: Surface + ?Sized> Surface for Box<S> {
 /// A random direction: a unit vector, uniform on the sphere.
 pub(crate) fn direction(uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
     loop {
-        // a point of the ball, far enough from its centre that its direction has all digits
+        // a point of the ball, far enough from its centre that its direction has full accuracy
         let x = Vector3::from_fn(|_, _| 2.0 * uniform() - 1.0);
         let square = x.norm_squared();
         if (0.0625..1.0).contains(&square) {

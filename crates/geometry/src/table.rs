@@ -1,4 +1,4 @@
-//! A table: its pieces, and how they hang together.
+//! A table: its pieces, and how they are connected.
 mod cell;
 mod container;
 mod cuts;
@@ -35,26 +35,27 @@ pub struct Table {
     /// For each piece, the one that starts where it ends.
     next: Vec<Option<usize>>,
     corners: Vec<Vector2<f64>>,
-    /// On a lattice, where paths are followed.
+    /// On a lattice, the cell in which paths are followed.
     cell: Option<Arc<FundamentalCell>>,
     /// Whether the plane around all pieces is meant to belong to the table.
     pub(crate) unbounded: bool,
     /// All pieces with their numbers; on a lattice, every translate that reaches within a cell of the cell where paths are followed.
     nearby: Vec<Translate>,
-    /// The composite wall that answers for a chain of pieces, if there is one. This and what follows is made when it is first asked
-    /// for: of many pieces or of curves that takes longer than many a run.
+    /// The composite wall that answers for a chain of pieces, if there is one. This and the following fields are built when first needed:
+    /// for many pieces or for curves that may take longer than a run.
     enclosed: OnceLock<Option<Arc<Enclosed>>>,
     /// All pieces as the sides of a polygon, where composite walls do not cover them and they are straight.
     polygon: OnceLock<Option<Arc<Polygon>>>,
-    /// Those pieces that no composite wall covers, on a lattice with all translates.
+    /// The pieces that no composite wall covers, on a lattice with all translates.
     parts: OnceLock<Arc<Pieces>>,
 }
 
-/// Most translates of pieces on a lattice. Tables that are meant need some tens; in a cell that is tiny beside a piece, or all but
-/// flat, there would be any number of them.
+/// Most translates of pieces on a lattice. Ordinary tables need some tens; in a cell that is tiny compared with a piece, or almost
+/// degenerate, there would be any number of them.
 const MOST_TRANSLATES: f64 = 1e6;
 
-/// Ends must be places, and squares of lengths numbers, as must be what comes of them: the greatest finite coordinate tells.
+/// Ends must not be NaN, and squares of lengths, and what is computed from them, must not over- or underflow: the greatest finite
+/// coordinate decides that.
 fn are_places(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
     let ends = || pieces.iter().filter_map(|piece| piece.ends()).flatten().flat_map(|end| [end.x, end.y]);
     if let Some(value) = ends().find(|x| x.is_nan()) {
@@ -70,14 +71,15 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::Empty`] without pieces, [`Error::Length`] if the greatest coordinate is beyond 10¹⁵⁰ or less than 10⁻¹⁵⁰, since squares
-    /// would be no numbers any more, [`Error::Parameter`] where an end is no place, [`Error::Open`] where a piece ends and no other
-    /// starts, or the other way round.
+    /// would over- or underflow, [`Error::Parameter`] where an end is not a point, [`Error::Open`] where a piece ends and no other starts,
+    /// or the other way round.
     pub fn new(pieces: Vec<Box<dyn Piece>>) -> Result<Table, Error> {
         Table::periodic(pieces, None)
     }
 
     /// The same on the plane modulo a lattice. A piece may then end where a translate of another one starts. A wall along the only vector
-    /// is a segment as long as that: a line along it is allowed, but has no length, nor its table an area, per cell.
+    /// is best a segment as long as that vector: an infinite line along it is allowed, but then the wall has no length, and the table no
+    /// area, per cell.
     ///
     /// # Errors
     /// As [`Table::new`], [`Error::ManyCells`] if the pieces reach over a million cells, and [`Error::FarFromCell`] for one some 10¹⁵
@@ -127,8 +129,8 @@ impl Table {
         &self.pieces
     }
 
-    /// The vertices at which the normal jumps, so that orbits end there: one for each piece that ends in such a vertex, and two where a
-    /// lattice leads from there to the start of the next piece, the end and that start.
+    /// The vertices at which the normal jumps, so that orbits end there: one for each piece that ends in such a vertex, and two (the end
+    /// and the start) where a lattice vector leads from it to the start of the next piece.
     /// ([`Description::corners`](crate::Description::corners) counts by the angle of turning, and each joint once.)
     pub fn corners(&self) -> &[Vector2<f64>] {
         &self.corners
@@ -139,12 +141,12 @@ impl Table {
         self.cell().map(FundamentalCell::given)
     }
 
-    /// The same translations as multiples of the shortest ones: what all questions about the table are asked of.
+    /// The same translations with the shortest basis vectors: the lattice used for all questions about the table.
     pub(crate) fn shortest(&self) -> Option<&Lattice> {
         self.cell().map(FundamentalCell::lattice)
     }
 
-    /// On a lattice, the cell in which paths are followed: they start there and hit walls there.
+    /// On a lattice, the cell in which paths are followed: they start and hit walls there.
     ///
     /// ```
     /// use geometry::{Lattice, Table, Vector2, shapes::Circle};
@@ -162,7 +164,7 @@ impl Table {
         self.cell.as_deref()
     }
 
-    /// A point of the table where paths are followed: on a lattice its copy in the [cell](Table::cell) of that.
+    /// The copy of a point where paths are followed: on a lattice the one in the [cell](Table::cell).
     pub fn home(&self, point: &Vector2<f64>) -> Vector2<f64> {
         self.cell().map_or(*point, |cell| cell.home(point).0)
     }
@@ -196,15 +198,15 @@ impl Table {
         chain.last().is_some_and(|&last| self.next[last] == chain.first().copied())
     }
 
-    /// Area of the table \[L²\], per unit cell on a lattice; of obstacles in the open plane minus their own; infinite or NaN where walls are
-    /// infinite.
+    /// Area of the table \[L²\], per unit cell on a lattice; for obstacles in the open plane, minus their own area; infinite or NaN where
+    /// walls are infinite.
     pub fn area(&self) -> f64 {
         let chains = self.chains();
         if self.shortest().is_some() { self.bounded_by(&chains) } else { self.enclosed_by(&chains) }
     }
 
-    /// The area of a part of the table that some chains bound: what they enclose or, where that is nothing but rounding, or less, as of
-    /// obstacles and of walls with two sides, what is around them.
+    /// The area of a part of the table that some chains bound: what they enclose or, where that is zero within rounding or negative, as
+    /// for obstacles and two-sided walls, the area around them.
     pub(crate) fn bounded_by<'a>(&self, chains: impl IntoIterator<Item = &'a Vec<usize>> + Clone) -> f64 {
         let pieces = || chains.clone().into_iter().flatten().map(|&i| &self.pieces[i]);
         let length: f64 = pieces().map(Piece::length).sum();
@@ -220,10 +222,10 @@ impl Table {
         }
     }
 
-    /// The area that chains contribute together. One that goes on in a translate of itself is closed along edges of the cell, of which
-    /// two differ by the vector from its start to its end.
+    /// The area that chains contribute together. A chain that continues in a translate of itself is closed along edges of the cell, two of
+    /// which differ by the vector from its start to its end.
     pub(crate) fn enclosed_by<'a>(&self, chains: impl IntoIterator<Item = &'a Vec<usize>>) -> f64 {
-        // edges of the cell lead to one point from all chains
+        // edges of the cell lead from all chains to one common point
         let mut corner = None;
         let of_chain = |chain: &Vec<usize>| {
             let inside = enclosed_area(chain.iter().map(|&i| &*self.pieces[i]));
@@ -268,8 +270,8 @@ impl Table {
         self.copy_at(piece, point).map_or(0.0, |piece| piece.curvature(point))
     }
 
-    /// The largest of the numbers \[L\] that a piece is made of at a point of it, or on a lattice a translate of it: where it is part of a
-    /// line or a circle, of the points and lengths that tell which; 0 for a number beyond the last.
+    /// The largest of the numbers \[L\] that define a piece at a point of it (on a lattice, of a translate of it): for part of a line or a
+    /// circle, the points and lengths that define these; 0 for a number beyond the last.
     pub fn size_of(&self, piece: usize, point: &Vector2<f64>) -> f64 {
         self.copy_at(piece, &self.near_home(point)).map_or(0.0, |piece| match piece.figure() {
             Figure::Line { through, .. } => through.amax(),
@@ -285,19 +287,20 @@ impl Table {
         self.copy_at(piece, &landing.point).map_or(0.0, |piece| piece.arc_length_of(&landing))
     }
 
-    /// By what a piece is moved in its translates that reach within a cell of [that](Table::cell) where paths are followed; without a
-    /// lattice by nothing.
+    /// The translations of a piece whose translates reach within a cell of [the one](Table::cell) where paths are followed; without a
+    /// lattice only the zero vector.
     pub fn translations(&self, piece: usize) -> impl Iterator<Item = Vector2<f64>> + '_ {
         self.copies(piece).iter().map(|copy| copy.by)
     }
 
-    /// All pieces with their numbers; on a lattice, all translates that reach within a cell of [that](Table::cell) where paths are
+    /// All pieces with their numbers; on a lattice, all translates that reach within a cell of [the one](Table::cell) where paths are
     /// followed.
     pub fn nearby(&self) -> impl Iterator<Item = (usize, &dyn Piece)> {
         self.nearby.iter().map(|copy| (copy.number, &*copy.piece))
     }
 
-    /// The copy of a point from which the nearest translates are known: one of the unit cell may be far from where paths are followed.
+    /// The copy of a point around which the nearest translates are known: a point of the unit cell may be far from where paths are
+    /// followed.
     fn near_home(&self, point: &Vector2<f64>) -> Vector2<f64> {
         if self.cell().is_none_or(FundamentalCell::is_unit_cell) { *point } else { self.home(point) }
     }
@@ -325,7 +328,7 @@ impl Table {
         let (_, landing) = self.closest(point);
         let d = point - landing.point;
         let distance = libm::hypot(d.x, d.y);
-        // from 10¹² sizes away all walls are at the same distance but for rounding, and on the same side as from nearer by
+        // from 10¹² table sizes away all walls are at the same distance up to rounding, and the side is the same as seen from nearer by
         let near = if self.cell().is_none() { self.extent().beside(point) } else { *point };
         let outside = if near == *point {
             d.dot(&landing.normal) < 0.0
@@ -353,7 +356,7 @@ impl Table {
     }
 
     /// The piece at an arc length \[L\] of the whole boundary, all pieces laid end to end in the order of their numbers, and the arc
-    /// length along that piece. What comes before the start belongs to the first piece, what comes after the end to the last.
+    /// length along that piece. Values before the start belong to the first piece, those after the end to the last.
     ///
     /// ```
     /// let square = geometry::tables::square(1.0)?;
@@ -372,13 +375,13 @@ impl Table {
     }
 }
 
-/// The last of the pieces with these starts that starts before an arc length or there, and how far from its start that is.
+/// The last piece, by these starts, that starts at or before an arc length, and the distance of that from its start.
 pub(crate) fn piece_at(starts: &[f64], s: f64) -> (usize, f64) {
     let piece = starts.partition_point(|&start| start <= s).max(1) - 1;
     (piece, s - starts[piece])
 }
 
-/// All pieces with their numbers; on a lattice, all translates that reach within a cell of that where paths are followed.
+/// All pieces with their numbers; on a lattice, all translates that reach within a cell of the one where paths are followed.
 fn all_nearby(pieces: &[Arc<dyn Piece>], cell: Option<&FundamentalCell>) -> Vec<Translate> {
     if let Some(cell) = cell {
         return translates(pieces, cell, 1.0);
@@ -386,7 +389,8 @@ fn all_nearby(pieces: &[Arc<dyn Piece>], cell: Option<&FundamentalCell>) -> Vec<
     pieces.iter().enumerate().map(|(number, piece)| Translate::home(number, piece)).collect()
 }
 
-/// Fails where the pieces reach over so many cells that their translates would fill the memory, or lie too far away to count them.
+/// Fails where the pieces reach over so many cells that their translates would fill the memory, or lie too far away for cells to be
+/// counted.
 fn few_cells(pieces: &[Arc<dyn Piece>], cell: &FundamentalCell) -> Result<(), Error> {
     let mut sum = 0.0;
     for (piece, p) in pieces.iter().enumerate() {
@@ -404,7 +408,7 @@ fn few_cells(pieces: &[Arc<dyn Piece>], cell: &FundamentalCell) -> Result<(), Er
     Ok(())
 }
 
-/// The translates of pieces that reach within `margin` cells of that where paths are followed, in the order of their numbers.
+/// The translates of pieces that reach within `margin` cells of the one where paths are followed, in the order of their numbers.
 fn translates(pieces: &[Arc<dyn Piece>], cell: &FundamentalCell, margin: f64) -> Vec<Translate> {
     let mut found = vec![];
     for (number, piece) in pieces.iter().enumerate() {

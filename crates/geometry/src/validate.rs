@@ -10,8 +10,8 @@ use crate::{
 use nalgebra::Vector2;
 use std::collections::HashSet;
 
-/// Most that the radius of an arc may be, in units of the largest coordinate of the table's vertices. An arc has the rounding of its
-/// radius, so that of one a million times the table is known to ten digits of the table's size.
+/// Largest radius that an arc may have, in units of the largest coordinate of the table's vertices. Points of an arc carry the rounding of
+/// its radius, so with a radius a million times the table's size they are known to ten digits of that size.
 const FLATTEST: f64 = 1e6;
 
 impl Table {
@@ -20,7 +20,7 @@ impl Table {
     ///
     /// Outermost loops run counter-clockwise and holes clockwise, unless the table is [unbounded](Table::unbounded). A closed curve
     /// that is one piece says itself on which side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a million are
-    /// checked in about a microsecond each. Of what loops have in common with the table on neither side, [`Table::joined`] is free.
+    /// checked in about a microsecond each. [`Table::joined`] removes stretches that loops have in common with the table on neither side.
     ///
     /// # Errors
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
@@ -56,7 +56,7 @@ impl Table {
         self.sides_of_a_torus()
     }
 
-    /// Whether an infinite piece may stand on the lattice: a line along the only lattice vector.
+    /// Whether an infinite piece is allowed on the lattice: only a line along the only lattice vector.
     fn is_along_lattice(&self, figure: &Figure) -> bool {
         let Some(lattice) = self.shortest() else { return true };
         match (figure, lattice.vectors()) {
@@ -67,8 +67,8 @@ impl Table {
         }
     }
 
-    /// Fails where two pieces cross. The points where an end lies on a piece other than the one before or after it, and where a stretch
-    /// that two have in common begins or ends.
+    /// Fails where two pieces cross. Returns the points where an end lies on a piece other than the one before or after it, and where a
+    /// stretch that two have in common begins or ends.
     fn crossings(&self, sight: &Sight) -> Result<Vec<Vector2<f64>>, Error> {
         let copies = sight.copies();
         let mut follows = vec![usize::MAX; self.pieces().len()];
@@ -108,7 +108,8 @@ impl Table {
                             MeetingKind::Overlap => {
                                 let pieces = [&copy.piece, &other.piece];
                                 let [t, u] = pieces.map(|p| direction_at(&**p, &m.point));
-                                // two sides of one wall may coincide, one side twice may not, and what has no thickness has both
+                                // two sides of one wall may coincide, the same side twice may not; a wall without thickness already has
+                                // both
                                 if t.dot(&u) > 0.0 || pieces.iter().any(|p| p.tips().is_some()) {
                                     error = Some(crossing);
                                 }
@@ -135,13 +136,13 @@ impl Table {
         let chains = &sight.chains;
         let sides = |k: usize| sight.extents[k].max - sight.extents[k].min;
         let width = |k: usize| sight.width(k);
-        // the area on the left of a loop; a wall with two sides has none, but for rounding
+        // the area on the left of a loop; that of a two-sided wall is zero within rounding
         let area = |k: usize| {
             let area = enclosed_area(chains[k].iter().map(|&i| &*self.pieces()[i]));
             if area.abs() > slack([sides(k).product()]) { area } else { 0.0 }
         };
         let collapsed = |k: usize| area(k).abs() <= slack([sight.extents[k].size()]) * width(k);
-        // in the plane, the widest loop lies in no other; of those that touch it all around it has the largest area
+        // in the plane, the widest loop lies in no other; of equally wide ones that touch it, it has the largest area
         let wider = |&a: &usize, &b: &usize| {
             width(a).total_cmp(&width(b)).then_with(|| area(a).abs().total_cmp(&area(b).abs()))
         };
@@ -160,7 +161,8 @@ impl Table {
             }
         }
         let infinite = sight.infinite();
-        // of two loops that disagree, the inner one is named; on a lattice, where the table is mostly all around, one with the table inside
+        // of two loops that disagree, the inner one is named; on a lattice, where the table mostly lies around the loops, one with the
+        // table inside
         let disagree = |a: &Wall, b: &Wall| {
             let [first, second] = [a, b].map(|wall| {
                 let k = sight.chain_of[wall.number];
@@ -169,16 +171,16 @@ impl Table {
             });
             Error::Orientation { piece: if second < first { b.number } else { a.number } }
         };
-        // what lies behind a wall: the table, if it is a wall on both sides
+        // whether the table lies behind a wall: so it does if the wall has two sides
         let behind = |wall: &Wall| wall.into_table || self.pieces()[wall.number].tips().is_some();
-        // a wall behind which there is no other, where all around is one region
+        // a wall behind which there is no other; all that lies around is one region
         let mut last: Option<Wall> = None;
         let surrounded = infinite.is_empty() && self.shortest().is_none();
         for k in 0..chains.len() {
             let others = [(k + 1) % chains.len()].into_iter().chain(infinite.iter().copied());
             let aims = [Aim::Inward, Aim::Outward].into_iter().chain(others.filter(|&other| other != k).map(Aim::At));
             for aim in aims {
-                // only as far as to the next chain: of thousands, a line through the table meets dozens
+                // only as far as the next chain: among thousands, a line through the whole table meets dozens
                 let enough = |wall: &Wall| {
                     let there = sight.chain_of[wall.number];
                     if let Aim::At(other) = aim { there == other } else { there != k }
@@ -200,8 +202,8 @@ impl Table {
         Ok(())
     }
 
-    /// Fails where walls around a flat torus have the table on their left and, the other way round the torus, on their right: those that
-    /// bound a region lead back as far as there.
+    /// Fails where walls around a flat torus have the table on their left and, going round the torus the other way, on their right: walls
+    /// that bound a region lead back as far as they lead out.
     fn sides_of_a_torus(&self) -> Result<(), Error> {
         let Some(lattice) = self.shortest().filter(|lattice| lattice.vectors().len() == 2) else { return Ok(()) };
         let steps = self.pieces().iter().filter_map(Piece::ends).map(|[a, b]| b - a);
@@ -213,15 +215,15 @@ impl Table {
     }
 }
 
-/// About where a closed outline crosses itself, if it does. Such a one may enclose as much area on its left as on its right, and is not
-/// flat.
+/// About where a closed outline crosses itself, if it does. Such an outline may enclose as much area on its left as on its right without
+/// being flat.
 pub(crate) fn crosses_itself(outline: Vec<Box<dyn Piece>>) -> Option<[f64; 2]> {
     let table = Table::new(outline).ok()?;
     match table.validate() {
         Err(Error::SelfCrossing { at, .. }) => Some(at),
         Err(Error::Crossing { first, second, at }) => {
             let [a, b] = [first, second].map(|i| &*table.pieces()[i]);
-            // what runs twice along one stretch does not cross
+            // an outline that runs twice along one stretch does not cross itself there
             meetings(a, b).iter().all(|m| m.kind != MeetingKind::Overlap).then_some(at)
         }
         _ => None,
