@@ -7,7 +7,8 @@ use crate::{
 };
 use nalgebra::Vector2;
 
-/// Least sagitta but 0, in units of the length. An arc has the rounding of its radius, here 125 000 lengths.
+/// Least non-zero sagitta, in units of the length. Points of an arc carry the rounding of its radius, here 125 000
+/// lengths.
 const FLATTEST: f64 = 1e-6;
 
 /// A channel of period `length` along x₁ whose walls are equal arcs with ends at `x₂ = 0` and `x₂ = height`; pieces:
@@ -18,8 +19,9 @@ const FLATTEST: f64 = 1e-6;
 /// are straight.
 ///
 /// # Errors
-/// [`Error::Parameter`] unless length and height are positive and finite, the sagitta is less than half of each
-/// (so that arcs do not overlap), or minus half the length, and unless it is 0 or a millionth of the length.
+/// [`Error::Parameter`] unless length and height are positive and finite, the sagitta is between minus and plus half
+/// of the length and less than half of the height (so that arcs do not overlap), and it is 0 or at least a millionth
+/// of the length.
 pub fn channel(length: f64, height: f64, sagitta: f64) -> Result<Table, Error> {
     positive("length", length)?;
     positive("height", height)?;

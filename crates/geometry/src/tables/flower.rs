@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 /// bulge outwards \[L\], at most half circles; piece 0 is on the right, then counter-clockwise.
 ///
 /// The petals' centres lie `a/(2 tan(π/n)) − √(ρ² − a²/4)` from the origin. With `n = 4` and `a = 2` the corners are
-/// `(±1, ±1)`. With specular reflections ergodic where the petals' circles lie inside ([Bunimovich 1979]).
+/// `(±1, ±1)`. With specular reflections it is ergodic where the petals' circles lie inside ([Bunimovich 1979]).
 ///
 /// # Errors
 /// [`Error::Parameter`] unless there are 2 to 1 000 000 petals, of positive and finite size.

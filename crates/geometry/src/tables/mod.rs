@@ -1,7 +1,7 @@
 //! Named tables: the classical billiards, each in one file.
 //!
-//! Each has a constructor, such as [`stadium`], and an [`Entry`] by which scene files find it. A new one is a file
-//! beside the others, its `mod` line and its line in [`all`].
+//! Each has a constructor, such as [`stadium`], and an [`Entry`] by which scene files find it. To add one, write a
+//! file beside the others, and add its `mod` line and its line in [`all`].
 mod ball;
 mod channel;
 mod circle;
@@ -89,7 +89,7 @@ pub fn all() -> &'static [Entry] {
     ALL
 }
 
-/// The table of a name.
+/// The table with a name.
 pub fn find(name: &str) -> Option<&'static Entry> {
     all().iter().find(|entry| entry.name == name)
 }

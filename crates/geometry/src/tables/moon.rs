@@ -7,8 +7,8 @@ use nalgebra::Vector2;
 /// The moon: the disk of radius `R` about the origin without the disk of radius `b` about `(d, 0)` \[L\]; pieces:
 /// 0 outer arc, 1 inner arc.
 ///
-/// The circles cross where `x₁ = (R² − b² + d²)/(2 d)`. With specular reflections ergodic for some parameters
-/// ([Correia–Zhang 2015]).
+/// The circles cross where `x₁ = (R² − b² + d²)/(2 d)`. With specular reflections it is ergodic for some
+/// parameters ([Correia–Zhang 2015]).
 ///
 /// # Errors
 /// [`Error::Parameter`] unless all are positive and finite, and the circles cross: `|R − b| < d < R + b`.

@@ -8,8 +8,8 @@ use nalgebra::Vector2;
 /// \[L\]; pieces: 0 stem bottom, 1 stem right, 2 cap floor right, 3 cap, 4 cap floor left, 5 stem left. Area
 /// `π r²/2 + w h`, perimeter `(π + 2) r + 2 h`.
 ///
-/// With specular reflections an integrable island, the orbits that never leave the cap, beside one ergodic component
-/// ([Bunimovich 2001]).
+/// With specular reflections it has an integrable island, the orbits that never leave the cap, and one ergodic
+/// component ([Bunimovich 2001]).
 ///
 /// # Errors
 /// [`Error::Parameter`] unless all are positive and finite, and the stem is narrower than the cap.

@@ -1,4 +1,4 @@
-//! What a named table is called, what it is made from, and how it is built.
+//! Named tables: their names, their parameters, and how they are built.
 use super::SpatialTable;
 use crate::{Error, Table};
 use nalgebra::Vector2;
@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 pub struct Entry {
     /// Its name in scene files.
     pub name: &'static str,
-    /// What it is, in a line.
+    /// A description of one line.
     pub summary: &'static str,
-    /// What it is made from.
+    /// Its parameters.
     pub parameters: &'static [Parameter],
     /// Builds it from completed values ([`Entry::complete`]).
     pub build: Build,
@@ -21,13 +21,13 @@ pub struct Entry {
 /// A constructor.
 #[derive(Clone, Copy, Debug)]
 pub enum Build {
-    /// Of a planar table.
+    /// A constructor of a planar table.
     Planar(fn(&Values) -> Result<Table, Error>),
-    /// Of a table in space.
+    /// A constructor of a table in space.
     Spatial(fn(&Values) -> Result<SpatialTable, Error>),
 }
 
-/// One thing that a named table is made from.
+/// One parameter of a named table.
 #[derive(Clone, Debug)]
 pub struct Parameter {
     /// Its name in scene files.
@@ -51,14 +51,14 @@ pub enum Kind {
     Angle,
     /// A pure number.
     Number,
-    /// A whole number, at least this, at most [`MOST_VERTICES`](super::MOST_VERTICES).
+    /// A whole number, at least `least` and at most [`MOST_VERTICES`](super::MOST_VERTICES).
     Count {
-        /// At least.
+        /// Its least value.
         least: u64,
     },
-    /// A list of so many lengths \[L\].
+    /// A list of this many lengths \[L\].
     Lengths(usize),
-    /// A list of so many points of the plane \[L\].
+    /// A list of this many points of the plane \[L\].
     Points(usize),
 }
 
@@ -102,7 +102,7 @@ impl Parameter {
     pub(super) const fn points(name: &'static str, default: &'static [[f64; 2]]) -> Parameter {
         Parameter::optional(name, Kind::Points(default.len()), Value::Points(Cow::Borrowed(default)))
     }
-    /// The same, required; its value is a typical one.
+    /// The same parameter, required; its value is then a typical one.
     pub(super) const fn required(mut self) -> Parameter {
         self.required = true;
         self
@@ -154,7 +154,7 @@ impl Value {
         }
     }
 
-    /// Every number times `factor`.
+    /// The value with every number multiplied by `factor`.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Value {
         match self {
@@ -187,7 +187,7 @@ impl Values {
         Values::default()
     }
 
-    /// The same, and one more.
+    /// The same values and one more.
     #[must_use]
     pub fn with(mut self, name: impl Into<String>, value: impl Into<Value>) -> Values {
         self.0.insert(name.into(), value.into());
@@ -215,7 +215,7 @@ impl Values {
     /// The whole number of that name, in completed values.
     pub(super) fn count(&self, name: &'static str) -> Result<usize, Error> {
         let value = self.number(name)?;
-        // 2⁵³: from here on not every whole number is an f64
+        // 2⁵³: beyond this not every whole number is an f64
         if !((0.0..9_007_199_254_740_992.0).contains(&value) && libm::floor(value) == value) {
             return Err(Error::Parameter { name, must: "a whole number, 0 or more", value });
         }
@@ -275,7 +275,7 @@ impl Entry {
         Ok(all)
     }
 
-    /// Every value at its default, and typical values for those that are required: a table to start from.
+    /// All defaults, and typical values for required parameters: a table to start from.
     pub fn typical(&self) -> Values {
         self.parameters.iter().fold(Values::new(), |all, p| all.with(p.name, p.value.clone()))
     }

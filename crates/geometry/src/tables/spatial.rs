@@ -1,4 +1,4 @@
-//! Tables in space whose walls answer in closed form.
+//! Tables in space whose walls are hit in closed form.
 use super::{ball, cuboid, slab};
 use crate::{
     Error,
@@ -30,7 +30,7 @@ pub struct WallAt {
     pub piece: usize,
     /// Distance from it \[L\], negative beyond it.
     pub distance: f64,
-    /// Its normal there, into the table, of any length.
+    /// Its normal there, into the table, not normalised.
     pub normal: Vector3<f64>,
     /// How far off it \[L\] the point may lie and still count as on it: the rounding of its coordinates and of the wall's.
     pub slack: f64,
@@ -106,7 +106,7 @@ impl SpatialTable {
         match self.figure {
             Figure::Slab { height, .. } => point.z.min(height - point.z),
             Figure::Cuboid { size, .. } => {
-                // beyond a wall by so much, per axis; inside, all are negative
+                // the distance beyond the walls, per axis; inside, all are negative
                 let beyond = Vector3::from_fn(|i, _| (-point[i]).max(point[i] - size[i]));
                 let outside = beyond.map(|d| d.max(0.0));
                 let far = outside.amax();
@@ -146,7 +146,8 @@ impl SpatialTable {
         pairs.flatten().collect()
     }
 
-    /// Its walls as solids, each with its centre \[L\] and the side of it on which the table lies. A box is a single one.
+    /// Its walls as solids, each with its centre \[L\] and the side of it on which the table lies. The walls of a box are a single
+    /// solid.
     pub fn solids(&self) -> Vec<(SolidSpec, [f64; 3], Side)> {
         let half_space =
             |up: f64, z: f64| (SolidSpec::HalfSpace { normal: [0.0, 0.0, up] }, [0.0, 0.0, z], Side::Outside);
@@ -159,8 +160,8 @@ impl SpatialTable {
         }
     }
 
-    /// Where the centre of a ball can be that moves in the table: the table of the same kind all of whose walls lie farther in by the
-    /// radius \[L\], and where its origin lies in this one.
+    /// Where the centre of a ball that moves in the table can be: a table of the same kind with all walls moved inwards by the radius
+    /// \[L\], and the position of its origin in this table.
     ///
     /// ```
     /// use geometry::{Vector3, tables};
@@ -203,7 +204,7 @@ impl SpatialTable {
 }
 
 impl Surface for SpatialTable {
-    /// The infinite slab looks the same everywhere: its points fill the square 0 ≤ x₁, x₂ < height.
+    /// The infinite slab looks the same everywhere, so points are drawn from the square 0 ≤ x₁, x₂ < height.
     fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
         match self.figure {
             Figure::Slab { height, .. } => {

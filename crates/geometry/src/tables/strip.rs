@@ -6,7 +6,8 @@ use nalgebra::Vector2;
 
 /// The strip `0 < x₂ < width` \[L\]; pieces: 0 lower, 1 upper. Infinite.
 ///
-/// Every no-slip orbit that is not parallel to it stays within a bounded part of it ([Broomhead–Gutkin 1993]).
+/// Every no-slip orbit that is not parallel to the strip stays within a bounded part of it ([Broomhead–Gutkin
+/// 1993]).
 ///
 /// # Errors
 /// [`Error::Parameter`] unless the width is positive and finite.

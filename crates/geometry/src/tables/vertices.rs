@@ -73,7 +73,7 @@ pub(super) fn root_of_unity(k: usize, n: usize) -> [f64; 2] {
 /// the origin; even `k` are its vertices, if vertex 0 lies on the positive x₁ axis.
 pub(super) fn on_circumcircle(k: usize, n: usize, side: f64) -> Vector2<f64> {
     let [_, sin] = root_of_unity(1, 2 * n);
-    // divided at once, so that the square with vertices (±1, ±1) is exact
+    // a single division, so that the square with vertices (±1, ±1) is exact
     Vector2::from(root_of_unity(k, 2 * n)).map(|c| side * (0.5 * c / sin))
 }
 

@@ -2,8 +2,8 @@
 use super::{WallHit, Walls};
 use lanes::{Lane, Mask};
 
-/// The convex table inside `container` and outside `obstacles`, which lie within it: what is hit of these is hit before
-/// the container.
+/// The table inside the convex `container` and outside `obstacles`, which lie within it: an obstacle that is hit is hit
+/// before the container.
 #[derive(Clone, Debug)]
 pub struct Around<A, B> {
     /// The outer walls.

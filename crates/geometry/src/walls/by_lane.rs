@@ -4,10 +4,10 @@ use crate::{Boundary, Line};
 use lanes::{Lane, MOST_LANES, stored};
 use nalgebra::SVector;
 
-/// A boundary that answers for one path at a time, made to answer for lanes.
+/// A boundary that answers for one path at a time, adapted to lanes.
 ///
-/// This is how a boundary of your own runs in ensembles: at the speed of its scalar code. One that is a formula in
-/// [`Lane`]s implements [`Walls`] itself, and is as fast as those here.
+/// This is how a boundary of your own runs in ensembles, at the speed of its scalar code. A boundary whose formula
+/// is written for [`Lane`]s can implement [`Walls`] itself, and is as fast as those here.
 #[derive(Clone, Debug)]
 pub struct ByLane<B>(pub B);
 

@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 #[derive(Clone, Debug)]
 pub struct Capsule {
     center: Center<2>,
-    /// Half the distance of the centres of the caps.
+    /// Half the distance between the centres of the caps.
     half_length: f64,
     radius: f64,
     square: f64,
@@ -75,11 +75,12 @@ impl Capsule {
             let moment = q[0] * v[1] - q[1] * v[0];
             let discriminant = a * self.square - moment * moment;
             let root = discriminant.abs().sqrt();
-            // from its centre: the division is over before the root is, and the next flight does not wait for the time
+            // computed from the cap's centre: the division finishes before the square root, and the next flight does not wait for the
+            // time
             let inverse = one / a;
             l = [(moment * v[1] + root * v[0]) * inverse, (root * v[1] - moment * v[0]) * inverse];
-            // the later root, without cancellation, but where rounding leaves so little of `b` and of the root that `c` is no product of
-            // roots
+            // the later root, without cancellation, except where `b` and the square root are so small that rounding spoils `c` as a
+            // product of the roots
             let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
             let [n, d, _] = as_product.choose([-c, b.abs() + root, zero], [root - b, a, one]);
             [num, den, _] = flat.choose([num, den, zero], [n.max(zero), d, one]);

@@ -1,10 +1,10 @@
 //! The centre from which walls are seen.
 use lanes::Lane;
 
-/// The coordinates of a centre \[L\], as often as not the origin.
+/// The coordinates of a centre \[L\], often the origin.
 ///
-/// There, nothing is subtracted: an orbit would wait for it twice a flight, 4 cycles each, and of orbits side by side every vector would
-/// take four operations in place of two predicted branches.
+/// For the origin nothing is subtracted: a single orbit would wait for that twice a flight, 4 cycles each, and for orbits side by side
+/// every vector would take four operations in place of two predicted branches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Center<const N: usize> {
     there: [f64; N],
@@ -17,13 +17,13 @@ impl<const N: usize> Center<N> {
         Center { there: at.map(|c| -c), back: at, is_origin: at == [0.0; N] }
     }
 
-    /// A point as it is seen from there.
+    /// A point relative to the centre.
     #[inline(always)]
     pub(super) fn sees<F: Lane>(&self, x: &[F; N]) -> [F; N] {
         self.moved(x, &self.there)
     }
 
-    /// The point that is seen so from there.
+    /// The point with these coordinates relative to the centre.
     #[inline(always)]
     pub(super) fn seen<F: Lane>(&self, y: &[F; N]) -> [F; N] {
         self.moved(y, &self.back)

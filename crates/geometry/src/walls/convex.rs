@@ -7,11 +7,11 @@ use lanes::{Lane, Mask};
 struct Side {
     /// Outward unit normal.
     normal: [f64; 2],
-    /// The same for the law, with a length nearer to 1.
+    /// The normal given to the law, with a length nearer to 1.
     unit: [f64; 2],
     /// `n·p` on the side.
     distance: f64,
-    /// Tangential coordinates along (−n₂, n₁) of its start and its end, the corner margin taken off.
+    /// Tangential coordinates along (−n₂, n₁) of its start and its end, less the corner margin.
     start: f64,
     end: f64,
     piece: f64,
@@ -25,7 +25,7 @@ pub struct ConvexPolygon {
     sides: Vec<Side>,
 }
 
-/// Whether a closed chain of sides turns left at every vertex, once round in all.
+/// Whether a closed chain of sides turns left at every vertex, and once round in total.
 pub(crate) fn turns_left(sides: &[Segment]) -> bool {
     let normals: Vec<[f64; 2]> = sides.iter().map(Segment::inward_normal).collect();
     let turns = |i: usize| {
@@ -46,7 +46,7 @@ impl ConvexPolygon {
         ConvexPolygon::numbered(sides, &(first..first + sides.len()).collect::<Vec<_>>())
     }
 
-    /// The same with the number of each side's piece.
+    /// The same polygon with the number of each side's piece.
     pub(crate) fn numbered(sides: &[Segment], numbers: &[usize]) -> Result<Self, Error> {
         if sides.len() < 3 || !turns_left(sides) {
             return Err(Error::NotConvex);

@@ -2,7 +2,7 @@
 use crate::plane::key;
 use nalgebra::Vector2;
 
-/// The corners of a boundary, to be asked for by place.
+/// The corners of a boundary, looked up by position.
 pub(crate) struct Corners {
     /// Their coordinates as bits, sorted.
     places: Vec<[u64; 2]>,
@@ -20,7 +20,7 @@ impl Corners {
         self.places.binary_search(&key(*vertex)).is_ok()
     }
 
-    /// Size of their coordinates, of which rounding is a fraction.
+    /// Size of their coordinates, to which rounding is relative.
     pub(crate) fn size(&self) -> f64 {
         self.size
     }

@@ -14,7 +14,8 @@ pub struct Cylinder {
     /// `1/(2 r²)`
     half: f64,
     half_height: f64,
-    /// A point of the mantle farther from the middle is on a rim, as is one of an end whose distance from the axis has a greater square.
+    /// A point of the lateral surface farther from the middle than this is on a rim, as is a point of an end whose squared distance from
+    /// the axis is greater than the next field.
     inner_height: f64,
     inner_square: f64,
     piece: f64,
@@ -59,7 +60,7 @@ impl Cylinder {
     }
 }
 
-/// A vector's component along a unit vector, and what is across it.
+/// A vector's component along a unit vector, and the part perpendicular to it.
 #[inline(always)]
 fn split<F: Lane>(of: &[F; 3], axis: &[F; 3]) -> (F, [F; 3]) {
     let along = dot(of, axis);
@@ -71,7 +72,7 @@ fn split<F: Lane>(of: &[F; 3], axis: &[F; 3]) -> (F, [F; 3]) {
 }
 
 impl Walls<3> for Cylinder {
-    /// The ends of a cylinder askew have a normal of rounded length.
+    /// The ends of an oblique cylinder have a normal of rounded length.
     fn rounds_normals(&self) -> bool {
         self.axis.iter().all(|a| a.abs() != 1.0)
     }
@@ -86,7 +87,7 @@ impl Walls<3> for Cylinder {
             y[i] = y[i] - self.center[i];
         }
         let ((height, w), (rise, u)) = (split(&y, &axis), split(v, &axis));
-        // the mantle, as seen along the axis: the later root of |w + t u|² = r², without cancellation
+        // the lateral surface, seen along the axis: the later root of |w + t u|² = r², without cancellation
         let (a, b, c) = (dot(&u, &u), dot(&w, &u), dot(&w, &w) - self.square);
         // b² − a c = |u|² r² − |w ∧ u|²
         let mut discriminant = a * self.square;
@@ -95,7 +96,7 @@ impl Walls<3> for Cylinder {
             discriminant = discriminant - moment * moment;
         }
         let root = discriminant.max(zero).sqrt();
-        // where rounding leaves little of `b` and of the root, `c` is no product of roots
+        // where `b` and the square root are small, rounding spoils `c` as a product of the roots
         let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
         let moves = zero.lt(a);
         let round = [
@@ -113,7 +114,7 @@ impl Walls<3> for Cylinder {
             at[i] = y[i] + time * v[i];
         }
         let (level, out) = split(&at, &axis);
-        // on the mantle |out|² is r² up to rounding: one Newton step each for the place and 1/|out|
+        // on the lateral surface |out|² is r² up to rounding: one Newton step each for the point and 1/|out|
         let off = dot(&out, &out);
         let change = (zero.same(self.square) - off) * self.half;
         let (lift, grow) = (at_end.select(end - level, zero), at_end.select(zero, change));

@@ -3,14 +3,14 @@ use super::{Hull, Pieces, Scatterer, WallHit, Walls};
 use lanes::{Lane, Mask};
 use nalgebra::Vector2;
 
-/// A table within a composite wall that is more than this wall.
+/// A table within a composite wall that has more than this wall: seams or obstacles.
 ///
-/// What it consists of costs a few branches that always go the same way, and one code serves all.
+/// Which parts it has costs a few branches that always go the same way, and the same code serves all.
 #[derive(Clone, Debug)]
 pub struct Enclosure<'a> {
-    /// The walls around all. Of a side that is several pieces they name the first.
+    /// The walls around all. For a side that consists of several pieces they report the first.
     pub hull: &'a Hull,
-    /// Where one piece of a side ends and the next begins: along each side, or around a circle, in this order.
+    /// Where one piece of a side ends and the next begins, in order along each side or around a circle.
     pub seams: &'a [Seam],
     /// What lies inside.
     pub obstacles: Obstacles<'a>,
@@ -27,23 +27,23 @@ pub enum Obstacles<'a> {
     Pieces(&'a Pieces),
 }
 
-/// Where on one side of a composite wall a piece ends and another one goes on: the boundary is smooth there.
+/// Where on one side of a composite wall a piece ends and another one continues it; the boundary is smooth there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seam {
-    /// What lies beyond `normal · p = at` belongs to the second piece.
+    /// Points with `normal · p > at` belong to the second piece.
     normal: [f64; 2],
     at: f64,
     pieces: [f64; 2],
 }
 
 impl Seam {
-    /// The seam at `vertex` between two pieces, by their numbers, of a line that goes on along `direction` (of any length).
+    /// The seam at `vertex` between two pieces, given by their numbers, of a line that runs along `direction` (of any length).
     pub fn across(vertex: Vector2<f64>, direction: Vector2<f64>, pieces: [usize; 2]) -> Seam {
         Seam { normal: direction.into(), at: direction.dot(&vertex), pieces: pieces.map(|p| p as f64) }
     }
 
-    /// The seams around an arc from `a` to `b`, counter-clockwise, of a circle that is another piece elsewhere: what lies on the right of
-    /// its chord.
+    /// The seam that separates an arc from `a` to `b`, counter-clockwise, from the rest of its circle, which is another piece: the arc
+    /// lies on the right of its chord.
     pub fn around([a, b]: [Vector2<f64>; 2], pieces: [usize; 2]) -> Seam {
         Seam::across(a, Vector2::new(b.y - a.y, a.x - b.x), pieces)
     }
@@ -81,7 +81,7 @@ impl Walls<2> for Enclosure<'_> {
     }
 }
 
-/// Where no obstacle is hit.
+/// The lanes in which no obstacle is hit.
 #[inline(always)]
 fn missed<F: Lane>(inner: &WallHit<F, 2>) -> F::Mask {
     !inner.time.lt(inner.time.same(f64::INFINITY))

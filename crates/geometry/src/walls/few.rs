@@ -1,4 +1,4 @@
-//! A list of a few shapes, asked in lanes.
+//! A list of a few shapes, tested in lanes.
 use super::{CORNER, WallHit, Walls, first::First};
 use crate::{
     afar::{NEWTON, on_circle},
@@ -8,15 +8,15 @@ use crate::{
 use lanes::{Lane, MOST_LANES, Mask, Rows, dot};
 use nalgebra::Vector2;
 
-/// Shapes that are asked one after another, each for all lanes at once.
+/// Shapes that are tested one after another, each for all lanes at once.
 ///
-/// Times are compared as fractions, and what the landing needs to know of the piece that is hit is looked up at the end, so that
-/// however many pieces there are a hit costs one division and one landing. Neighbours look at the vertex that they
-/// share once, and from the same side, so no path slips through between them.
+/// Times are compared as fractions, and the data for the landing on the piece that is hit are looked up at the end, so a hit costs
+/// one division and one landing however many pieces there are. A vertex shared by neighbours is tested once, with the same result
+/// for both, so no path slips through between them.
 #[derive(Clone, Debug)]
 pub struct Few {
     entries: Vec<Entry>,
-    /// What a landing needs to know of each entry, of either face of a screen, and a row for hits of none.
+    /// The landing data of each entry, of either face of a screen, and a row for paths that hit nothing.
     grounds: Rows,
     /// The numbers of the pieces, where they are not 0, 1, 2, …
     numbers: Option<Rows>,
@@ -37,11 +37,11 @@ struct Entry {
     joined: bool,
     /// Whether its start and its end are corners.
     corners: [bool; 2],
-    /// Its place among what landings need, that of the first face; of a part of a circle −1 minus that.
+    /// The index of its landing data (for a screen, of its first face); for a part of a circle −1 minus that.
     place: f64,
 }
 
-/// In place of a unit normal: an ellipse.
+/// Stands in place of a unit normal in the landing data of an ellipse.
 const OVAL: [f64; 2] = [2.0, 0.0];
 
 /// A vertex as a path sees it.
@@ -49,11 +49,11 @@ const OVAL: [f64; 2] = [2.0, 0.0];
 struct Seen<F: Lane> {
     /// The vector from the start of the path.
     to: [F; 2],
-    /// `v ×` that: positive on the left.
+    /// `v × to`: positive on the left.
     turn: F,
 }
 
-/// A path that looks at vertices.
+/// A path from which vertices are viewed.
 struct Eye<F: Lane> {
     x: [F; 2],
     v: [F; 2],
@@ -73,7 +73,7 @@ impl<F: Lane> Eye<F> {
         Seen { to, turn }
     }
 
-    /// Start and end of a piece.
+    /// The start and the end of a piece, as seen by the path.
     #[inline(always)]
     fn both(&mut self, entry: &Entry, [a, b]: [&[f64; 2]; 2]) -> [Seen<F>; 2] {
         let start = if entry.joined { self.last } else { self.see(a, entry.corners[0]) };
@@ -89,7 +89,7 @@ impl<F: Lane> Seen<F> {
     }
 }
 
-/// Within this many times the rounding of a corner's place, a path that passes it may end in it.
+/// A path that passes a corner within this many times the rounding of its position may end in it.
 const NEAR: f64 = 8.0;
 
 impl Few {
@@ -102,8 +102,8 @@ impl Few {
         for &(number, shape) in shapes {
             let [a, b] = ends(&shape);
             let (place, piece) = (grounds.len() as f64, number as f64);
-            // a point of a straight piece and the unit normal into the table; the centre of a circle, ±1/r and r²; the place of an
-            // ellipse in the list of those
+            // for a straight piece, a point of it and the unit normal into the table; for a circle, its centre, ±1/r and r²; for
+            // an ellipse, its index in `ovals`
             let flat = |[a, b]: [f64; 2], [m, n]: [f64; 2]| [a, b, m, n];
             let (ground, place) = match shape.ground() {
                 Ground::Flat { through, normal } => (flat(through, normal), place),
@@ -145,7 +145,7 @@ impl Few {
         }
     }
 
-    /// So many shapes per lane are asked as fast as a tree of boxes is searched one lane after another.
+    /// With this many shapes per lane, testing each is as fast as searching a tree of boxes one lane after another.
     pub(super) const PER_LANE: usize = 12;
 
     /// How many there are.
@@ -168,7 +168,7 @@ impl Few {
         piece.same(0.0).lt(piece.each(|lane| if ends(lane) { 1.0 } else { 0.0 }))
     }
 
-    /// When paths come to an edge of a wall with two sides along which they run, and to which.
+    /// The time at which a path that runs along a two-sided wall comes to its edge, and the number of that wall.
     #[cold]
     #[inline(never)]
     fn edge_on<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> [F; 2] {
@@ -186,7 +186,7 @@ impl Few {
     }
 }
 
-/// Start and end of a shape, where there are such.
+/// Start and end of a shape, where it has them.
 fn ends(shape: &Shape) -> [Option<[f64; 2]>; 2] {
     match shape {
         Shape::Segment(s) => s.vertices().map(|p| Some(*p)),
@@ -251,7 +251,7 @@ impl Walls<2> for Few {
         let mut time = num / den;
         let p = along(x, v, time);
         let y = [p[0] - anchor[0], p[1] - anchor[1]];
-        // onto the line; or one Newton step towards the circle, as in the landings of the shapes themselves
+        // projected onto the line; or one Newton step towards the circle, as in the landings of the shapes themselves
         let off = -dot(&y, &normal);
         let change = ((normal[1] - y[0] * y[0]) - y[1] * y[1]) * (normal[0] * normal[0] * 0.5);
         let z = [y[0] + y[0] * change, y[1] + y[1] * change];

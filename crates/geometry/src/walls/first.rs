@@ -2,7 +2,7 @@
 use crate::crossing::Candidate;
 use lanes::{Lane, Mask};
 
-/// The first crossing of those looked at, and of what: its place in some list.
+/// The first of the crossings considered so far, and the index in some list of what is crossed.
 pub(super) struct First<F: Lane> {
     pub(super) num: F,
     pub(super) den: F,
@@ -16,17 +16,17 @@ impl<F: Lane> First<F> {
         First { num: zero.same(f64::INFINITY), den: zero.same(1.0), place: zero }
     }
 
-    /// Takes a crossing that comes before, of what is at this place in every lane.
+    /// Takes a crossing if it comes before; what is crossed has the same index in every lane.
     #[inline(always)]
     pub(super) fn look(&mut self, candidate: Candidate<F>, place: f64) {
         self.look_at(candidate, candidate.num.same(place));
     }
 
-    /// Takes a crossing that comes before.
+    /// Takes a crossing if it comes before, with an index for each lane.
     #[inline(always)]
     pub(super) fn look_at(&mut self, candidate: Candidate<F>, place: F) {
         let Candidate { really, num, den } = candidate;
-        // most pieces are not met: one path goes on at once
+        // most pieces are not met: for a single path return at once
         if F::LANES == 1 && !really.any() {
             return;
         }

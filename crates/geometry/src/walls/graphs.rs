@@ -14,31 +14,32 @@ use nalgebra::Vector2;
 
 /// Pieces of a boundary as polynomial graphs over short chords.
 ///
-/// Where the path's line runs tells which of them it may cross outwards: mostly one of two, and otherwise those that the sides tell on
-/// which it passes their ends, eight looked at in a go. The one that is likely to be first is solved, of many paths side by side, and
-/// others only where they might come before it.
+/// A table by the position and direction of the path's line tells which graphs it may cross outwards: mostly one of a few; otherwise
+/// they are found from the sides on which the line passes their ends, eight graphs at a time. The equation is solved for the graph that
+/// is likely to be first, for many paths side by side, and for others only where they might come before it.
 #[derive(Clone, Debug)]
 pub struct Graphs(ByLane<All>);
 
-/// So many graphs are looked at in a go.
+/// Number of graphs tested at a time.
 const WIDTH: usize = 8;
 
-/// Beyond this many times what counts as a corner no hit is one, but on paths that come from so many sizes away.
+/// Farther from a vertex than this many times the corner tolerance no hit is a corner, except on paths that come from this many table
+/// sizes away.
 const ROOM: f64 = 1_048_576.0; // 2²⁰
 
 #[derive(Clone, Debug, Default)]
 struct All {
-    /// The ends of the graphs, coordinate by coordinate: graph `k` runs from `k` to `k + 1`. Behind the last graph of a closed curve,
-    /// and wherever the next does not go on where one ends, stands one that does not exist; and in the end there are so many that
-    /// eight may be read anywhere.
+    /// The ends of the graphs, coordinate by coordinate: graph `k` runs from entry `k` to entry `k + 1`. A dummy graph follows the last
+    /// graph of a closed curve, and every graph that the next one does not continue; the list is padded with more of these so that eight
+    /// may be read anywhere.
     ends: [Vec<f64>; 2],
     /// [`Graph::near`]
     near: Vec<f64>,
-    /// A graph that is left out because it lies behind a path does so by more than its length: no point is farther from the start
-    /// than this less the length. −∞ for graphs that do not exist.
+    /// A graph is left out as lying behind a path only if it does so by more than its length: no point of it is farther from its start
+    /// than this less the length. −∞ for dummy graphs.
     reach: Vec<f64>,
     rows: Vec<Row>,
-    /// The number of the piece of each.
+    /// The piece number of each graph.
     numbers: Vec<u32>,
     /// Whether there are corners at the start and at the end of each; empty where there are none at all.
     corners: Vec<[bool; 2]>,
@@ -95,7 +96,7 @@ impl All {
         Local::of(0.0, |_| &self.rows[graph]).0
     }
 
-    /// Adds a graph, or one that does not exist.
+    /// Adds a graph, or a dummy.
     fn add(&mut self, start: [f64; 2], [near, reach]: [f64; 2], (number, graph, corners): (usize, &Graph, [bool; 2])) {
         for (ends, coordinate) in self.ends.iter_mut().zip(start) {
             ends.push(coordinate);
@@ -111,8 +112,8 @@ impl All {
         self.corners.push(corners);
     }
 
-    /// Of eight graphs in a row, without those that lie far behind the start of a path, as bits, those that it passes through outwards
-    /// and those that it may cross outwards; and lower bounds of the ways to them times `|v|`.
+    /// Of eight consecutive graphs, without those that lie far behind the start of a path: bit masks of those that it certainly crosses
+    /// outwards and of those that it may cross outwards; and lower bounds of the distances to them times `|v|`.
     #[inline(always)]
     fn eight<F: Lane>(&self, x: [F; 2], v: [F; 2], first: usize) -> ([u64; 2], [f64; WIDTH]) {
         let zero = x[0].same(0.0);
@@ -138,19 +139,20 @@ impl All {
         ([through, through | (grazed & !(starts & !ends) & !behind)], ways)
     }
 
-    /// The one of at most `MOST` consecutive graphs that a path crosses, which crosses no other: the first that ends to its left.
+    /// The graph that a path crosses among at most `MOST` consecutive ones of which it crosses exactly one: the first that ends to its
+    /// left.
     #[inline(always)]
     fn of_run<const MOST: usize, F: Lane>(&self, zero: F, x: [f64; 2], v: [f64; 2], first: usize) -> usize {
         let (x, v) = ([zero.same(x[0]), zero.same(x[1])], [zero.same(v[0]), zero.same(v[1])]);
         let ends_x = &self.ends[0][first + 1..][..MOST];
         let ends_y = &self.ends[1][first + 1..][..MOST];
-        // that the last does is clear
+        // the last one certainly does
         let (mut left, mut k) = (1 << (MOST - 1), 0);
         while k < MOST {
             left |= zero.lt(turn(x, v, [zero.load(&ends_x[k..]), zero.load(&ends_y[k..])])).bits() << k;
             k += F::LANES;
         }
-        // no branch, which nothing would predict
+        // without a branch, which would be unpredictable
         first + left.trailing_zeros() as usize
     }
 
@@ -159,8 +161,8 @@ impl All {
     fn pick<F: Lane>(&self, zero: F, x: [f64; 2], v: [f64; 2], groups: &[u32]) -> Pick {
         let (x, v) = ([zero.same(x[0]), zero.same(x[1])], [zero.same(v[0]), zero.same(v[1])]);
         let mut pick = Pick { graph: 0, through: false, way: f64::INFINITY, others: f64::INFINITY };
-        // the bits of eight groups are a number: what a path may cross in them is looked through in one loop, whose end is foreseen more
-        // often than those of eight
+        // the bits of eight groups fit in one number, so what a path may cross in them is examined in one loop, whose end is predicted
+        // more often than the ends of eight loops
         for groups in groups.chunks(WIDTH) {
             let (mut through, mut maybe, mut ways) = (0, 0, [[0.0; WIDTH]; WIDTH]);
             for (g, group) in groups.iter().enumerate() {
@@ -185,7 +187,8 @@ impl All {
         pick
     }
 
-    /// The graph that a path crosses before it crosses another one at some time, and where; none unless there is one.
+    /// The graph that a path crosses before the given time, at which it crosses another one, and where; `None` if there is no such
+    /// graph.
     #[inline(always)]
     fn before<F: Lane>(
         &self,
@@ -220,7 +223,7 @@ impl All {
 struct Pick {
     graph: usize,
     through: bool,
-    /// A lower bound of the way to it times `|v|`; infinite where there is none.
+    /// A lower bound of the distance to it times `|v|`; infinite where there is none.
     way: f64,
     /// The same for all others that may be crossed.
     others: f64,
@@ -314,7 +317,7 @@ impl Kernel for SideBySide<'_> {
 }
 
 impl All {
-    /// The first crossings of paths in lanes of `F`, from some lane on; graphs are looked at in lanes of `G`.
+    /// The first crossings of paths in lanes of `F`, from some lane on; graphs are tested in lanes of `G`.
     #[inline(always)]
     fn first<G: Lane, F: Lane>(
         &self,

@@ -23,7 +23,7 @@ pub struct Swing<F> {
 }
 
 impl<F: Lane> Swing<F> {
-    /// Of a chord with these velocities.
+    /// The swing of a chord with these velocities.
     #[inline(always)]
     pub fn new(normal: F, tangential: F) -> Self {
         let inverse = normal.same(1.0) / (tangential * tangential + normal * normal);
@@ -32,8 +32,8 @@ impl<F: Lane> Swing<F> {
 
     /// The place at the end of a chord from `place`.
     ///
-    /// The place is multiplied by `u` twice, and not by the rounded `u²/|u|²`, which would be off by the same angle in
-    /// every chord alike; what is left of the rounding differs from place to place and averages out.
+    /// The place is multiplied by `u` twice, and not by the rounded `u²/|u|²`, which would be off by the same angle in every
+    /// chord; the rounding errors that remain differ from place to place and average out.
     #[inline(always)]
     pub fn apply(&self, place: &[F; 2]) -> [F; 2] {
         let [u1, u2] = self.direction;
@@ -47,10 +47,10 @@ impl<F: Lane> Swing<F> {
 }
 
 impl Swing<f64> {
-    /// Of a chord that comes again and again: its angle is right to two digits more than `u` has.
+    /// The swing of a chord that recurs again and again, with an angle accurate to two digits more than `u` has.
     ///
-    /// The length of `u` is free. So some ulp are added to one component, and to the other what corrects the angle best; one
-    /// of these pairs nearly fits.
+    /// The length of `u` is free. So a few ulp are added to one component, and to the other the multiple of an ulp that corrects
+    /// the angle best; one of these pairs fits almost exactly.
     pub fn recurring(normal: Double, tangential: Double) -> Self {
         const CHOICES: i32 = 16;
         let (n, t) = (normal.high, tangential.high);
@@ -78,24 +78,24 @@ impl Swing<f64> {
     }
 }
 
-/// Walls in the plane with a motion that takes every point of them to every other: what happens next depends on the
-/// normal and the tangential velocity alone.
+/// Walls in the plane with isometries that take every point of them to every other: what happens next depends on the normal and
+/// the tangential velocity alone.
 ///
-/// In these two numbers a long orbit needs no search for the next hit. The frame at a point with inward unit normal `n`
+/// In terms of these two numbers a long orbit needs no search for the next hit. The frame at a point with inward unit normal `n`
 /// has the tangent `t = J n = (−n₂, n₁)`.
 pub trait Homogeneous: Walls<2> {
-    /// Whether a flight does no more than to [turn](Swing) the place, a unit vector: on arrival the tangential velocity is then
-    /// that of the departure. Otherwise it is the opposite.
+    /// Whether a flight only [turns](Swing) the place, a unit vector: the tangential velocity on arrival is then that of the
+    /// departure. Otherwise it is the opposite.
     const ROUND: bool;
 
     /// The place of a hit, as two numbers of the walls' choice.
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2];
     /// Normal and tangential velocity on arrival at the first hit of the path `x + t v`, where the unit normal is
-    /// `normal`, in twice the digits: these two numbers are carried on for ever.
+    /// `normal`, in double-double precision, since these two numbers are carried on for ever.
     fn arrival(&self, x: &[f64; 2], v: &[f64; 2], normal: &[f64; 2]) -> [Double; 2];
     /// The flight from a place with normal velocity `normal` ≥ 0 and tangential velocity `tangential`.
     fn chord<F: Lane>(&self, place: &[F; 2], normal: F, tangential: F) -> Chord<F>;
-    /// The same flight, of which the time is known: between straight walls it is that of every flight with this normal velocity.
+    /// The same flight when its time is known: between straight walls all flights with this normal velocity take the same time.
     #[inline(always)]
     fn chord_of<F: Lane>(&self, time: F, place: &[F; 2], normal: F, tangential: F) -> Chord<F> {
         Chord { time, ..self.chord(place, normal, tangential) }

@@ -1,11 +1,11 @@
-//! Whatever composite wall is around obstacles.
+//! The composite wall around obstacles, of any kind.
 use super::{ConvexPolygon, Cuboid, Rotated, Sphere, WallHit, Walls};
 use lanes::Lane;
 
 /// A composite wall around something, or with sides of several pieces.
 ///
-/// Which kind it is costs a branch that is always the same, and one code serves all: compiled for each kind, with all that may lie
-/// within, it would be several times as much.
+/// The kind costs a branch that always goes the same way, and the same code serves all: compiled for each kind, with all that may
+/// lie within, it would be several times as large.
 #[derive(Clone, Debug)]
 pub enum Hull {
     /// A rectangle along the axes.

@@ -7,30 +7,30 @@ use std::sync::Arc;
 
 /// Places on walls, and not at their ends, where orbits end.
 ///
-/// They are those where [vertices stand](standing), and those near which rounding hides on which side of a wall a path is that has the table
-/// on both. What starts on such a wall, within rounding, has just left it and does not cross it. Where it ends at another wall, or two of
-/// them end in one vertex, a path that has just left the other one starts as near to it, and would slip through. So orbits end there, as in
-/// a corner: up to `B/sin α` from a place where walls meet at the angle `α`, `B` being the rounding; and at tips that stand alone, as at any
-/// corner.
+/// They are places where [vertices stand](standing), and places near which rounding hides on which side of a two-sided wall a path is. A
+/// path that starts on such a wall, within rounding, counts as having just left it and does not cross it. Where that wall ends at another
+/// wall, or two such walls end in one vertex, a path that has just left the other one starts as near to it, and would slip through. So
+/// orbits end there, as in a corner: up to `B/sin α` from a place where walls meet at the angle `α`, with `B` the rounding; and at free
+/// tips, as at any corner.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Junctions {
-    /// Places and how far from them orbits end, by the first coordinate.
+    /// Places and how far from them orbits end, sorted by the first coordinate.
     places: Vec<(Vector2<f64>, f64)>,
-    /// The farthest of these.
+    /// The greatest of these distances.
     reach: f64,
-    /// Whether a wall of one side is met.
+    /// Whether a one-sided wall is met.
     on_others: bool,
 }
 
-/// A start within half the [`slack`] of a wall with two sides counts as on it, and is off by rounding of another half: this many times
-/// leave more than a factor of two on both.
+/// In units of the [`slack`]. A start within half the slack of a two-sided wall counts as on it, and rounding puts it off by another
+/// half: this leaves more than a factor of two on both.
 const BAND: f64 = 2.5;
 
-/// A tip that stands alone is a corner within half of that, as any vertex is: [`CORNER`].
+/// In the same units. A free tip is a corner within half the slack, like any vertex: [`CORNER`].
 const TIP: f64 = 0.5;
 
-/// Directions that differ by less than this (radians) are those of walls that touch or coincide. Two that touch part as the square of the
-/// distance: with the radius of curvature `r` they are apart by rounding at some 10⁻⁷ `r`.
+/// Directions that differ by less than this (radians) are those of walls that touch or coincide. Touching walls separate as the square of
+/// the distance: with the radius of curvature `r` they are a rounding error apart at some 10⁻⁷ `r`.
 const TOUCHING: f64 = 1e-8;
 
 /// A wall, and the unit directions in which it leaves a place.
@@ -41,7 +41,7 @@ struct Ray {
 }
 
 impl Junctions {
-    /// Those of the pieces with these numbers, if there are any.
+    /// The junctions of pieces with these numbers, if there are any.
     pub(crate) fn of(pieces: &[(usize, Arc<dyn Piece>)]) -> Option<Junctions> {
         let (standing, mut found) = (standing(pieces), Junctions::of_two_sided(pieces));
         found.on_others |= !standing.is_empty();
@@ -49,7 +49,7 @@ impl Junctions {
         if found.places.is_empty() { None } else { Some(found) }
     }
 
-    /// Those near walls with the table on both sides.
+    /// Those near two-sided walls.
     fn of_two_sided(pieces: &[(usize, Arc<dyn Piece>)]) -> Junctions {
         let double: Vec<usize> = (0..pieces.len()).filter(|&i| pieces[i].1.has_two_sides()).collect();
         let mut found = Junctions::default();
@@ -60,7 +60,7 @@ impl Junctions {
         let extents = pieces.iter().map(|(_, piece)| piece.extent()).filter(Extent::is_finite);
         let size = extents.fold(0.0, |size: f64, e| size.max(e.size()));
         let within = |p: &Vector2<f64>| slack([size, p.x, p.y]);
-        // ends of walls with two sides, on whatever these are, and those of others on them
+        // ends of two-sided walls, on whatever they lie, and ends of other walls on them
         let others = BoxTree::new(double.iter().map(|&i| pieces[i].1.extent()));
         let is_near = |tree: &BoxTree<2>, p: &Vector2<f64>| {
             let mut near = vec![];
@@ -111,7 +111,7 @@ impl Junctions {
         }
     }
 
-    /// These and others, with how far from them orbits end \[L\].
+    /// These and other places, with how far from them orbits end \[L\].
     pub(super) fn with(mut self, places: impl Iterator<Item = (Vector2<f64>, f64)>) -> Junctions {
         self.places.extend(places);
         self.places.sort_by(|(a, _), (b, _)| a.x.total_cmp(&b.x));
@@ -119,12 +119,12 @@ impl Junctions {
         self
     }
 
-    /// Whether a wall of one side is met.
+    /// Whether a one-sided wall is met.
     pub(crate) fn on_others(&self) -> bool {
         self.on_others
     }
 
-    /// The lanes whose hits are so near to a place; the paths start at `x`.
+    /// The lanes in which orbits end because the hit is near enough to such a place; the paths start at `x`.
     #[cold]
     #[inline(never)]
     pub(crate) fn near<F: Lane>(&self, x: [F; 2], point: [F; 2]) -> F::Mask {
@@ -151,7 +151,7 @@ impl Ray {
         }
         let along = Vector2::new(foot.normal.y, -foot.normal.x);
         let ends = piece.ends().or(piece.tips());
-        // a wall that lies on itself has either side's normal, and leaves its tips for the other one
+        // a wall without thickness may report either side's normal, and leads from each tip towards the other
         let chord = piece.tips().map(|[a, b]| (b - a).normalize());
         let along = chord.unwrap_or(along);
         let is_end = |end: &Vector2<f64>| (end - place).amax() <= rounding;

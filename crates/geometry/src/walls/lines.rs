@@ -1,4 +1,4 @@
-//! Which of many graphs a line may cross, looked up by how it runs.
+//! Which of many graphs a line may cross, looked up by its direction and distance.
 use crate::{
     Extent,
     plane::{cross, dot},
@@ -6,37 +6,38 @@ use crate::{
 };
 use lanes::{Lane, Mask, WHOLE};
 
-/// Cells by direction in a quadrant, and by distance.
+/// Numbers of cells, by direction in a quadrant and by distance.
 const DIRECTIONS: usize = 64;
 const DISTANCES: usize = 128;
 
-/// Most graphs of a run, and of one that is looked through in a go.
+/// Most graphs of a run, and of a short run, which is searched in one step.
 pub(super) const LONG_RUN: usize = 2 * SHORT_RUN;
 pub(super) const SHORT_RUN: usize = 8;
 
-/// By which part of a cell others reach into it: more than rounding does on paths from less than 2⁴⁰ sizes away.
+/// The fraction of a cell by which neighbouring cells overlap it: more than the rounding error of paths from less than 2⁴⁰ sizes away.
 const MARGIN: f64 = 1.0 / 256.0;
 
 /// What lines may cross, sorted by their directions and by their distances from a middle `m`.
 ///
 /// The direction of a path is `d = v/(|v₁| + |v₂|)`, which runs along the sides of a square, and its distance `(x − m) × d`.
-/// For lines through a point that is linear in `d` along each side, so which lines of a cell pass through the hull of some points is
-/// told by these points and the two ends of the cell.
+/// For lines through a point this distance is linear in `d` along each side of the square, so the points and the two ends of the cell
+/// decide which lines of a cell pass through the hull of some points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lines {
     middle: [f64; 2],
-    /// Cells by distance in a unit of length.
+    /// Number of cells by distance per unit of length.
     scale: f64,
     cells: Vec<Cell>,
-    /// For cells whose lines may cross several graphs or none: how many groups of consecutive graphs, and the first of each, in order.
+    /// For cells whose lines may cross several graphs or none: the number of groups of consecutive graphs, then the first graph of each,
+    /// in order.
     groups: Vec<u32>,
 }
 
 /// What lines of a cell may cross outwards.
 ///
-/// Mostly each crosses exactly one of some consecutive graphs, a run, and could not graze them: the cell has the number of the first, and
-/// the second highest bit is set where they are more than [`SHORT_RUN`]. Otherwise the highest bit is set, and the others tell where its
-/// groups are.
+/// Mostly each line crosses exactly one of some consecutive graphs, a run, and cannot graze them: the cell then holds the number of the
+/// first, and the second highest bit is set where the run is longer than [`SHORT_RUN`]. Otherwise the highest bit is set, and the other
+/// bits are the index of its groups.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell(u32);
 
@@ -44,7 +45,7 @@ impl Cell {
     const GROUPS: u32 = 1 << 31;
     const LONG: u32 = 1 << 30;
 
-    /// One that is never asked.
+    /// A placeholder that is never used.
     pub(super) const NONE: Cell = Cell(0);
 
     /// Whether its lines may cross none, several, or one of several graphs.
@@ -59,17 +60,17 @@ impl Cell {
         self.0 & Cell::LONG != 0
     }
 
-    /// The first graph of its run; any where it is open.
+    /// The first graph of its run; arbitrary where it is open.
     #[inline(always)]
     pub(super) fn first(self) -> usize {
         if self.is_open() { 0 } else { (self.0 & !Cell::LONG) as usize }
     }
 }
 
-/// Sine of the angle at which a line may graze a graph, to more than rounding and what is neglected of bends of the other sign.
+/// Sine of the angle within which a line may graze a graph: more than rounding errors and neglected bends of the other sign.
 const FLAT: f64 = 1e-5;
 
-/// A graph as lines see it.
+/// What matters of a graph for the lines that may cross it.
 struct Stretch {
     place: usize,
     ends: [[f64; 2]; 2],
@@ -78,7 +79,7 @@ struct Stretch {
 }
 
 impl Stretch {
-    /// Whether lines with directions between two cross it outwards or inwards for sure.
+    /// Whether lines with directions between two certainly cross it outwards (`true`) or inwards (`false`).
     fn is_outward(&self, directions: [[f64; 2]; 2]) -> Option<bool> {
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for n in self.normals {
@@ -110,7 +111,7 @@ fn floor<F: Lane>(a: F, last: usize) -> F {
 }
 
 impl Lines {
-    /// Graphs with their places, in order, of which `width` consecutive ones are looked at in a go.
+    /// Graphs with their indices, in order; `width` consecutive ones are tested at a time.
     pub(super) fn new(graphs: &[(usize, &Graph)], width: usize) -> Lines {
         let all = graphs.iter().fold(Extent::EMPTY, |all, (_, graph)| all.union(graph.extent()));
         let middle = [0, 1].map(|i| 0.5 * (all.min[i] + all.max[i]));
@@ -156,8 +157,8 @@ impl Lines {
         [range[0] - MARGIN, range[1] + MARGIN].map(|distance| floor(distance, DISTANCES - 1) as usize)
     }
 
-    /// The cell of lines of which each crosses exactly one of consecutive graphs: it passes between their far ends, and outwards wherever
-    /// it crosses them.
+    /// The cell of lines each of which crosses exactly one of some consecutive graphs: it passes between the far ends of these, and
+    /// crosses them only outwards.
     #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 30 bits")]
     fn run(&self, met: &[&Stretch], directions: [[f64; 2]; 2], distance: usize) -> Option<Cell> {
         let (first, last) = (met.first()?, met.last()?);
@@ -171,7 +172,7 @@ impl Lines {
         (few && outwards && between).then_some(Cell(long | first.place as u32))
     }
 
-    /// The cell of other lines.
+    /// The cell of all other lines.
     #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 32 bits")]
     fn add_groups(&mut self, met: &[&Stretch], width: usize) -> Cell {
         let at = self.groups.len();
@@ -199,7 +200,7 @@ impl Lines {
         let inverse = one / (v[0].abs() + v[1].abs());
         let across = v[1] * (x[0] - self.middle[0]) - v[0] * (x[1] - self.middle[1]);
         let distance = floor(across * inverse * self.scale + 0.5 * DISTANCES as f64, DISTANCES - 1);
-        // from 0 to 4 once around
+        // runs from 0 to 4 once around
         let along = v[0] * inverse;
         let turned = v[1].lt(zero).select(along + 3.0, one - along);
         floor(turned * DIRECTIONS as f64, 4 * DIRECTIONS - 1) * DISTANCES as f64 + distance
@@ -255,8 +256,8 @@ mod tests {
     fn what_is_looked_up_is_what_trying_every_graph_finds() {
         let mut random = random::signed(1);
         let mut cut = vec![];
-        // the last one with long runs; its waves are so steep that paths along a chord leave its ends at large angles, where either of two
-        // graphs is right
+        // the last one has long runs; its waves are so steep that paths along a chord leave its ends at large angles, where either of two
+        // graphs is correct
         for (number, (x, a, n, inside)) in [
             (0.0, 0.1, 3.0, true),
             (0.0, 0.2, 5.0, true),

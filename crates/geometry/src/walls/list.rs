@@ -5,16 +5,16 @@ use lanes::Lane;
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// Pieces of any kind: a few are asked one after another, many through a tree of boxes.
+/// Pieces of any kind: a few are tested one after another, many through a tree of boxes.
 #[derive(Clone, Debug)]
 pub struct List(ByLane<Pieces>);
 
 /// How the first piece is found.
 #[derive(Clone, Debug)]
 enum Search {
-    /// By asking each.
+    /// By testing each.
     Each,
-    /// By asking those whose boxes the path enters.
+    /// By testing those whose boxes the path enters.
     Tree(BoxTree),
 }
 
@@ -24,14 +24,14 @@ struct Pieces {
     search: Search,
     /// Whether there are corners at the start and at the end of each piece.
     corners: Vec<[bool; 2]>,
-    /// Size of the coordinates of corners, of which rounding is a fraction.
+    /// Size of the coordinates of corners, to which rounding is relative.
     size: f64,
 }
 
 impl List {
-    /// From so many pieces on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower take as
-    /// long either way at 19 sides (8: 54 and 71 ns, 16: 92 and 102, 24: 126 and 104, 32: 159 and 106). The first hits alone:
-    /// `cargo bench -p geometry -- "each or tree"`.
+    /// From this many pieces on, a tree of boxes is faster than testing each. Orbits in polygons inscribed in a flower take
+    /// equally long either way at 19 sides (8: 54 and 71 ns, 16: 92 and 102, 24: 126 and 104, 32: 159 and 106). The first
+    /// hits alone: `cargo bench -p geometry -- "each or tree"`.
     pub(crate) const MANY: usize = 20;
 
     /// The pieces with their numbers, and the corners of the boundary.
@@ -47,7 +47,7 @@ impl List {
 }
 
 impl Pieces {
-    /// The piece that a path crosses first, and when; of equal times the first in the list.
+    /// The piece that a path crosses first, and when; for equal times the first in the list.
     fn first(&self, path: &Line<2>) -> Option<(usize, f64)> {
         match &self.search {
             Search::Each => {

@@ -1,10 +1,10 @@
-//! Walls: what the engine's loop asks, in lanes of any width.
+//! Walls: what the engine's loop asks for the first hit, in SIMD lanes of any width.
 //!
-//! A [`Table`](crate::Table) describes; walls answer. The best walls for a table are found by
-//! [`Table::with_walls`](crate::Table::with_walls): composite convex pieces that answer in one go (slab, cuboid,
-//! zonogon, convex polygon, wedge, capsule, sphere, cylinder), also where their sides are several pieces, one scatterer or
-//! many, pairs of those, straight sides eight at a time, straight, circular and elliptic pieces as a list in lanes, smooth
-//! curves as graphs of polynomials, convex solids in space as a list in lanes, or a list of any pieces.
+//! A [`Table`](crate::Table) describes a boundary; walls compute the first hit. The best walls for a table are found by
+//! [`Table::with_walls`](crate::Table::with_walls): composite convex walls that answer in one go (slab, cuboid, zonogon, convex
+//! polygon, wedge, capsule, sphere, cylinder), also where their sides consist of several pieces; one scatterer or many; pairs of those;
+//! straight sides eight at a time; straight, circular and elliptic pieces as a list in lanes; smooth curves as graphs of polynomials;
+//! convex solids in space as a list in lanes; or a list of any pieces.
 mod around;
 mod by_lane;
 mod capsule;
@@ -71,14 +71,14 @@ use lanes::{Lane, Mask};
 /// The first hit, in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct WallHit<F: Lane, const N: usize> {
-    /// Time of flight; infinite where there is no hit, and then nothing else means anything. Of a path that starts beyond a wall, which
-    /// only rounding does, it may be as much below 0.
+    /// Time of flight; infinite where there is no hit, and then the other fields are meaningless. For a path that starts beyond a wall,
+    /// as only rounding can cause, it may be negative by as much.
     pub time: F,
     /// The point hit, on the wall.
     pub point: [F; N],
-    /// A normal into the table. Its length is whatever the wall has at hand.
+    /// A normal into the table. Its length is whatever the wall can provide cheaply.
     pub normal: [F; N],
-    /// `1/|normal|`, to about 2 ulp: reflecting with it is right for a normal of any length.
+    /// `1/|normal|`, to about 2 ulp, with which reflection is correct for a normal of any length.
     pub inverse: F,
     /// Number of the piece.
     pub piece: F,
@@ -86,7 +86,7 @@ pub struct WallHit<F: Lane, const N: usize> {
     pub corner: F::Mask,
 }
 
-/// The number of a piece, which lanes carry as a number among others.
+/// The number of a piece, which lanes carry as a floating-point number.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a piece number is a small integer")]
 #[inline(always)]
 pub fn number(piece: f64) -> usize {
@@ -139,7 +139,7 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
         }
     }
 
-    /// This one, or `other` where `second`.
+    /// This hit, or `other` in the lanes where `second` is set.
     #[inline(always)]
     #[must_use]
     pub fn or(mut self, second: F::Mask, other: &Self) -> Self {
@@ -157,24 +157,24 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
 
 /// What a billiard's particle can hit, as the engine's loop asks it: for one orbit or for many side by side.
 ///
-/// The same code runs in every lane width, so an ensemble has the bits of its single orbits.
+/// The same code runs in every lane width, so each orbit of an ensemble agrees bit for bit with the same orbit run singly.
 pub trait Walls<const N: usize>: Sync {
     /// The first hit of the paths `x + t v`, `t ≥ 0`.
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
 
-    /// Whether normals have length 1, but for a rounding that is worth taking back: on an ellipse, where the product of the momenta
-    /// about the foci is conserved as well as the energy, and where a hit takes so long that it makes no difference.
+    /// Whether normals have length 1 up to a rounding error that is worth correcting: on an ellipse, where the product of the momenta
+    /// about the foci is conserved as well as the energy, and where a hit takes so long that the correction costs nothing noticeable.
     fn rounds_normals(&self) -> bool {
         false
     }
 
-    /// Whether every normal is a unit vector along an axis, at which a law has less to do.
+    /// Whether every normal is a unit vector along an axis, so that a law needs fewer operations.
     fn is_along_axes(&self) -> bool {
         false
     }
 
-    /// Whether every normal is a unit vector along the same axis: what a strict law leaves of velocity and spin along the normal, or
-    /// reverses, is never rounded then.
+    /// Whether every normal is a unit vector along the same axis: components of velocity and spin along the normal that a strict law
+    /// preserves or reverses are then never rounded.
     fn are_parallel(&self) -> bool {
         false
     }
@@ -217,7 +217,7 @@ pub trait WithWalls<const N: usize> {
     type Output;
     /// Runs it.
     fn run<W: Walls<N>>(self, walls: &W) -> Self::Output;
-    /// Runs it on walls in the plane that know a shorter way from hit to hit.
+    /// Runs it on walls in the plane that can compute the next hit by a shorter way.
     fn run_homogeneous<W: Homogeneous + Walls<N>>(self, walls: &W) -> Self::Output
     where
         Self: Sized,
@@ -228,12 +228,12 @@ pub trait WithWalls<const N: usize> {
 
 /// Within how many units of rounding of the table's size a point counts as a corner.
 ///
-/// A landing point is right to about 2 ulp of the size along the wall; 8 covers it with a factor of four.
+/// A landing point is accurate to about 2 ulp of the size along the wall; 8 leaves a factor of four.
 pub(crate) const CORNER: f64 = 8.0 * f64::EPSILON;
 
 /// Whether a wall at this distance, which is not negative, is reached with this speed before another one.
 ///
-/// One that is not moved towards is never reached, even from the wall itself: nothing is less than 0, nor than ∞·0.
+/// A wall that is not approached is never reached, even from the wall itself, since no number is less than 0 or than ∞·0.
 #[inline(always)]
 fn sooner<F: Lane>([distance, speed]: [F; 2], [other_distance, other_speed]: [F; 2]) -> F::Mask {
     (distance * other_speed).lt(other_distance * speed)

@@ -1,12 +1,12 @@
-//! Normals whose length is known to more digits than they have.
+//! Normals whose length is known to more digits than f64 has.
 //!
-//! A reflection in a normal whose length is off by a rounding changes the energy by the same part in every collision with
-//! that wall, always in the same direction.
+//! A reflection in a normal whose length is off by a rounding error changes the energy by the same relative amount in every
+//! collision with that wall, always in the same direction.
 use lanes::{Double, two_prod, two_sum};
 
 /// The neighbour of a unit normal, or the normal itself, whose length is nearest to 1.
 ///
-/// A normal in another last digit is as good a normal, and on average two fifths of the error are gone.
+/// A normal with another last digit is as good, and on average two fifths of the length's error are gone.
 pub(super) fn most_unit(normal: [f64; 2]) -> [f64; 2] {
     let mut best = normal;
     for a in near(normal[0]) {
@@ -19,9 +19,9 @@ pub(super) fn most_unit(normal: [f64; 2]) -> [f64; 2] {
     best
 }
 
-/// A normal `n` along a unit vector, and `ι` of at most 15 bits with `|n| ι = 1` to more than three digits more than `n` has.
+/// A normal `n` along a unit vector, and `ι` of at most 15 bits such that `|n| ι = 1` to over three digits beyond the precision of `n`.
 ///
-/// Each length of `n` between 1 and 2 rounds otherwise: one in some thousand fits.
+/// The components of `n` round differently for each length between 1 and 2: one in some thousand lengths fits.
 pub(super) fn of_known_length(unit: [f64; 2]) -> ([f64; 2], f64) {
     const LENGTHS: u32 = 1 << 14;
     const ENOUGH: f64 = f64::EPSILON / 4096.0;
@@ -94,7 +94,7 @@ mod tests {
             before += excess(normal).abs();
             after += excess(unit).abs();
         }
-        // nine choices in place of one leave three fifths
+        // nine choices instead of one leave three fifths
         assert!(after < 0.65 * before, "{after:e} of {before:e}");
     }
 

@@ -10,32 +10,32 @@ use lanes::{Double, Lane, Mask};
 #[derive(Clone, Debug)]
 pub struct Periodic<W> {
     walls: W,
-    /// A channel's second one is crossed by no path.
+    /// No path crosses the edges of a channel's second translation.
     translations: [Translation; 2],
-    /// At right angles to the vector of a channel, and how far the walls reach that way; 0 and without end elsewhere.
+    /// A vector perpendicular to the vector of a channel, and the range of the walls in that direction; 0 and infinite for other
+    /// lattices.
     across: [f64; 2],
     range: [f64; 2],
 }
 
 /// A flight through this many cells without a hit is taken never to end: the particle escapes along a corridor.
 ///
-/// A direction that leaves a corridor does so within about 1/angle cells; those that need more than this form a
-/// fraction below 10⁻⁶ of all.
+/// A path that leaves a corridor at some angle does so within about 1/angle cells; directions that need more than this are a fraction
+/// below 10⁻⁶ of all.
 const MOST_CELLS: usize = 10_000_000;
 
-/// After so many cells, a power of two, a flight begins anew from where it is.
+/// After this many cells, a power of two, a flight begins anew from where it is.
 ///
-/// Until then it enters a cell where the time and the number of cells say, which waits neither for the cell before
-/// nor for a division. The error of that grows with the number of cells, but through many stretches only with its
-/// square root.
+/// Until then its entry into a cell is computed from the time and the number of cells, which waits neither for the preceding cell nor
+/// for a division. The error of that grows with the number of cells, but over many stretches only with its square root.
 const STRETCH: usize = 8;
 
-/// How late a hit on an edge may seem: this part of the time of flight and of that through a cell, as many times as the cell's
-/// coordinates are larger than its width. Those of an edge and a wall are computed to 2 ulp each, the times of both to 2 ulp of their
-/// own and one for each cell of a stretch.
+/// How late a hit on an edge may seem: this fraction of the time of flight, and of the time through a cell times the ratio of the
+/// cell's coordinates to its width. The coordinates of an edge and a wall are computed to 2 ulp each, the times of both to 2 ulp of
+/// their own and one for each cell of a stretch.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// After so many cells, a power of two and no less than a stretch, a flight may be one along a corridor.
+/// After this many cells, a power of two and no less than a stretch, a flight is tested for being one along a corridor.
 const PATIENCE: usize = 16;
 
 impl<W> Periodic<W> {
@@ -49,7 +49,7 @@ impl<W> Periodic<W> {
         Periodic::from_corner(walls, cell.lattice(), cell.corner())
     }
 
-    /// The walls in the cell of a lattice with its corner at these coordinates.
+    /// The walls in the cell of a lattice with its corner at these lattice coordinates.
     fn from_corner(walls: W, lattice: &Lattice, corner: [f64; 2]) -> Self {
         let nowhere = Translation { functional: [0.0; 2], vector: [0.0; 2], edges: [0.0; 2], rounding: 0.0 };
         let mut translations = [nowhere; 2];
@@ -64,7 +64,7 @@ impl<W> Periodic<W> {
         Periodic { walls, translations, across: [0.0; 2], range: [-f64::INFINITY, f64::INFINITY] }
     }
 
-    /// The same walls, which lie in some boxes: on a channel, a flight beyond these that moves away from them ends at once.
+    /// The same walls, known to lie in these boxes: on a channel, a flight beyond the boxes that moves away from them ends at once.
     #[must_use]
     pub fn within(self, lattice: &Lattice, boxes: impl IntoIterator<Item = Extent>) -> Self {
         let [along] = lattice.vectors() else { return self };
@@ -73,11 +73,11 @@ impl<W> Periodic<W> {
         let mut range = [f64::INFINITY, -f64::INFINITY];
         for Extent { min, max } in boxes {
             for corner in [[min.x, min.y], [max.x, min.y], [max.x, max.y], [min.x, max.y]] {
-                // where a box goes on for ever along the channel, that counts nothing
+                // an infinite extent of a box along the channel does not count
                 let parts = [0, 1].map(|i| across[i] * corner[i]);
                 let at: f64 = parts.iter().filter(|part| !part.is_nan()).sum();
                 let rounding = slack(parts.into_iter().filter(|part| part.is_finite()));
-                // of a slanted box without end, ∞ − ∞
+                // ∞ − ∞ from an infinite oblique box
                 let at = if at.is_nan() { [-f64::INFINITY, f64::INFINITY] } else { [at - rounding, at + rounding] };
                 range = [range[0].min(at[0]), range[1].max(at[1])];
             }
@@ -89,21 +89,22 @@ impl<W> Periodic<W> {
 /// A vector of the lattice.
 #[derive(Clone, Copy, Debug)]
 struct Translation {
-    /// The coordinate that this vector makes larger by 1, and between which values it lies in the cell: 0 and 1 in the unit cell.
+    /// The lattice coordinate that this vector increases by 1, and its range in the cell: 0 to 1 in the unit cell.
     functional: [f64; 2],
     edges: [f64; 2],
     vector: [f64; 2],
-    /// The rounding of coordinates in the cell, as part of its width.
+    /// The rounding of coordinates in the cell, as a fraction of its width.
     rounding: f64,
 }
 
-/// How a path crosses the edges of cells that one translation takes to each other.
+/// How a path crosses the cell edges that one translation maps to each other.
 struct Crossings<F: Lane> {
     functional: [f64; 2],
-    /// The value of the coordinate where the path leaves the cell, and how long it takes for each unit of that, negative downwards.
+    /// The value of the coordinate where the path leaves the cell, and the time per unit of the coordinate, negative where it
+    /// decreases.
     edge: F,
     inverse: F,
-    /// The translation that the path has made from a cell to the next.
+    /// The translation from a cell to the next one along the path.
     step: [F; 2],
     /// The time from one crossing to the next; infinite along the edges.
     period: F,
@@ -131,7 +132,7 @@ impl<F: Lane> Crossings<F> {
         let [f, g] = self.functional;
         let at = x[0] * f + x[1] * g;
         let (zero, never) = (at.same(0.0), at.same(f64::INFINITY));
-        // as for a path that is on the edge, where rounding has taken it beyond
+        // a start that rounding has taken beyond the edge counts as on it
         let time = ((self.edge - at) * self.inverse).max(zero);
         self.period.lt(never).select(time, never)
     }
@@ -146,7 +147,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
     fn first_hit<F: Lane>(&self, x: &[F; 2], v: &[F; 2]) -> WallHit<F, 2> {
         let zero = v[0].same(0.0);
         let (first, second) = (Crossings::new(&self.translations[0], v), Crossings::new(&self.translations[1], v));
-        // where and when the stretch began, how long ago, what the path was moved by since, and the next crossings
+        // where and when the stretch began, the time since then, the translation since then, and the next crossings
         let (mut start, mut begun) = (*x, Double::new(zero));
         let (mut flown, mut moved) = (zero, [zero; 2]);
         let mut at = start;
@@ -158,12 +159,12 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             let hit = self.walls.first_hit(&at, v);
             let other = next[1].lt(next[0]);
             let exit = other.select(next[1], next[0]);
-            // a hit within this cell or, but for rounding, on its edge; or in a direction that leaves none
+            // a hit within this cell or, up to rounding, on its edge; or any result for a direction that leaves no cell
             let late = exit * ROUNDING + other.select(second.late, first.late);
             let here = flying & !(exit + late).lt(flown + hit.time);
             let hit = WallHit { time: begun.high + (begun.low + (flown + hit.time)), ..hit };
             if F::LANES == 1 && here.any() {
-                // with no selection between this and whatever there was
+                // without a selection between this and an earlier result
                 return hit;
             }
             best = best.or(here, &hit);
@@ -171,7 +172,7 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
             if !flying.any() {
                 break;
             }
-            // lanes that have hit fly on as well, since to ask which they are would be to wait for the hit
+            // lanes that have hit fly on as well, since finding out which they are would mean waiting for the hit
             flown = exit;
             next[0] = other.select(next[0], next[0] + first.period);
             next[1] = other.select(next[1] + second.period, next[1]);
@@ -185,7 +186,8 @@ impl<W: Walls<2>> Walls<2> for Periodic<W> {
                 begun.gather(flown);
                 (flown, moved) = (zero, [zero; 2]);
                 next = [first.first(&start), second.first(&start)];
-                // a path that is back where it was, to the last bit, or nowhere, never hits (Brent's search for cycles)
+                // a path that is back at an earlier place, to the last bit, or no longer at a finite one, never hits (Brent's cycle
+                // detection)
                 if cells > PATIENCE {
                     let moved =
                         [start[0].lt(mark[0]) | mark[0].lt(start[0]), start[1].lt(mark[1]) | mark[1].lt(start[1])];

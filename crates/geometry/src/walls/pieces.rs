@@ -11,24 +11,24 @@ use lanes::{Lane, MOST_LANES};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A list of pieces, each asked in the best way.
+/// A list of pieces, each tested in the best way.
 #[derive(Clone, Debug)]
 pub struct Pieces {
-    /// Those known in lanes.
+    /// The pieces that answer in lanes.
     few: Few,
     /// Smooth curves, if any.
     graphs: Option<Graphs>,
     /// The others, if any; or all but the smooth curves, where they are many.
     list: Option<List>,
-    /// Whether the list holds those known in lanes, too.
+    /// Whether the list also holds the pieces that answer in lanes.
     all: bool,
-    /// Where walls with two sides end, and where round ones touch, if there are any.
+    /// Where two-sided walls end, and where round ones touch, if there are any.
     junctions: Option<Arc<Junctions>>,
 }
 
 impl Pieces {
-    /// The pieces with their numbers, and the corners of the boundary. Where circles or ellipses touch that have the table outside is a
-    /// corner, too.
+    /// The pieces with their numbers, and the corners of the boundary. A point where circles or ellipses with the table outside touch
+    /// is a corner, too.
     pub fn new(mut pieces: Vec<(usize, Arc<dyn Piece>)>, corners: &[Vector2<f64>]) -> Pieces {
         let mut junctions = Junctions::of(&pieces);
         let posts = posts(&pieces);
@@ -86,7 +86,7 @@ impl Walls<2> for Pieces {
             first = first.or(other.time.lt(first.time), &other);
         }
         if let Some(junctions) = &self.junctions {
-            // values, and no pointers to them: those would keep place and hit in memory even where there are no junctions
+            // passed by value: references would keep position and hit in memory even where there are no junctions
             first.corner = first.corner | junctions.near(*x, first.point);
         }
         first

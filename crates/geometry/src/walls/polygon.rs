@@ -21,16 +21,16 @@ pub struct Polygon {
     junctions: Option<Arc<Junctions>>,
 }
 
-/// From so many blocks of eight sides on, a tree of boxes is faster than asking each. Orbits in polygons inscribed in a flower
-/// take as long either way at 192 sides (64: 55 and 68 ns, 128: 71 and 91, 256: 99 and 95, 512: 159 and 96). The first
-/// hits alone: `cargo bench -p geometry -- "each or tree"`.
+/// From this many blocks of eight sides on, a tree of boxes is faster than testing each. Orbits in polygons inscribed in a
+/// flower take equally long either way at 192 sides (64: 55 and 68 ns, 128: 71 and 91, 256: 99 and 95, 512: 159 and 96). The
+/// first hits alone: `cargo bench -p geometry -- "each or tree"`.
 const MANY: usize = 24;
 
-/// Up to so many sides per lane, each of them is asked for all lanes at once: 0.8 ns per side in eight lanes, where eight sides
-/// for one lane after another take 60 ns at 64.
+/// Up to this many sides per lane, each side is tested for all lanes at once: 0.8 ns per side in eight lanes, whereas testing
+/// eight sides at a time, one lane after another, takes 60 ns at 64 sides.
 const PER_LANE: usize = 4;
 
-/// Eight sides, coordinate by coordinate; what is not there is not a number, and hit by nothing.
+/// Eight sides, coordinate by coordinate; missing ones are NaN, and never hit.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Eight {
@@ -47,9 +47,9 @@ struct Sides {
     numbers: Vec<u32>,
     /// Whether there are corners at the start and at the end of each side.
     corners: Vec<[bool; 2]>,
-    /// Which blocks a path can meet; `None` where it is as well to ask each.
+    /// Which blocks a path can meet; `None` where testing each is as fast.
     tree: Option<BoxTree>,
-    /// Size of the coordinates of corners, of which rounding is a fraction.
+    /// Size of the coordinates of corners, to which rounding is relative.
     size: f64,
 }
 
@@ -112,7 +112,7 @@ impl Polygon {
         Polygon { junctions: junctions.map(Arc::new), ..self }
     }
 
-    /// The same sides, each of them asked, with the same answers: a measure of where a tree pays.
+    /// The same sides, each of them tested, with the same answers: for measuring where a tree pays.
     #[must_use]
     pub fn without_tree(mut self) -> Polygon {
         self.sides.0.tree = None;
@@ -127,7 +127,7 @@ struct Search<'a> {
 }
 
 impl Inside for Search<'_> {
-    /// Offers those of eight sides that the path crosses.
+    /// Offers to `first` those of eight sides that the path crosses.
     #[inline(always)]
     fn offer<F: Lane>(&self, zero: F, block: usize, first: &mut First) {
         let (x, v): ([f64; 2], [f64; 2]) = (self.path.point.into(), self.path.velocity.into());

@@ -1,4 +1,4 @@
-//! Where round walls touch that have the table outside: nothing passes between them.
+//! Points where round walls with the table outside touch: nothing passes between them.
 use crate::{
     BoxTree, Extent, Meeting, MeetingKind, Piece, meetings,
     plane::slack,
@@ -9,23 +9,23 @@ use std::sync::Arc;
 
 /// A place where two scatterers touch.
 ///
-/// A path along their common tangent crosses neither of them and would go on between them, where no table is: it ends in the cusp, as
-/// in any other. There stands a wall, tiny and straight across the gap, behind which the scatterers are; orbits end at it.
+/// A path along their common tangent crosses neither of them and would go on between them, where there is no table; it must end in the
+/// cusp, as in any other. So a tiny straight wall is placed across the gap, with its ends inside the scatterers, and orbits end at it.
 pub(super) struct Post {
     /// Where they touch \[L\].
     pub(super) place: Vector2<f64>,
-    /// From there to the end of the wall in the first scatterer \[L\].
+    /// Vector from there to the end of the wall in the first scatterer \[L\].
     half: Vector2<f64>,
-    /// The number of that.
+    /// The number of the first scatterer.
     number: usize,
 }
 
-/// Unit normals whose sum is no longer than this are opposite. In a cusp between arcs that end there it is as long as centres and ends
-/// are rounded; sides that form a corner of a smaller angle than this (radians) are far apart everywhere but there, too.
+/// Unit normals whose sum is no longer than this are opposite. In a cusp between arcs that end there the sum is as long as the rounding
+/// of centres and ends; sides that form a corner with an angle smaller than this (radians) are far apart everywhere except there, too.
 const OPPOSITE: f64 = 1e-9;
 
-/// All such places of the pieces with these numbers, where these are parts of circles and ellipses. (Of curves by formulas it would take
-/// long to find them.)
+/// All such places of the pieces with these numbers that are parts of circles and ellipses. (For curves given by formulas finding them
+/// would take too long.)
 pub(super) fn posts(pieces: &[(usize, Arc<dyn Piece>)]) -> Vec<Post> {
     let scatters = |piece: &Arc<dyn Piece>| match piece.shape() {
         Some(Shape::Arc(_) | Shape::Circle(_) | Shape::EllipticArc(_) | Shape::Ellipse(_)) => {
@@ -35,7 +35,7 @@ pub(super) fn posts(pieces: &[(usize, Arc<dyn Piece>)]) -> Vec<Post> {
     };
     let round: Vec<&(usize, Arc<dyn Piece>)> = pieces.iter().filter(|(_, piece)| scatters(piece)).collect();
     let boxes: Vec<_> = round.iter().map(|(_, piece)| piece.extent()).collect();
-    // how far such walls reach, and by how much paths that miss both may be off
+    // the half-length of such walls, and the error of paths that may miss both scatterers
     let rounding = slack(boxes.iter().map(Extent::size));
     let tree = BoxTree::new(boxes.iter().copied());
     let mut found = vec![];
@@ -56,8 +56,8 @@ pub(super) fn posts(pieces: &[(usize, Arc<dyn Piece>)]) -> Vec<Post> {
     found
 }
 
-/// Where two curves touch, of which that is known to the root of rounding: where their normals are opposite. Along the unit tangent `τ`
-/// the sum of these, `n + m`, grows by the curvatures.
+/// Refines a point where two curves touch, which is known to the square root of rounding: their normals are opposite there. Along the
+/// unit tangent `τ` the sum of the normals, `n + m`, changes at the rate of the curvatures.
 fn refined(pair: [&dyn Piece; 2], mut point: Vector2<f64>) -> Vector2<f64> {
     for _ in 0..2 {
         let [a, b] = pair.map(|piece| piece.closest(&point));
@@ -69,12 +69,12 @@ fn refined(pair: [&dyn Piece; 2], mut point: Vector2<f64>) -> Vector2<f64> {
 }
 
 impl Post {
-    /// Within this distance \[L\] of the place orbits end: twice what rounding leaves to a path that meets the wall.
+    /// Orbits end within this distance \[L\] of the place: twice the rounding error of a path that meets the wall.
     pub(super) fn reach(&self) -> f64 {
         2.0 * self.half.amax()
     }
 
-    /// The wall, as seen from the one side and from the other.
+    /// The two faces of the wall.
     pub(super) fn faces(&self) -> impl Iterator<Item = (usize, Arc<dyn Piece>)> {
         let ends = [self.place + self.half, self.place - self.half];
         let face = |[a, b]: [Vector2<f64>; 2]| Segment::new(a, b).ok();

@@ -1,10 +1,10 @@
-//! A stadium that lies askew.
+//! A rotated stadium.
 use super::{Capsule, WallHit, Walls};
 use crate::{Error, plane};
 use lanes::Lane;
 use nalgebra::Vector2;
 
-/// A capsule turned about its centre: far from the origin, too, coordinates are rounded once.
+/// A capsule turned about its centre; coordinates are rounded only once even far from the origin.
 #[derive(Clone, Debug)]
 pub struct Rotated {
     capsule: Capsule,
@@ -13,7 +13,7 @@ pub struct Rotated {
 }
 
 impl Rotated {
-    /// `capsule`, whose centre stays where it is, along `axis`, of any length but 0.
+    /// `capsule` turned about its centre to lie along `axis`, of any length but 0.
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if `axis` is zero.
@@ -35,7 +35,8 @@ impl Walls<2> for Rotated {
 
 /// A vector turned by the angle with this cosine and sine.
 ///
-/// No closure: one that is not inlined is compiled for no instruction set, and calls a function for each product in lanes.
+/// Not a closure: a closure that is not inlined is compiled without the wider instruction set, and calls a function for
+/// each product in lanes.
 #[inline(always)]
 fn turned<F: Lane>([x, y]: [F; 2], [c, s]: [f64; 2]) -> [F; 2] {
     [x * c - y * s, y * c + x * s]

@@ -7,12 +7,12 @@ use crate::{
 use lanes::{Double, Lane, Mask, dot};
 use nalgebra::SVector;
 
-/// The complement of the ball of radius `r` about `c` in ℝᴺ, which is not tiny beside the flights to it: where that is 10⁻⁸ of one and
-/// less, [`Few`](super::Few) and [`Solid`](crate::parry::Solid) know more digits of the normal.
+/// The complement of the ball of radius `r` about `c` in ℝᴺ. The ball must not be tiny compared with the flights to it: where the
+/// radius is 10⁻⁸ of a flight or less, [`Few`](super::Few) and [`Solid`](crate::parry::Solid) give more digits of the normal.
 #[derive(Clone, Debug)]
 pub struct Scatterer<const N: usize>(Round<f64, N>);
 
-/// What a hit of a ball needs to know of it, another ball in each lane.
+/// The data of a ball that a hit needs, with another ball in each lane.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Round<F, const N: usize> {
     pub(super) center: [F; N],
@@ -20,7 +20,7 @@ pub(super) struct Round<F, const N: usize> {
     pub(super) inverse: F,
     /// `1/(2 r²)`
     pub(super) half: F,
-    /// By how much `|x − c|² − r²` may be negative through rounding.
+    /// How far below zero rounding may take `|x − c|² − r²`.
     pub(super) off: F,
     pub(super) piece: F,
 }
@@ -35,7 +35,7 @@ pub(super) struct Approach<F: Lane, const N: usize> {
     a: F,
     b: F,
     c: F,
-    /// Where its line is closest to the centre, from there, times `|v|²`.
+    /// The point of its line closest to the centre, relative to the centre, times `|v|²`.
     aside: [F; N],
 }
 
@@ -50,7 +50,7 @@ impl<const N: usize> Scatterer<N> {
             return Err(Error::Radius { radius });
         }
         let square = radius * radius;
-        // of the length that a normal has, so that as little as can be is added to the energy, or taken of it, at every hit
+        // the inverse of the length that a normal really has, so that the energy changes as little as possible at every hit
         let inverse = Double::new(1.0).over(Double::new(square).root()).value();
         Ok(Scatterer(Round {
             center: center.into(),
@@ -62,7 +62,7 @@ impl<const N: usize> Scatterer<N> {
         }))
     }
 
-    /// Itself, as a lane sees it.
+    /// The ball's data.
     pub(super) fn round(&self) -> &Round<f64, N> {
         &self.0
     }
@@ -87,7 +87,7 @@ impl<const N: usize> Scatterer<N> {
 }
 
 impl<F: Lane, const N: usize> Round<F, N> {
-    /// `other` where `second`, and this ball elsewhere.
+    /// `other` in the lanes where `second` is set, and this ball elsewhere.
     #[inline(always)]
     pub(super) fn or(mut self, second: F::Mask, other: &Self) -> Self {
         for i in 0..N {
@@ -169,8 +169,8 @@ impl<F: Lane, const N: usize> Approach<F, N> {
 
     /// The hit of that ball.
     ///
-    /// `(aside − √discriminant v)/|v|²` from the centre: the division is over before the root is, the next flight does not wait for the
-    /// time, and the length is the radius to rounding, from wherever the path comes.
+    /// `(aside − √discriminant v)/|v|²` relative to the centre: the division finishes before the square root, the next flight does not
+    /// wait for the time, and the length is the radius to rounding however far away the path starts.
     #[inline(always)]
     fn hit(&self, ball: &Round<F, N>, v: &[F; N]) -> WallHit<F, N> {
         let root = self.discriminant.sqrt();

@@ -40,7 +40,7 @@ impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
         let one = zero.same(1.0);
         let up = zero.lt(v[AXIS]);
         let wall = up.select(zero.same(self.high), zero.same(self.low));
-        // a start beyond the wall is rounding: it hits at time 0
+        // a start beyond the wall is due to rounding: it hits at time 0
         let distance = ((wall - x[AXIS]) * one.copysign(v[AXIS])).max(zero);
         let speed = v[AXIS].abs();
         let time = distance / speed;
@@ -52,7 +52,7 @@ impl<const N: usize, const AXIS: usize> Walls<N> for Slab<N, AXIS> {
         point[AXIS] = wall;
         normal[AXIS] = (-one).copysign(-v[AXIS]);
         WallHit {
-            // 0/0 on the wall itself, without a speed towards it
+            // avoids 0/0 on the wall itself without a speed towards it
             time: zero.lt(speed).select(time, zero.same(f64::INFINITY)),
             point,
             normal,

@@ -1,4 +1,4 @@
-//! Convex solids in space, asked in lanes.
+//! Convex solids in space, tested in lanes.
 mod block;
 mod cone;
 mod grounds;
@@ -18,7 +18,7 @@ use round::Round;
 /// The surface of a convex solid.
 #[derive(Clone, Debug)]
 pub(crate) enum ConvexBody {
-    /// All that is behind some planes, and in a ball or a tube where there is one.
+    /// The intersection of half-spaces, and of a ball or a tube where there is one.
     Intersection {
         /// A point of each plane \[L\], and its unit normal, outwards.
         planes: Vec<[Vector3<f64>; 2]>,
@@ -36,7 +36,7 @@ pub(crate) enum ConvexBody {
         /// A point of its base \[L\], the plane across the axis.
         base: Vector3<f64>,
     },
-    /// All within a radius \[L\] of the segment between two different points \[L\].
+    /// All points within a radius \[L\] of the segment between two different points \[L\].
     Capsule {
         /// The points.
         ends: [Vector3<f64>; 2],
@@ -61,25 +61,25 @@ pub(crate) struct Member {
 /// A boundary in space that answers for one path at a time.
 pub(crate) type OneByOne<'a> = &'a (dyn Boundary<3> + Sync);
 
-/// Convex solids with the table inside or outside of each, asked one after another, each for all lanes at once.
+/// Convex solids with the table inside or outside of each, tested one after another, each for all lanes at once.
 ///
-/// Times are compared as fractions, and what the landing needs to know of the surface that is hit is looked up at the end. That is
-/// trusted where the point of the hit lies on this surface and on no other one. Wherever a path comes near an edge or a wall by the way,
-/// within rounding, the exact boundary is asked; so nothing here decides what a corner is.
+/// Times are compared as fractions, and the data for the landing on the surface that is hit are looked up at the end. The result is
+/// trusted where the point of the hit lies on this surface and on no other one. Wherever a path comes within rounding of an edge, or of
+/// a wall on the way, the exact boundary is asked; so nothing here decides what a corner is.
 pub(crate) struct Solids<'a> {
     center: Center<3>,
-    /// As they are seen from there, and so are their surfaces.
+    /// The solids, in coordinates relative to the centre, as are their surfaces.
     bodies: Vec<Body>,
     grounds: Grounds,
-    /// What else there is, if anything.
+    /// The rest of the boundary, if any.
     others: Option<ByLane<OneByOne<'a>>>,
-    /// All of it.
+    /// The whole boundary.
     exact: ByLane<OneByOne<'a>>,
-    /// Size of the coordinates \[L\], of which rounding is a fraction.
+    /// Size of the coordinates \[L\], to which rounding is relative.
     size: f64,
 }
 
-/// What is asked, and the place of its first surface.
+/// A solid to be tested, and the index of its first surface.
 #[derive(Clone, Debug)]
 enum Body {
     Wall(Plane, f64),
@@ -110,7 +110,7 @@ impl<'a> Solids<'a> {
     }
 }
 
-/// Where solids that lie far from the origin, for their size, are seen from; the origin of others.
+/// The point to which coordinates are relative: a centre for solids far from the origin compared with their size, otherwise the origin.
 fn center_of(solids: &[Member]) -> Vector3<f64> {
     let points = solids.iter().flat_map(|member| match &member.body {
         ConvexBody::Capsule { ends, .. } => ends.to_vec(),
@@ -125,7 +125,7 @@ fn center_of(solids: &[Member]) -> Vector3<f64> {
 }
 
 impl Member {
-    /// Adds what is to be asked of it, and its surfaces, as they are seen from a point.
+    /// Adds the bodies to be tested and their surfaces, in coordinates relative to a point.
     fn add_to(&self, from: &Vector3<f64>, bodies: &mut Vec<Body>, grounds: &mut Vec<(Ground, bool, usize)>) {
         let first = grounds.len() as f64;
         let mut add = |ground, inside| grounds.push((ground, inside, self.number));
@@ -147,7 +147,7 @@ impl Member {
                 let round = round.map(|(center, axis, radius)| Round::new(center - from, axis, radius));
                 let mut inside = self.inside;
                 if let ([plane], None, false) = (&mut planes[..], round, inside) {
-                    // what lies outside of a half-space is another one
+                    // the outside of a half-space is another half-space
                     (*plane, inside) = (plane.turned(), true);
                 }
                 let surfaces = planes.iter().map(|plane| Ground::Flat(*plane)).chain(round.map(Ground::Round));
@@ -166,13 +166,13 @@ impl Member {
     }
 }
 
-/// At least the largest coordinate.
+/// An upper bound of the largest coordinate.
 #[inline(always)]
 fn sum_of_sizes<F: Lane>(x: &[F; 3]) -> F {
     x[0].abs() + x[1].abs() + x[2].abs()
 }
 
-/// A ball around a box, seen from a point, larger than that by more than any rounding.
+/// A ball around a box, relative to a point, larger than the box by more than any rounding.
 fn around(Extent { min, max }: &Extent<3>, from: &Vector3<f64>) -> Round {
     let (center, half) = (min * 0.5 + max * 0.5, max * 0.5 - min * 0.5);
     Round::new(center - from, None, half.norm() + 1e-6 * (half.norm() + center.amax()))
@@ -209,7 +209,7 @@ impl Walls<3> for Solids<'_> {
                 Body::Ball(round, place) => {
                     first.look(round.pass(&y, v).enters(within * (-2.0 * round.radius)), *place);
                 }
-                // one path misses most of them by far
+                // a single path misses most of them by far
                 Body::Block(_, _, ball) if F::LANES == 1 && !ball.pass(&y, v).meets().any() => {}
                 Body::Block(block, place, _) => {
                     let (candidate, face) = block.enters(&y, v, within);
@@ -250,7 +250,7 @@ impl Walls<3> for Solids<'_> {
 }
 
 impl Solids<'_> {
-    /// What the exact boundary answers, where in doubt.
+    /// The hit, replaced in doubtful lanes by the answer of the exact boundary.
     #[cold]
     #[inline(never)]
     fn asked<F: Lane>(&self, x: [F; 3], v: [F; 3], doubt: F::Mask, hit: WallHit<F, 3>) -> WallHit<F, 3> {

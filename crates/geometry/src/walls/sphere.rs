@@ -81,7 +81,7 @@ impl<const N: usize> Walls<N> for Sphere<N> {
     }
 }
 
-/// A place is the unit vector from the centre.
+/// Here a place is the unit vector from the centre.
 impl Homogeneous for Sphere<2> {
     const ROUND: bool = true;
 
@@ -89,7 +89,7 @@ impl Homogeneous for Sphere<2> {
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
         hit.normal.map(|n| -n * hit.inverse)
     }
-    /// The angular momentum `y ∧ v` is that of the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`.
+    /// The angular momentum `y ∧ v` is the same as at the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`.
     fn arrival(&self, x: &[f64; 2], v: &[f64; 2], _: &[f64; 2]) -> [Double; 2] {
         let [v1, v2] = v.map(Double::new);
         let [y1, y2] = [0, 1].map(|i| {

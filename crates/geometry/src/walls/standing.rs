@@ -8,7 +8,7 @@ use std::sync::Arc;
 struct Chains {
     /// For each piece the number of its chain.
     of: Vec<usize>,
-    /// A box around each.
+    /// A box around each chain.
     boxes: Vec<Extent>,
     /// All ends of pieces, with the number of the chain.
     vertices: Vec<(usize, Vector2<f64>)>,
@@ -51,10 +51,10 @@ impl Chains {
     }
 }
 
-/// Places on walls, and not at their ends, where vertices of other chains stand, with how far from them orbits end \[L\]: a place is a corner
-/// on either side of the vertex, though the wall goes on, and within as much rounding as any other.
+/// Places on walls, and not at their ends, where vertices of other chains stand, with how far from them orbits end \[L\]: such a place is a
+/// corner on either side of the vertex, although the wall goes on, with the same tolerance as any other corner.
 ///
-/// `n log n` operations. (Where a chain stands on itself, that is not seen.)
+/// Takes `n log n` operations. (A chain that stands on itself is not recognised.)
 pub(super) fn standing(pieces: &[(usize, Arc<dyn Piece>)]) -> Vec<(Vector2<f64>, f64)> {
     let chains = Chains::of(pieces);
     let extents = chains.boxes.iter().filter(|e| e.is_finite());

@@ -1,10 +1,11 @@
-//! Whatever composite wall is around balls in space.
+//! The composite wall around balls in space, of any kind.
 use super::{Cuboid, Cylinder, Slab, Sphere, WallHit, Walls};
 use lanes::Lane;
 
 /// A composite wall around something in space.
 ///
-/// Which kind it is costs a branch that is always the same, and one code serves all, as in [`Hull`](super::Hull).
+/// The kind costs a branch that always goes the same way, and the same code serves all, as in
+/// [`Hull`](super::Hull).
 #[derive(Clone, Debug)]
 pub enum Vessel {
     /// A ball.
@@ -13,11 +14,11 @@ pub enum Vessel {
     Cylinder(Cylinder),
     /// A box along the axes.
     Box(Cuboid<3>),
-    /// What is between two planes across the first axis.
+    /// The space between two planes perpendicular to the first axis.
     Slab1(Slab<3, 0>),
-    /// Across the second.
+    /// Perpendicular to the second.
     Slab2(Slab<3, 1>),
-    /// Across the third.
+    /// Perpendicular to the third.
     Slab3(Slab<3, 2>),
 }
 

@@ -6,30 +6,30 @@ use lanes::{Lane, Mask};
 /// The convex region between two rays.
 ///
 /// Its sides are taken as whole lines, so no path can slip out at the apex. An orbit that stays for ever between two
-/// walls sees each of them half of the time: their normals have lengths that are known to nineteen digits, or what is
-/// invariant would drift.
+/// walls hits each of them half of the time, so their normals have lengths that are known to nineteen digits;
+/// otherwise invariants would drift.
 #[derive(Clone, Debug)]
 pub struct Wedge {
     apex: [f64; 2],
     sides: [Side; 2],
-    /// Within this distance of the apex a hit is a corner, as far as rounding of the apex goes.
+    /// Within this distance of the apex, due to its rounding, a hit is a corner.
     margin: f64,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct Side {
-    /// Outward, of any length, and the inverse of that.
+    /// Outward normal, of any length, and the inverse of its length.
     normal: [f64; 2],
     inverse: f64,
     piece: f64,
 }
 
 impl Wedge {
-    /// The region on the table's side of two rays that share their end, the one that arrives there and the one that
-    /// leaves it in the sense of traversal, with their numbers.
+    /// The region on the table's side of two rays that share their end: first the one that arrives there, then the
+    /// one that leaves it, in the sense of traversal; with their numbers.
     ///
     /// # Errors
-    /// [`Error::NotConvex`] where they are no such rays, or the angle between them is not less than π.
+    /// [`Error::NotConvex`] where the figures are not such rays, or the angle between them is not less than π.
     pub fn new(rays: [Figure; 2], pieces: [usize; 2]) -> Result<Self, Error> {
         let [
             Figure::Ray { from: apex, direction: arriving, left: false },

@@ -8,7 +8,7 @@ use lanes::{Lane, Mask, dot};
 struct Pair {
     /// Outward unit normal of the first side; the second one's is its opposite.
     normal: [f64; 2],
-    /// The same for the law, with a length nearer to 1.
+    /// The normal given to the law, with a length nearer to 1.
     unit: [f64; 2],
     /// Distance of each side from the centre.
     distance: f64,
@@ -20,11 +20,12 @@ struct Pair {
 
 /// The convex polygon with `K` pairs of opposite sides of equal length.
 ///
-/// Only one side of each pair can be hit, the one that the particle moves towards: half the work of a general polygon.
+/// Only one side of each pair can be hit, the one that the particle moves towards, so this takes half the work of a general
+/// polygon.
 #[derive(Clone, Debug)]
 pub struct Zonogon<const K: usize> {
     center: Center<2>,
-    /// Within the square root of this of the centre there are no corners: one comparison tells of most points that they are none.
+    /// Square of a distance from the centre within which there are no corners: one comparison shows that most points are none.
     clear: f64,
     pairs: [Pair; K],
 }
@@ -65,7 +66,7 @@ impl<const K: usize> Zonogon<K> {
         }
         let away = |p: [f64; 2]| [p[0] - center[0], p[1] - center[1]];
         let nearest = (0..2 * K).map(vertex).map(away).map(|p| dot(&p, &p)).fold(f64::INFINITY, f64::min);
-        // a point counts as a corner within `CORNER`, and is off by less than twice that
+        // a point counts as a corner within `CORNER` of it, and is itself off by less than twice that
         let clear = (libm::sqrt(nearest) - 3.0 * CORNER * size).max(0.0);
         let clear = clear * clear;
         let pairs = core::array::from_fn(|i| {

@@ -18,7 +18,7 @@ impl Plane {
         Plane { normal: (*normal).into(), distance: normal.dot(through) }
     }
 
-    /// The same plane with the other side.
+    /// The same plane facing the other way.
     pub(super) fn turned(&self) -> Plane {
         Plane { normal: self.normal.map(|n| -n), distance: -self.distance }
     }
@@ -29,7 +29,7 @@ impl Plane {
         along(point, &self.normal) - self.distance
     }
 
-    /// Where a path crosses it that starts behind.
+    /// Where a path that starts behind the plane crosses it.
     #[inline(always)]
     pub(super) fn leaves<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> Candidate<F> {
         let speed = along(v, &self.normal);
@@ -37,7 +37,7 @@ impl Plane {
     }
 }
 
-/// What lies behind some planes, and in a tube or a ball where there is one.
+/// The points behind some planes, and in a tube or a ball where there is one.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pub(super) planes: Vec<Plane>,
@@ -47,12 +47,12 @@ pub(super) struct Block {
 impl Block {
     /// Where a path comes in from outside, and through which face: the planes in their order, then the tube.
     ///
-    /// A start may be inside by `slack` \[L\].
+    /// A start may lie inside by `slack` \[L\].
     #[inline(always)]
     pub(super) fn enters<F: Lane>(&self, x: &[F; 3], v: &[F; 3], slack: F) -> (Candidate<F>, F) {
         let zero = v[0].same(0.0);
         let one = zero.same(1.0);
-        // the last way in and the first way out; whether the way in lies ahead; whether there is none
+        // the last entry and the first exit; whether the entry lies ahead; whether there is none
         let (mut enter, mut exit) = ([zero.same(f64::NEG_INFINITY), one], [zero.same(f64::INFINITY), one]);
         let (mut face, mut ahead, mut gone) = (zero, zero.never(), zero.never());
         let mut number = 0.0;

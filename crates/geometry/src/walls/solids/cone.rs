@@ -4,7 +4,7 @@ use crate::crossing::Candidate;
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
 
-/// All points that see an apex within an angle of an axis.
+/// All points whose direction from an apex is within an angle of an axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Nappe {
     pub(super) apex: [f64; 3],
@@ -28,10 +28,10 @@ impl Nappe {
         (dot(&out, &out).sqrt() - along(&w, &self.axis) * self.slope) * self.cosine
     }
 
-    /// Where a path goes out that starts inside, but for rounding.
+    /// Where a path that starts inside, up to rounding, goes out.
     ///
-    /// With the height `g` below the apex and what is across the axis, `w` of the place and `u` of the velocity, it is inside while
-    /// `a t² + 2 b t + c ≤ 0`: up to the first root ahead. It has none if the path is as steep as the cone and goes
+    /// With the height `g` below the apex, and `w` and `u` the components of position and velocity perpendicular to the axis, it is
+    /// inside while `a t² + 2 b t + c ≤ 0`: up to the first root ahead. It has none if the path is as steep as the cone and goes
     /// down; if it goes up, its line always meets both halves of the double cone.
     #[inline(always)]
     pub(super) fn leaves<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> Candidate<F> {

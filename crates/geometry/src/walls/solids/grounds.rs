@@ -1,4 +1,4 @@
-//! What a landing needs to know of the surface that is hit.
+//! The data that a landing needs of the surface that is hit.
 use super::{
     block::Plane,
     cone::Nappe,
@@ -8,7 +8,7 @@ use super::{
 use crate::{afar::NEWTON, plane::slack, walls::WallHit};
 use lanes::{Lane, Mask, Rows, dot};
 
-/// A surface with the table on one side: of a cone the inner one.
+/// A surface with the table on one side; for a cone, the inner side.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Ground {
     Flat(Plane),
@@ -16,16 +16,16 @@ pub(super) enum Ground {
     Cone(Nappe),
 }
 
-/// The grounds of all surfaces by their places, in three tables of four columns.
+/// The landing data of all surfaces by their indices, in three tables of four columns.
 #[derive(Clone, Debug)]
 pub(super) struct Grounds {
-    /// Of a plane, the unit normal into the table and its height; of a round surface, its middle and squared radius; of a cone, its apex
+    /// For a plane, the unit normal into the table and its height; for a round surface, its middle and squared radius; for a cone, its apex
     /// and the tangent of its angle.
     anchors: Rows,
-    /// Of a round surface or a cone, a unit vector along its axis, or nothing of a ball; of a round one `±1/r`, negative where the table
-    /// is within. Of a plane, nothing.
+    /// For a round surface or a cone, a unit vector along its axis (zero for a ball); for a round one also `±1/r`, negative where the table
+    /// is inside. Zero for a plane.
     axes: Rows,
-    /// The number of the piece; of a cone, the cosine of its angle.
+    /// The number of the piece; for a cone, also the cosine of its angle.
     numbers: Rows,
     /// Each plane once, whichever side the table is on.
     planes: Vec<Plane>,
@@ -77,7 +77,8 @@ impl Grounds {
         }
     }
 
-    /// The hit at a time on the surface at a place, and where more must be known of that: it is round and tiny beside the flight, or an apex.
+    /// The hit at a time on the surface with index `place`, and the lanes in which this is not accurate enough: the surface is round and
+    /// tiny compared with the flight, or the hit is an apex.
     #[inline(always)]
     pub(super) fn land<F: Lane>(&self, x: &[F; 3], v: &[F; 3], time: F, place: F) -> (WallHit<F, 3>, F::Mask) {
         let zero = time.same(0.0);
@@ -86,7 +87,7 @@ impl Grounds {
         let [piece, cosine, ..] = self.numbers.at(place);
         let (anchor, axis) = ([a0, a1, a2], [e0, e1, e2]);
         let p = [x[0] + time * v[0], x[1] + time * v[1], x[2] + time * v[2]];
-        // onto the plane
+        // projection onto the plane
         let off = height - dot(&p, &anchor);
         let flat = [p[0] + off * a0, p[1] + off * a1, p[2] + off * a2];
         let (mut point, mut normal) = (flat, anchor);
@@ -140,7 +141,7 @@ impl Grounds {
         }
         for cone in &self.cones {
             let here = cone.off(point).abs().lt(near);
-            // at the apex it meets itself
+            // at the apex a cone meets itself
             let apex = sum_of_sizes(&seen(point, &cone.apex)).lt(near * 2.0);
             two = two | (one & here) | apex;
             one = one | here;
@@ -150,7 +151,7 @@ impl Grounds {
 }
 
 impl Plane {
-    /// Whether another plane is the same within rounding, seen from either side.
+    /// Whether another plane is the same within rounding, facing either way.
     fn is(&self, other: &Plane) -> bool {
         let same = |sign: f64| {
             let turned = (0..3).all(|i| (self.normal[i] - sign * other.normal[i]).abs() <= 4.0 * f64::EPSILON);

@@ -11,12 +11,12 @@ pub(super) struct Pill {
     axis: [f64; 3],
     half_length: f64,
     radius: f64,
-    /// What it is made of: the tube, and the balls at its start and its end.
+    /// Its parts: the tube, and the balls at its start and its end.
     pub(super) parts: [Round; 3],
 }
 
 impl Pill {
-    /// About the segment between two different points \[L\].
+    /// The capsule about the segment between two different points \[L\].
     pub(super) fn new([a, b]: [Vector3<f64>; 2], radius: f64) -> Pill {
         let (middle, way) = (a * 0.5 + b * 0.5, b - a);
         let axis = way / way.norm();
@@ -24,7 +24,7 @@ impl Pill {
         Pill { middle: middle.into(), axis: axis.into(), half_length: 0.5 * way.norm(), radius, parts }
     }
 
-    /// Where a path goes out that starts inside, and through which part.
+    /// Where a path that starts inside goes out, and through which part.
     #[inline(always)]
     pub(super) fn leaves<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> (Candidate<F>, F) {
         let (tube, [height, rise]) = self.tube(x, v);
@@ -34,9 +34,9 @@ impl Pill {
         (Candidate { really: !num.never(), num, den }, part)
     }
 
-    /// Where a path comes in from outside, and through which part. A start may be inside by `slack` \[L\].
+    /// Where a path comes in from outside, and through which part. A start may lie inside by `slack` \[L\].
     ///
-    /// It comes into the endless tube first. Where that is beyond an end it meets the ball there, if anything.
+    /// It enters the infinite tube first. Where that is beyond an end it can only meet the ball there.
     #[inline(always)]
     pub(super) fn enters<F: Lane>(&self, x: &[F; 3], v: &[F; 3], slack: F) -> (Candidate<F>, F) {
         let off = slack * (-2.0 * self.radius);
@@ -50,7 +50,7 @@ impl Pill {
         (Candidate { really: flat.either(side.really, cap.really), num, den }, part)
     }
 
-    /// How a path passes the tube, and its height above the middle, and how fast that rises.
+    /// How a path passes the tube, its height above the middle, and the rate at which that grows.
     #[inline(always)]
     fn tube<F: Lane>(&self, x: &[F; 3], v: &[F; 3]) -> (Pass<F>, [F; 2]) {
         let y = seen(x, &self.middle);
@@ -58,7 +58,8 @@ impl Pill {
         (pass, [along(&y, &self.axis), along(v, &self.axis)])
     }
 
-    /// The height of the ball at whose end the tube is crossed at the height `num/den`, and the part that is hit.
+    /// For a crossing of the tube at the height `num/den`: the height of the ball at that end, and the part that
+    /// is hit.
     #[inline(always)]
     fn end<F: Lane>(&self, num: F, den: F) -> (F, F) {
         let zero = num.same(0.0);

@@ -23,7 +23,7 @@ pub(super) struct Pass<F> {
     discriminant: F,
 }
 
-/// What is across a unit vector.
+/// The component perpendicular to a unit vector.
 #[inline(always)]
 pub(super) fn across<F: Lane>(w: &[F; 3], axis: &[f64; 3]) -> [F; 3] {
     let along = along(w, axis);
@@ -36,7 +36,7 @@ pub(super) fn along<F: Lane>(w: &[F; 3], axis: &[f64; 3]) -> F {
     w[0] * axis[0] + w[1] * axis[1] + w[2] * axis[2]
 }
 
-/// A point as it is seen from another one.
+/// A point relative to another one.
 #[inline(always)]
 pub(super) fn seen<F: Lane>(x: &[F; 3], from: &[f64; 3]) -> [F; 3] {
     [x[0] - from[0], x[1] - from[1], x[2] - from[2]]
@@ -47,7 +47,7 @@ impl Round {
         Round { center: center.into(), axis: axis.map(Into::into), radius, square: radius * radius }
     }
 
-    /// How far off the surface a point near it lies \[L\].
+    /// The distance of a nearby point from the surface \[L\].
     #[inline(always)]
     pub(super) fn off<F: Lane>(&self, point: &[F; 3]) -> F {
         let mut w = seen(point, &self.center);
@@ -68,7 +68,8 @@ impl Round {
 }
 
 impl<F: Lane> Pass<F> {
-    /// Of a ball or a tube with this squared radius, with what is seen of place and velocity from its middle.
+    /// The passage by a ball or a tube with this squared radius, from position and velocity relative to its middle
+    /// (perpendicular to the axis of a tube).
     #[inline(always)]
     pub(super) fn of(w: &[F; 3], u: &[F; 3], square: f64) -> Pass<F> {
         let (a, b, c) = (dot(u, u), dot(w, u), dot(w, w) - square);
@@ -81,33 +82,34 @@ impl<F: Lane> Pass<F> {
         Pass { a, b, c, discriminant }
     }
 
-    /// Whether the line comes in at all; not told of one along a tube.
+    /// Whether the line comes in at all; undetermined for a line along a tube.
     #[inline(always)]
     pub(super) fn meets(&self) -> F::Mask {
         self.b.same(0.0).lt(self.discriminant)
     }
 
-    /// Whether the path neither comes nearer to the axis nor goes farther from it.
+    /// Whether the path is parallel to the axis.
     #[inline(always)]
     pub(super) fn is_along(&self) -> F::Mask {
         !self.b.same(0.0).lt(self.a)
     }
 
-    /// When a line that meets it comes in, as a fraction: the earlier root, from the endless past along a tube.
+    /// When a line that meets it comes in, as a fraction: the earlier root; along a tube −∞.
     ///
-    /// Where roots cancel, so do the terms of `c`: as a product of roots neither would be right to more digits of the place.
+    /// Where the terms of a root cancel, so do those of `c`: computing the root from the product of the roots would give no
+    /// more digits of the position.
     #[inline(always)]
     pub(super) fn entry(&self) -> [F; 2] {
         self.root([-(self.b + self.half_chord()), self.a], f64::NEG_INFINITY)
     }
 
-    /// When it goes out: the later root, in the endless future along a tube.
+    /// When it goes out: the later root; along a tube +∞.
     #[inline(always)]
     pub(super) fn exit(&self) -> [F; 2] {
         self.root([self.half_chord() - self.b, self.a], f64::INFINITY)
     }
 
-    /// Half of the time within, times `a`.
+    /// Half of the time inside, times `a`.
     #[inline(always)]
     fn half_chord(&self) -> F {
         self.discriminant.max(self.a.same(0.0)).sqrt()
@@ -118,7 +120,7 @@ impl<F: Lane> Pass<F> {
         self.is_along().choose([self.a.same(endless), self.a.same(1.0)], root)
     }
 
-    /// Where a path goes out that is inside.
+    /// Where a path that is inside goes out.
     #[inline(always)]
     pub(super) fn leaves(&self) -> Candidate<F> {
         let [num, den] = self.exit();
@@ -132,7 +134,7 @@ impl<F: Lane> Pass<F> {
         Candidate { really: self.meets() & self.approaches(off), num, den }
     }
 
-    /// Whether a path comes nearer from outside, down to this value of `c`.
+    /// Whether a path approaches from outside, down to this value of `c`.
     #[inline(always)]
     pub(super) fn approaches(&self, off: F) -> F::Mask {
         self.b.lt(self.b.same(0.0)) & off.lt(self.c)
