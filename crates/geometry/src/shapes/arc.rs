@@ -23,11 +23,11 @@ pub struct Arc {
     bulge: Bulge,
 }
 
-/// Tells on which side of a path an arc passes whose ends are both on the other one.
+/// Decides whether an arc whose ends are both on one side of a path reaches over to the other side.
 ///
-/// Where a line meets the circle and both ends lie on its left, all that lies on its right belongs to one arc, and so
-/// does the point farthest right, `c + r n`. It is on the arc from `a` to `b`, which lies on the right of that chord,
-/// if `r v·(b−a) > |v| (b−a)×(c−a)`: a statement about directions only, so rounding cannot open a gap at a vertex.
+/// Where a line meets the circle and both ends lie on its left, all of the circle on its right belongs to one of the two arcs, including
+/// the point farthest right, `c + r n`. That point is on the arc from `a` to `b`, which lies on the right of its chord, if
+/// `r v·(b−a) > |v| (b−a)×(c−a)`: a condition on directions only, so rounding cannot open a gap at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bulge {
     /// From `a` to `b`, times the sense of traversal.
@@ -37,7 +37,7 @@ pub(crate) struct Bulge {
 }
 
 impl Bulge {
-    /// Of the arc from `a` to `b` on a circle; `turn` is the sense of traversal, +1 for counter-clockwise.
+    /// For the arc from `a` to `b` on a circle; `turn` is the sense of traversal, +1 for counter-clockwise.
     pub(crate) fn new(center: [f64; 2], radius: f64, a: [f64; 2], b: [f64; 2], turn: f64) -> Bulge {
         let chord = [0, 1].map(|i| turn * (b[i] - a[i]));
         let height = cross(chord, [center[0] - a[0], center[1] - a[1]]) / radius;
@@ -57,14 +57,14 @@ impl Arc {
     /// The arc from `a` to `b` about `center`; focusing (`inside`, counter-clockwise) or dispersing (clockwise).
     ///
     /// The vertices are kept as they are, since neighbours share them; the radius is their mean distance from the
-    /// centre. Where these differ by more than rounding, the centre is moved to where they do not, so that the circle passes through
-    /// the vertices.
+    /// centre. Where their distances differ by more than rounding, the centre is moved to make them equal, so that the circle passes
+    /// through the vertices.
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if `a = b` (use [`Circle`]), [`Error::Radius`] for a vertex at the centre, [`Error::Parameter`] for a point
     /// that is not finite, and
     /// [`Error::OffCircle`] if the distances differ by more than 10⁻⁹ of the radius, or the centre would have to move by more than
-    /// 10⁻⁶ of it: such data were not meant.
+    /// 10⁻⁶ of it: such data are taken for a mistake.
     pub fn new(center: Vector2<f64>, a: Vector2<f64>, b: Vector2<f64>, inside: bool) -> Result<Arc, Error> {
         finite("center", &center)?;
         finite("from", &a)?;
@@ -104,7 +104,7 @@ impl Arc {
         let circle = Circle::new(center, radius, inside)?;
         for vertex in [a, b] {
             let distance = libm::hypot(vertex.x - center.x, vertex.y - center.y);
-            // a circle smaller than its place has vertices rounded as the place is
+            // a circle far from the origin for its size has vertices with the rounding of its position
             if (distance - radius).abs() > 1e-9 * radius + circle.slack {
                 return Err(Error::OffCircle { start: distance, end: radius });
             }
@@ -128,7 +128,7 @@ impl Arc {
         self.meet(x, v, [zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b))]).into()
     }
 
-    /// The same for a path that has the vertices on its left or not.
+    /// The same, given for each vertex whether it lies on the left of the path.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], [a_left, b_left]: [F::Mask; 2]) -> Candidate<F> {
         let between = !a_left & b_left;
@@ -154,7 +154,7 @@ impl Arc {
         Arc { circle: self.circle.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }
     }
 
-    /// The same as one side of a wall on which the table lies behind, too.
+    /// The same as one side of a wall with the table on both sides.
     pub(crate) fn two_sided(self) -> Arc {
         Arc { circle: self.circle.two_sided(), ..self }
     }
@@ -246,7 +246,7 @@ mod tests {
 
     #[test]
     fn a_path_that_starts_along_its_arc_does_not_leave_the_disk() {
-        // at less than √ε to the arc the line misses the circle, by rounding
+        // at an angle of less than √ε to the arc the line misses the circle because of rounding
         let (a, b) = (v(1.0, 0.0), v(-1.0, 0.0));
         let arcs = [Arc::new(Vector2::zeros(), a, b, true).unwrap(), Arc::new(Vector2::zeros(), b, a, true).unwrap()];
         for slope in [1e-8, 1e-9, 1e-12, 0.0] {
@@ -266,7 +266,7 @@ mod tests {
             let circle = Circle::new(Vector2::zeros(), 1.0, inside).unwrap();
             for k in 0..5000 {
                 let direction = at(37.1 * f64::from(k));
-                // inside: any point of the disk; outside: a point that looks at the disk
+                // inside: any point of the disk; outside: a point from which the path heads for the disk
                 let offset = -1.0 + f64::from(2 * (k % 83) + 1) / 83.0;
                 let along = if inside { offset * (1.0 - offset * offset).sqrt() } else { -2.0 };
                 let x = direction * along + v(-direction.y, direction.x) * offset;
@@ -309,7 +309,7 @@ mod tests {
                 ((vertex - Vector2::from(arc.circle.center)).norm() - arc.circle.radius).abs() < 4.0 * f64::EPSILON
             );
         }
-        // and one whose centre is right but for rounding keeps it
+        // and a centre that is right up to rounding is kept
         assert_eq!(Arc::new(v(0.1, 0.2), v(1.1, 0.2), v(0.1, 1.2), true).unwrap().circle.center, [0.1, 0.2]);
         // almost a whole circle between vertices off by 10⁻¹⁰ may be anywhere
         let slit = Arc::new(Vector2::zeros(), a, v(1.0 + 1e-10, -1e-6), true);

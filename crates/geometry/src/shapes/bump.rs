@@ -12,8 +12,8 @@ use nalgebra::Vector2;
 /// The side from `a` to `b`, table on its left, displaced outwards by `h(u) = A p(u)` at the fraction `u` of its length.
 ///
 /// `p(u) = 64 u³ (1−u)³` is 1 in the middle and vanishes with its slope and curvature at both vertices. So a polygon
-/// whose sides become bumps keeps its vertices, its angles there and the zero curvature of its ends, every piece
-/// extends as a C² curve beyond its vertices, and the perturbation is small in C²: `max |h″| = 24 |A| / |b−a|²`.
+/// whose sides become bumps keeps its vertices, the angles there and zero curvature at the ends of its sides; every
+/// piece extends as a C² curve beyond its vertices, and the perturbation is small in C²: `max |h″| = 24 |A| / |b−a|²`.
 /// `A > 0` bulges out of the table, which makes the middle focusing; `A < 0` bulges into it.
 #[derive(Clone, Debug)]
 pub struct Bump {
@@ -28,7 +28,7 @@ pub struct Bump {
     extent: Extent,
 }
 
-/// The part of the side next to a vertex in which `p` is rounding (64 · 2⁻⁵⁷): there the wall is straight.
+/// The fraction of the side next to a vertex in which `p` is below rounding (64 · 2⁻⁵⁷): there the wall is straight.
 const FLAT: f64 = 1.0 / 524_288.0; // 2⁻¹⁹
 
 impl Bump {
@@ -63,7 +63,7 @@ impl Bump {
         Raised { a: self.a, along: self.b - self.a, outward: self.outward, height: self.height }
     }
 
-    /// Fraction of the side below a point.
+    /// The fraction of the side at the foot of a point.
     fn fraction(&self, point: &Vector2<f64>) -> f64 {
         let along = Vector2::new(-self.outward.y, self.outward.x);
         (point - self.a).dot(&along) / self.length
@@ -96,7 +96,7 @@ fn second_over(u: Interval) -> Interval {
     Interval { low: second(least).min(second(greatest)), high: peak }
 }
 
-/// The bump by the fraction `u`.
+/// The bump parametrised by the fraction `u`.
 struct Raised {
     a: Vector2<f64>,
     along: Vector2<f64>,
@@ -114,7 +114,7 @@ impl Parametric for Raised {
     }
 }
 
-/// How far a path is outside the wall, `η − A p(u)` with `η` and `u` linear in time.
+/// The height of a path beyond the wall, `η − A p(u)` with `η` and `u` linear in time.
 struct Above {
     height: f64,
     fraction: [f64; 2],
@@ -151,11 +151,11 @@ impl Piece for Bump {
         let v = path.velocity;
         let rate = v.dot(&Vector2::new(-self.outward.y, self.outward.x)) / self.length;
         let fraction = self.fraction(&path.point);
-        // while the path is above the side, and a little beyond its ends
+        // while the path is over the side, or a little beyond its ends
         let (low, high) = (-0.5 * FLAT, 1.0 + 0.5 * FLAT);
         let rise = v.dot(&self.outward);
         let distance = (path.point - self.a).dot(&self.outward);
-        // and not yet farther out or farther in than the wall ever is
+        // and not yet farther out or farther in than the wall reaches
         let reach = self.length + distance.abs() + self.height.abs();
         let [enter, leave] = if rate == 0.0 {
             if fraction < low || fraction > high || rise <= 0.0 {
@@ -178,7 +178,7 @@ impl Piece for Bump {
             return Crossing::NEVER;
         };
         let at = above.fraction(time);
-        // next to a vertex the wall is straight, and neighbours decide by the same sign
+        // next to a vertex the wall is straight, and both neighbours decide by the same sign
         let left = |vertex: Vector2<f64>| cross(v.into(), (vertex - path.point).into()) > 0.0;
         let ours = if at < FLAT {
             !left(self.a)

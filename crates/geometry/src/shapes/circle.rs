@@ -24,11 +24,11 @@ pub struct Circle {
     /// `±1/r`: from `p − c` to the inward normal.
     to_normal: f64,
     pub(crate) slack: f64,
-    /// How much `|x − c|² − r²` may be off. Of one side of a wall with two, minus what a start must lie inside by.
+    /// The rounding of `|x − c|² − r²`. For one side of a two-sided wall, minus the margin by which a start must lie inside.
     off: f64,
 }
 
-/// The roots of `|x + v t − c|² = r²`, and what tells them apart.
+/// The roots of `|x + v t − c|² = r²`, and the quantities that tell them apart.
 pub(crate) struct Roots<F: Lane> {
     /// `(x − c)·v`: negative while the path comes closer to the centre.
     pub(crate) b: F,
@@ -38,7 +38,7 @@ pub(crate) struct Roots<F: Lane> {
     pub(crate) a: F,
     /// `b² − a c`
     pub(crate) discriminant: F,
-    /// Its root, 0 where the path misses the circle.
+    /// Its square root, 0 where the path misses the circle.
     pub(crate) root: F,
     /// Whether the path's line meets the circle in two points.
     pub(crate) meets: F::Mask,
@@ -83,9 +83,9 @@ impl Circle {
         Roots { a, b, c, discriminant, root: discriminant.max(zero).sqrt(), meets: zero.lt(discriminant) }
     }
 
-    /// The crossing outwards among the roots, wherever on the circle it lies: for sure on what is asked about where the path passes
-    /// `between` its ends, and where it goes `around` if the path meets the circle at all, in two points, or, from its inside, starts
-    /// along its edge. A path that starts outside a disk leaves it after it has entered it, if ever.
+    /// The outward crossing among the roots, wherever on the circle it lies. The arc in question is certainly crossed where the path
+    /// passes `between` its ends; where the arc goes `around`, it is crossed if the path meets the circle in two points, or starts
+    /// inside along its edge. A path that starts outside a disk can leave it only after entering it.
     #[inline(always)]
     pub(crate) fn outward<F: Lane>(&self, roots: &Roots<F>, between: F::Mask, around: F::Mask) -> Candidate<F> {
         let Roots { a, b, c, discriminant, root, meets } = *roots;
@@ -93,8 +93,8 @@ impl Circle {
         let q = b.abs() + root;
         let off = zero.same(self.off);
         if self.inside {
-            // leaving the disk: the later root, in the form without cancellation, but where rounding leaves so little of `b` and of
-            // the root that `c` is no product of roots; a tangent start crosses at once
+            // leaving the disk: the later root, in the form without cancellation, except where `b` and the square root are so small
+            // that rounding spoils `c` as a product of the roots; a tangent start crosses at once
             let (coming, starts) = (!zero.lt(b), c.lt(off));
             let really = (between | (around & (meets | starts))) & (coming | starts);
             let as_sum = coming | discriminant.lt(-(a * c));
@@ -126,14 +126,14 @@ impl Circle {
         self.land_where(!time.never(), x, v, time)
     }
 
-    /// The same where the paths do land here; those of other lanes, which may be nowhere near, take no time.
+    /// The same for the lanes whose paths land `here`; other lanes, which may be nowhere near, cause no extra work.
     #[inline(always)]
     pub(crate) fn land_where<F: Lane>(&self, here: F::Mask, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let [y0, y1] = from(p, self.center);
         let y = [-y0, -y1];
-        // one Newton step towards |y| = r. What |y|² lacks is not taken from a sum near r², which rounds to even numbers and
-        // so on one side more often than on the other: along an ellipse that adds up
+        // one Newton step towards |y| = r. The deficit of |y|² is not computed from a sum near r², since round-to-even would favour
+        // one side: along an ellipse that bias adds up
         let change = ((y[0].same(self.square) - y[0] * y[0]) - y[1] * y[1]) * self.half;
         let z = [y[0] + y[0] * change, y[1] + y[1] * change];
         let (point, normal) =
@@ -160,7 +160,7 @@ impl Circle {
         let moved = Circle { slack, off: 2.0 * self.radius * slack, ..self };
         if self.is_two_sided() { moved.two_sided() } else { moved }
     }
-    /// The same as one side of a wall on which the table lies behind, too: a start on it, within rounding, may be on either side.
+    /// The same as one side of a wall with the table on both sides: a start on it, within rounding, may be on either side.
     pub(crate) fn two_sided(self) -> Circle {
         Circle { off: -0.5 * self.off.abs(), ..self }
     }

@@ -1,7 +1,7 @@
 //! A whole ellipse, with the table inside or outside.
 //!
-//! The affine map onto the unit circle keeps straight lines, their times and the sides of the curve, so meeting an
-//! ellipse is meeting a circle.
+//! The affine map onto the unit circle preserves straight lines, times along them and the sides of the curve, so meeting an ellipse reduces
+//! to meeting a circle.
 use crate::{
     Error,
     afar::NEWTON,
@@ -30,22 +30,23 @@ pub struct Ellipse {
     from_unit: [[f64; 2]; 2],
     /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
     to_normal: [[f64; 2]; 2],
-    /// `∓min(a, b)`, the length of `to_normal` times `A`, of a flat ellipse; otherwise 0.
+    /// For a flat ellipse `∓min(a, b)`, the length of `to_normal` times `A`; otherwise 0.
     width: f64,
-    /// What the ellipse becomes under `A`.
+    /// The image of the ellipse under `A`.
     unit: Circle,
-    /// Length of a quarter.
+    /// Arc length of a quarter.
     quarter: f64,
 }
 
-/// An ellipse whose axes have a smaller ratio is flat: on others, what straight to the centre leads off sideways is a rounding or two.
+/// An ellipse whose axes have a smaller ratio is flat: on others, moving straight towards the centre shifts a point sideways by a rounding
+/// or two only.
 const FLAT: f64 = 0.25;
 
-/// Steps of Newton's method that lead to an ellipse from places off it by up to half its width.
+/// Steps of Newton's method that lead to an ellipse from points off it by up to half its width.
 const STEPS: usize = 6;
 
-/// Where one semi-axis is shorter than this part of the other, formulas for needles are right to rounding: what they leave out is the
-/// square of that.
+/// Where one semi-axis is shorter than this fraction of the other, formulas for needles are correct to rounding: what they neglect is the
+/// square of the ratio.
 const NEEDLE: f64 = 1e-12;
 
 impl Ellipse {
@@ -106,7 +107,7 @@ impl Ellipse {
         [-distance, distance].map(|d| Vector2::from(self.center) + Vector2::from(axis) * d)
     }
 
-    /// The path `(x, v)` as seen in the picture where the ellipse is the unit circle.
+    /// The image of the path `(x, v)` under the map of the ellipse to the unit circle.
     #[inline(always)]
     pub(crate) fn affine<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> ([F; 2], [F; 2]) {
         let [d0, d1] = from(x, self.center);
@@ -133,8 +134,9 @@ impl Ellipse {
 
     /// The landing point and the normal; see [`Piece::landing`].
     ///
-    /// What rounding has taken a place off the wall is undone straight to the centre, as on a circle. Along a flat ellipse that would lead too
-    /// far: there along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of Newton's method.
+    /// The rounding error off the wall is corrected along the line to the centre, as on a circle. On a flat ellipse that would shift the
+    /// point too far along the wall, so there it is corrected along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of
+    /// Newton's method.
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         self.land_where(!time.never(), x, v, time)
@@ -154,7 +156,8 @@ impl Ellipse {
         ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
     }
 
-    /// Where places `y` on the way `w` in the picture land on a flat ellipse, from its centre, and the direction of the normal.
+    /// Where paths at `y` with velocity `w`, in the picture of the unit circle, land on a flat ellipse, relative to its centre, and the
+    /// direction of the normal.
     #[inline(always)]
     fn flat_landing<F: Lane>(&self, here: F::Mask, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
         let (off, step, mut n) = self.step(y);
@@ -168,7 +171,7 @@ impl Ellipse {
         (p, n)
     }
 
-    /// A step from the place of `y`: by how much that was off, what it is in units of the direction of the normal, and this.
+    /// A step from `y` to the wall: how far `y` was off, the step in units of the normal's direction, and that direction.
     #[inline(always)]
     fn step<F: Lane>(&self, y: [F; 2]) -> (F, F, [F; 2]) {
         let n = combine(self.to_normal, y);
@@ -177,8 +180,8 @@ impl Ellipse {
         (off, off / dot(n, n).max(off.same(f64::MIN_POSITIVE)) * self.width, n)
     }
 
-    /// Where the step ends for a place that is so far off that one step does not lead to the wall: further steps, or where these do not lead
-    /// there either, as for an ellipse that is tiny beside the flight, straight to the centre.
+    /// The landing of a point so far off that one step does not lead to the wall: by further steps or, where these fail as well, as for an
+    /// ellipse that is tiny compared with the flight, straight towards the centre.
     #[cold]
     #[inline(never)]
     fn far_landing<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
@@ -196,7 +199,7 @@ impl Ellipse {
         (combine(self.from_unit, z), [0, 1].map(|i| there.select(n[i], normal[i])))
     }
 
-    /// Where a point of the plane is in the picture of the unit circle.
+    /// The image of a point in the picture of the unit circle.
     pub(crate) fn eccentric(&self, point: &Vector2<f64>) -> [f64; 2] {
         self.affine((*point).into(), [0.0; 2]).0
     }
@@ -249,12 +252,12 @@ impl Ellipse {
             let bend = (a - b) * sin * ((a + b) * cos / rate);
             [off, rate - 0.5 * bend * (off / rate)]
         };
-        // a step leaves its third power times the square of this ratio at most
+        // the error after a step is at most its third power times the square of this ratio
         let enough = 4e-6 * (a / b).min(b / a);
         rising_root_near(self.guess(s), along, [0.0, FRAC_PI_2], enough)
     }
 
-    /// About the eccentric angle in the first quarter at this arc length, by the first terms of the speed's Fourier series.
+    /// An estimate of the eccentric angle in the first quarter at this arc length, from the first terms of the speed's Fourier series.
     fn guess(&self, s: f64) -> f64 {
         let [a, b] = self.semi_axes;
         let mean = self.quarter / FRAC_PI_2;
@@ -274,7 +277,7 @@ impl Ellipse {
     fn quarter_to(&self, sin: f64, cos: f64) -> f64 {
         let [a, b] = self.semi_axes;
         if a < NEEDLE * b {
-            // √(cos² + q sin²) is |cos| to rounding, but for a part as small as the ratio
+            // √(cos² + q sin²) is |cos| to rounding, except on an interval as small as the ratio
             return b * sin;
         }
         if b < NEEDLE * a {
@@ -285,7 +288,7 @@ impl Ellipse {
         b * second_kind(sin, cos, (a / b) * (a / b))
     }
 
-    /// The point of the unit circle below the point of the ellipse closest to `point`.
+    /// The point of the unit circle that corresponds to the point of the ellipse closest to `point`.
     ///
     /// With `A (point − c) = z` the closest point has `yᵢ = aᵢ² zᵢ / (aᵢ² + u)`, where `u` is the greatest root of
     /// `|y| = 1`. In `t = 1 + u/b²` (`b` the minor semi-axis) that function is convex and falling, and Newton's method
@@ -295,7 +298,7 @@ impl Ellipse {
         let [a, b] = self.semi_axes;
         let (major, minor) = if a < b { (1, 0) } else { (0, 1) };
         let (long, short) = (self.semi_axes[major], self.semi_axes[minor]);
-        // of a needle beyond this ratio all is known of the points of its long axis, and its squares still are finite
+        // for needles beyond this ratio the points are those of the long axis, and the squares are still finite
         let ratio = (long / short).min(1e100);
         let (n, m) = (ratio * ratio * z[major].abs(), z[minor].abs());
         let gap = (ratio - 1.0) * (ratio + 1.0); // a²/b² − 1
@@ -443,7 +446,7 @@ mod tests {
                     let landing = ellipse.landing(&path, time);
                     let [at, rest] = path.at_exactly(time);
                     let off = (landing.point - at) - rest;
-                    // no farther from the path than a few roundings of places, along the wall as little as across it
+                    // within a few roundings of positions from the path, along the wall as well as across it
                     assert!(off.norm() <= 8.0 * f64::EPSILON * size, "{width} {k}: {:e}", off.norm() / f64::EPSILON);
                 }
                 assert!(hits > 200, "{hits}");
@@ -491,13 +494,13 @@ mod tests {
             let e = Ellipse::new(Vector2::zeros(), [1.0, ratio], 0.0, true).unwrap();
             let size = ratio.max(1.0);
             for k in 0..=400 {
-                // as near to the ends of the axes as may be, too
+                // also as near to the ends of the axes as possible
                 let part = if k % 2 == 0 { f64::from(k) / 400.0 } else { libm::ldexp(1.0, -k / 8) };
                 for s in [e.quarter * part, e.quarter * (1.0 - part)] {
                     let angle = e.quarter_angle(s);
                     let (sin, cos) = libm::sincos(angle);
                     let off = e.quarter_to(sin, cos) - s;
-                    // that of the angle, and of the integral
+                    // the rounding of the angle and of the integral
                     let rounding = 2.0 * libm::hypot(cos * ratio, sin) + 4.0 * s;
                     assert!(off.abs() <= f64::EPSILON * rounding, "{ratio} {s:e}: {off:e} {rounding}");
                     assert!(angle <= FRAC_PI_2 && s <= 2.0 * size);

@@ -38,8 +38,8 @@ impl EllipticArc {
     ///
     /// # Errors
     /// [`Error::ZeroLength`] if `a = b` (use [`Ellipse`]), and [`Error::OffCircle`] for a vertex that is off the
-    /// ellipse by more than 10⁻⁹ of its size: such data were not meant. The distances named there are measured in the
-    /// picture where the ellipse is the unit circle.
+    /// ellipse by more than 10⁻⁹ of its size: such data are taken for a mistake. The distances in that error are
+    /// measured in the picture where the ellipse is the unit circle.
     pub fn new(ellipse: Ellipse, a: Vector2<f64>, b: Vector2<f64>) -> Result<EllipticArc, Error> {
         if a == b {
             return Err(Error::ZeroLength);
@@ -47,7 +47,7 @@ impl EllipticArc {
         let ends = [a, b].map(|vertex| ellipse.eccentric(&vertex));
         let [ra, rb] = ends.map(|y| libm::hypot(y[0], y[1]));
         for r in [ra, rb] {
-            // in units of the semi-axes; where the place is far off, as much as coordinates there are rounded
+            // in units of the semi-axes; far from the origin, the rounding of coordinates there
             let tolerance = 1e-9_f64.max(ellipse.unit().slack);
             if (r - 1.0).abs() > tolerance || r.is_nan() {
                 return Err(Error::OffCircle { start: r, end: 1.0 });
@@ -81,7 +81,7 @@ impl EllipticArc {
         self.meet(x, v, [zero.lt(cross(v, to_a)), zero.lt(cross(v, to_b))]).into()
     }
 
-    /// The same for a path that has the vertices on its left or not.
+    /// The same, given for each vertex whether it lies on the left of the path.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], [a_left, b_left]: [F::Mask; 2]) -> Candidate<F> {
         let between = !a_left & b_left;
@@ -108,7 +108,7 @@ impl EllipticArc {
         EllipticArc { ellipse: self.ellipse.translated(by), a: moved(self.a, by), b: moved(self.b, by), ..self }
     }
 
-    /// The same as one side of a wall on which the table lies behind, too.
+    /// The same as one side of a wall with the table on both sides.
     pub(crate) fn two_sided(self) -> EllipticArc {
         EllipticArc { ellipse: self.ellipse.two_sided(), ..self }
     }
@@ -119,7 +119,7 @@ impl EllipticArc {
         if angle < 0.0 { angle + 2.0 * PI } else { angle }
     }
 
-    /// The point of the unit circle below the point of the arc closest to `point`.
+    /// The point of the unit circle that corresponds to the point of the arc closest to `point`.
     fn foot(&self, point: &Vector2<f64>) -> [f64; 2] {
         let y = self.ellipse.closest_eccentric(point);
         if self.angle_along(&self.ellipse.at(y).point) <= self.sweep {
@@ -225,7 +225,7 @@ mod tests {
             let arcs = quarters(inside);
             let ends = arcs[0].ends().unwrap();
             for x in [Vector2::new(0.25, -0.5), Vector2::new(1.0, 0.1), Vector2::new(-0.3, -0.9)] {
-                // inside, start from the point; outside, from far off towards it
+                // inside, starts at the point; outside, starts far off and heads towards it
                 let fan = (0..360).map(|d| Vector2::new(libm::cos(f64::from(d)), libm::sin(f64::from(d))));
                 for v in fan.chain(ends.map(|end| end - x)) {
                     let path = Line { point: if inside { x } else { x - v * 8.0 }, velocity: v };

@@ -21,13 +21,13 @@ pub(crate) fn second_kind(sin: f64, cos: f64, q: f64) -> f64 {
 }
 
 /// Carlson's `R_F = ½ ∫₀^∞ dt / √((t+x)(t+y)(t+z))` and `R_D = (3/2) ∫₀^∞ dt / ((t+z) √((t+x)(t+y)(t+z)))`, by duplication; `z > 0`,
-/// at most one of the others is 0.
+/// at most one of the other two may be 0.
 fn carlson(mut x: f64, mut y: f64, mut z: f64) -> [f64; 2] {
     let (mut sum, mut factor) = (0.0, 1.0);
     loop {
         let [even, weighted] = [(x + y + z) / 3.0, (x + y + 3.0 * z) / 5.0];
         // the series are cut at the sixth order: 3 · 0.0015⁶ is a tenth of rounding
-        // (so it is where something is no number)
+        // (the loop also ends where something is NaN)
         if !(x.max(y).max(z) - x.min(y).min(z) >= 0.0015 * even.min(weighted)) {
             let [dx, dy, dz] = [x, y, z].map(|a| 1.0 - a / even);
             let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);

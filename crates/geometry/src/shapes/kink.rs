@@ -2,20 +2,20 @@
 use crate::Piece;
 use nalgebra::Vector2;
 
-/// A curve that turns by less than this (radians) in no time turns by rounding of its normals.
+/// A sudden turn of a curve by less than this (radians) is due to rounding of its normals.
 const ROUNDING: f64 = 1e-6;
 
-/// A part of a curve's length that is no more than a place: nearer to a kink, rounding may hide what the direction of a formula is.
+/// The fraction of a curve's length that counts as a single place: nearer to a kink, rounding may spoil the direction of a formula.
 const NARROW: f64 = 1e-7;
 
-/// A kink that points away from the table and turns by more than this (radians) is the tip of a cusp: beyond it the parallels of its flanks
-/// cross and go on side by side.
+/// A kink that points away from the table and turns by more than this (radians) is the tip of a cusp: beyond it the parallels of its two
+/// flanks cross.
 const SHARP: f64 = 1.5;
 
-/// So many times as much of the curve around a place tells a kink from a curvature without bound.
+/// The curve on an interval this many times wider around a place distinguishes a kink from an unbounded curvature.
 const AROUND: f64 = 128.0;
 
-/// Places looked at, at most: where the curvature is not that of the curve, there would be no end.
+/// Most intervals examined: where the formula's curvature does not belong to the curve, halving would never end.
 const MOST: u32 = 1 << 16;
 
 /// The angle from one unit vector to another, counter-clockwise.
@@ -24,8 +24,8 @@ pub(super) fn turning(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
 }
 
 /// The arc length of the first kink of a curve that points to the table, or of the tip of a cusp: a place where its direction turns by more
-/// than its curvature tells. (A disk in the table does not come to other kinks.) It is looked for in parts between arc lengths, which the
-/// curve's features should not be much shorter than.
+/// than its curvature explains. (A disk in the table does not reach other kinks.) It is searched for in parts between arc lengths, which
+/// should not be much longer than the curve's features.
 pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
     let length = curve.length();
     let at = |s: f64| {
@@ -51,7 +51,7 @@ pub(crate) fn kink(curve: &dyn Piece, parts: impl Iterator<Item = [f64; 2]>) -> 
             open.extend([([s, high], [middle, b]), ([low, s], [a, middle])]);
             continue;
         }
-        // at the kink itself there may be no direction
+        // at the kink itself the direction may be undefined
         let [here, around] = [2.0, AROUND].map(|times| {
             let [before, after] = [low, high].map(|end| (s + times * (end - s)).clamp(0.0, length));
             let [a, b] = [at(before), at(after)];
@@ -74,7 +74,7 @@ mod tests {
         curve::{Interval, Polar, PolarFormula},
     };
 
-    /// `r = 2 + a g(φ)`, with kinks or without, of which the second derivative tells nothing.
+    /// `r = 2 + a g(φ)`, with or without kinks, which do not show in the second derivative.
     #[derive(Clone, Copy, Debug)]
     struct Untold {
         size: f64,
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn kinks_of_every_size_are_found() {
-        // arcsin sin φ turns at π/2, away from the centre, and at 3π/2, towards it; a disk comes to that only
+        // arcsin sin φ has kinks at π/2, pointing away from the centre, and at 3π/2, pointing towards it; a disk reaches only the latter
         let sawtooth = |angle: f64| {
             let (sin, cos) = libm::sincos(angle);
             [libm::asin(sin), libm::copysign(1.0, cos), 0.0]
@@ -113,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_kink_is_found_where_rounding_hides_it() {
-        // the quotient has no digits within 1e-8 of the kinks, and no value at them
+        // the quotient has no correct digits within 1e-8 of the kinks, and no value at them
         let quotient = |angle: f64| {
             let (sin, cos) = libm::sincos(angle);
             let slope = cos / (1.0 - sin * sin).sqrt();
@@ -130,7 +130,7 @@ mod tests {
             [cos, -5.0 * sin, -25.0 * cos]
         };
         assert_eq!(found(0.3, waves), None);
-        // |sin φ|^1.5 has a second derivative without bound, (sin φ)₊² one that jumps
+        // |sin φ|^1.5 has an unbounded second derivative, (sin φ)₊² one that jumps
         let power = |angle: f64| {
             let (sin, cos) = libm::sincos(angle);
             let root = sin.abs().sqrt();

@@ -69,7 +69,7 @@ impl FullLine {
         let moved = FullLine { through, behind: Behind::of(slack(through)), ..self };
         if self.is_two_sided() { moved.two_sided() } else { moved }
     }
-    /// The same as one side of a wall on which the table lies behind, too: a start on it, within rounding, may be on either side.
+    /// The same as one side of a wall with the table on both sides: a start on it, within rounding, may be on either side.
     pub(crate) fn two_sided(self) -> FullLine {
         FullLine { behind: self.behind.two_sided(), ..self }
     }

@@ -1,10 +1,10 @@
-//! One side of a wall on which the table lies behind, too.
+//! One side of a wall with the table on both sides.
 use crate::{Crossing, Extent, Landing, Line, Piece, plane::slack};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A piece with the table on both sides, where another one coincides with it: what starts on the wall, within rounding, and moves to the
-/// other side was there before, and does not cross it.
+/// A piece of a wall with the table on both sides, the other side of which is another, coincident piece: a path that starts on the wall,
+/// within rounding, and moves to the other side counts as being there already, and does not cross it.
 #[derive(Clone, Debug)]
 pub(crate) struct OneSide {
     piece: Arc<dyn Piece>,
@@ -14,7 +14,7 @@ pub(crate) struct OneSide {
     size: f64,
 }
 
-/// A hit farther away than this part of the size does not begin on the wall, unless it grazes it to rounding.
+/// A path with a hit farther away than this fraction of the size did not start on the wall, unless it grazes it to rounding.
 const FAR: f64 = 1e-3;
 
 impl OneSide {

@@ -1,8 +1,8 @@
 //! The curve at a fixed distance from another one.
 //!
-//! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of
-//! points so dense that the direction turns little and one way between neighbours therefore finds every crossing; the
-//! closest points of the base curve then give the time to the last bits.
+//! Between points where its tangent is parallel to a path, a curve crosses the path's line at most once. A table of points so dense
+//! that between neighbours the direction turns little, and in one sense, therefore finds every crossing; the closest points of the
+//! base curve then give the time to the last bits.
 use super::{
     Shape,
     curve::{ArcLength, Blocks, Graph, Parametric, rising_root, rough_graphs},
@@ -21,16 +21,17 @@ use std::sync::Arc;
 /// Between neighbouring points of the table the direction turns by less than this (radians).
 const TURNING: f64 = 0.125;
 
-/// At first the curve is cut into this many parts.
+/// Number of parts into which the curve is cut at first.
 const PARTS: usize = 32;
 
-/// Halvings of one part; a curve that still turns too much has a kink.
+/// Most halvings of one part; a curve that still turns too much has a kink.
 const HALVINGS: u32 = 20;
 
 /// The points at distance `R` from part of a base curve, on its table side: `x(s) + R n(s)`.
 ///
-/// The arc length of the base is the parameter; its own is `s − R θ(s)`, where `θ` is how far the normal has turned, and
-/// its curvature `κ/(1 − κ R)`. It is regular where the base's radius of curvature `1/κ` is greater than `R`.
+/// The arc length `s` of the base is the parameter; the parallel's own arc length is `s − R θ(s)`, where `θ` is the angle by which
+/// the normal has turned, and its curvature is `κ/(1 − κ R)`. It is regular where the base's radius of curvature `1/κ` is greater
+/// than `R`.
 #[derive(Clone, Debug)]
 pub struct Parallel {
     base: Arc<dyn Piece>,
@@ -56,13 +57,13 @@ struct Node {
 }
 
 impl Parallel {
-    /// The curve at `distance` \[L\] from the part of `base` between two arc lengths \[L\]. Its ends are `ends`, where they
-    /// are given and as near as rounding; a whole closed base has a closed parallel.
+    /// The curve at `distance` \[L\] from the part of `base` between two arc lengths \[L\]. Its ends are set to `ends` if these are
+    /// given and agree to rounding; a whole closed base has a closed parallel.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] for an empty or infinite range or where no length is left, [`Error::Length`] where `distance` is not
-    /// positive and finite, [`Error::Bend`] where it reaches beyond a centre of curvature of the base, and [`Error::Kink`] where the
-    /// base has a kink that points to its table side, or the tip of a cusp.
+    /// [`Error::ZeroLength`] for an empty or infinite range or where the parallel has no length, [`Error::Length`] where `distance`
+    /// is not positive and finite, [`Error::Bend`] where it reaches beyond a centre of curvature of the base, and [`Error::Kink`]
+    /// where the base has a kink that points to its table side, or the tip of a cusp.
     pub fn new(
         base: Arc<dyn Piece>,
         distance: f64,
@@ -154,9 +155,9 @@ impl Parallel {
         before.along + ((n.s - before.s) - self.distance * turning(&before.normal, &n.normal))
     }
 
-    /// The base's arc length at the point of this curve that is closest.
+    /// The base's arc length at the closest point of this curve.
     fn closest_parameter(&self, point: &Vector2<f64>) -> f64 {
-        // mostly the foot on the whole base will do
+        // in most cases the closest point of the whole base will do
         let landing = self.base.closest(point);
         let s = self.base.arc_length_at(&landing.point);
         let [first, last] = [self.nodes[0].s, self.nodes[self.nodes.len() - 1].s];
@@ -184,7 +185,7 @@ impl Parallel {
         extent
     }
 
-    /// When the path crosses the curve outwards between two points of it, which lie on its right and on its left.
+    /// When the path crosses the curve outwards between two of its points, which lie on the right and on the left of the path.
     fn time_between(&self, path: &Line<2>, a: &Node, b: &Node) -> f64 {
         let v = path.velocity;
         let square = v.norm_squared();
@@ -233,7 +234,7 @@ impl Node {
     }
 }
 
-/// Adds nodes up to `next`, halving until the direction turns little and one way from each to the next.
+/// Adds nodes up to `next`, halving until the direction turns little, and in one sense, from each to the next.
 fn extend(base: &dyn Piece, distance: f64, nodes: &mut Vec<Node>, next: Node, halvings: u32) {
     let Some(last) = nodes.last().copied() else { return };
     let middle = || Node::new(base, distance, 0.5 * (last.s + next.s));
@@ -260,13 +261,13 @@ impl Parametric for Parallel {
         let n = self.node(s);
         [n.point, Vector2::new(n.normal.y, -n.normal.x) * n.stretch]
     }
-    /// Beside the tip of a flat ellipse the parameter has the fewest digits of all.
+    /// Not so near the tip of a flat ellipse, where the parameter loses most digits.
     fn is_consistent(&self) -> bool {
         matches!(self.base.shape(), Some(Shape::Ellipse(_) | Shape::EllipticArc(_)))
     }
 }
 
-/// The base curve by its arc length.
+/// The base curve parametrised by its arc length.
 struct Base<'a>(&'a dyn Piece);
 
 impl Parametric for Base<'_> {
@@ -291,7 +292,8 @@ impl Piece for Parallel {
                 best = best.min(t);
                 return;
             }
-            // behind the start: only if that lies outside by no more than rounding, and the path goes on outwards
+            // a crossing behind the start counts only if the start lies outside by no more than rounding, and the path goes on
+            // outwards
             let slope = v.dot(&self.base.closest(&path.point).normal);
             if slope < 0.0 && t * slope <= self.slack {
                 best = 0.0;
@@ -374,7 +376,7 @@ impl Piece for Parallel {
         let [first, last] = [&self.nodes[0], &self.nodes[self.nodes.len() - 1]];
         let span = last.s - first.s;
         let turned = (span - last.along) / self.distance;
-        // not of the ends that were given, of which rounding is not that of the arc lengths
+        // not from the given ends, whose rounding is not that of the arc lengths
         let [from, to] = [first, last].map(|n| self.base.point_at(n.s));
         let feet = [Vector2::zeros(), to - from].map(|x| x - first.normal * self.distance);
         let base = if self.ends.is_none() {
@@ -429,7 +431,7 @@ mod tests {
 
     #[test]
     fn ends_that_are_off_by_little_change_the_area_by_little() {
-        // by what lies between the chords, and not by a strip as wide as the distance
+        // from what lies between the chords, and not as a strip as wide as the distance
         let base: Arc<dyn Piece> = Arc::new(ellipse(true));
         for length in [1e-6, 1e-3, 1.0] {
             let range = [0.7, 0.7 + length];
@@ -477,7 +479,7 @@ mod tests {
                 let start = Vector2::new(0.3 + reach * libm::cos(u), -0.2 + reach * libm::sin(u));
                 let path = Line { point: start, velocity: Vector2::new(libm::cos(t), libm::sin(t)) * 1.5 };
                 let time = parallel.crossing(&path).time();
-                // march: the distance from the base changes by at most the way
+                // march: the distance from the base changes by at most the length of the step
                 let mut marched = 0.0;
                 for _ in 0..2000 {
                     let p = path.at(marched);
@@ -492,7 +494,7 @@ mod tests {
                     assert!(time.is_infinite() || time > 8.0, "{k}: {time}");
                 } else if time.is_finite() {
                     hits += 1;
-                    // marching creeps where the path grazes
+                    // marching slows down where the path grazes
                     assert!((time - marched).abs() < 1e-6, "{k}: {time} {marched}");
                     let at = parallel.landing(&path, time);
                     assert!((at.point - path.at(time)).norm() < 1e-14);
@@ -541,7 +543,7 @@ mod tests {
                     let meeting = graph.local.meet(&ray, true, true, 0.0);
                     let (point, normal) = (Vector2::from(meeting.point), Vector2::from(meeting.unit_normal()));
                     let turned = turning(&normal, &base.closest(&point).normal).abs();
-                    // that of a place known to a few roundings, on an arc of radius 0.05
+                    // the angle for a position known to a few roundings, on an arc of radius 0.05
                     assert!(turned < 1e-13, "{width} {turned:e}");
                 }
             }
@@ -555,7 +557,7 @@ mod tests {
         assert!(matches!(far, Err(Error::Bend { distance: 0.6, .. })));
     }
 
-    /// `r = 2 + 0.1 arcsin(sin φ)`, with kinks that its second derivative does not tell.
+    /// `r = 2 + 0.1 arcsin(sin φ)`, with kinks that its second derivative does not show.
     #[derive(Clone, Debug)]
     struct Sawtooth;
 

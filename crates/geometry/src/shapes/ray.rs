@@ -54,7 +54,7 @@ impl Ray {
         let moved = Ray { from, behind: Behind::of(slack(from)), ..self };
         if self.is_two_sided() { moved.two_sided() } else { moved }
     }
-    /// The same as one side of a wall on which the table lies behind, too: a start on it, within rounding, may be on either side.
+    /// The same as one side of a wall with the table on both sides: a start on it, within rounding, may be on either side.
     pub(crate) fn two_sided(self) -> Ray {
         Ray { behind: self.behind.two_sided(), ..self }
     }
@@ -74,7 +74,8 @@ impl Ray {
         self.meet(x, v, to_end, zero.lt(cross(v, to_end))).into()
     }
 
-    /// The same for a path that has the end on its left or not, with the vector from its start to there.
+    /// The same, given whether the ray's end lies on the left of the path, and the vector from the start of the path to
+    /// that end.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2], to_end: [F; 2], end_left: F::Mask) -> Candidate<F> {
         let n = self.inward_normal();

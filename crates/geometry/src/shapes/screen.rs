@@ -13,7 +13,7 @@ use nalgebra::Vector2;
 /// It is never crossed by a path that starts on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Screen {
-    /// The segment from `a` to `b` with the table on its left, and back again: sides of a wall with two.
+    /// The segment from `a` to `b` with the table on its left, and the same back again: the sides of a two-sided wall.
     faces: [Segment; 2],
 }
 
@@ -44,7 +44,7 @@ impl Screen {
 
     /// How a path with velocity `v` crosses either face, with the vectors from its start to `a` and `b`, and `v ×` these.
     ///
-    /// Both tips belong to both faces: nothing passes beside them through neither.
+    /// Both tips belong to both faces, so nothing slips through at a tip.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, v: [F; 2], [to_a, to_b]: [[F; 2]; 2], [a, b]: [F; 2]) -> [Candidate<F>; 2] {
         let zero = a.same(0.0);
@@ -65,7 +65,7 @@ impl Screen {
         &self.faces[usize::from(leftwards)]
     }
 
-    /// The number of the face on whose side a point lies; of points on the screen itself the left one.
+    /// The number of the face on whose side a point lies; for points on the screen itself the left one.
     fn side_of(&self, point: &Vector2<f64>) -> usize {
         let [a, b] = self.vertices();
         usize::from(cross((b - a).into(), (point - a).into()) < 0.0)
@@ -100,7 +100,7 @@ impl Piece for Screen {
     fn curvature(&self, _: &Vector2<f64>) -> f64 {
         0.0
     }
-    /// Of both faces: `s` runs along the left one from `a` to `b` and back along the right one.
+    /// The length of both faces: `s` runs along the left one from `a` to `b` and back along the right one.
     fn length(&self) -> f64 {
         2.0 * self.faces[0].length()
     }
@@ -108,7 +108,7 @@ impl Piece for Screen {
         let (face, s) = self.face_at(s);
         face.point_at(s)
     }
-    /// On the face that `s` runs along, which the point does not tell.
+    /// On the face that `s` runs along, which cannot be recognised from the point.
     fn landing_at(&self, s: f64) -> Landing {
         let (face, s) = self.face_at(s);
         face.landing_at(s)

@@ -10,18 +10,17 @@ use crate::{
 use lanes::Lane;
 use nalgebra::Vector2;
 
-/// Whether a path crosses the line from `a` to `b` between them, outwards if ahead: `a` is not on the left of it and `b` is.
+/// Whether a path's line crosses the segment from `a` to `b` (outwards, if ahead): `a` is not on its left and `b` is.
 #[inline(always)]
 pub(crate) fn passes<F: Lane>(to_a: [F; 2], to_b: [F; 2], v: [F; 2]) -> F::Mask {
     let zero = v[0].same(0.0);
     !zero.lt(cross(v, to_a)) & zero.lt(cross(v, to_b))
 }
 
-/// The crossing of a path that passes between the ends of a segment; `behind` is minus the distance by which its start may
-/// lie outside.
+/// The crossing of a path that passes between the ends of a segment; `behind` is minus the distance by which its start may lie outside.
 #[inline(always)]
 pub(crate) fn meet<F: Lane>(between: F::Mask, to_a: [F; 2], v: [F; 2], normal: [f64; 2], behind: f64) -> Candidate<F> {
-    // outwards, both; for one path, finding out that a wall lies along an axis takes longer than it saves
+    // both are outward; for a single path, testing for a wall along an axis takes longer than it saves
     let [n0, n1] = normal.map(|n| -n);
     let [distance, speed] = if F::LANES > 1 && n0 == 0.0 {
         [to_a[1] * n1, v[1] * n1]
@@ -49,8 +48,8 @@ pub struct Segment {
     /// Unit normal into the table.
     normal: [f64; 2],
     length: f64,
-    /// Minus the distance by which a start may lie outside: rounding. Of one side of a wall with two, the distance by which it must
-    /// lie inside.
+    /// Minus the distance by which a start may lie outside through rounding. For one side of a two-sided wall, the distance by which it
+    /// must lie inside.
     behind: f64,
 }
 
@@ -68,10 +67,10 @@ impl Segment {
         Ok(Segment { a: a.into(), b: b.into(), normal, length, behind })
     }
 
-    /// The segment from `a` to `b` \[L\] of a line whose unit normal, or its opposite, is known.
+    /// The segment from `a` to `b` \[L\] of a line whose unit normal is known up to sign.
     ///
-    /// Ends that were computed are off by rounding, and the shorter the segment, the farther is the direction from one to the other from
-    /// that of the line.
+    /// Computed ends are off by rounding, and the shorter the segment, the more the direction from one to the other differs from that of
+    /// the line.
     pub(crate) fn of_line(a: Vector2<f64>, b: Vector2<f64>, normal: [f64; 2]) -> Result<Segment, Error> {
         let segment = Segment::new(a, b)?;
         let same = dot(segment.normal, normal);
@@ -79,7 +78,7 @@ impl Segment {
         Ok(if same == 0.0 { segment } else { Segment { normal: normal.map(|n| n * sign), ..segment } })
     }
 
-    /// The same as one side of a wall on which the table lies behind, too: what starts on the wall, within rounding, may be on either
+    /// The same as one side of a wall with the table on both sides: a path that starts on the wall, within rounding, may be on either
     /// side and does not cross it.
     pub(crate) fn two_sided(self) -> Segment {
         Segment { behind: 0.5 * self.behind.abs(), ..self }
@@ -96,7 +95,7 @@ impl Segment {
         self.meet(v, to_a, passes(to_a, to_b, v)).into()
     }
 
-    /// The same for a path that passes between the vertices, with the vector from its start to `a`.
+    /// The same, given whether the path passes between the vertices, and the vector from its start to `a`.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, v: [F; 2], to_a: [F; 2], between: F::Mask) -> Candidate<F> {
         meet(between, to_a, v, self.normal, self.behind)
@@ -104,7 +103,7 @@ impl Segment {
 
     /// When a path that runs along the segment, to the last bit, comes to it: at the nearer end.
     ///
-    /// No side of a wall with two is crossed there, and of one with one side another wall is, that ends where this does.
+    /// There no side of a two-sided wall is crossed; at a one-sided wall the path crosses another wall that shares this end.
     pub(crate) fn edge_on(&self, x: [f64; 2], v: [f64; 2]) -> Option<Crossing> {
         let to = self.vertices().map(|end| from(x, *end));
         let ahead = to.map(|to| dot(to, v));

@@ -4,8 +4,8 @@ use crate::{Figure, Piece};
 use nalgebra::Vector2;
 use std::sync::Arc as Shared;
 
-/// A piece whose crossings and landings are formulas in [`Lane`](lanes::Lane)s: a list of such pieces is asked for many
-/// paths at a time.
+/// A piece whose crossings and landings are formulas in [`Lane`](lanes::Lane)s: a list of such pieces is tested for many paths at a
+/// time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// A straight segment.
@@ -26,7 +26,7 @@ pub enum Shape {
     Ellipse(Ellipse),
 }
 
-/// The same for every kind of shape: `$s` is what a variant holds, `$shape` makes a shape of that again.
+/// The same expression for every kind of shape: `$s` is the content of a variant, `$shape` its constructor.
 macro_rules! each {
     ($self:expr, $shape:pat, $s:ident => $then:expr) => {
         each!($self, $shape, $s => $then; Segment Screen Ray Line Arc Circle EllipticArc Ellipse)
@@ -48,7 +48,7 @@ pub(crate) enum Ground {
     Flat { through: [f64; 2], normal: [f64; 2] },
     /// On either of two segments.
     Faces([Segment; 2]),
-    /// On a circle: `±1/r` from the offset off the centre to the inward normal, and `r²`.
+    /// On a circle: `±1/r`, the factor from the offset from the centre to the inward normal, and `r²`.
     Round { center: [f64; 2], to_normal: f64, square: f64 },
     /// On an ellipse.
     Oval(Ellipse),
@@ -62,7 +62,7 @@ impl Shape {
         each!(self, shape, s => shape(s.translated(by)))
     }
 
-    /// The same as one side of a wall on which the table lies behind, too: what starts on the wall, within rounding, may be on either
+    /// The same as one side of a wall with the table on both sides: a path that starts on the wall, within rounding, may be on either
     /// side and does not cross it.
     pub(crate) fn two_sided(self) -> Shape {
         each!(self, shape, s => shape(s.two_sided()))

@@ -1,10 +1,10 @@
-//! A piece that several owners have: what a table gives away can be a piece of the next one.
+//! A piece with several owners: a piece taken from one table can be a piece of another.
 use super::{Shape, curve::Graph};
 use crate::{Crossing, Extent, Landing, Line, Piece};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A shared piece is the piece: those of a table may be pieces of another.
+/// A shared piece is itself a piece, so pieces of one table may be pieces of another.
 ///
 /// ```
 /// use geometry::{Piece, Table, Vector2, shapes::Circle, tables};

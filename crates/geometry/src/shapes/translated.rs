@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub struct Translated {
     piece: Arc<dyn Piece>,
     by: Vector2<f64>,
-    /// The moved shape, where it has one: walls in lanes ask that, and so do single paths, which then round alike.
+    /// The moved shape, where the piece has one: both walls in lanes and single paths use it, so they round alike.
     shape: Option<Shape>,
 }
 

@@ -9,8 +9,8 @@ pub trait Parametric {
     /// The point \[L\] and its derivative with respect to the parameter, which does not vanish.
     fn at(&self, u: f64) -> [Vector2<f64>; 2];
 
-    /// Whether point and derivative at a parameter belong together to the last digits, wherever rounding takes both of them along the
-    /// curve. Not so of formulas with waves, which round multiples of their parameter.
+    /// Whether point and derivative at a parameter belong together to the last digits, even where rounding shifts both along the curve.
+    /// Not so for oscillating formulas, which round multiples of their parameter.
     fn is_consistent(&self) -> bool {
         false
     }
@@ -35,10 +35,10 @@ pub(super) fn integral(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
 const FEW: [[f64; 2]; 3] =
     [[-0.774_596_669_241_483_4, 5.0 / 9.0], [0.0, 8.0 / 9.0], [0.774_596_669_241_483_4, 5.0 / 9.0]];
 
-/// Over this part of an interval between nodes the rule with three is exact to rounding where that with ten is over the whole.
+/// Over this fraction of an interval between nodes the three-node rule is exact to rounding if the ten-node rule is so over the whole.
 const NEAR: f64 = 1.0 / 256.0;
 
-/// What Newton's method leaves after a step by this part of such an interval is rounding.
+/// After a step of Newton's method by this fraction of such an interval, the remaining error is below rounding.
 const CLOSE: f64 = 1e-9;
 
 fn speed(curve: &impl Parametric, u: f64) -> f64 {
@@ -64,25 +64,25 @@ pub(crate) struct ArcLength {
     is_full: bool,
 }
 
-/// Intervals shorter than this part of the parameter's range are not halved: in what is steep so near by, the rounding of the parameter
-/// shows.
+/// Intervals shorter than this fraction of the parameter's range are not halved: on a curve that is steep on that scale, the rounding of
+/// the parameter shows.
 const FINEST: f64 = 1.0 / 536_870_912.0;
 
-/// Halvings in a row that do not help at most, where the rules differ by more than rounding can explain: so many until an interval
-/// with 64 waves has one.
+/// Most successive halvings that do not help, where the rules differ by more than rounding can explain: this many until an interval with
+/// 64 waves has one.
 const IN_VAIN: u32 = 6;
 
-/// Halving should leave this part, or less, of a difference per width, where a derivative has a jump: half of it. Rounding leaves it
-/// as it is.
+/// Halving should reduce the difference per width to this fraction or less; where a derivative jumps, it becomes half. Rounding
+/// differences stay as they are.
 const LESS: f64 = 0.6;
 
-/// A difference may be so much less than others by chance.
+/// A difference may be smaller than others by this factor by chance.
 const BY_CHANCE: f64 = 16.0;
 
-/// Rules that differ by less than this part, and no less when halved, differ by the rounding of the formula.
+/// Rules whose relative difference is less than this, and does not decrease on halving, differ by the rounding of the formula.
 const NOISE: f64 = 1e-9;
 
-/// Points of a table at most: a curve that needs more winds so often that nobody waits for what is done with them.
+/// Most points of a table: a curve that needs more winds so often that computing with it would take too long.
 const MOST: usize = 1 << 18;
 
 impl ArcLength {
@@ -109,12 +109,12 @@ impl ArcLength {
         self.nodes.last().map_or(0.0, |node| node.s)
     }
 
-    /// Whether the curve winds more often than the table can tell.
+    /// Whether the curve winds more often than the table can resolve.
     pub(crate) fn is_full(&self) -> bool {
         self.is_full
     }
 
-    /// The first parameter up to which the curve has no finite length, if it has none.
+    /// The first parameter of the table up to which the length is not finite, if there is one.
     pub(crate) fn endless(&self) -> Option<f64> {
         self.nodes.iter().find(|node| !node.s.is_finite()).map(|node| node.u)
     }
@@ -131,8 +131,8 @@ impl ArcLength {
         self.nodes.windows(2).map(|w| integral(&form, w[0].u, w[1].u)).sum()
     }
 
-    /// The same, by more rules where the curve is so rough that one is not enough: at the ends of `|x|^2.5 + |y|^2.5 = 1` along the
-    /// axes the speed has one derivative more than the height. Takes three times as long where the curve is smooth.
+    /// The same, with more rules where the curve is so rough that one is not enough: at the points of `|x|^2.5 + |y|^2.5 = 1` on the axes
+    /// the speed has one derivative more than the height. Takes three times as long where the curve is smooth.
     pub(crate) fn refined_area(&self, curve: &impl Parametric, about: Vector2<f64>) -> f64 {
         let form = sector(curve, about);
         let reach = self.points().map(|p| (p - about).norm()).fold(0.0, f64::max);
@@ -145,7 +145,7 @@ impl ArcLength {
         self.nodes.windows(2).map(of_part).sum()
     }
 
-    /// The box around the curve: its ends and the points where it runs along an axis.
+    /// The box around the curve, from its ends and the points where it runs parallel to an axis.
     pub(crate) fn extent(&self, curve: &impl Parametric) -> Extent {
         let mut extent = Extent::of(self.points());
         for w in self.nodes.windows(2) {
@@ -167,7 +167,7 @@ impl ArcLength {
         node.s + integral(|u| speed(curve, u), node.u, u)
     }
 
-    /// The parameter at arc length `s`, which is cut to the table's range.
+    /// The parameter at arc length `s`, clamped to the table's range.
     pub(crate) fn parameter(&self, curve: &impl Parametric, s: f64) -> f64 {
         let above = self.nodes.partition_point(|node| node.s <= s).clamp(1, self.nodes.len() - 1);
         let [low, high] = [self.nodes[above - 1], self.nodes[above]];
@@ -179,7 +179,7 @@ impl ArcLength {
         }
         let width = high.u - low.u;
         let rate = |u: f64| speed(curve, u);
-        // the parameter up to which the length is known, and by how much it is too long
+        // the parameter up to which the length is known, and by how much that length exceeds `s`
         let known = Cell::new((low.u, low.s - s));
         let rest = |u: f64| {
             let (from, excess) = known.get();
@@ -206,18 +206,18 @@ impl ArcLength {
     }
 }
 
-/// About the parameter at arc length `s`, from those at two nodes and their rates.
+/// An estimate of the parameter at arc length `s`, from two nodes and their speeds.
 fn between(low: Node, high: Node, s: f64) -> f64 {
     let (width, length) = (high.u - low.u, high.s - low.s);
     let share = (s - low.s) / length;
     let [start, end] = [low, high].map(|node| length / (width * node.at[1].norm()));
-    // the cubic that rises at these rates
+    // the cubic with these slopes
     let rest = 1.0 - share;
     let part = share * (share * (1.0 + 2.0 * rest) + rest * (rest * start - share * end));
     if 0.0 < part && part < 1.0 { low.u + part * width } else { 0.5 * (low.u + high.u) }
 }
 
-/// The area between `about` and a curve, per parameter.
+/// The area between `about` and a curve, per unit of the parameter.
 fn sector(curve: &impl Parametric, about: Vector2<f64>) -> impl Fn(f64) -> f64 {
     move |u| {
         let [p, d] = curve.at(u);
@@ -229,11 +229,11 @@ fn sector(curve: &impl Parametric, about: Vector2<f64>) -> impl Fn(f64) -> f64 {
 #[derive(Clone, Copy, Debug)]
 struct Rule {
     value: f64,
-    /// By how much it may differ from the rule on the halves.
+    /// The difference from the rule on the halves that is small enough.
     enough: f64,
-    /// More than this, per width, and halving does not help.
+    /// If the difference per width is more than this, halving does not help.
     most: f64,
-    /// The width that is not halved any more.
+    /// Intervals of this width are not halved any more.
     finest: f64,
 }
 
@@ -256,13 +256,13 @@ fn refined(f: &impl Fn(f64) -> f64, [a, b]: [f64; 2], rule: Rule) -> f64 {
 /// What halving an interval has brought so far.
 #[derive(Clone, Copy, Debug)]
 struct Progress {
-    /// Of the rule on the whole from the rule on the halves, relative, for the interval before.
+    /// The relative difference of the rule on the whole from that on the halves, for the preceding interval.
     difference: f64,
-    /// Halvings in a row that have not made it less.
+    /// Successive halvings that have not reduced it.
     in_vain: u32,
-    /// The width that is not halved any more.
+    /// Intervals of this width are not halved any more.
     finest: f64,
-    /// Nodes, from which on nothing is halved.
+    /// Number of nodes from which on nothing is halved.
     most: usize,
 }
 
@@ -275,7 +275,7 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let difference = (integral(rate, from, u) / (left + right) - 1.0).abs();
     let in_vain = if difference <= 0.7 * last.difference { 0 } else { last.in_vain + 1 };
     let patience = if difference > NOISE { IN_VAIN } else { 1 };
-    // a difference that is no number is none that halving mends
+    // halving does not help where the difference is NaN
     let may_halve = u - from > last.finest && nodes.len() < last.most;
     let mends = difference > 8.0 * f64::EPSILON && in_vain < patience && may_halve;
     if mends {
@@ -284,7 +284,7 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
         extend(curve, nodes, [middle, u], progress);
     } else {
         let s = nodes.last().map_or(0.0, |node| node.s);
-        // the halves are there: they make the search for closest points safer
+        // the middle is known anyway, and makes the search for closest points safer
         nodes.push(Node { u: middle, s: s + left, at: curve.at(middle) });
         nodes.push(Node { u, s: s + (left + right), at: curve.at(u) });
     }
@@ -317,7 +317,7 @@ mod tests {
         }
     }
 
-    /// `y = −cos(2πku)/(2πk)`: `k` waves on `0 ≤ u ≤ 1`, all alike but for their size.
+    /// `y = −cos(2πku)/(2πk)`: `k` waves on `0 ≤ u ≤ 1`, alike except for their size.
     struct Waves(f64);
     impl Parametric for Waves {
         fn at(&self, u: f64) -> [Vector2<f64>; 2] {

@@ -1,7 +1,7 @@
-//! Where a curve about a centre bends more narrowly than elsewhere, or has kinks.
+//! Where a curve about a centre bends more sharply than elsewhere, or has kinks.
 use super::{Interval, PolarFormula, kinks::kinks};
 
-/// How a curve bends in parts of a turn.
+/// The bending of a curve in parts of a turn.
 pub(super) struct Bends<'a, F> {
     formula: &'a F,
     /// The parts with `r` and its derivatives in each.
@@ -13,29 +13,29 @@ impl<'a, F: PolarFormula> Bends<'a, F> {
         Bends { formula, parts }
     }
 
-    /// Whether the second derivative differs little from what it is in the middle of a part.
+    /// A test whether the second derivative varies little over a part.
     fn calm(&self) -> impl Fn(&[Interval; 3]) -> bool + use<F> {
         let bends = self.parts.iter().map(|(_, [r, _, second])| second.magnitude().max(r.magnitude()));
         let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
         move |[.., second]| second.width() <= varies
     }
 
-    /// The kinks, if but for those all parts are calm.
+    /// The kinks, if all parts are calm except for these.
     pub(super) fn kinks(&self, most: usize) -> Option<Vec<Interval>> {
         let calm = self.calm();
         let rough = self.parts.iter().filter(|(_, jet)| !calm(jet)).map(|(part, _)| *part);
         kinks(rough, |part| calm(&self.formula.jet_over(part)), most)
     }
 
-    /// The kinks, of which there are some, if `n`ths of all parts show them and nothing else: bounds next to kinks that they do not tell
-    /// from what is around them say nothing about how much a curve bends.
+    /// The kinks, if there are any and the parts cut into `n` show them and nothing else that is not calm. (Bounds next to kinks that
+    /// they cannot separate from the surroundings say nothing about how much a curve bends.)
     pub(super) fn hidden_kinks(&self, n: u32, most: usize) -> Option<Vec<Interval>> {
         let calm = self.calm();
         let parts = self.parts.iter().flat_map(|(part, _)| cut(*part, n));
         kinks(parts, |part| calm(&self.formula.jet_over(part)), most).filter(|kinks| !kinks.is_empty())
     }
 
-    /// As [`kinks`](Self::kinks), with quarters in place of the parts that are not calm.
+    /// As [`kinks`](Self::kinks), after cutting the parts that are not calm into quarters.
     pub(super) fn closer(&mut self, most: usize) -> Option<Vec<Interval>> {
         let calm = self.calm();
         let mut parts = vec![];

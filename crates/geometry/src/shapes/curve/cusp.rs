@@ -3,34 +3,34 @@ use super::{Graph, Interval, Parametric, arc_length::GAUSS, rough_graphs};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
-/// A cusp must be alone within this many times the way on which its points are one but for rounding.
+/// A cusp must be the only one within this many times the distance on which its points coincide up to rounding.
 const ALONE: f64 = 256.0;
 
-/// How far `c″` is integrated at most: where the rounding of directions has come down to that of all formulas.
+/// Greatest distance over which `c″` is integrated: there the rounding of directions has decreased to that of ordinary formulas.
 const WIDEST: f64 = 0.0625;
 
-/// Rules that differ by less, relative, are exact, but for the rounding of the formula.
+/// Rules whose relative difference is less than this are exact up to the rounding of the formula.
 const AGREE: f64 = 64.0 * f64::EPSILON;
 
-/// A cusp: `c′ = 0` and `c″ ≠ 0`, as `(t², t³)` at 0.
+/// A cusp: `c′ = 0` and `c″ ≠ 0`, as for `(t², t³)` at 0.
 ///
-/// Beside it the terms of a formula's derivative cancel, so that directions have a rounding of `ε/τ` at a distance `τ` of parameters.
-/// There `c′ = τ ∫₀¹ c″(sτ) ds` and `c = p + τ² ∫₀¹ (1−s) c″(sτ) ds`, where nothing cancels.
+/// Near it the terms of a formula's derivative cancel, so that directions have a rounding error of `ε/τ` at a parameter distance `τ`. There
+/// `c′ = τ ∫₀¹ c″(sτ) ds` and `c = p + τ² ∫₀¹ (1−s) c″(sτ) ds`, where nothing cancels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cusp {
     at: f64,
     point: Vector2<f64>,
     /// `c″` at the tip.
     second: Vector2<f64>,
-    /// Up to so far from the tip, points are the tip but for rounding.
+    /// Parameter distance from the tip up to which points coincide with the tip within rounding.
     tip: f64,
-    /// Up to so far `c″` is integrated.
+    /// Parameter distance up to which `c″` is integrated.
     reach: f64,
 }
 
 impl Cusp {
-    /// At a parameter from 0 to 2π at which `c′` vanishes but for rounding, of a curve and bounds on its second derivative; `size` \[L\] is
-    /// that of its coordinates. `None` if it is no cusp, or if the bounds do not tell that there is only one here.
+    /// The cusp at a parameter from 0 to 2π at which `c′` vanishes up to rounding, given the curve and bounds on its second derivative;
+    /// `size` \[L\] is that of its coordinates. `None` if it is no cusp, or if the bounds do not show that there is only one here.
     pub(super) fn of(
         jet: impl Fn(f64) -> [Vector2<f64>; 3],
         second_over: impl Fn(Interval) -> [Interval; 2],
@@ -43,7 +43,7 @@ impl Cusp {
         let at = within(at - first.dot(&second) / second.norm_squared());
         let [point, _, second] = jet(at);
         let tip = libm::sqrt(f64::EPSILON * size / second.norm());
-        // what moves one way stands still once
+        // if a coordinate's second derivative keeps its sign, its first vanishes only once
         let is_alone = |reach: f64| {
             let bend = second_over(Interval::new(within(at - reach), within(at + reach)));
             !bend.iter().all(|x| x.contains(0.0))
@@ -60,7 +60,7 @@ impl Cusp {
         Some(Cusp { at, point, second, tip, reach })
     }
 
-    /// The tip, as the end of what is before it and the start of what comes after it.
+    /// The tip as an interval, whose ends are the end of the arc before it and the start of the arc after it.
     pub(super) fn place(&self) -> Interval {
         Interval::new(self.at - self.tip, self.at + self.tip)
     }
@@ -93,7 +93,7 @@ impl Cusp {
         let from_tip = FromTip { cusp: Cusp { point: Vector2::zeros(), ..*self }, second };
         let graphs = rough_graphs(&from_tip, parameters, ends, size)?;
         let mut graphs: Vec<_> = graphs.into_iter().map(|graph| graph.translated(self.point.into())).collect();
-        // the same to the last digit
+        // the given ends, to the last digit
         let last = graphs.len() - 1;
         graphs[0].ends[0] = vertices[0].into();
         graphs[last].ends[1] = vertices[1].into();
@@ -113,7 +113,7 @@ fn means(second: &impl Fn(f64) -> Vector2<f64>, u: f64, tau: f64) -> [Vector2<f6
     means
 }
 
-/// The way from the tip, which has no rounding of the coordinates.
+/// The curve relative to the tip, free of the rounding of coordinates.
 struct FromTip<'a, S> {
     cusp: Cusp,
     second: &'a S,

@@ -1,4 +1,4 @@
-//! A smooth curve cut into polynomial graphs that are right to rounding.
+//! A smooth curve cut into polynomial graphs that are accurate to rounding.
 use super::{
     Graph, Parametric,
     graph::{BEYOND, DEGREE, Local},
@@ -10,41 +10,42 @@ use nalgebra::{SMatrix, SVector, Vector2};
 /// Points at which a graph is compared with its curve, and from which it is made.
 const SAMPLES: usize = 2 * DEGREE + 4;
 
-/// Units of rounding of the curve's size within which points must agree, of 1 for inclines, and of parameters: what formulas of a
-/// few functions are wrong by.
+/// Tolerance within which points must agree (relative to the curve's size), inclines (relative to 1) and parameters: the error of formulas
+/// of a few functions.
 const AGREE: f64 = 8.0 * f64::EPSILON;
 
-/// How many times as much a rough curve may be wrong by: the least that will do.
+/// Factors by which the error of a rough curve may be larger; the least that suffices is taken.
 const ROUGH: [f64; 5] = [4.0, 8.0, 16.0, 64.0, 256.0];
 
-/// How many times as much polynomials may leave of it, but for noise.
+/// Factor by which the residual of the polynomials may be larger, apart from noise.
 const LEFT: f64 = 16.0;
 
-/// What terms of higher degree may be where all that polynomials leave of the inclines is noise, in units of its root mean square.
+/// Size that terms of higher degree may have where the residual of the inclines is all noise, in units of its root mean square.
 const NOISE: f64 = 0.6;
 
 /// Greatest incline of a graph over its chord.
 const STEEP: f64 = 0.5;
 
-/// A stretch that is too long is cut at this part of it; after one that is not, the next may be longer by its inverse.
+/// A stretch that is too long is shortened by this factor; after one that is not, the next may be longer by its inverse.
 const PART: f64 = 0.8;
 
-/// Least part of the greatest parameter: shorter stretches are rounding, and a curve that needs them has a kink. Where only a higher derivative has no
-/// bound, as that of |x|^2.5, stretches become shorter towards the place and long again beyond.
+/// Least length of a stretch as a fraction of the greatest parameter: shorter ones are within rounding, and a curve that needs them has a
+/// kink. Where only a higher derivative is unbounded, as for |x|^2.5, stretches become shorter towards that place and longer again beyond
+/// it.
 const LEAST: f64 = 1.0 / 70_368_744_177_664.0; // 2⁻⁴⁶
 
-/// So many graphs of one curve are many: a hundred are usual. If a fourth of them is enough where a formula may be wrong by more, they
-/// follow its rounding, and not its bends.
+/// More graphs of one curve than this are suspicious: a hundred are usual. If a quarter of them suffices with a larger tolerance, they
+/// follow the rounding of the formula, and not its bends.
 const MANY: usize = 512;
 
 /// Most graphs of one curve; one that needs more is rough.
 const MOST: usize = 8192;
 
-/// Of a bend that changes its sign, the part of the greatest bend that does not matter, and what is rounding: the depth of what
-/// is neglected is its third power.
+/// Where the bend changes its sign: the fraction of the greatest bend that does not matter, and the one that is rounding. The depth of
+/// what is neglected is its third power.
 const FLAT: [f64; 2] = [1e-6, 1e-11];
 
-/// Cuts a curve between two parameters into graphs; `vertices` are its first and its last point as others know them, and `size`
+/// Cuts a curve between two parameters into graphs; `vertices` are its first and its last point as its neighbours have them, and `size`
 /// \[L\] is that of its coordinates. The parameter rises or falls, such that the table lies on the left.
 ///
 /// A smooth piece of your own runs as fast as the curves here if its [`Piece::graphs`](crate::Piece::graphs) returns these:
@@ -64,10 +65,10 @@ const FLAT: [f64; 2] = [1e-6, 1e-11];
 /// ```
 ///
 /// The incline of the graph is fitted to the direction of the curve, and its integral to the points, by least squares in Chebyshev
-/// polynomials. That keeps normals right to rounding, and takes the mean of the errors of the points.
+/// polynomials. That keeps normals accurate to rounding, and averages the errors of the points.
 ///
-/// `None` where no polynomial is right to rounding: on curves that have kinks or wiggle without end. What lies between the points that
-/// are compared, 26 on each graph, is left to the caller: nothing can hide there if bounds on the second derivative say so.
+/// `None` where no polynomial is accurate to rounding: on curves with kinks or endless oscillations. What lies between the points that are
+/// compared, 26 on each graph, is the caller's responsibility: bounds on the second derivative can prove that nothing hides there.
 pub fn graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],
@@ -77,8 +78,9 @@ pub fn graphs(
     Cut { curve, size, rounding: 1.0, noise: 0.0 }.all([start, end], vertices)
 }
 
-/// The same, or else rough ones: of formulas that are themselves wrong by more than usual, as with a dozen waves, which multiply the
-/// rounding of the parameter, or with differences that cancel. Their mean is nearer to the curve than the formula is at one place.
+/// The same, or else rough graphs, for formulas with a larger error than usual, such as those with a dozen waves, which multiply the
+/// rounding of the parameter, or with differences that cancel. On average the graphs are nearer to the curve than a single value of the
+/// formula.
 pub(crate) fn rough_graphs(
     curve: &impl Parametric,
     [start, end]: [f64; 2],
@@ -101,14 +103,14 @@ struct Place {
 struct Cut<'a, C> {
     curve: &'a C,
     size: f64,
-    /// How many times the usual rounding is allowed.
+    /// Factor by which the usual rounding may be exceeded.
     rounding: f64,
-    /// [`NOISE`], if the last terms may be noise as the next may: about inflections of a rough curve, where waves cancel that are rounded
-    /// one by one.
+    /// [`NOISE`], if the last terms may be noise like the next ones: near inflections of a rough curve, where waves cancel that are
+    /// rounded one by one.
     noise: f64,
 }
 
-/// Why a stretch is no graph.
+/// Why a stretch cannot be one graph.
 enum Refused {
     /// The bend changes its sign at this parameter.
     Inflection(f64),
@@ -122,7 +124,7 @@ impl<C: Parametric> Cut<'_, C> {
         let mut graphs = vec![];
         let mut from = Place { u: start, vertex: vertices[0] };
         let (mut length, mut stop) = (0.125 * (end - start), end);
-        // not of the range, which may be short: a few units of rounding never get shorter
+        // not relative to the range, which may be short: lengths of a few units of rounding do not get shorter
         let least = LEAST * start.abs().max(end.abs());
         while from.u != end {
             // no slivers before the end or an inflection
@@ -180,7 +182,7 @@ impl<C: Parametric> Cut<'_, C> {
             heights[k + 1] = c / (k as f64 + 1.0);
         }
         heights[0] = samples.iter().map(|[a, b, ..]| b - horner(&heights, *a)[0]).sum::<f64>() / SAMPLES as f64;
-        // the rounding of parameters turns directions against the points, and so does that of points
+        // the rounding of parameters rotates directions relative to the points, and so does that of points
         let [first, last] = [samples[0][2], samples[SAMPLES - 1][2]];
         let of_parameters =
             if self.curve.is_consistent() { 0.0 } else { from.u.abs().max(to.u.abs()) / (to.u - from.u).abs() };
@@ -197,7 +199,7 @@ impl<C: Parametric> Cut<'_, C> {
             return Err(Refused::Long);
         }
         if let Some(a) = inflection(&heights) {
-            // the parameter at which the curve is there
+            // the parameter at which the curve is at this place
             let part = rising_root(
                 |s| {
                     let [at, _, _, run] = sample(from.u + (to.u - from.u) * s);
@@ -207,8 +209,8 @@ impl<C: Parametric> Cut<'_, C> {
             );
             return Err(Refused::Inflection(from.u + (to.u - from.u) * part));
         }
-        // lines that cross twice lie between the chord and a tangent, whose height over the middle is half the sum of those over
-        // the ends
+        // lines that cross the graph twice lie between the chord and a tangent, whose height over the middle is half the sum of its
+        // heights over the ends
         let middle = samples.iter().fold(0.0_f64, |m, [a, b, slope, _]| m.max((b - a * slope).abs()));
         let near = 2.125 * middle * half + AGREE * self.size;
         let local = Local {
@@ -231,7 +233,7 @@ fn horner(c: &[f64; DEGREE + 1], a: f64) -> [f64; 3] {
     [jet[0], jet[1], 2.0 * jet[2]]
 }
 
-/// No less than a sixth of the third derivative, wherever the graph is looked at.
+/// An upper bound of a sixth of the third derivative wherever the graph is evaluated.
 fn third(c: &[f64; DEGREE + 1]) -> f64 {
     let (mut sum, mut power) = (0.0, 1.0);
     for k in 3..=DEGREE {
@@ -241,7 +243,7 @@ fn third(c: &[f64; DEGREE + 1]) -> f64 {
     sum
 }
 
-/// The polynomial closest to the inclines of the samples, and the size of the terms cut off, if they go on as the last ones do.
+/// The polynomial closest to the inclines of the samples, and the size of the terms cut off, extrapolated from the last ones.
 fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
     let mut normal = SMatrix::<f64, DEGREE, DEGREE>::zeros();
     let mut right = SVector::<f64, DEGREE>::zeros();
@@ -256,7 +258,7 @@ fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
         right += t * *slope;
     }
     let chebyshev = normal.cholesky()?.solve(&right);
-    // as powers: T₀ = 1, T₁ = a, T_k = 2a T_{k−1} − T_{k−2}
+    // in powers: T₀ = 1, T₁ = a, T_k = 2a T_{k−1} − T_{k−2}
     let [mut before, mut last] = [[0.0; DEGREE]; 2];
     (before[0], last[1]) = (1.0, 1.0);
     let mut powers = [0.0; DEGREE];
@@ -270,14 +272,14 @@ fn incline(samples: &[[f64; 4]; SAMPLES]) -> Option<([f64; DEGREE], f64)> {
         }
         (before, last) = (last, next);
     }
-    // two by two, since even or odd ones may be absent
+    // in pairs, since even or odd ones may be absent
     let size = |k: usize| chebyshev[k].abs().max(chebyshev[k - 1].abs());
     let (last, before) = (size(DEGREE - 1), size(DEGREE - 3));
     Some((powers, if last < before { last * (last / before) } else { last }))
 }
 
-/// The size of the next two terms in what polynomials leave of the inclines, and the root mean square of all that is left: of a curve that
-/// is smooth both are noise, of which these terms are a little less than half.
+/// The size of the next two terms in the residual of the inclines, and the root mean square of the whole residual: for a smooth curve both
+/// are noise, and the former is a little less than half of the latter.
 fn left_out(samples: &[[f64; 4]; SAMPLES], heights: &[f64; DEGREE + 1]) -> [f64; 2] {
     let (mut terms, mut squares) = ([[0.0; 2]; 2], 0.0);
     for [a, _, slope, _] in samples {

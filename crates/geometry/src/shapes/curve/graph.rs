@@ -8,12 +8,12 @@ pub(super) const DEGREE: usize = 11;
 
 /// A stretch of a curve that bends one way: heights over its chord, given by a polynomial.
 ///
-/// Traversed with the table on its left. A path crosses it outwards at most once: where it comes from the table's side, on
-/// a stretch that bulges outwards the later and on one that bulges inwards the earlier of two crossings.
+/// Traversed with the table on its left. A path crosses it outwards at most once. If it crosses twice, the outward crossing is the later
+/// one on a stretch that bulges outwards, and the earlier one on a stretch that bulges inwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Graph {
     pub(crate) ends: [[f64; 2]; 2],
-    /// The distances of the ends from a line that crosses it twice add up to less.
+    /// The distances of the ends from any line that crosses it twice add up to less than this.
     pub(crate) near: f64,
     pub(crate) local: Local<f64>,
 }
@@ -29,17 +29,17 @@ pub(crate) struct Local<F> {
     pub(super) inverse: F,
     /// Coefficients of the height \[L\] as a polynomial in `u`, which runs from −1 to 1.
     pub(super) heights: [F; DEGREE + 1],
-    /// A sixth of the third derivative of the height \[L\] is nowhere greater.
+    /// Upper bound of a sixth of the third derivative of the height \[L\].
     pub(super) third: F,
 }
 
 /// Where a path crosses a graph outwards.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Meeting<F: Lane> {
-    /// Infinite where it does not.
+    /// Time of the crossing; infinite where there is none.
     pub(crate) time: F,
     pub(crate) point: [F; 2],
-    /// The same along the chord, from −1 to 1.
+    /// The position along the chord, from −1 to 1.
     pub(crate) place: F,
     /// Into the table, not of unit length.
     pub(crate) normal: [F; 2],
@@ -55,7 +55,7 @@ impl<F: Lane> Meeting<F> {
     }
 }
 
-/// A path as graphs see it.
+/// A path, prepared for meeting graphs.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Ray<F> {
     pub(crate) x: [F; 2],
@@ -71,41 +71,41 @@ impl<F: Lane> Ray<F> {
     }
 }
 
-/// `v × (p − x)`, of which the sign tells on which side of a path `p` lies.
+/// `v × (p − x)`, whose sign tells on which side of a path `p` lies.
 #[inline(always)]
 pub(crate) fn turn<F: Lane>(x: [F; 2], v: [F; 2], p: [F; 2]) -> F {
-    // as cross(v, p − x), but that p is in memory
+    // as cross(v, p − x), arranged for p in memory
     v[1] * (x[0] - p[0]) - v[0] * (x[1] - p[1])
 }
 
-/// Whether a path may cross a graph twice, on the sides of whose ends it passes so; `speed` is at least `|v|`.
+/// Whether a path may cross a graph twice, given the turns to the graph's ends; `speed` is at least `|v|`.
 #[inline(always)]
 pub(crate) fn grazes<F: Lane>(turns: [F; 2], near: F, speed: F) -> F::Mask {
     (turns[0] + turns[1]).abs().lt(near * speed)
 }
 
-/// At least the length of a vector.
+/// An upper bound of the length of a vector.
 #[inline(always)]
 pub(crate) fn at_least<F: Lane>(v: [F; 2]) -> F {
     v[0].abs() + v[1].abs()
 }
 
-/// The powers that are enough to come near.
+/// The degree that is enough for a first approximation.
 const LOW: usize = 5;
 
-/// An error (half lengths of the chord) of which one step with all powers mostly leaves less than rounding.
+/// An error (in half lengths of the chord) that one step with all powers mostly reduces below rounding.
 const NEARBY: f64 = 1.0 / 16_384.0;
 
 /// An error below rounding.
 const SMALL: f64 = f64::EPSILON / 4.0;
 
-/// A step after which the next one is below rounding, also where there is nothing to be met.
+/// A step after which the next one is below rounding, even where there is no crossing.
 const STILL: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 
-/// Steps allowed. One or two are typical, and a path that is tangent to rounding takes some more.
+/// Most steps. One or two are typical; a path that is tangent to rounding takes some more.
 const STEPS: u32 = 12;
 
-/// How far beyond its ends (half lengths of the chord) a graph is still looked at.
+/// How far beyond its ends (in half lengths of the chord) a graph is still evaluated.
 pub(super) const BEYOND: f64 = 1.0625;
 
 impl Graph {
@@ -130,7 +130,7 @@ impl Graph {
         Extent { min: min.add_scalar(-self.near), max: max.add_scalar(self.near) }
     }
 
-    /// The corners of a rectangle that it lies in.
+    /// The corners of a rectangle that contains it.
     pub(crate) fn hull(&self) -> [[f64; 2]; 4] {
         let ([p, q], [n0, n1]) = (self.ends, self.local.outward);
         let moved = |p: [f64; 2], by: f64| [p[0] + by * n0, p[1] + by * n1];
@@ -169,7 +169,7 @@ impl Graph {
     }
 }
 
-/// The numbers of a [`Local`] as they lie in memory, in whole lines of the cache.
+/// The numbers of a [`Local`] as they lie in memory, in whole cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(crate) struct Row([[f64; 4]; 5]);
@@ -196,17 +196,17 @@ impl<F: Lane> Local<F> {
         (Local { origin: [x, y], outward: [n0, n1], inverse, heights, third }, [low, high])
     }
 
-    /// A vector along the chord and across it.
+    /// The components of a vector along the chord and across it.
     #[inline(always)]
     fn turned(&self, y: [F; 2]) -> [F; 2] {
         let [n0, n1] = self.outward;
         [n0 * y[1] - n1 * y[0], n0 * y[0] + n1 * y[1]]
     }
 
-    /// Height over the chord and its first two derivatives, with powers up to `degree`, which is odd; the second to three digits or
-    /// so, which decides how fast things converge and not to what.
+    /// Height over the chord and its first two derivatives, with powers up to `degree`, which is odd; the second only to about three
+    /// digits, which affects the rate of convergence but not the limit.
     ///
-    /// Even and odd powers apart, `p = e(u²) + u o(u²)`, are two chains of half the length.
+    /// Separating even and odd powers, `p = e(u²) + u o(u²)`, gives two dependency chains of half the length.
     #[inline(always)]
     fn jet(&self, u: F, degree: usize) -> [F; 3] {
         let c = &self.heights;
@@ -226,8 +226,8 @@ impl<F: Lane> Local<F> {
         [even + odd * u, odd + (rate + rate), ((c[5] * (u * 20.0) + c[4] * 12.0) * u + c[3] * 6.0) * u + (c[2] + c[2])]
     }
 
-    /// The step in time from `u` to the root of a parabola with this value, slope and second derivative at which it rises, or to the end
-    /// of the graph before it; the square of the slope at the root, negative where there is none; and the root of that square.
+    /// The step in time from `u` to the rising root of a parabola with this value, slope and second derivative, or to the end of the
+    /// graph if that comes first; the square of the slope at the root, negative where there is none; and that slope.
     #[inline(always)]
     fn step(&self, u: F, rate: F, [g, slope, bend]: [F; 3]) -> [F; 3] {
         let [zero, one] = [g.same(0.0), g.same(1.0)];
@@ -235,7 +235,7 @@ impl<F: Lane> Local<F> {
         let root = square.max(zero).sqrt();
         let falls = slope.lt(zero);
         let num = falls.select(root - slope, -(g + g));
-        // rounding has no say in which way it bends
+        // the sign of the bend is known and not left to rounding
         let den = falls.select(bend.abs().copysign(-self.heights[2]), slope + root);
         let flat = !zero.lt(den.abs());
         let mut dt = flat.select(zero, num / flat.select(one, den));
@@ -247,8 +247,8 @@ impl<F: Lane> Local<F> {
         [dt, square, root]
     }
 
-    /// Where a path, given from the middle of the chord, is at a time: along the chord, the same in half lengths of it, height
-    /// over the graph, and the first two derivatives of that.
+    /// The position at a time of a path given relative to the middle of the chord: along the chord, the same in half lengths of the
+    /// chord, the height over the graph, and the first two derivatives of that height.
     #[inline(always)]
     fn height(&self, [from, v]: [[F; 2]; 2], [rise, rate]: [F; 2], t: F, degree: usize) -> [F; 5] {
         let [a, b] = self.turned(along(from, v, t));
@@ -257,20 +257,20 @@ impl<F: Lane> Local<F> {
         [a, u, b - height, rise - incline * rate, -bend * (rate * rate)]
     }
 
-    /// Whether what a third derivative adds to a step of Euler's method, a sixth of it times the third power of the step over the
-    /// slope, is less than `error` half lengths of the chord.
+    /// Whether the contribution of the third derivative to a step of Euler's method, a sixth of it times the third power of the step
+    /// divided by the slope, is less than `error` half lengths of the chord.
     #[inline(always)]
     fn is_near(&self, dt: F, rate: F, slope: F, error: f64) -> F::Mask {
         let step = (dt * rate).abs();
         (self.third * rate.abs() * (step * step * step)).lt(slope * error)
     }
 
-    /// The outward crossing, if there is one: for sure where `through`, that is, where the path's line passes between the
-    /// ends outwards. Where not `wanted` nothing means anything.
+    /// The outward crossing, if there is one: certainly where `through` is set, that is, where the path's line passes between the ends
+    /// outwards. Lanes that are not `wanted` are meaningless.
     ///
-    /// `g(t)`, the height of the path over the graph, rises through 0 there. Its second derivative has one sign, so the root of its
-    /// parabola with a slope that is not negative is the right one of two, and iterating converges with the third power, as
-    /// fast where a path nearly grazes (Euler's method). Near a root that is not grazed a step of Chebyshev's method is as good.
+    /// `g(t)`, the height of the path over the graph, rises through 0 there. Its second derivative has one sign, so of the two roots of
+    /// the osculating parabola the one with a slope ≥ 0 is the right one, and the iteration converges cubically, even where a path
+    /// nearly grazes (Euler's method). Near a root that is not grazed a step of Chebyshev's method is as good.
     #[inline(always)]
     pub(crate) fn meet(&self, ray: &Ray<F>, through: F::Mask, wanted: F::Mask, slack: f64) -> Meeting<F> {
         let Ray { x, v, inverse } = *ray;
@@ -280,12 +280,12 @@ impl<F: Lane> Local<F> {
         let [run, rise] = self.turned(v);
         let rate = run * self.inverse;
         let (path, speeds) = ([from, v], [rise, rate]);
-        // from where the path crosses the chord, or else from its point next to the middle
+        // start where the path crosses the chord, or else at its point closest to the middle
         let foot = -(from[0] * v[0] + from[1] * v[1]) * inverse;
         let chord = -(n0 * from[0] + n1 * from[1]) / rise;
         let there = through & ((chord - foot) * rate).abs().lt(one + one);
         let mut t = there.select(chord, foot);
-        // towards the root of the lower powers, and on from there
+        // first towards the root of the lower powers, and on from there
         let mut going = wanted;
         for _ in 0..STEPS {
             let [_, u, g, slope, bend] = self.height(path, speeds, t, LOW);
@@ -301,13 +301,13 @@ impl<F: Lane> Local<F> {
         let newton = -g * steep;
         let curved = newton * bend * steep * 0.5;
         let dt = newton - newton * curved;
-        // what the second derivative adds to this step is less than twice the square of what it is by, times the step
+        // the contribution of the second derivative to this step is less than twice the square of its relative size, times the step
         let near = self.is_near(dt, rate, slope, SMALL) & (curved * curved * (dt * rate).abs()).lt(zero.same(SMALL));
         let mut last = [a, u, slope, bend, dt, slope];
         t = near.select(t + dt, t);
         let mut going = wanted & !near;
         if going.any() {
-            // beyond the ends, where the lower powers may have led to, the bend may have another sign: back to the middle
+            // beyond the ends, where the lower powers may have led, the bend may have another sign: back to the middle
             t = (going & one.lt(u.abs())).select(t - u / rate, t);
         }
         for _ in 0..STEPS {
@@ -326,7 +326,7 @@ impl<F: Lane> Local<F> {
         let [height, incline, _] = self.jet(end, DEGREE);
         let incline = incline * self.inverse;
         let reach = a + dt * run;
-        // a crossing behind the start counts, now, where the start lies outside by no more than rounding and moves on
+        // a crossing behind the start counts as one at time 0 where the start lies outside by no more than rounding and moves on
         // outwards
         let slope = slope + bend * dt;
         let back = (-t).max(zero);

@@ -1,38 +1,39 @@
-//! Kinks that bounds on a second derivative do not tell from what is around them.
+//! Kinks that bounds on a second derivative cannot separate from their surroundings.
 //!
-//! About the kink of `√(1 − sin² φ)` the bounds on `r″` grow without end, as they do about the harmless places of `√(1 − sin² φ)³`,
-//! and waves that are short hide kinks among them. Such places are looked at in numbers: across a kink the direction turns as much over
-//! a millionth of a radian as over a hundred times as much.
+//! Around the kink of `√(1 − sin² φ)` the bounds on `r″` grow without limit, as they do around the harmless places of `√(1 − sin² φ)³`,
+//! and short waves hide kinks among them. Such places are examined numerically: across a kink the direction turns as much over a
+//! millionth of a radian as over a hundred times that.
 use super::{Interval, PolarFormula};
 
-/// Halvings until parts of a turn are places: below 10⁻⁷ radians the rounding of `1 − sin² φ` hides where it is 0.
+/// Halvings until parts of a turn count as places: below 10⁻⁷ radians the rounding of `1 − sin² φ` hides where it is 0.
 const HALVINGS: u32 = 14;
 
-/// Most parts of one width that are halved again, as for kinks that bounds tell: where there are more, they are looked at as they are.
+/// Most parts of one width that are halved again, as for kinks that bounds reveal: where there are more, they are examined as they are.
 const MOST: usize = 4096;
 
-/// A kink is told at this distance (radians): there the slope of `√(1 − sin² φ)`, in which 10⁻¹⁶ is rounding of 10⁻¹², is right to
-/// a thousandth.
+/// A kink is recognised at this distance (radians): there the slope of `√(1 − sin² φ)`, whose radicand 10⁻¹² has a rounding of 10⁻¹⁶,
+/// is accurate to a thousandth.
 const NEAR: f64 = 1e-6;
 
-/// So far from a kink as this many times [`NEAR`], the slopes on either side are what they are near by.
+/// Up to this many times [`NEAR`] from a kink, the slopes on either side are the same as close to it.
 const AROUND: f64 = 64.0;
 
-/// They differ there by less than this part of what the slope jumps by; by more at a cusp or where a bend merely has no bound, as those
-/// of powers below 0.91 and above 1.06, and along the flank of a step.
+/// They differ there by less than this fraction of the jump of the slope; they differ by more at a cusp or where the bend is merely
+/// unbounded, as for powers below 0.91 and above 1.06, and along the flank of a step.
 const STEADY: f64 = 0.15;
 
-/// Parts of a part of which the one where the slope changes most is looked at more closely: there may be a whole wave in it.
+/// Number of parts into which a part is cut first; the one where the slope changes most is examined more closely. (There may be a whole
+/// wave in it.)
 const FIRST: u32 = 16;
 
-/// What the slope, in units of the radius, jumps by at least: less may be rounding.
+/// Least jump of the slope, in units of the radius: less may be rounding.
 const ROUNDING: f64 = 1e-4;
 
-/// Parts are cut here, not in the middle: at halves and quarters of a turn formulas have their kinks, and there perhaps no slope.
+/// Parts are cut here, not in the middle: formulas often have kinks, and perhaps no slope, at halves and quarters of a turn.
 const CUT: f64 = 0.47;
 
-/// The parts of a turn in which the second derivative has no bound; none of a formula that gives no bounds at all, even on the shortest
-/// parts, so that it must be taken as it is.
+/// The parts of a turn in which the second derivative has no known bound; none for a formula that gives no bounds at all, even on the
+/// shortest parts, and so must be taken as it is.
 fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]) -> Vec<Interval> {
     let is_bounded = |[.., second]: &[Interval; 3]| second.magnitude().is_finite();
     let mut parts: Vec<_> = sectors.iter().filter(|(_, jet)| !is_bounded(jet)).map(|(sector, _)| *sector).collect();
@@ -56,10 +57,11 @@ fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]
     parts
 }
 
-/// About where the first kink is, if there is one and nothing else that the second derivative has no bound at; `sectors` are those of a
-/// turn, with `r` and its derivatives in each.
+/// About where the first kink is, if there is one and the second derivative is bounded everywhere except at kinks; `sectors` are those
+/// of a turn, with `r` and its derivatives in each.
 ///
-/// Beside a cusp, or a bend like that of `|φ|^1.5`, no arc can be told by polynomials, so that there is no use in knowing kinks.
+/// Next to a cusp, or to a bend like that of `|φ|^1.5`, no arc can be represented by polynomials, so that knowing the kinks would be of
+/// no use.
 pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]) -> Option<f64> {
     let slope = |angle: f64| {
         let [r, slope, _] = formula.jet(angle);
@@ -69,7 +71,7 @@ pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval
     let parts = unbounded(formula, sectors);
     let are_places = parts.len() <= MOST;
     let mut kinks = parts.into_iter().map(|part| {
-        // the kink may be an end of it
+        // the kink may lie at its end
         let room = 0.5 * part.width().max(NEAR);
         let (mut low, width) = (part.low - room, (part.width() + 2.0 * room) / f64::from(FIRST));
         let starts = (0..FIRST).map(|k| low + f64::from(k) * width);

@@ -13,9 +13,8 @@ use std::sync::OnceLock;
 
 /// A function `f` of the plane, twice differentiable, negative inside one smooth closed curve and positive outside it.
 ///
-/// The functions without a body are required. `hessian_over` is what makes the first hit certain: write the same formulas as in
-/// `hessian` with [`Interval`]s. Who only knows a bound `|f_xx|, |f_xy|, |f_yy| ≤ c` may return
-/// `[Interval::new(-c, c); 3]`.
+/// The functions without a body are required. `hessian_over` is what makes the first hit certain: write the same formulas as in `hessian`
+/// with [`Interval`]s. If only a bound `|f_xx|, |f_xy|, |f_yy| ≤ c` is known, return `[Interval::new(-c, c); 3]`.
 ///
 /// ```
 /// use geometry::{Extent, Line, Piece, Vector2, shapes::curve::{Implicit, ImplicitFormula, Interval}};
@@ -58,8 +57,8 @@ pub trait ImplicitFormula: Debug + Send + Sync {
     /// Intervals that contain `f_xx`, `f_xy` and `f_yy` everywhere in a box; the narrower, the faster.
     fn hessian_over(&self, region: [Interval; 2]) -> [Interval; 3];
 
-    /// Intervals that contain `f_x` and `f_y` everywhere in a box: asked for only where the second derivatives have no bound, so that
-    /// who has them everywhere need not say more.
+    /// Intervals that contain `f_x` and `f_y` everywhere in a box. It is asked for only where the second derivatives have no bound, so it
+    /// need not be implemented if they are bounded everywhere.
     fn gradient_over(&self, _region: [Interval; 2]) -> [Interval; 2] {
         [Interval::ENTIRE; 2]
     }
@@ -68,8 +67,8 @@ pub trait ImplicitFormula: Debug + Send + Sync {
     fn extent(&self) -> Extent;
 }
 
-/// A formula times a power of two that brings its gradient near 1: the curve is the same to the last bit, and squares of what `f` and its
-/// derivatives are neither over- nor underflow.
+/// A formula times a power of two that brings its gradient near 1: the curve is the same to the last bit, and squares of `f` and its
+/// derivatives neither over- nor underflow.
 #[derive(Clone, Debug)]
 struct Levelled<F> {
     formula: F,
@@ -77,7 +76,7 @@ struct Levelled<F> {
 }
 
 impl<F: ImplicitFormula> Levelled<F> {
-    /// By the gradient at a point near the curve.
+    /// Scales a formula by its gradient at a point near the curve.
     fn at(formula: F, point: Vector2<f64>) -> Levelled<F> {
         let gradient = Vector2::from(formula.gradient(point.into())).amax();
         let (_, exponent) = libm::frexp(gradient);
@@ -124,14 +123,14 @@ pub struct Implicit<F> {
     inside: bool,
     /// The formula's box, a little larger.
     region: Extent,
-    /// What `f` may be on the curve.
+    /// The values that `f` may have on the curve.
     noise: f64,
     /// Points of the curve, so close to each other that it is a graph over each chord; the last is the first.
     vertices: Vec<Vector2<f64>>,
     table: ArcLength,
     area: f64,
     extent: Extent,
-    /// Cut when they are first asked for.
+    /// Computed when first needed.
     graphs: OnceLock<Option<Vec<Graph>>>,
 }
 
@@ -139,11 +138,11 @@ pub struct Implicit<F> {
 const STRAIGHT: f64 = 0.988_77;
 /// Most chords; a curve that needs more is not smooth, or not closed.
 const CHORDS: usize = 100_000;
-/// Parts of a side of the box in which other zeros of `f` are looked for, and how often these are halved: where `f` still is not known
-/// to differ from 0 then, it is taken to vanish.
+/// Parts of a side of the box in which other zeros of `f` are looked for, and how often these are halved: where `f` is still not known to
+/// differ from 0 then, it is taken to vanish.
 const GRID: u32 = 48;
 const HALVINGS: u32 = 10;
-/// Most parts of which more than the sign in the middle is looked at.
+/// Most parts for which more than the sign in the middle is examined.
 const MOST_PARTS: u32 = 1 << 18;
 
 impl<F: ImplicitFormula> Implicit<F> {
@@ -151,15 +150,15 @@ impl<F: ImplicitFormula> Implicit<F> {
     ///
     /// # Errors
     /// [`Error::Parameter`] if the box is empty or infinite; [`Error::NoCurve`] if no curve is found in it; [`Error::Inverted`] if `f` is positive inside;
-    /// [`Error::Curve`] if the box cuts the curve or holds another zero of `f`, or if the curve is not smooth. (A zero as near to the
-    /// curve as the points are to each other from which its length is summed is not seen.)
+    /// [`Error::Curve`] if the box cuts the curve or holds another zero of `f`, or if the curve is not smooth. (A zero that is as near to
+    /// the curve as the points tabulated for its length are to each other is not detected.)
     pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
         let given = formula.extent();
         let size = (given.max - given.min).amax();
         if !(given.is_finite() && given.min.x < given.max.x && given.min.y < given.max.y && size.is_finite()) {
             return Err(Error::Parameter { name: "extent", must: "a finite box that is not empty", value: size });
         }
-        // a curve may touch the box that was given
+        // a curve may touch the given box
         let room = Vector2::repeat(size / 1_048_576.0);
         let region = Extent { min: given.min - room, max: given.max + room };
         let middle = (given.min + given.max) * 0.5;
@@ -196,7 +195,7 @@ impl<F: ImplicitFormula> Implicit<F> {
         if self.inside { 1.0 } else { -1.0 }
     }
 
-    /// A point within rounding of the curve, put on it, and the normal there.
+    /// A point within rounding of the curve, projected onto it, and the normal there.
     fn project(&self, point: Vector2<f64>) -> Landing {
         let (mut p, mut gradient) = (point, Vector2::from(self.formula.gradient(point.into())));
         for _ in 0..2 {
@@ -209,8 +208,8 @@ impl<F: ImplicitFormula> Implicit<F> {
         Landing { point: p, normal: gradient * (-self.side() / libm::hypot(gradient.x, gradient.y)) }
     }
 
-    /// Whether nothing can hide between points of the curve: about none of its graphs can the second derivatives be far greater
-    /// than they are at points of it.
+    /// Whether nothing can hide between points of the curve: around none of its graphs can the second derivatives be far greater than at
+    /// points of the graph.
     fn is_calm(&self, graphs: &[Graph]) -> bool {
         let bend = self.vertices.iter().fold(0.0_f64, |m, p| {
             let [fx, fy] = self.formula.gradient((*p).into());
@@ -229,7 +228,7 @@ impl<F: ImplicitFormula> Implicit<F> {
         if self.inside || s == 0.0 { s } else { self.table.length() - s }
     }
 
-    /// The times between which a path is in the region; none if it never is.
+    /// The times between which a path is in the region; `None` if it never is.
     fn stay(&self, path: &Line<2>) -> Option<[f64; 2]> {
         let [mut enter, mut leave] = [0.0_f64, f64::INFINITY];
         for i in 0..2 {
@@ -279,8 +278,8 @@ fn seed<F: ImplicitFormula>(formula: &F, region: &Extent) -> Option<Vector2<f64>
     None
 }
 
-/// The last step of Newton's method onto a curve, in units of the box: the next one would be rounding. Where steps stop growing shorter
-/// sooner, as from far beside the tip of a flat curve, they do not lead there.
+/// The last step of Newton's method onto a curve, in units of the box: the next one would be below rounding. Where steps stop becoming
+/// shorter before that, as from far beside the tip of a flat curve, they do not lead to the curve.
 const LAST: f64 = 1e-8;
 
 /// Newton's method along the gradient in a box of some size: the point, and the unit tangent there with `f < 0` on its left.
@@ -344,7 +343,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
     Err(rough(here[0]))
 }
 
-/// Fails unless the curve that was traced is the only one: elsewhere in the box `f` has no zero, and the sign that it should have.
+/// Fails unless the traced curve is the only one: elsewhere in the box `f` has no zero, and has the right sign.
 fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -> Result<(), Error> {
     let points: Vec<Vector2<f64>> = table.points().collect();
     let longest = points.windows(2).fold(0.0_f64, |m, w| m.max((w[1] - w[0]).norm()));
@@ -375,7 +374,7 @@ fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -
         let [fxx, fxy, fyy] = formula.hessian_over(over).map(Interval::magnitude);
         let bend = 0.5 * (fxx * half.x * half.x + fyy * half.y * half.y) + fxy * half.x * half.y;
         let change = (fx * half.x + fy * half.y).min(gx * half.x + gy * half.y + bend);
-        // where nothing is known of either, or `f` changes too fast everywhere, the sign in the middle has to do
+        // where nothing is known of either, or `f` changes too fast everywhere, the sign in the middle must suffice
         let is_known = value.abs() > change || change == f64::INFINITY || value.is_nan() || looked_at > MOST_PARTS;
         let fails = if is_known { is_within(&middle) != (value < 0.0) } else { halvings == HALVINGS };
         if (is_known && !fails) || points.iter().any(is_near) {

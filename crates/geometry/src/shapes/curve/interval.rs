@@ -1,4 +1,4 @@
-//! Interval arithmetic: what a formula can be anywhere in a box, rounding included.
+//! Interval arithmetic: the values that a formula can take anywhere in a box, rounding included.
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -8,8 +8,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// widened by a unit in the last place, those of `libm`'s functions by two (they are accurate to less than one), and by four the hyperbolic
 /// ones (accurate to less than three).
 ///
-/// Of numbers outside its domain a function has no value. Where some of an interval is inside, which may be rounding, its result is
-/// that of this part; where nothing is, the result is [`Interval::ENTIRE`], about which nothing can be proved.
+/// Outside its domain a function has no value. Where an interval lies only partly inside, perhaps because of rounding, the result is that
+/// of the part inside; where none of it does, the result is [`Interval::ENTIRE`], about which nothing can be proved.
 ///
 /// ```
 /// use geometry::shapes::curve::Interval;
@@ -26,9 +26,9 @@ pub struct Interval {
     pub high: f64,
 }
 
-/// The domain of roots and logarithms.
+/// The domain of square roots and logarithms.
 const NOT_NEGATIVE: Interval = Interval { low: 0.0, high: f64::INFINITY };
-/// That of arcsines and arccosines.
+/// The domain of arcsines and arccosines.
 const SINES: Interval = Interval { low: -1.0, high: 1.0 };
 
 impl From<f64> for Interval {
@@ -38,7 +38,7 @@ impl From<f64> for Interval {
 }
 
 impl Interval {
-    /// All real numbers: what is known of a value about which nothing is known.
+    /// All real numbers: the enclosure of a value about which nothing is known.
     pub const ENTIRE: Interval = Interval { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
     /// The numbers between `a` and `b`, in either order; everything if one is NaN.
@@ -80,7 +80,7 @@ impl Interval {
         Interval::widened(f(self.low), f(self.high), 2)
     }
 
-    /// What `f` makes of the part in `domain`; everything if there is none.
+    /// The image under `f` of the part in `domain`; everything if there is none.
     fn where_defined(self, domain: Interval, f: impl Fn(Interval) -> Interval) -> Interval {
         if self.high < domain.low || self.low > domain.high {
             return Interval::ENTIRE;
@@ -187,14 +187,14 @@ impl Interval {
         self.waves([libm::sin(self.low), libm::sin(self.high)], FRAC_PI_2)
     }
 
-    /// `[sin x, cos x]`, which cost as much as one of them.
+    /// `[sin x, cos x]`, at the cost of one of them.
     #[must_use]
     pub fn sin_cos(self) -> [Interval; 2] {
         let ((s, c), (t, d)) = (libm::sincos(self.low), libm::sincos(self.high));
         [self.waves([s, t], FRAC_PI_2), self.waves([c, d], 0.0)]
     }
 
-    /// A wave of height 1 with these values at the ends and a crest at `crest`.
+    /// The range of a sine wave of amplitude 1 with these values at the ends and a crest at `crest`.
     fn waves(self, [a, b]: [f64; 2], crest: f64) -> Interval {
         let bounds = Interval::widened(a.min(b), a.max(b), 2);
         let high = if self.reaches(crest) { 1.0 } else { bounds.high.min(1.0) };
@@ -267,7 +267,7 @@ impl Interval {
     }
 }
 
-/// A whole number of up to 2³¹ − 1 as such.
+/// The value as an integer, if it is a whole number of up to 2³¹ − 1.
 fn whole(y: f64) -> Option<i32> {
     let is_whole = y % 1.0 == 0.0 && y.abs() <= f64::from(i32::MAX);
     #[expect(clippy::cast_possible_truncation, reason = "a whole number within range: just checked")]
@@ -387,7 +387,7 @@ mod tests {
             (a, x) in interval(),
             n in prop_oneof![-9..10_i32, -3000..3000_i32, Just(i32::MAX), Just(-i32::MAX)],
         ) {
-            // near 1, where high powers are no zeros
+            // near 1, where high powers do not vanish
             let (a, x) = (a * 0.125, x * 0.125);
             let power = libm::pow(x, f64::from(n));
             prop_assert!(a.powi(n).contains(power));

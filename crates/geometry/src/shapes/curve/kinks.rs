@@ -1,7 +1,7 @@
 //! Where a curve that is otherwise smooth has kinks.
 use super::Interval;
 
-/// Parts so narrow (radians) are places: what lies between them is rounding.
+/// Parts no wider than this (radians) count as places: inside them everything is rounding.
 const NARROW: f64 = 4.0 * f64::EPSILON;
 
 /// Where, within rounding, some parts of a turn are not `calm`, in rising order. `None` where more than `most` parts of one width are
@@ -36,8 +36,8 @@ pub(super) fn places(
     Some(parts)
 }
 
-/// The kinks in some parts of a turn, in rising order: parts that are not `calm`, however narrow. `None` where a part is not calm for another
-/// reason: something hides there, or a bend grows without end; or where there are too many.
+/// The kinks in some parts of a turn, in rising order: places around which parts are not `calm`, however narrow. `None` where a part is not
+/// calm for another reason (something hides there, or the curvature is unbounded), or where there are too many.
 pub(super) fn kinks(
     parts: impl Iterator<Item = Interval>,
     calm: impl Fn(Interval) -> bool,
@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn a_spike_is_no_kink() {
         let spike = Interval::new(2.2, 2.2 + 1e-6);
-        // calm are parts that do not know of the spike, and those of it that are short
+        // calm are parts that do not meet the spike, and short parts of it
         let calm = |part: Interval| part.high < spike.low || part.low > spike.high || part.width() < 1e-8;
         assert_eq!(kinks(parts(), calm, MOST), None);
     }

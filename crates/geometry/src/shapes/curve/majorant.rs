@@ -1,10 +1,10 @@
-//! The first root of a smooth function, for certain.
+//! The first root of a smooth function, found with certainty.
 //!
 //! A path crosses a curve where `h` rises through 0. Wherever `h'' ≤ c`, the parabola `h + h' τ + c τ²/2` lies above
 //! the function, so that its root `τ = (√(h'² − 2 c h) − h')/c` comes before the function's: marching from root to root
 //! cannot step over one. As soon as the bounds on `h''` prove that `h` rises steadily to its root, Newton's method
-//! finishes. Six or seven evaluations are typical. Where `h''` has no bound, as about a kink, bounds on `h'` lead past it, and where that
-//! has none, as about a cusp, those on `h`.
+//! finishes. Six or seven evaluations are typical. Where `h''` is unbounded, as around a kink, bounds on `h'` lead past it, and where
+//! that is unbounded too, as around a cusp, bounds on `h`.
 use super::{Interval, rising_root};
 
 /// A function of one real variable that is twice differentiable, with an enclosure of its second derivative.
@@ -27,15 +27,16 @@ pub trait Smooth {
     }
 }
 
-/// The marching steps allowed. Paths need about three; only one that creeps along a curve within rounding needs many.
+/// Most marching steps. Paths need about three; only a path that runs along a curve within rounding needs many.
 const STEPS: usize = 20_000;
 
-/// Of steps beyond the first of these, each one after as many as the second looks for sharper bounds though the next sharper ones are no
-/// better: just behind a cusp what is right for a long stretch is far from what is right for one as long as the way from the cusp.
+/// After as many steps as the first number, every step whose count is a multiple of the second goes on looking for sharper bounds
+/// although the next sharper ones are no better: just behind a cusp, bounds on a long stretch are far from those on a stretch as long as
+/// the distance from the cusp.
 const DOGGED: [usize; 2] = [32, 4];
 
-/// A step is at least this part of the whole range. What it might skip is a touch of depth `c τ²/2`, and that is less
-/// than rounding: 2⁻⁶⁰ of what `h` varies by.
+/// A step is at least this fraction of the whole range. What it might skip is a touch of depth `c τ²/2`, which is below rounding: 2⁻⁶⁰
+/// of the variation of `h`.
 const LEAST_STEP: f64 = 1.0 / 1_073_741_824.0; // 2⁻³⁰
 
 /// The first `t` in `over` at which `h` rises from negative to positive values; `None` if it never does.
@@ -43,8 +44,8 @@ const LEAST_STEP: f64 = 1.0 / 1_073_741_824.0; // 2⁻³⁰
 /// A start with `h` in `[0, noise]` counts as lying on the curve: it is a crossing if `h` rises there, and is left
 /// behind if it falls. A start with `h > noise` must first come down through 0.
 ///
-/// A path that touches zero within rounding may or may not be reported, and one that creeps along it without end is
-/// reported where it was when patience ran out: short of any crossing.
+/// A touch of zero within rounding may or may not be reported. If `h` stays within rounding of zero for so long that the steps run out,
+/// the point reached is reported: it lies before any crossing.
 pub fn first_rise(h: &impl Smooth, over: Interval, noise: f64) -> Option<f64> {
     let start = h.jet(over.low);
     if start[0] > noise {
@@ -55,8 +56,7 @@ pub fn first_rise(h: &impl Smooth, over: Interval, noise: f64) -> Option<f64> {
     }
 }
 
-/// The first `t` at which `sign · h`, not positive at the start but for rounding, rises through 0; `here` is the jet of
-/// `h` at the start.
+/// The first `t` at which `sign · h`, not positive at the start up to rounding, rises through 0; `here` is the jet of `h` at the start.
 fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f64> {
     let jet = |t: f64| h.jet(t).map(|a| sign * a);
     let signed = |over: Interval| if sign < 0.0 { -over } else { over };
@@ -75,15 +75,15 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
         if value.is_nan() {
             return None;
         }
-        // at a place a formula may say 0/0
+        // at single places a formula may give 0/0
         let slope = if slope.is_nan() { 0.0 } else { slope };
         if value >= 0.0 && slope > 0.0 {
-            // only a least step can have gone too far by more than rounding
+            // only a step of the least length can have gone too far by more than rounding
             return Some(if sure < t { rising_root(jet, [sure, t]) } else { t });
         }
         let value = value.min(0.0);
         let mut step = safe_step(value, slope, on.bend.high).max(safe_way(value, on.rise));
-        // a bound for where the root may be can be sharper than one for the whole way
+        // a bound on the part where the root may lie can be sharper than one on the whole stretch
         while step < 0.125 * (on.end - t) && on.end - t > 8.0 * least {
             let near = t + (4.0 * step).max(0.125 * (on.end - t));
             let sharp = second(t, near);
@@ -113,13 +113,13 @@ fn march(h: &impl Smooth, sign: f64, over: Interval, here: [f64; 2]) -> Option<f
     Some(t)
 }
 
-/// Where something is known of a function.
+/// A stretch on which bounds on the function are known.
 #[derive(Clone, Copy)]
 struct Stretch {
     end: f64,
-    /// What `h''` is within.
+    /// An enclosure of `h''`.
     bend: Interval,
-    /// What `h'` is at most; infinite where `bend` is enough.
+    /// An upper bound of `h'`; infinite where `bend` is enough.
     rise: f64,
 }
 
@@ -128,9 +128,9 @@ fn is_bounded(bend: Interval) -> bool {
 }
 
 impl Stretch {
-    /// The whole one if `h''` is bounded there or a bound on `h'` leads through half of it, or else a half, a quarter and so on.
+    /// The whole stretch if `h''` is bounded there or a bound on `h'` leads through half of it, or else half of it, a quarter and so on.
     ///
-    /// Interval arithmetic on a formula with a quotient or a root often knows no bound on a long stretch, and about a kink there is
+    /// Interval arithmetic on a formula with a quotient or a root often finds no bound on a long stretch, and around a kink there is
     /// none.
     fn new(
         value: f64,
@@ -147,9 +147,9 @@ impl Stretch {
                 return Stretch { end, bend, rise: f64::INFINITY };
             }
             let rise = rise(from, end);
-            // where it certainly is below 0, it need not be known how it rises
+            // where `h` certainly is below 0, no bound on its slope is needed
             let rise = if rise == f64::INFINITY && below(from, end) { 0.0 } else { rise };
-            // of a stretch that is no number, no half is short
+            // also ends for a stretch that is NaN
             if safe_way(value, rise) >= 0.5 * (end - from) || !(end - from > least) {
                 return Stretch { end, bend, rise };
             }
@@ -177,8 +177,8 @@ fn safe_step(value: f64, slope: f64, c: f64) -> f64 {
     }
 }
 
-/// How far it is at most to a root up to which `h` rises steadily, if the bounds on `h''` prove that there is one and
-/// that Newton's method converges to it from here.
+/// An upper bound of the distance to a root up to which `h` rises steadily, if the bounds on `h''` prove that there is one and that
+/// Newton's method converges to it from here.
 fn certain_reach(value: f64, slope: f64, bend: Interval) -> Option<f64> {
     // Kantorovich's condition is that the ratio is at most 1/2; 1/4 makes every step shorter than half the last one
     let certain = slope > 0.0 && slope * slope >= 4.0 * bend.magnitude() * -value;
@@ -264,7 +264,7 @@ mod tests {
         for gap in [1.0, 1e-2, 1e-4, 1e-6, 1e-7] {
             for r in [0.1, 1.0, 3.0, 7.3] {
                 let (root, count) = first(&[r, r + gap, 9.0], 0.0);
-                // where two roots are close, the function is flat: rounding in it moves the root by that over the gap
+                // where two roots are close, the function is flat: rounding in it moves the root by the rounding divided by the gap
                 let off = (root.unwrap() - r).abs();
                 assert!(off < 1e-14 + 1e-14 / gap, "{r} {gap}: {off:e}");
                 assert!(count < 60, "{r} {gap}: {count} evaluations");
@@ -300,7 +300,7 @@ mod tests {
     fn a_start_on_the_curve_is_left_behind_if_the_path_leads_inwards() {
         let (root, _) = first(&[1.0, 2.0, 3.0], 2.0);
         assert!((root.unwrap() - 3.0).abs() < 1e-14);
-        // and is the crossing if it leads outwards
+        // and is the crossing if the function rises there
         assert_eq!(first(&[1.0, 2.0, 3.0], 3.0).0, Some(3.0));
     }
 
@@ -318,7 +318,7 @@ mod tests {
 
     #[test]
     fn a_root_is_found_where_the_second_derivative_has_no_bound_on_the_whole_way() {
-        /// `t − 2` with an enclosure that knows nothing of stretches longer than 1/4.
+        /// `t − 2` with an enclosure that gives no bounds on stretches longer than 1/4.
         struct Vague;
         impl Smooth for Vague {
             fn jet(&self, t: f64) -> [f64; 2] {

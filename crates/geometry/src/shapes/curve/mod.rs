@@ -1,12 +1,11 @@
 //! Smooth curves given by formulas, and the tools they share.
 //!
-//! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre, [`ParametricCurve`] one of points `c(t)`, which may
-//! have cusps, [`PolarPoints`] among them. The first two are met by the majorant method ([`first_rise`]), which cannot step over a root; what
-//! makes it sound is an enclosure of the second derivatives in [`Interval`] arithmetic.
+//! [`Implicit`] is a closed curve `f(x, y) = 0`, [`Polar`] a curve `r(φ)` about a centre, and [`ParametricCurve`] a curve `c(t)`, which may
+//! have cusps ([`PolarPoints`] gives such a curve by its radius). Paths meet the first two by the majorant method ([`first_rise`]), which
+//! cannot step over a root, thanks to an enclosure of the second derivatives in [`Interval`] arithmetic.
 //!
-//! A curve that is smooth is also cut into [`graphs`](graphs()), once per table: polynomials over short chords that are right to
-//! rounding. These are what the engine asks, many paths at a time; the majorant method remains for curves with kinks, or with a curvature
-//! that has no bound.
+//! A smooth curve is also cut into [`graphs`](graphs()), once per table: polynomials over short chords that are accurate to rounding. The
+//! engine uses these, for many paths at a time; the majorant method remains for curves with kinks or unbounded curvature.
 mod arc_length;
 mod bends;
 mod cusp;

@@ -3,17 +3,17 @@ use super::{Parametric, rising_root};
 use crate::piece::Extent;
 use nalgebra::Vector2;
 
-/// A point of a table: its parameter, and what [`Parametric::at`] says there.
+/// A point of a table: its parameter, and the result of [`Parametric::at`] there.
 pub(crate) type Known = (f64, [Vector2<f64>; 2]);
 
-/// So many neighbours make a block.
+/// Number of neighbours in a block.
 const BLOCK: usize = 16;
 
-/// Boxes around the points of a table, so that most of them need not be looked at.
+/// Boxes around the points of a table, so that most points need not be examined.
 #[derive(Clone, Debug)]
 pub(crate) struct Blocks(Vec<Block>);
 
-/// Some neighbours in a table, and the first of the next block.
+/// Consecutive points of a table, with the first of the next block.
 #[derive(Clone, Copy, Debug)]
 struct Block {
     first: usize,
@@ -25,14 +25,14 @@ struct Block {
 }
 
 impl Block {
-    /// No point of it is nearer.
+    /// A lower bound of the distance from its points.
     fn distance(&self, point: &Vector2<f64>) -> f64 {
         self.extent.distance(point) * (1.0 - 8.0 * f64::EPSILON)
     }
 }
 
 impl Blocks {
-    /// Of a table with these points, in order.
+    /// For a table with these points, in order.
     pub(crate) fn new(points: impl Iterator<Item = Vector2<f64>>) -> Blocks {
         let points: Vec<_> = points.collect();
         let starts = (0..points.len()).step_by(BLOCK);
@@ -48,21 +48,21 @@ impl Blocks {
         )
     }
 
-    /// Of a table of which every point is looked at.
+    /// For a table all of whose points are examined.
     pub(crate) fn one(points: usize) -> Blocks {
         let extent = Extent { min: Vector2::repeat(f64::NEG_INFINITY), max: Vector2::repeat(f64::INFINITY) };
         Blocks(vec![Block { first: 0, end: points, extent, chord: f64::INFINITY }])
     }
 
-    /// The parameter of the point of a curve that is closest to `point`. `node` gives what the table knows.
+    /// The parameter of the point of a curve that is closest to `point`. `node` gives the points of the table.
     ///
-    /// Candidates are the nodes and the roots of `(x(u) − point)·x'(u)` between two of them at which it rises. The nodes must be so
-    /// dense that there is at most one such root between neighbours, or that their distances are equal to rounding (near a centre of
-    /// curvature).
+    /// Candidates are the nodes, and the roots between two nodes at which `(x(u) − point)·x'(u)` rises. The nodes must be so dense
+    /// that there is at most one such root between neighbours, or that the distances at several are equal to rounding (near a centre
+    /// of curvature).
     pub(crate) fn closest(&self, curve: &impl Parametric, node: impl Fn(usize) -> Known, point: &Vector2<f64>) -> f64 {
         let distance = |p: Vector2<f64>| libm::hypot(p.x - point.x, p.y - point.y);
         let slope = |[p, d]: [Vector2<f64>; 2]| (p - point).dot(&d);
-        // the nearest block first: it leaves out most others
+        // the nearest block first: it rules out most others
         let mut bound = f64::INFINITY;
         if self.0.len() > 1 {
             let nearest = self.0.iter().min_by(|a, b| a.distance(point).total_cmp(&b.distance(point)));
@@ -77,12 +77,12 @@ impl Blocks {
                 }
             }
         }
-        // a root is better than a node next to it from where the distance is the same within rounding: that tells a place along the
-        // curve to √ε only
+        // prefer a root to a neighbouring node at the same distance within rounding, since the distance determines the place along
+        // the curve only to √ε
         best *= 1.0 + 4.0 * f64::EPSILON;
         let count = self.0.last().map_or(0, |block| block.end);
         for block in &self.0 {
-            // twice the chord is more than the way between the nodes
+            // twice the chord is more than the length of the curve between the nodes
             if block.distance(point) - 2.0 * block.chord > best {
                 continue;
             }
@@ -132,7 +132,7 @@ mod tests {
         };
         let blocks = Blocks::new((0..=16).map(|k| node(k).1[0]));
         for k in 0..4000 {
-            // straight above the point at u, which is so near the node 3/8 that the distance does not tell
+            // straight above the point at u, which is so near the node 3/8 that the distance cannot tell them apart
             let u = 0.375 + f64::from(k % 200 - 100) * 1e-10;
             let [foot, along] = Parabola.at(u);
             let above = foot + Vector2::new(-along.y, along.x) * (0.1 + 0.013 * f64::from(k / 200));

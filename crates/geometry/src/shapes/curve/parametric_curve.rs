@@ -1,4 +1,4 @@
-//! A curve given by its point for every parameter.
+//! A curve given by its point as a function of a parameter.
 use super::{
     ArcLength, Graph, Interval, Parametric, Ray,
     cusp::Cusp,
@@ -17,23 +17,23 @@ use core::fmt::Debug;
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A point `c(t)` as a function of a parameter: twice differentiable but for kinks.
+/// A point `c(t)` as a function of a parameter: twice differentiable except at kinks.
 ///
-/// At a kink `c′` is either slope, and over parameters that contain one `c″` has no bound: [`Interval::ENTIRE`]. At a cusp `c′` is 0, and
-/// `c″` is not.
+/// At a kink `c′` may be either one-sided slope, and over an interval that contains a kink `c″` has no bound: [`Interval::ENTIRE`]. At a
+/// cusp `c′` is 0, and `c″` is not.
 pub trait ParametricFormula: Debug + Send + Sync {
     /// `c`, `c′` and `c″` \[L\] at a parameter of the range.
     fn jet(&self, t: f64) -> [[f64; 2]; 3];
 
     /// Intervals that contain the coordinates of `c`, `c′` and `c″` everywhere between two parameters of the range; the narrower, the
-    /// better kinks are told from narrow bends.
+    /// better kinks are told from sharp bends.
     fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3];
 }
 
 /// The curve `c(t)` for `t` from one parameter to another, smooth, with the table on one side: closed, or an arc between two ends.
 ///
-/// Traversed with the table on the left. Paths meet its polynomial [`graphs`](super::graphs()); everything else is asked of the formula, but
-/// beside cusps, where directions of the formula are rounding.
+/// Traversed with the table on the left. Paths meet its polynomial [`graphs`](super::graphs()); everything else uses the formula, except
+/// next to cusps, where the formula's directions are dominated by rounding.
 ///
 /// ```
 /// use geometry::{Piece, shapes::curve::{Interval, ParametricCurve, ParametricFormula}};
@@ -78,7 +78,7 @@ pub struct ParametricCurve<F> {
     formula: Arc<InTurns<F>>,
     /// The parameters of its ends, rising, in units of the whole range over a turn.
     range: [f64; 2],
-    /// The points there, as its neighbours know them; of a closed curve twice the same.
+    /// The points there, as its neighbours have them; twice the same for a closed curve.
     vertices: [Vector2<f64>; 2],
     is_closed: bool,
     /// Whether it is traversed from the lower parameter to the higher one.
@@ -100,39 +100,39 @@ impl<F> Clone for ParametricCurve<F> {
 /// Parts of the whole range in which the second derivative must be calm.
 const PARTS: u32 = 4096;
 
-/// As many times more, where there is something that these do not tell: bends down to a thousandth of the range wide.
+/// Factors for more parts, where those do not suffice: for bends down to a thousandth of the range wide.
 const FINER: [u32; 3] = [1, 4, 16];
 
-/// Parts from which the length is tabulated: it is asked at thirty places of each, so that nothing is passed over that is calm in sixteen of
-/// those above.
+/// Parts from which the length is tabulated: the formula is evaluated at thirty places of each, so that nothing is missed that is calm in
+/// sixteen of the parts above.
 const TABULATED: u32 = 256;
 
-/// Points that tell how large a curve is, to a factor.
+/// Number of points from which the size of a curve is estimated, to a factor.
 const SIZED: u32 = 61;
 
-/// Parts of the whole range no graph reaches beyond: of their 26 points each one is as near to the next as five of the first parts.
+/// Parts of the whole range beyond which no graph reaches: their 26 points are then as close together as five of the parts above.
 const STRETCHES: f64 = 32.0;
 
 /// Most parts of one width that kinks are looked for in: two about each of 2000 kinks.
 const MOST_PARTS: usize = 4096;
 
-/// The ends of a closed curve may be as far apart, relative to its size: the end of the range is rounded, and formulas multiply it.
+/// The ends of a closed curve may be this far apart, relative to its size: the end of the range is rounded, and formulas multiply it.
 const CLOSED: f64 = 1e-9;
 
-/// Directions at the seam of a closed curve that differ by less (radians) go on in one another.
+/// Directions at the seam of a closed curve that differ by less than this (radians) count as a smooth continuation.
 const SMOOTH: f64 = 2e-7;
 
 /// Some ulp of a turn.
 const NARROW: f64 = 16.0 * f64::EPSILON;
 
-/// A formula whose range is made one turn long.
+/// A formula whose range is rescaled to one turn.
 #[derive(Debug)]
 struct InTurns<F> {
     formula: F,
     start: f64,
     /// Parameters per radian.
     rate: f64,
-    /// As many times more parts tell what is there as it bends more narrowly than others.
+    /// Factor by which more parts are needed, as the curve bends more sharply than others.
     fineness: u32,
     cusps: Vec<Cusp>,
 }
@@ -154,14 +154,14 @@ impl<F: ParametricFormula> InTurns<F> {
         }
     }
 
-    /// What the formula itself says.
+    /// The values of the formula itself.
     fn as_written(&self, u: f64) -> [Vector2<f64>; 3] {
         let [c, first, second] = self.formula.jet(self.parameter(u)).map(Vector2::from);
         [c, first * self.rate, second * (self.rate * self.rate)]
     }
 
     fn jet_over(&self, u: Interval) -> [[Interval; 2]; 3] {
-        // the ends are rounded as parameters are, and none is beyond the range
+        // the ends are rounded like parameters, and none lies beyond the range
         let [low, high] = [u.low, u.high].map(|end| self.parameter(end));
         let [c, first, second] = self.formula.jet_over(Interval::new(low, high));
         [c, first.map(|x| x * self.rate), second.map(|x| x * (self.rate * self.rate))]
@@ -184,15 +184,15 @@ fn sector(k: u32, of: u32) -> Interval {
 }
 
 impl<F: ParametricFormula> ParametricCurve<F> {
-    /// The closed curve of a range of parameters as pieces, in the order of traversal, with the table inside (`inside`) or outside: itself
-    /// if it is smooth, or else the arcs between its kinks and the start of the range.
+    /// The closed curve of a range of parameters as pieces, in the order of traversal, with the table inside (`inside`) or outside: the
+    /// curve itself if it is smooth, or else the arcs between its kinks and the start of the range.
     ///
     /// Whether it crosses itself is left to [`Table::validate`](crate::Table::validate).
     ///
     /// # Errors
     /// [`Error::Parameter`] for a range that is empty or not finite, [`Error::Parametrised`] unless the curve is finite, comes back to where it
-    /// starts (to 10⁻⁹), runs at a finite rate, stands still (`c′ = 0`) nowhere but in cusps, where `c″` is not 0 as well and which are some
-    /// 10⁻⁵ of the range apart, and is smooth but for kinks that the bounds on `c″` tell.
+    /// starts (to 10⁻⁹), has a finite `c′`, has `c′ = 0` nowhere except at cusps, where `c″` is not 0 as well and which are some 10⁻⁵ of
+    /// the range apart, and is smooth except for kinks that the bounds on `c″` reveal.
     pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
         let (formula, kinks) = looked_at(formula, range)?;
         let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
@@ -210,7 +210,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     }
 
     /// The arcs between the kinks of a curve that has ends, in the order of traversal, with the table on the left as `t` runs from the first
-    /// parameter to the second, which may be less; `ends` are its points there as its neighbours know them.
+    /// parameter to the second, which may be less; `ends` are its points there as its neighbours have them.
     ///
     /// # Errors
     /// As [`around`](Self::around).
@@ -250,7 +250,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         for ends in cuts.windows(2) {
             let [(_, low, a), (high, _, b)] = [ends[0], ends[1]];
             if a == b {
-                // an arc has two ends
+                // an arc needs two distinct ends
                 let middle = 0.5 * (low + high);
                 let [between, _] = formula.at(middle);
                 add([low, middle], [a, between])?;
@@ -288,7 +288,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
         let mut cuts: Vec<(f64, Vector2<f64>)> = vec![(range[0], vertices[0])];
         let stretches = libm::ceil(fineness * STRETCHES);
         let inner = (1..).map(f64::from).take_while(|k| *k < stretches).map(|k| between(k / stretches));
-        // from where on the formula itself is asked
+        // beyond these the formula itself is used
         let beside = formula.cusps.iter().flat_map(|cusp| [cusp.around().low, cusp.around().high]);
         let mut inner: Vec<f64> = inner.chain(beside.filter(|u| range[0] < *u && *u < range[1])).collect();
         inner.sort_by(f64::total_cmp);
@@ -348,7 +348,7 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     }
 }
 
-/// The points at kinks; where the curve comes back to one of them, or to an end, it is the same, and not one beside it.
+/// The points at kinks; where the curve comes back to one of them, or to an end, it is exactly the same point, and not one next to it.
 fn inner_vertices<'a, F: ParametricFormula>(
     formula: &InTurns<F>,
     kinks: impl Iterator<Item = &'a Interval>,
@@ -367,7 +367,7 @@ fn inner_vertices<'a, F: ParametricFormula>(
         .collect()
 }
 
-/// A formula with its range made one turn long, and its kinks.
+/// A formula with its range rescaled to one turn, and its kinks.
 fn looked_at<F: ParametricFormula>(
     formula: F,
     [start, end]: [f64; 2],
@@ -376,7 +376,7 @@ fn looked_at<F: ParametricFormula>(
     if !(length > 0.0 && length.is_finite()) {
         return Err(Error::Parameter { name: "range", must: "run from a number to a greater one", value: length });
     }
-    // of a turn itself, parameters are what they are
+    // if the range is one turn, parameters stay exactly as they are
     let rate = if length == 2.0 * PI { 1.0 } else { length / (2.0 * PI) };
     let mut formula = InTurns { formula, start, rate, fineness: 1, cusps: vec![] };
     let mut size = 0.0_f64;
@@ -417,7 +417,7 @@ fn looked_at<F: ParametricFormula>(
     let [start, end] = [0.0, 2.0 * PI].map(|end| Some(end).filter(stands_at));
     let mut cusps: Vec<Cusp> = vec![];
     for at in start.into_iter().chain(within).chain(end) {
-        // what is about the last one is a part of it
+        // a place close to the last cusp belongs to it
         if cusps.last().is_some_and(|last| last.around().contains(at)) {
             continue;
         }
@@ -430,11 +430,11 @@ fn looked_at<F: ParametricFormula>(
     Ok((Arc::new(formula), kinks))
 }
 
-/// The kinks that are told in so many times [`PARTS`]; or else about where something else is rough.
+/// The kinks found with `fineness` times [`PARTS`] parts; or else about where something else is rough.
 fn kinks_of<F: ParametricFormula>(formula: &InTurns<F>, fineness: u32) -> Result<Vec<Interval>, f64> {
     let parts = PARTS * fineness;
     let jets: Vec<_> = (0..parts).map(|k| formula.jet_over(sector(k, parts))).collect();
-    // but for kinks, the second derivative cannot differ much from what it is in the middle of a part
+    // except at kinks, the second derivative may not vary much within a part
     let most = |x: &[Interval; 2]| x[0].magnitude().max(x[1].magnitude());
     let bends = jets.iter().map(|[_, first, second]| most(second).max(most(first)));
     let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
@@ -444,8 +444,9 @@ fn kinks_of<F: ParametricFormula>(formula: &InTurns<F>, fineness: u32) -> Result
     kinks(rough, |over| is_calm(&formula.jet_over(over)), MOST_PARTS).ok_or(first)
 }
 
-/// Rates that are so many times the size over a turn, next to a place where they have no bound that is known, have none: that of a root,
-/// [`NARROW`] beside its end, is 10⁷ times; slopes beside kinks, and those of formulas that bend as narrowly as may be, less than 10⁴ times.
+/// Rates of this many times the size per turn, next to a place where no bound on them is known, are taken as unbounded: that of a square
+/// root, [`NARROW`] beside its end, is 10⁷ times the size; slopes beside kinks, and those of formulas that bend as sharply as allowed, are
+/// less than 10⁴ times.
 const ENDLESS: f64 = 65_536.0;
 
 /// About where the first derivative has no bound.
@@ -456,7 +457,7 @@ fn endless_rate<F: ParametricFormula>(formula: &InTurns<F>, size: f64) -> Option
             let middle = 0.5 * (part.low + part.high);
             part = [Interval::new(part.low, middle), Interval::new(middle, part.high)].into_iter().find(is_open)?;
         }
-        // not where it has none, but beside
+        // not at the place itself, but beside it
         let rates = [part.low - NARROW, part.high + NARROW].map(|u| formula.jet(u.clamp(0.0, 2.0 * PI))[1].amax());
         rates.iter().any(|rate| *rate > ENDLESS * size).then_some(part.low)
     };

@@ -1,4 +1,4 @@
-//! A closed curve given as a radius for every direction.
+//! A closed curve given by a radius for every direction.
 use super::{
     ArcLength, Graph, Interval, Parametric, PolarArc, PolarPoints, Smooth,
     bends::{Bends, cut},
@@ -20,9 +20,9 @@ use core::fmt::Debug;
 use nalgebra::Vector2;
 use std::sync::OnceLock;
 
-/// A radius `r(φ) > 0` as a function of the polar angle: twice differentiable but for kinks, with period 2π.
+/// A radius `r(φ) > 0` as a function of the polar angle: twice differentiable except at kinks, with period 2π.
 ///
-/// At a kink `r′` is either slope, and over angles that contain one `r″` has no bound: [`Interval::ENTIRE`].
+/// At a kink `r′` may be either one-sided slope, and over an interval that contains a kink `r″` has no bound: [`Interval::ENTIRE`].
 ///
 /// Both functions are required. `jet_over` is what makes the first hit certain: write the same three formulas with
 /// [`Interval`]s.
@@ -80,55 +80,57 @@ pub struct Polar<F> {
     inside: bool,
     slack: f64,
     ranges: Ranges,
-    /// Where nothing else can hide between points of the curve, its kinks.
+    /// The kinks of the curve, if nothing else can hide between its points.
     kinks: Option<Vec<Interval>>,
-    /// As many times more points of an arc tell what is there as its waves are shorter than others.
+    /// Factor by which more points of an arc are needed, as its waves are shorter than others.
     fineness: u32,
     table: ArcLength,
     area: f64,
     extent: Extent,
-    /// Cut when they are first asked for.
+    /// Computed when first needed.
     graphs: OnceLock<Option<Vec<Graph>>>,
 }
 
 /// Sectors in which `r > 0` must be provable.
 const SECTORS: u32 = 4096;
 
-/// Most parts of one width that kinks are looked for in: two about each of 2000 kinks. A formula with more varies everywhere, and would
-/// be halved without end.
+/// Most parts of one width that kinks are looked for in: two about each of 2000 kinks. A formula with more varies everywhere, and its parts
+/// would be halved without end.
 const MOST_PARTS: usize = 4096;
 
-/// Most parts of a sector in each of which that must be, where it is not provable in the whole.
+/// Most parts of a sector for each of which that must be provable, where it is not provable for the whole.
 const FINEST: u32 = 1024;
 
-/// Parts of a sector in which kinks are looked for where sectors are too wide for what is between them: 16 for the waves of 2000 kinks, 64 for
-/// what is narrow.
+/// Parts of a sector in which kinks are looked for where sectors are too wide for what lies between kinks: 16 for the waves of 2000 kinks,
+/// 64 for narrow features.
 const FINER: [u32; 3] = [4, 16, 64];
 
-/// Most parts then: in waves so short the rounding of angles makes eight parts about each of 2000 kinks doubtful.
+/// Most parts in that case: in waves so short the rounding of angles makes eight parts around each of 2000 kinks doubtful.
 const FINER_PARTS: usize = 16_384;
 
-/// A place where a path meets the curve is off it by no more than so many times the rounding of places: that of the time, which a formula
-/// finds, and its own.
+/// The point where a path meets the curve is off it by no more than this many times the rounding of coordinates: its own rounding, and that
+/// of the time, which comes from a formula.
 const BESIDE: f64 = 64.0;
 
-/// The normal of a curve turns by less than this (radians) over what rounding takes a place along it; its square is rounding.
+/// The normal of a curve turns by less than this (radians) over the distance that rounding shifts a point along it; its square is below
+/// rounding.
 const NEAR: f64 = 1e-8;
 
-/// No graph of a curve with fineness is wider than this by it (radians), as few graphs are where sectors are fine enough.
+/// No graph of a curve with a fineness above 1 is wider than this divided by the fineness (radians); few graphs are wider even where
+/// sectors are fine enough.
 const WIDEST: f64 = 0.5;
 
-/// What the angle 2π may be off by in a formula (radians): some ulp.
+/// The error that the angle 2π may have in a formula (radians): some ulp.
 const SEAM: f64 = 16.0 * f64::EPSILON;
 
 impl<F: PolarFormula> Polar<F> {
     /// The curve about `center`, with the table inside (`inside`) or outside.
     ///
     /// # Errors
-    /// [`Error::PolarRadius`] unless `r` is finite and provably positive (where it comes to 0 take [`PolarPoints`]), [`Error::Unclosed`]
+    /// [`Error::PolarRadius`] unless `r` is finite and provably positive (where it reaches 0 use [`PolarPoints`]), [`Error::Unclosed`]
     /// unless it is the same after a whole turn (to 10⁻⁹), [`Error::PolarJump`] where it jumps within one, [`Error::PolarSlope`] where `r′`
-    /// is not a number, so that the curve has no length or no normal, [`Error::PolarKink`] at a kink where the bounds on `r″` do not tell
-    /// it, [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
+    /// is not a number, so that the curve has no length or no normal, [`Error::PolarKink`] at a kink that the bounds on `r″` do not reveal,
+    /// [`Error::Winding`] for thousands of waves, and [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: Vector2<f64>, formula: F, inside: bool) -> Result<Polar<F>, Error> {
         finite("center", &center)?;
         let whole = |k: u32| 2.0 * PI * (f64::from(k) / f64::from(SECTORS));
@@ -137,7 +139,7 @@ impl<F: PolarFormula> Polar<F> {
         let doubtful = (0..SECTORS).zip(&jets).filter(|(_, jet)| !are_radii(jet));
         let middles = doubtful.map(|(k, [bounds, ..])| (0.5 * (whole(k) + whole(k + 1)), bounds));
         let values = middles.map(|(angle, bounds)| (angle, bounds, formula.jet(angle)[0]));
-        // an angle at which r is no radius says more than one near which it might be none
+        // report an angle at which r is not a radius rather than one near which it might not be
         if let Some((angle, bounds, r)) = values.min_by_key(|(.., r)| is_radius(*r)) {
             let bound = if bounds.low > 0.0 { bounds.high } else { bounds.low };
             let certain = !is_radius(r);
@@ -145,8 +147,8 @@ impl<F: PolarFormula> Polar<F> {
         }
         let greatest = jets.iter().fold(0.0_f64, |m, [r, ..]| m.max(r.high));
         let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
-        // the angle 2π is rounded, and formulas may turn it by some multiple; a jump that anybody sees is no rounding, nor is one that
-        // is more than what the formula makes of a rounded angle where its slope has no bound
+        // the angle 2π is rounded, and formulas may multiply it; a visible jump is not rounding, nor is one larger than the effect of a
+        // rounded angle where the slope is unbounded
         let rounding = 1e-9 * greatest;
         let [before, _, _] = formula.jet(2.0 * PI - SEAM);
         if (start - end).abs() > rounding.max(2.0 * (end - before).abs()) || end.is_nan() {
@@ -168,7 +170,7 @@ impl<F: PolarFormula> Polar<F> {
         let extent = table.extent(&points);
         let mut bends = Bends::new(&formula, sectors.clone());
         let told = bends.kinks(MOST_PARTS).map(|kinks| (kinks, 1));
-        // a curve that is cut at its kinks is not asked for normals there
+        // for a curve that is cut at its kinks no normals are needed there
         let undirected = || table.parameters().find(|angle| formula.jet(*angle)[1].is_nan());
         if let Some(angle) = table.endless().or_else(|| if told.is_none() { undirected() } else { None }) {
             return Err(Error::PolarSlope { angle });
@@ -190,7 +192,7 @@ impl<F: PolarFormula> Polar<F> {
         Ok(Polar { center, formula, inside, slack, ranges, kinks, fineness, table, area, extent, graphs })
     }
 
-    /// The curve as pieces of a table: itself if it is smooth, or else the arcs between its kinks, in the order of traversal.
+    /// The curve as pieces of a table: the curve itself if it is smooth, or else the arcs between its kinks, in the order of traversal.
     ///
     /// ```
     /// use geometry::{Piece, Vector2, shapes::curve::{Interval, Polar, PolarFormula}};
@@ -241,7 +243,7 @@ impl<F: PolarFormula> Polar<F> {
         self.inside
     }
 
-    /// Something of two angles, the lower first, in the order of traversal.
+    /// A pair for two angles, given with the lower angle first, in the order of traversal.
     pub(super) fn in_sense<T>(&self, [low, high]: [T; 2]) -> [T; 2] {
         if self.inside { [low, high] } else { [high, low] }
     }
@@ -290,7 +292,7 @@ impl<F: PolarFormula> Polar<F> {
         self.towards(angle, Vector2::new(cos, sin))
     }
 
-    /// The point at an angle, which is that of the unit vector `radial`, and the normal there.
+    /// The point at an angle, that of the unit vector `radial`, and the normal there.
     fn towards(&self, angle: f64, radial: Vector2<f64>) -> Landing {
         let [r, slope, _] = self.formula.jet(angle);
         // the tangent is r′ e_r + r e_φ, counter-clockwise; the table lies on the left of it if it lies inside
@@ -322,7 +324,7 @@ fn are_radii([r, ..]: &[Interval; 3]) -> bool {
     r.low > 0.0 && r.high.is_finite()
 }
 
-/// Enclosures of `r`, `r′` and `r″` in a sector; from as many parts of it as it takes to tell that `r > 0`, where it seems so.
+/// Enclosures of `r`, `r′` and `r″` in a sector, from as many parts of it as are needed to prove `r > 0`, where it seems to hold.
 fn enclosures<F: PolarFormula>(formula: &F, sector: Interval) -> [Interval; 3] {
     let mut jet = formula.jet_over(sector);
     let middle = 0.5 * (sector.low + sector.high);
@@ -413,7 +415,7 @@ impl<F: PolarFormula> Piece for Polar<F> {
         if way < -self.slack * speed {
             return Crossing::NEVER;
         }
-        // the angles have rounded the place: one step of Newton's method for ρ = r(φ), where it is no more than that
+        // the angles have rounded the position: one step of Newton's method for ρ = r(φ), if it is no larger than rounding
         let square = v.norm_squared();
         let p = y + v * (way / square);
         let [r, slope, _] = self.formula.jet(libm::atan2(p.y, p.x));
@@ -423,8 +425,8 @@ impl<F: PolarFormula> Piece for Polar<F> {
         let way = if step.abs() <= self.slack * speed { way - step } else { way };
         Crossing { num: way.max(0.0), den: square }
     }
-    /// What rounding has taken the path's place off the curve is undone along the normal, not straight to the centre, which would take it
-    /// along a flank by that times `r′/r`; the normal turns back with it.
+    /// The rounding error of the path's point off the curve is corrected along the normal; moving straight to the centre would shift the
+    /// point along a flank by the error times `r′/r`. The normal is turned accordingly.
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         let y = path.at(time) - self.center;
         let distance = libm::hypot(y.x, y.y);
@@ -435,7 +437,7 @@ impl<F: PolarFormula> Piece for Polar<F> {
         let across = off.dot(&normal);
         let along = off - normal * across;
         let turn = self.curvature_at(angle) * Vector2::new(normal.y, -normal.x).dot(&along);
-        // nowhere but next to the curve, and not at the tip of a cusp
+        // only next to the curve, and not at the tip of a cusp
         let is_near = across.abs() <= BESIDE * self.slack && turn.abs() <= NEAR;
         if !is_near {
             return straight;
@@ -466,7 +468,7 @@ impl<F: PolarFormula> Piece for Polar<F> {
         let y = point - self.center;
         let [r, ..] = self.formula.jet(libm::atan2(y.y, y.x));
         let side = if (libm::hypot(y.x, y.y) < r) == self.inside { 1.0 } else { -1.0 };
-        // at the tip of a cusp the normal tells no side, the radius does
+        // at the tip of a cusp the normal does not determine the side, but the radius does
         let misled = distance > self.slack && landing.normal.dot(&off) * side < 0.0;
         if misled { Landing { normal: off * (side / distance), ..landing } } else { landing }
     }

@@ -13,13 +13,13 @@ use std::sync::Arc;
 /// The part of a [`Polar`] curve between two angles, between which it is smooth; [`Polar::pieces`] makes them.
 ///
 /// Traversed counter-clockwise with the table inside, clockwise with it outside. Paths meet its polynomial [`graphs`](super::graphs());
-/// everything else is asked of the formula, at an end on the arc's side of the kink.
+/// everything else uses the formula, at an end on the arc's side of the kink.
 #[derive(Clone, Debug)]
 pub struct PolarArc<F> {
     curve: Arc<Polar<F>>,
     /// The angles of its ends, rising; the first in one turn.
     range: [f64; 2],
-    /// The points at these angles, as its neighbours know them.
+    /// The points at these angles, as its neighbours have them.
     vertices: [Vector2<f64>; 2],
     graphs: Vec<Graph>,
     table: ArcLength,
@@ -28,27 +28,27 @@ pub struct PolarArc<F> {
     slack: f64,
 }
 
-/// Room for the rounding of angles up to 4π, times a whole number and shifted: some ulp (radians).
+/// Room for the rounding of angles up to 4π that are multiplied by a whole number and shifted: some ulp (radians).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Parts of an arc from which its length is tabulated.
 const PARTS: u32 = 32;
 
 impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
-    /// The arcs between the kinks of a curve, of which there is one at least, in the order of traversal; or the whole curve, where
-    /// an arc is no graph of polynomials.
+    /// The arcs between the kinks of a curve, of which there is at least one, in the order of traversal; or the whole curve, if some
+    /// arc cannot be represented by polynomial graphs.
     pub(super) fn between(curve: Polar<F>, kinks: &[Interval]) -> Vec<Box<dyn Piece>> {
         let mut cuts = kinks.to_vec();
         if let [first, .., last] = kinks
             && first.low == 0.0
             && last.high == 2.0 * PI
         {
-            // one kink, seen from both sides
+            // the same kink, seen from both sides
             cuts[0].low = last.low - 2.0 * PI;
             cuts.pop();
         }
         if let [kink] = cuts[..] {
-            // an arc has two ends
+            // an arc needs two distinct ends
             cuts.push(Interval::from(kink.low + PI));
         }
         let curve = Arc::new(curve);
@@ -58,8 +58,8 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
                 let next = (k + 1) % cuts.len();
                 let mut end = cuts[next].low;
                 if next == 0 {
-                    // a turn later the formula is the same but for rounding, which must not show it the kink from the other side
-                    // (slopes on one side differ by rounding times the square of the number of waves; across it, by the kink)
+                    // a turn later the formula is the same up to rounding, which must not put it on the other side of the kink (slopes
+                    // on one side differ by rounding times the square of the number of waves; across it, by the kink)
                     let slope = |angle: f64| curve.formula().jet(angle)[1];
                     let (there, turned) = (slope(end), slope(end + 2.0 * PI));
                     let same = (there - turned).abs() <= 1e-6 * there.abs().max(turned.abs());
@@ -76,7 +76,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         arcs.into_iter().map(|arc| Box::new(arc) as _).collect()
     }
 
-    /// The arc between two angles with these points; `None` if it is no graph of polynomials.
+    /// The arc between two angles with these points; `None` if it cannot be represented by polynomial graphs.
     fn new(curve: &Arc<Polar<F>>, range: [f64; 2], vertices: [Vector2<f64>; 2]) -> Option<PolarArc<F>> {
         if range[0] >= range[1] {
             return None;
@@ -85,7 +85,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         let parameter = |k: u32| range[0] + (range[1] - range[0]) * (f64::from(k) / f64::from(PARTS));
         let table = ArcLength::new(&points, (0..PARTS).map(parameter).chain([range[1]]));
         let extent = table.extent(&points).union(Extent::of(vertices));
-        // the area swept about an end is that over the chord
+        // the area swept about an end is the area over the chord
         let swept = table.enclosed_area(&points, vertices[0]);
         let area = if curve.is_inside() { swept } else { -swept };
         let size = extent.size();
@@ -93,7 +93,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         Some(PolarArc { curve: Arc::clone(curve), range, vertices, graphs, table, area, extent, slack: slack([size]) })
     }
 
-    /// The angle of a point that is on the arc but for rounding, or else which end is closest.
+    /// The angle of a point that is on the arc up to rounding, or else which end is closest.
     fn angle(&self, point: &Vector2<f64>) -> Result<f64, usize> {
         let angle = self.curve.angle(point);
         let [low, high] = self.range;
@@ -231,7 +231,7 @@ mod tests {
     fn hundreds_of_kinks_have_the_same_area_whether_they_are_told_apart_or_not() {
         for count in [299.0, 601.0, 2000.0] {
             let area = enclosed_area(arcs(Waves { count, sign: 1.0 }, true).iter().map(|arc| &**arc));
-            // a rule over a kink is off by the square of what halving leaves of its interval, times the kink's size
+            // the error of a rule over a kink is the square of the final interval's width, times the size of the kink
             assert!((area - (4.5 * PI - 8.0)).abs() < 1e-11 * count * count, "{count} {area}");
         }
     }
@@ -274,7 +274,7 @@ mod tests {
                 let time = times.iter().copied().fold(f64::INFINITY, f64::min);
                 let arc = &arcs[times.iter().position(|t| *t == time).unwrap()];
                 let Landing { point, normal } = arc.landing(&path, time);
-                // of a table of size 3 a few roundings
+                // a few roundings for a table of size 3
                 assert!((point - path.at(time)).norm() < 2e-15, "{k}");
                 let [r, slope, _] = formula.jet(libm::atan2(point.y, point.x));
                 assert!((point.norm() - r).abs() < 2e-15);

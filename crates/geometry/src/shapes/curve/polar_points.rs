@@ -1,9 +1,9 @@
-//! A curve about a centre by its points.
+//! A curve about a centre, given by its points.
 use super::{Interval, Parametric, ParametricFormula, PolarFormula};
 use nalgebra::Vector2;
 
-/// The points `c(φ) = m + r(φ) (cos φ, sin φ)` of a formula for the radius about `m`, which may come to 0 as no [`Polar`](super::Polar)
-/// does: cardioids and roses are [`ParametricCurve`](super::ParametricCurve)s of these.
+/// The points `c(φ) = m + r(φ) (cos φ, sin φ)` of a formula for the radius about `m`, which may reach 0, unlike that of a
+/// [`Polar`](super::Polar): cardioids and roses are [`ParametricCurve`](super::ParametricCurve)s of this kind.
 ///
 /// ```
 /// use geometry::{Piece, Vector2, shapes::curve::{Interval, ParametricCurve, PolarFormula, PolarPoints}};

@@ -1,12 +1,12 @@
-//! What a radius and its derivatives may be over a stretch of a turn.
+//! The values that a radius and its derivatives may take over a stretch of a turn.
 use super::{Interval, PolarFormula};
 use core::f64::consts::PI;
 
-/// Enclosures of `r`, `r′` and `r″` over parts of a turn, looked up instead of computed: over a long way they are also
-/// narrower than what interval arithmetic finds in one go.
+/// Enclosures of `r`, `r′` and `r″` over parts of a turn, looked up instead of computed: over a long stretch they are
+/// also narrower than what interval arithmetic finds in one evaluation.
 #[derive(Clone, Debug)]
 pub(super) struct Ranges {
-    /// `runs[k][i]` is over `2ᵏ` parts from number `i` on.
+    /// `runs[k][i]` covers `2ᵏ` parts from number `i` on.
     runs: Vec<Vec<[Interval; 3]>>,
 }
 
@@ -17,7 +17,7 @@ impl Ranges {
     /// From enclosures over equal sectors.
     pub(super) fn new(sectors: &[[Interval; 3]]) -> Ranges {
         let both = |a: &[Interval; 3], b: &[Interval; 3]| [0, 1, 2].map(|i| a[i].union(b[i]));
-        // a turn later a formula is the same but for rounding
+        // a turn later a formula is the same up to rounding
         let room = |a: Interval| a + Interval::new(-1e-9, 1e-9) * a.magnitude();
         let part = |sectors: &[[Interval; 3]]| sectors[1..].iter().fold(sectors[0], |a, b| both(&a, b)).map(room);
         let mut runs = vec![sectors.chunks(sectors.len() / PARTS).map(part).collect::<Vec<_>>()];
@@ -33,7 +33,7 @@ impl Ranges {
     /// Enclosures over some angles.
     pub(super) fn of<F: PolarFormula>(&self, formula: &F, angles: Interval) -> [Interval; 3] {
         let [low, high] = [angles.low, angles.high].map(|angle| angle * (PARTS as f64 / (2.0 * PI)));
-        // of a short way the formula knows more; angles without end have no parts
+        // over a short stretch the formula itself is sharper; infinite angles have no parts
         if !(high - low >= 0.25 && low.abs().max(high.abs()) < 1e6) {
             return formula.jet_over(angles);
         }

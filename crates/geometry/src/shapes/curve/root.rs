@@ -8,7 +8,7 @@ pub(crate) fn rising_root(f: impl Fn(f64) -> [f64; 2], [low, high]: [f64; 2]) ->
     rising_root_near(0.5 * (low + high), f, [low, high], 0.0)
 }
 
-/// The same from a guess in the bracket on; a step by the slope that is no longer than `enough` is the last.
+/// The same, starting from a guess in the bracket; a Newton step no longer than `enough` is the last.
 pub(crate) fn rising_root_near(
     guess: f64,
     f: impl Fn(f64) -> [f64; 2],
@@ -18,7 +18,7 @@ pub(crate) fn rising_root_near(
     let tolerance = f64::EPSILON * low.abs().max(high.abs());
     let mut u = guess;
     let mut last = high - low;
-    // twice the bits of a mantissa: bisection alone would be done, subnormal numbers apart
+    // twice the bits of a mantissa: bisection alone would have finished, except for subnormal numbers
     for _ in 0..106 {
         let [value, slope] = f(u);
         if value == 0.0 {

@@ -1,30 +1,30 @@
-//! Where the length of a polar curve is summed from.
+//! The angles from which the length of a polar curve is tabulated.
 use super::Interval;
 
 /// Parts of a turn from which the length of a calm curve is tabulated.
 const PARTS: usize = 32;
 
-/// Over a part of which it is known to this part of the curve's size how long it is, or how far it rises and falls, nothing hides.
+/// Nothing hides in a part whose length, or whose range of radii, is known to this fraction of the curve's size.
 const KNOWN: f64 = 1e-4;
 
-/// Halvings at most: nothing that a formula says is narrower.
+/// Most halvings: no feature of a formula is narrower.
 const HALVINGS: u32 = 40;
 
-/// Most parts of one width that are halved again: two about each of 2000 places. A formula with more varies everywhere, which shows at
-/// any place.
+/// Most parts of one width that are halved again: two about each of 2000 places. A formula with more varies everywhere, which any sample
+/// shows.
 const MOST: usize = 4096;
 
-/// Angles in rising order from which the length of a curve `r(φ)` can be tabulated: those that cut a turn into some parts, and more
-/// where between these `r′` may become what it is at none of them, so that a sum over places would miss it.
+/// Angles in rising order from which the length of a curve `r(φ)` can be tabulated: those that cut a turn into some parts, and more where
+/// `r′` may take values between these that it has at none of them, so that a quadrature sum would miss them.
 ///
-/// `sectors` cut the turn, with `r` and its derivatives in each; `jet` is what they are over any angles, and `size` the greatest radius.
+/// `sectors` cut the turn, with `r` and its derivatives in each; `jet` encloses them over any angles, and `size` is the greatest radius.
 pub(super) fn seeds(
     sectors: &[(Interval, [Interval; 3])],
     jet: impl Fn(Interval) -> [Interval; 3],
     size: f64,
 ) -> Vec<f64> {
-    // the length is ∫ √(r² + r′²), which changes by no more than r′ does; of what is steep there may be no bound before it is cut narrow,
-    // and where there never is one, at the tip of a cusp, r itself tells when to stop
+    // the length is ∫ √(r² + r′²), which changes by no more than r′ does; steep parts may have no bound until they are cut narrow, and
+    // where there never is one, at the tip of a cusp, r itself decides when to stop
     let known = |part: &Interval, [r, slope, _]: [Interval; 3]| {
         let width = slope.width();
         let change = if width.is_finite() { width * part.width() } else { r.width() };
