@@ -18,7 +18,7 @@ use std::collections::{HashMap, HashSet};
 pub(crate) struct Contour {
     /// The kind of shape, for messages.
     pub(crate) name: &'static str,
-    /// What bounds its interior, traversed with the interior on the left.
+    /// The boundary of its interior, traversed with the interior on the left.
     pub(crate) figures: Vec<Figure>,
     /// Segments that are walls on both sides.
     pub(crate) screens: Vec<[Vector2<f64>; 2]>,
@@ -62,8 +62,8 @@ impl Contour {
         Contour::solid(name, rounded(points, radius, frame))
     }
 
-    /// The outline of a single shape; `None` where it does not consist of segments and arcs. Compounds are the
-    /// business of [`super::union`].
+    /// The outline of a single shape; `None` where it does not consist of segments and arcs. Compounds are handled
+    /// by [`super::union`].
     pub(crate) fn of(shape: &TypedShape<'_>, frame: &Frame<2>) -> Result<Option<Contour>, Error> {
         let place = |v: Glam| frame.point(&from_glam2(v));
         let polygon = |points: &[Glam], radius: f64| {
@@ -102,7 +102,8 @@ impl Contour {
                 Contour { name: "segment", figures: vec![], screens: vec![[place(s.a), place(s.b)]] }
             }
             TypedShape::HeightField(field) => {
-                // parry's cells compute their two ends separately, one ulp apart: vertices are ours
+                // parry's cells compute their two ends separately, up to one ulp apart, so we compute the vertices
+                // ourselves
                 let (heights, scale) = (field.heights(), field.scale());
                 let cells = heights.len() - 1;
                 let vertex =
@@ -134,8 +135,8 @@ fn area(points: &[Vector2<f64>]) -> f64 {
 
 /// A convex polygon (or a segment, as two points) with a border of the given width around it.
 fn rounded(points: &[Vector2<f64>], radius: f64, frame: &Frame<2>) -> Vec<Figure> {
-    /// Two edges whose directions differ by less count as one: their arc would be shorter than the rounding of its
-    /// ends.
+    /// Two edges whose directions differ by less than this count as one: their arc would be shorter than the
+    /// rounding of its ends.
     const STRAIGHT: f64 = 1e-12;
     let mut points: Vec<Vector2<f64>> = points.to_vec();
     if area(&points) < 0.0 {
@@ -209,13 +210,13 @@ fn chained(edges: &[[usize; 2]]) -> Vec<[usize; 2]> {
     out
 }
 
-/// Closed loops bound an interior (nested ones by turns: an island in a hole in a solid); all else is a screen.
+/// Closed loops bound an interior (nested ones alternate: an island in a hole in a solid); all else is a screen.
 fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
     let points: Vec<Vector2<f64>> = line.vertices().iter().map(|&p| frame.point(&from_glam2(p))).collect();
     let id = merged(&points);
     let mut edges: Vec<[usize; 2]> =
         line.indices().iter().map(|&[a, b]| [id[a as usize], id[b as usize]]).filter(|[a, b]| a != b).collect();
-    // there and back is one wall
+    // an edge traversed there and back is one wall
     let mut known = HashSet::new();
     edges.retain(|&[a, b]| known.insert([a.min(b), a.max(b)]));
     let mut at: HashMap<usize, Vec<usize>> = HashMap::new(); // edges at each vertex
@@ -273,7 +274,7 @@ fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
         let sides = |own: &[Vector2<f64>]| segments((0..n).map(|k| [own[k], own[(k + 1) % n]]));
         let width = Extent::of(own.iter().copied());
         let flat = area(&own).abs() <= slack([width.size()]) * (width.max - width.min).amax();
-        // one that crosses itself is told so, with the place, where the table is validated
+        // a self-crossing is reported later, with its location, when the table is validated
         if flat && crosses_itself(sides(&own).iter().map(piece_of).collect::<Result<_, _>>()?).is_none() {
             let why = "a closed part of it encloses no area: for a wall without thickness, list its vertices once, from tip to tip";
             return Err(Error::Shape { shape: "polyline", why });
@@ -313,7 +314,7 @@ fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Result<Vec<Figure>, Error> 
     Ok(segments(chained(&edges).into_iter().map(|e| e.map(|v| points[v]))))
 }
 
-/// The sides of full cells that border on empty ones.
+/// The sides of full cells that adjoin empty ones.
 fn voxel_outline(voxels: &Voxels, frame: &Frame<2>) -> Vec<Figure> {
     let full: Vec<[i64; 2]> = voxels.voxels().map(|v| [v.grid_coords.x, v.grid_coords.y]).collect();
     let is_full: HashSet<[i64; 2]> = full.iter().copied().collect();

@@ -1,4 +1,4 @@
-//! Between nalgebra, which everything else speaks, and glam, which parry speaks.
+//! Conversions between nalgebra, used everywhere else, and glam, used by parry.
 use lanes::Double;
 use nalgebra::{Isometry2, Isometry3, Matrix3, SMatrix, SVector, Vector2, Vector3};
 use parry2d_f64::math::{Pose as Pose2, Vector as Glam2};
@@ -52,8 +52,8 @@ impl From<&Isometry2<f64>> for Frame<2> {
         Frame { rotation: pose.rotation.to_rotation_matrix().into_inner(), translation: pose.translation.vector }
     }
 }
-/// `((w² − |q|²) 1 + 2 q qᵀ + 2 w [q×]) / (w² + |q|²)`, each entry right to half an ulp: a unit quaternion is off by some roundings,
-/// and what they do to the direction of an axis is done to every hit.
+/// `((w² − |q|²) 1 + 2 q qᵀ + 2 w [q×]) / (w² + |q|²)`, each entry accurate to half an ulp: a unit quaternion is off by some
+/// roundings, which would turn an axis and so affect every hit.
 impl From<&Isometry3<f64>> for Frame<3> {
     fn from(pose: &Isometry3<f64>) -> Self {
         let quaternion = pose.rotation.quaternion();
@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn frames_agree_with_parry_poses() {
-        // one rotation each way: products of three numbers below 2, so a few ulp of 1
+        // one rotation each way: products of three numbers below 2, so errors of a few ulp of 1
         let pose = Pose3::new(Glam3::new(1.0, -2.0, 0.5), Glam3::new(0.3, 0.2, -0.7));
         let frame = Frame::from(&pose);
         let y = Vector3::new(0.25, 0.5, -1.0);

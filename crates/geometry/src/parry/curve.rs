@@ -15,15 +15,15 @@ use std::sync::OnceLock;
 /// The boundary of any shape that can project points onto itself: one of parry's, or your own `impl Shape`.
 ///
 /// Only `project_local_point` (with `solid = false`), `compute_local_aabb`, `scale_dyn` and `clone_dyn` of the shape are
-/// used, and of a convex one its support map: such shapes are only asked from outside, since parry's projection by
-/// support map is unreliable elsewhere. Crossings are certified to be the first ones, with the error of the projection divided by the sine of the
-/// angle of incidence, and normals are good to about 10⁻¹³. Closer to a corner than 10⁻⁵ of the shape's size no normal can be
-/// told, and a path that leaves the wall there may hit it again at once. A crossing costs some fifty projections.
+/// used, and of a convex one its support map: such shapes are queried only from outside, since parry's projection by support map is
+/// unreliable elsewhere. Crossings are certified to be the first ones, with the error of the projection divided by the sine of the angle of
+/// incidence, and normals are accurate to about 10⁻¹³. Closer to a corner than 10⁻⁵ of the shape's size no normal can be determined, and a
+/// path that leaves the wall there may hit it again at once. A crossing costs some fifty projections.
 ///
 /// Arc length comes from the outline traced on a grid of 256 cells across the shape and refined to 10⁻¹² of its size,
 /// or 10⁻⁸ per corner; loops smaller than a cell are hit but not measured. A shape with several loops is one piece: `s` runs through one loop after
-/// another. A shape without an inside, or an infinite one, has no arc length: it is NaN. Curvature is a difference of
-/// normals, good to about 10⁻⁸ away from corners.
+/// another. A shape without an inside, or an infinite one, has no arc length: it is NaN. Curvature is a difference of normals, accurate to
+/// about 10⁻⁸ away from corners.
 pub struct DistancePiece {
     distance: Distance<2>,
     traced: OnceLock<Traced>,
@@ -39,7 +39,7 @@ impl DistancePiece {
     pub(crate) fn new(shape: &dyn Shape, frame: &Frame<2>, side: Side) -> Result<DistancePiece, Error> {
         let own = Planar { shape: shape.clone_dyn() };
         let scale = Distance::unit(&own.extent());
-        // parry's own shapes fail below 1e-8; a shape that cannot be scaled is taken as it is
+        // parry's own shapes fail below size 1e-8; a shape that cannot be scaled is used as it is
         let scaled = shape.scale_dyn(Glam::splat(scale), 20);
         let distance = match scaled {
             Some(shape) => Distance::new(Box::new(Planar { shape }), *frame, scale, side),
@@ -110,7 +110,7 @@ impl Piece for DistancePiece {
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
         let at = self.closest(point);
         let [min, max] = self.distance.extent();
-        // extrapolated, the quotient is off by h⁴ of its scale and by rounding over h: both about 10⁻¹²
+        // the extrapolated quotient has an error of h⁴ in its scale and a rounding error divided by h: both about 10⁻¹²
         let h = 1e-3 * (max - min).norm();
         (4.0 * self.turn(&at, 0.5 * h) - self.turn(&at, h)) / 3.0
     }

@@ -1,11 +1,12 @@
 //! The first crossing of a path with a surface of which only the distance is known.
 //!
 //! A ball around any point of the table whose radius is that point's distance to the wall contains no wall. The usual
-//! march takes balls around points of the path, and crawls where the path is close to a wall: its steps are as short
-//! as the path is high. Here the balls stand off the path, on the side away from the wall: one of radius `h + y` around
-//! the point at height `h` above a point of the path which is itself at height `y` frees a stretch of length
-//! `√(2hy)` at grazing incidence, and from a start on the wall, `y = 0`, the whole chord `2h sin θ`. Every stretch is
-//! certified free, so the crossing found is the first; near a smooth wall the convergence is quadratic.
+//! march takes balls around points of the path, and crawls where the path is close to a wall, since its steps are as
+//! short as the path's height above it. Here the centres lie off the path, on the side away from the wall: one of
+//! radius `h + y` around the point at height `h` above a point of the path which is itself at height `y` frees a
+//! stretch of length `√(2hy)` at grazing incidence, and from a start on the wall, `y = 0`, the whole chord `2h sin θ`.
+//! Every stretch is certified free, so the crossing found is the first; near a smooth wall the convergence is
+//! quadratic.
 use super::{Side, convert::Frame};
 use crate::Line;
 use core::fmt::Debug;
@@ -17,7 +18,7 @@ pub(crate) trait Field<const N: usize>: Debug + Send + Sync {
     fn project(&self, x: &SVector<f64, N>) -> (SVector<f64, N>, bool);
     /// A box around the shape: least and greatest coordinates.
     fn extent(&self) -> [SVector<f64, N>; 2];
-    /// Whether the shape is convex: then it is asked from outside only.
+    /// Whether the shape is convex: then it is queried only from outside.
     fn is_convex(&self) -> bool {
         false
     }
@@ -28,7 +29,7 @@ pub(crate) trait Field<const N: usize>: Debug + Send + Sync {
 pub(crate) struct Distance<const N: usize> {
     pub(super) field: Box<dyn Field<N>>,
     frame: Frame<N>,
-    /// Space to the field's unit: multiply by this power of two.
+    /// The power of two by which to multiply lengths in space to get the field's unit.
     scale: f64,
     /// +1 where the table is outside.
     sign: f64,
@@ -38,7 +39,7 @@ pub(crate) struct Distance<const N: usize> {
     pub(super) rounding: f64,
 }
 
-/// What is known of a point.
+/// The result of a distance query for a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Probe<const N: usize> {
     /// Positive in the table.
@@ -50,7 +51,7 @@ pub(crate) struct Probe<const N: usize> {
 /// Balls a march may need: some 20 at ordinary incidence, `√(2/θ)` at grazing angles θ; the rest is for cusps.
 const MOST_BALLS: usize = 100_000;
 
-/// From a quarter of the size down to 10⁻¹³ of it: so close to a corner may a path leave a wall.
+/// Halvings of a ball, from a quarter of the size down to 10⁻¹³ of it: a path may leave a wall that close to a corner.
 const HALVINGS: usize = 41;
 
 impl<const N: usize> Distance<N> {
@@ -58,7 +59,7 @@ impl<const N: usize> Distance<N> {
     pub(crate) fn new(field: Box<dyn Field<N>>, frame: Frame<N>, scale: f64, side: Side) -> Self {
         let extent = field.extent();
         let size = 0.5 * (extent[1] - extent[0]).norm();
-        // what is infinite looks the same at every scale but for its own curvature, of which nothing is known
+        // an infinite shape has no scale except its own curvature, which is unknown
         let size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
         let far = extent[0].amax().max(extent[1].amax()).min(1e3 * size) + scale * frame.translation.amax();
         Distance {
@@ -128,7 +129,7 @@ impl<const N: usize> Distance<N> {
 
     /// The unit normal into the table at the closest point of `y`.
     fn normal(&self, y: &SVector<f64, N>, probe: &Probe<N>) -> SVector<f64, N> {
-        /// From here on the difference of point and foot has lost no more than three digits.
+        /// From this distance on the difference of point and foot has lost no more than three digits.
         const CLEAR: f64 = 1e-3;
         let straight = (y - probe.foot) / probe.distance;
         if probe.distance.abs() > CLEAR * self.size {
@@ -153,7 +154,7 @@ impl<const N: usize> Distance<N> {
     ///
     /// Seen from a point at height `h` above the surface the foot is known to `ε·size` and so the normal to `ε·size/h`.
     /// The foot must be the given point: each step brings it nearer by the factor `h·κ` (κ the curvature). At a corner
-    /// no height will do, and a direction that leads away from the walls is returned.
+    /// no height works, and some direction that leads away from the walls is returned.
     fn normal_at(&self, foot: &SVector<f64, N>, guess: Option<SVector<f64, N>>) -> SVector<f64, N> {
         if let Some(normal) = guess.and_then(|guess| self.improved(foot, guess)) {
             return normal;
@@ -169,7 +170,7 @@ impl<const N: usize> Distance<N> {
     }
 
     fn improved(&self, foot: &SVector<f64, N>, guess: SVector<f64, N>) -> Option<SVector<f64, N>> {
-        /// A foot off by this fraction of the height turns the normal by as much times h·κ.
+        /// A foot that is off by this fraction of the height turns the normal by that fraction times h·κ.
         const AT: f64 = 1e-13;
         let mut h = self.size / 8.0;
         // lower down a normal by difference has fewer digits than the guess
@@ -227,7 +228,7 @@ impl<const N: usize> Distance<N> {
             if height.is_nan() {
                 return None;
             }
-            // so high, the difference of point and foot still has ten digits
+            // at this height the difference of point and foot still has ten digits
             if height > 1e-6 * self.size {
                 up = Some((y - probe.foot) / height);
             } else if up.is_none() || height <= rounding {
@@ -268,7 +269,7 @@ impl<const N: usize> Distance<N> {
             if s > leave {
                 return None;
             }
-            // smaller balls would know their height to half of their digits only
+            // for smaller balls the height would have only half of its digits
             h = h.max(1e-9 * self.size);
         }
         Some(s / speed)
@@ -289,7 +290,7 @@ impl<const N: usize> Distance<N> {
         s
     }
 
-    /// The stretch of the path inside of the box around the shape.
+    /// The stretch of the path inside the box around the shape.
     fn through_box(&self, start: &SVector<f64, N>, along: &SVector<f64, N>) -> Option<[f64; 2]> {
         // more than any rounding of the box, less than would cost a step
         let margin = 1e-6 * self.size;
@@ -310,15 +311,15 @@ impl<const N: usize> Distance<N> {
     }
 }
 
-/// The power of two that brings a length to about 1; 1 for zero and what is not finite.
+/// The power of two that brings a length to about 1; 1 for zero and values that are not finite.
 ///
 /// Multiplying by it is exact, so a shape of any size behaves alike to the last bit.
 pub(crate) fn to_unit(size: f64) -> f64 {
     if size > 0.0 && size.is_finite() { libm::ldexp(1.0, -libm::frexp(size).1) } else { 1.0 }
 }
 
-/// How far a ball of radius `radius`, whose centre lies `b` ahead along the path and `h` away, frees it; 0 if it does
-/// not reach back to where the path is.
+/// How far along the path a ball of radius `radius`, whose centre lies `b` ahead along the path and at the distance
+/// `h`, shows it to be free; 0 if the ball does not reach back to the current point of the path.
 fn chord(b: f64, h: f64, radius: f64, rounding: f64) -> f64 {
     if radius < h - 2.0 * rounding {
         return 0.0;

@@ -3,15 +3,16 @@ use super::Solid;
 use crate::{Boundary, BoxTree, Crossing, Hit, Line, plane::slack, walls::CORNER};
 use core::cell::Cell;
 
-/// The first of the hits of a path with several walls: a corner where within rounding another one with another normal is hit as well.
+/// The first of the hits of a path with several walls; a corner if another wall with another normal is hit within rounding as well.
 pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Option<Hit<3>> {
     hits.reduce(|a, b| sooner(path, a, b))
 }
 
-/// The sooner of two hits; of equal times that of the lower number.
+/// The sooner of two hits; for equal times the one with the lower number.
 pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
-    /// Normals that differ by less belong to walls that continue one another. Next to where one is tangent to another, with a radius of
-    /// `r`, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: radii from 10⁻⁵ of the size on.
+    /// Normals that differ by less than this belong to walls that continue one another. Where a wall with the radius `r` is tangent to
+    /// another, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`, which covers radii from 10⁻⁵
+    /// of the size on.
     const SMOOTH: f64 = 1e-5;
     let b_is_first = b.time < a.time || (b.time == a.time && b.piece < a.piece);
     let [first, second] = if b_is_first { [b, a] } else { [a, b] };
@@ -24,8 +25,8 @@ pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
 
 /// The first of the hits of a path with numbered solids, whose boxes are those of the tree.
 ///
-/// Walls that meet within rounding of the hit are among those whose boxes the path enters until then, but for triangles
-/// with two sides: beside these, if there are such `sheets`, a path is in a corner wherever it goes.
+/// Walls that meet within rounding of the hit are among those whose boxes the path enters until then. Two-sided triangles (`sheets`)
+/// are an exception: where one meets the wall that is hit, there is a corner whichever way the path goes.
 pub(super) fn first_in<'a>(
     tree: &BoxTree<3>,
     sheets: bool,

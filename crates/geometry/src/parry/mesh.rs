@@ -28,18 +28,18 @@ pub(crate) struct Mesh {
     /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
     edges: Vec<[bool; 3]>,
     tree: BoxTree<3>,
-    /// Minus the distance by which a start may lie behind: rounding. Of triangles with two sides, the distance by which
-    /// it must lie in front.
+    /// Minus the distance by which a start may lie behind through rounding. For two-sided triangles, the distance by which it must lie
+    /// in front.
     behind: Vec<f64>,
-    /// Those with two sides.
+    /// The two-sided triangles.
     sheets: Option<Sheets>,
     slack: f64,
-    /// Whether no side of a triangle is without another triangle beyond it, and whether the table is outside.
+    /// Whether the surface is closed (every side of a triangle has another triangle beyond it), and whether the table is outside.
     closed: bool,
     outside: bool,
     /// The largest coordinate.
     size: f64,
-    /// Within this distance of an edge a point lies on it.
+    /// A point within this distance of an edge lies on it.
     near: f64,
 }
 
@@ -62,7 +62,8 @@ impl Shear {
         let (i, j) = if v[k] > 0.0 { ((k + 1) % 3, (k + 2) % 3) } else { ((k + 2) % 3, (k + 1) % 3) };
         Shear { axes: [i, j, k], slopes: [v[i] / v[k], v[j] / v[k]] }
     }
-    /// Where a vertex lies as seen along the path. The same for every triangle that shares it: nothing leaks.
+    /// The position of a vertex as seen along the path. It is the same for every triangle that shares the vertex, so nothing leaks
+    /// through.
     #[inline(always)]
     fn see(&self, from: &Vector3<f64>, vertex: &Vector3<f64>) -> [f64; 2] {
         let [i, j, k] = self.axes;
@@ -77,8 +78,8 @@ pub(crate) fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
     points.iter().enumerate().map(|(i, p)| *known.entry(key(*p)).or_insert(i)).collect()
 }
 
-/// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed. One without area counts, since it may
-/// lie between a long side and the two short ones beyond it; one with a corner twice is a side and nothing beyond it.
+/// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed. Triangles without area count, since
+/// they may lie between a long side and the two short ones beyond it; one with a corner twice is a single side with nothing beyond it.
 pub(crate) fn rims(triangles: &[[usize; 3]]) -> usize {
     let real = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
     let known: HashSet<[usize; 2]> = real.flat_map(sides).collect();
@@ -89,7 +90,7 @@ fn sides([a, b, c]: &[usize; 3]) -> [[usize; 2]; 3] {
     [[*a, *b], [*b, *c], [*c, *a]]
 }
 
-/// `(b − a) × (c − a)` in units of the longest edge, and that length, rounded up to a power of two: so no product over- or
+/// `(b − a) × (c − a)` in units of the longest edge rounded up to a power of two, and that unit, so that no product over- or
 /// underflows.
 pub(crate) fn across([a, b, c]: [Vector3<f64>; 3]) -> (Vector3<f64>, f64) {
     let edges = [b - a, c - a];
@@ -149,8 +150,8 @@ impl Mesh {
                 n / if turned { -n.norm() } else { n.norm() }
             })
             .collect();
-        // neighbours whose normals agree to rounding continue one another: that of vertices turns short sides by more than an
-        // ulp, and no angle that anybody means is this small
+        // neighbours whose normals agree to rounding continue one another: rounding of vertices turns short sides by more than an ulp,
+        // and no intended angle is this small
         let smooth = |k: usize, j: usize| (normals[k] - normals[j]).norm() <= 1e-9;
         let edge = |k: usize, [a, b]: [usize; 2]| !at.get(&[b, a]).is_some_and(|&j| smooth(k, j));
         let shell = if closed && !loose { shells::shells(&triangles, &at) } else { vec![] };
@@ -211,13 +212,13 @@ impl Mesh {
     pub(crate) fn random_point(&self, k: usize, uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
         let [a, b, c] = self.triangles[k].map(|v| self.vertices[v]);
         let [s, t] = [uniform(), uniform()];
-        // the half of the parallelogram beyond the diagonal, turned over
+        // the half of the parallelogram beyond the diagonal is reflected
         let [s, t] = if s + t > 1.0 { [1.0 - s, 1.0 - t] } else { [s, t] };
         a + (b - a) * s + (c - a) * t
     }
 
-    /// A point brought onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or
-    /// where another triangle stands that has two sides.
+    /// A point projected onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or where another,
+    /// two-sided triangle meets it.
     pub(crate) fn land(&self, k: usize, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let corners = self.triangles[k].map(|v| self.vertices[v]);
         let normal = &self.normals[k];

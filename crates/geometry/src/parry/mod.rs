@@ -1,8 +1,8 @@
-//! Arbitrary shapes: whatever parry can represent bounds a table, in the plane and in space.
+//! Arbitrary shapes: anything that parry can represent can bound a table, in the plane and in space.
 //!
 //! parry says *which* part of a shape is near, how far it is and which way it faces; our exact solvers say *when* it
-//! is touched, to the last bits. parry's own ray casts are not used at all: they hit again the wall they start from,
-//! leak through vertices, and lose grazing paths and tiny shapes.
+//! is touched, to the last bits. parry's own ray casts are not used at all: they hit the wall they start from again,
+//! leak through vertices, and miss grazing paths and tiny shapes.
 //!
 //! * In the plane, [`pieces`] turns a shape into exact [`Piece`](crate::Piece)s wherever it consists of segments and
 //!   arcs; any other shape becomes a [`DistancePiece`], which needs nothing but parry's point projection.
@@ -10,7 +10,7 @@
 //! * A [`Room`] is bounded by several of them.
 //! * [`ShapeSpec`] describes a shape as plain data, for scene files.
 //!
-//! Of parry's and glam's types none but parry's shapes appear in a signature. Positions, poses and normals are
+//! parry's shapes are the only types of parry and glam that appear in a signature. Positions, poses and normals are
 //! nalgebra's.
 mod contour;
 mod convert;

@@ -1,13 +1,13 @@
 //! Convex shapes, seen from outside only.
 //!
-//! parry projects points onto a convex shape of your own through its support map, by an iteration which is good near
-//! the outside of the shape, to 10⁻⁷ of the distance, but not at the surface (a third of the points on the sides of a
-//! hexagon are projected to somewhere else) nor inside. So all questions are asked from a stand-off outside, and the
-//! answers are improved with the support map itself.
+//! parry projects points onto a convex shape of your own through its support map, by an iteration that is accurate for
+//! points somewhat outside the shape, to 10⁻⁷ of the distance, but not at the surface (a third of the points on the
+//! sides of a hexagon are projected to somewhere else) nor inside. So all queries are made from a stand-off outside,
+//! and the answers are improved with the support map itself.
 //!
 //! A foot with its normal is a supporting plane: the shape lies behind it. A path that comes from outside is free up to
-//! the plane, and one that starts inside leaves the shape before it; cutting with planes, each seen from where the last
-//! was crossed, converges to the first hit from the safe side, quadratically.
+//! the plane, and one that starts inside leaves the shape before it; cutting with planes, each found from where the
+//! last was crossed, converges quadratically to the first hit, from the safe side.
 use super::distance::{Distance, Probe};
 use nalgebra::{SMatrix, SVector};
 
@@ -27,8 +27,8 @@ impl<const N: usize> Plane<N> {
 /// The point of a smooth convex shape closest to `x`, from a rough normal there and the support map.
 ///
 /// The foot is where the support point in direction `n` lies straight below `x`: the part of `x − s(n)` across `n`
-/// vanishes. Broyden's method, since the radii of curvature that make up its derivative are not known. Over flat parts
-/// there is no such solution, and `None` is returned.
+/// vanishes. This is solved by Broyden's method, since the radii of curvature that determine the derivative are not
+/// known. Over flat parts there is no such solution, and `None` is returned.
 fn improved<const N: usize>(
     x: &SVector<f64, N>,
     normal: &SVector<f64, N>,
@@ -42,7 +42,8 @@ fn improved<const N: usize>(
     let mut n = *normal;
     let (mut residual, s) = off(&n);
     let size = x.norm() + s.norm();
-    // on a sphere of radius |s| this would be exact, but for the half: rather a long step than a slow start
+    // on a sphere of radius |s| this would be exact without the factor of a half: a step that is too long is better
+    // than a slow start
     let mut inverse = SMatrix::<f64, N, N>::identity() / ((x - s).norm() + 0.5 * s.norm());
     let mut best = (residual.norm(), s);
     for _ in 0..40 {
@@ -90,7 +91,8 @@ impl<const N: usize> Distance<N> {
         let mut views = vec![];
         for i in 0..N {
             for sign in [-1.0, 1.0] {
-                // along no axis: flat walls often lie along one, and a look-out on the surface itself is none
+                // not along an axis: flat walls often lie along one, and a point on the surface itself is useless as a
+                // stand-off
                 let mut direction = SVector::<f64, N>::zeros();
                 direction[i] = sign;
                 direction[(i + 1) % N] += 0.377 * sign;
@@ -105,7 +107,7 @@ impl<const N: usize> Distance<N> {
             {
                 best = Some(plane);
             }
-            // one that a point is not below is the highest; inside, each side of the shape may have one
+            // a plane that the point is not below is the highest; inside, each side of the shape may have one
             if best.is_some_and(|b| b.height(y) >= -4.0 * self.rounding) {
                 break;
             }
@@ -119,7 +121,7 @@ impl<const N: usize> Distance<N> {
             let below = y - plane.normal * plane.height(y);
             (below - plane.foot).norm() <= 4.0 * self.rounding
         };
-        // nearer and nearer, since from afar an edge hides its neighbourhood, until the foot lies straight below …
+        // approach, since from afar an edge hides its neighbourhood, until the foot lies straight below …
         let mut h = self.off();
         'nearer: while h > self.least_off() {
             for _ in 0..8 {
@@ -130,7 +132,7 @@ impl<const N: usize> Distance<N> {
             }
             h /= 8.0;
         }
-        // … and away again, since a normal is known better the longer it is
+        // … and move away again, since a normal is more accurate the longer it is
         while h < self.off() {
             h *= 8.0;
             match self.below(&(y + plane.normal * h)) {
@@ -141,12 +143,12 @@ impl<const N: usize> Distance<N> {
         Some(plane)
     }
 
-    /// Distance, foot and outward normal, whether the field is to be trusted at the surface or not.
+    /// Distance, foot and outward normal, even where the field cannot be trusted at the surface.
     pub(crate) fn outer(&self, y: &SVector<f64, N>) -> (Probe<N>, SVector<f64, N>) {
         let (foot, inside) = self.field.project(y);
         let w = y - foot;
         let distance = w.norm();
-        // from here on the difference of point and foot has lost no more than three digits
+        // from this distance on the difference of point and foot has lost no more than three digits
         let sure = 1e-3 * self.size;
         let signed = if inside { -distance } else { distance };
         let raw = (Probe { distance: signed, foot }, w / signed);
@@ -163,7 +165,7 @@ impl<const N: usize> Distance<N> {
         }
     }
 
-    /// The stand-off for the next cut, after a step of this length: about how far the next foot will be.
+    /// The stand-off for the next cut, after a step of this length: about the distance of the next foot.
     fn cut_off(&self, step: f64) -> f64 {
         step.clamp(self.least_off(), self.off())
     }

@@ -15,12 +15,12 @@ use parry2d_f64::shape::{Shape, TypedShape};
 /// Exact for all shapes that consist of segments and arcs: ball, cuboid, capsule, segment, triangle, polyline, convex
 /// polygon and their rounded forms, half-space, triangle mesh (its outline only), height field, voxels, and compounds
 /// of these (the outline of the union). A segment or an open polyline is a wall on both sides. Loops of a polyline
-/// bound its interior, whichever way they turn; nested loops alternate. The inside of a height field is what lies
-/// below it; it is an open chain: close it with segments from the last end to the first start, or put it on a lattice whose vector is its
-/// width, with equal heights at both ends. Any other shape, such as one of your own, becomes a [`DistancePiece`].
+/// bound its interior, whichever way they turn; nested loops alternate. The inside of a height field is the region below it. It is an
+/// open chain: close it with segments from the last end to the first start, or put it on a lattice whose vector is its width, with equal
+/// heights at both ends. Any other shape, such as one of your own, becomes a [`DistancePiece`].
 ///
-/// Rotations enter through the pose's sine and cosine: for results with the same bits on every machine make them with
-/// `libm`, not with the constructors of nalgebra.
+/// Rotations enter through the pose's sine and cosine: for results with the same bits on every machine compute these with `libm`, not
+/// with the constructors of nalgebra.
 ///
 /// ```
 /// use geometry::{parry::{pieces, Side, parry2d_f64::shape::Capsule}, Table, Vector2};
@@ -79,7 +79,7 @@ pub(crate) fn assemble(mut contours: Vec<Contour>, side: Side) -> Result<Vec<Box
     Ok(out)
 }
 
-/// The simple shapes of a compound, each in its place.
+/// The simple shapes of a compound, each with its frame.
 fn flatten<'a>(shape: &'a dyn Shape, frame: &Frame<2>, members: &mut Vec<(&'a dyn Shape, Frame<2>)>) {
     if let TypedShape::Compound(compound) = shape.as_typed_shape() {
         for (pose, member) in compound.shapes() {

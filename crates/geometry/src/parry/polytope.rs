@@ -1,7 +1,7 @@
 //! Convex polyhedra: the hull of points, exactly.
 //!
-//! Which triangles bound it is found with predicates that do not round, whatever the points: many of them on one face or edge, or
-//! nearly on one another. Those of one plane are then joined to faces: there, and only there, is rounding forgiven.
+//! The triangles that bound it are found with exact predicates, whatever the points: many may lie on one face or edge, or nearly
+//! coincide. Triangles of one plane are then joined into faces: there, and only there, a rounding tolerance is used.
 mod faces;
 mod quickhull;
 
@@ -25,7 +25,7 @@ pub(crate) struct Face {
     pub(crate) ring: Vec<usize>,
     /// Unit normal, outwards.
     pub(crate) normal: Vector3<f64>,
-    /// The number of the corner that is farthest out within rounding: behind the plane through it lie all others.
+    /// The number of the corner that is farthest out within rounding: all others lie behind the plane through it.
     pub(crate) top: usize,
 }
 
@@ -33,7 +33,7 @@ impl Polytope {
     /// The convex hull of finite points; None where these lie in a plane, within the rounding of their coordinates.
     pub(crate) fn hull(points: &[Vector3<f64>]) -> Option<Polytope> {
         let size = points.iter().map(Vector3::amax).fold(0.0, f64::max);
-        // a power of two: products neither over- nor underflow, and no digit changes
+        // a power of two: products neither over- nor underflow, and the scaling is exact
         let unit = to_unit(size);
         let scaled: Vec<Vector3<f64>> = points.iter().map(|p| p * unit).collect();
         let tolerance = slack([size * unit]);
@@ -66,7 +66,7 @@ impl Polytope {
 }
 
 impl Face {
-    /// From corner to corner.
+    /// Its sides, from corner to corner.
     pub(crate) fn sides(&self) -> impl Iterator<Item = [usize; 2]> {
         let next = self.ring.iter().cycle().skip(1);
         self.ring.iter().zip(next).map(|(a, b)| [*a, *b])
@@ -90,7 +90,7 @@ mod tests {
         p * cos + axis.cross(p) * sin + axis * (axis.dot(p) * (1.0 - cos))
     }
 
-    /// That it is one: closed, convex, and around all points.
+    /// Checks that the hull is closed, convex, and around all points.
     fn hull(points: &[Vector3<f64>]) -> Polytope {
         let hull = Polytope::hull(points).unwrap();
         let tolerance = slack([points.iter().map(Vector3::amax).fold(0.0, f64::max)]);

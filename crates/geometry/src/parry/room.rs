@@ -33,7 +33,7 @@ use nalgebra::{Matrix3, Vector3};
 pub struct Room {
     solids: Vec<Solid>,
     tree: BoxTree<3>,
-    /// Whether any has triangles with the table on both sides.
+    /// Whether any solid has triangles with the table on both sides.
     sheets: bool,
 }
 
@@ -50,13 +50,13 @@ impl Room {
         &self.solids
     }
 
-    /// Distance from the boundary \[L\], negative outside the room: a lower bound of its size there.
+    /// Distance from the boundary \[L\], negative outside the room, where its absolute value is a lower bound.
     pub fn distance(&self, point: &Vector3<f64>) -> f64 {
         self.solids.iter().map(|solid| solid.distance(point)).fold(f64::INFINITY, f64::min)
     }
 
-    /// A box around the room: least and greatest coordinates. Around the boundary where the room is not known to have an end; infinite
-    /// where that has none.
+    /// A box around the room: least and greatest coordinates. A box around the boundary where the room is not known to be bounded;
+    /// infinite where the boundary is.
     pub fn extent(&self) -> [Vector3<f64>; 2] {
         let room = self.container();
         if room.iter().all(is_finite) {
@@ -89,13 +89,13 @@ impl Room {
             return Err(Error::Empty);
         }
         let surface = RoomSurface { room: self, parts };
-        // where this many find nothing, a start would take milliseconds, or forever
+        // where this many trials find nothing, a start would take milliseconds, or forever
         let mut uniform = random::uniform(1);
         let found = sum > 0.0 && (0..MOST_TRIALS).any(|_| surface.trial(&mut uniform).is_some());
         if found { Ok(surface) } else { Err(Error::Vanished) }
     }
 
-    /// A box around the room; infinite where no end of it is known.
+    /// A box around the room; infinite where the room is not known to be bounded.
     fn container(&self) -> [Vector3<f64>; 2] {
         let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
         let inner = self.solids.iter().filter(|solid| solid.side() == Side::Inside);
@@ -123,13 +123,13 @@ const MOST_TRIALS: u32 = 100_000;
 /// All points with `n·x ≥ d`, for a unit vector `n`.
 type Half = (Vector3<f64>, f64);
 
-/// A box around the points that lie in all of some half-spaces. Where they have no end, only walls across an axis bound it.
+/// A box around the intersection of half-spaces. Where that is unbounded, only walls perpendicular to an axis bound the box.
 fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
-    // normals that are parallel but for this count as parallel
+    // normals that are parallel to within this count as parallel
     let little = 1e-9;
     let size = halves.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
     let [mut low, mut high] = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
-    // where there is a way to infinity, one runs along two of the planes, or all have a direction in common
+    // if there is a way to infinity, then there is one along two of the planes, or all planes have a direction in common
     let mut spanned = false;
     for (i, a) in halves.iter().enumerate() {
         for b in &halves[..i] {
@@ -157,11 +157,11 @@ fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
     if !spanned {
         return across_axes(halves);
     }
-    // of half-spaces that have no point in common there is no vertex
+    // half-spaces without a common point have no vertex
     if low <= high { [low, high] } else { [Vector3::zeros(); 2] }
 }
 
-/// The box that those of some half-spaces bound whose planes lie across an axis, within rounding.
+/// The box bounded by those half-spaces whose planes are perpendicular to an axis, within rounding.
 fn across_axes(halves: &[Half]) -> [Vector3<f64>; 2] {
     let [mut low, mut high] = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
     for (n, d) in halves {
@@ -178,8 +178,7 @@ fn across_axes(halves: &[Half]) -> [Vector3<f64>; 2] {
     [low, high]
 }
 
-/// Which of some half-spaces bound the line along which two of them meet, from behind and from ahead; None where they leave nothing
-/// of it.
+/// Which half-spaces bound the line along which two of them meet, from behind and from ahead; `None` where nothing is left of it.
 fn ends(halves: &[Half], [a, b]: [&Half; 2], little: f64, size: f64) -> Option<[Option<usize>; 2]> {
     let along = a.0.cross(&b.0);
     let point = (b.0 * a.1 - a.0 * b.1).cross(&along) / along.norm_squared();
@@ -216,14 +215,14 @@ impl Boundary<3> for Room {
 /// Points of a room's boundary, uniform by area: of each of its solids, those on the room's side of all others.
 ///
 /// Convex solids are met by random lines, which enter each part of a convex surface in proportion to its area (Cauchy, Crofton);
-/// of planes there is a disk, and of meshes there are the triangles.
+/// points of planes are drawn in a disk, and those of meshes on the triangles.
 #[derive(Debug)]
 pub struct RoomSurface<'a> {
     room: &'a Room,
     parts: Vec<Part<'a>>,
 }
 
-/// One body of one solid, up to whose end the trials have so much area.
+/// One body of one solid, with the cumulative area of the trials up to and including it.
 #[derive(Debug)]
 struct Part<'a> {
     number: usize,
@@ -274,14 +273,14 @@ mod tests {
         let unbounded = Error::Unbounded { what: "the area of the walls" };
         let slab = || vec![plane([0.0, 0.0, 1.0], [0.0; 3]), plane([0.0, 0.0, -1.0], [0.0, 0.0, 1.0])];
         assert_eq!(refused(slab()), unbounded);
-        // a prism without ends, and a pyramid without a base
+        // a prism without end faces, and a pyramid without a base
         let mut prism = slab();
         prism.push(plane([1.0, 0.0, 0.0], [0.0; 3]));
         prism.push(plane([-1.0, 0.0, 0.1], [1.0, 0.0, 0.0]));
         assert_eq!(refused(prism), unbounded);
         let pyramid = [[1.0, 0.0, 1.0], [-1.0, 1.0, 1.0], [-1.0, -1.0, 1.0]].map(|n| plane(n, [0.0; 3]));
         assert_eq!(refused(pyramid.into()), unbounded);
-        // a ball in front of a plane has an end, but the plane has none
+        // a ball in front of a plane is bounded, but the plane is not
         let in_front = vec![ball(1.0, [0.0, 0.0, 2.0], Side::Outside), plane([0.0, 0.0, 1.0], [0.0; 3])];
         assert_eq!(refused(in_front), unbounded);
     }
@@ -314,7 +313,7 @@ mod tests {
         }
     }
 
-    /// The share of points of the boundary for which something holds.
+    /// The fraction of points of the boundary for which something holds.
     fn share(room: &Room, of: impl Fn(&Vector3<f64>) -> bool) -> f64 {
         let surface = room.surface().unwrap();
         let mut uniform = random::uniform(1);
@@ -327,7 +326,7 @@ mod tests {
         for radius in [0.3, 5.0] {
             let room = Room::new(vec![plane([0.0, 0.0, 1.0], [0.0; 3]), ball(radius, [0.0; 3], Side::Inside)]);
             let floor = share(&room, |p| p.z.abs() < 1e-12);
-            // one deviation is 0.0033
+            // one standard deviation is 0.0033
             assert!((floor - 1.0 / 3.0).abs() < 0.015, "{radius}: {floor}");
         }
     }
@@ -377,7 +376,7 @@ mod tests {
             let room = Room::new(solids);
             let on_it = |p: &Vector3<f64>| p.norm() < 5.0;
             let found = share(&room, |p| on_it(p) && p.z > 1.0 - 1e-9) / share(&room, on_it);
-            // three by two, of four of these and two ends
+            // three by two, out of four of these and two ends
             assert!((found - 6.0 / 32.0).abs() < 0.05, "{side:?} {found}");
         }
     }
@@ -392,7 +391,7 @@ mod tests {
         let aim = |x: f64, y: f64, z: f64| Vector3::new(x - 0.5, y - 0.25, z - 0.375);
         let mut cube = Room::new(vec![]);
         for _ in 0..2 {
-            // whoever comes first in the list
+            // whichever comes first in the list
             walls.reverse();
             cube = Room::new(walls.map(|(n, through)| plane(n, through)).into());
             for at in [aim(1.0, 1.0, 0.375), aim(0.0, 0.5, 1.0), aim(1.0, 1.0, 1.0), aim(0.0, 0.0, 0.0)] {
@@ -405,7 +404,7 @@ mod tests {
         // the same wall twice is one wall
         let twice = Room::new(vec![plane([0.0, 0.0, 1.0], [0.0; 3]), plane([0.0, 0.0, 2.0], [1.0, 0.0, 0.0])]);
         assert!(!hit(&twice, Vector3::new(0.1, 0.2, -1.0)).corner);
-        // beside where walls are tangent to each other nothing happens
+        // no corner is reported beside a line where walls are tangent to each other
         let tile = SolidSpec::Cuboid { size: [1.0, 1.0, 0.5], rounding: 0.25 };
         let tile = tile.solid([0.0, 0.0, -0.5], Side::Outside).unwrap();
         let tiles = Room::new(vec![tile, plane([0.0, 0.0, 1.0], [0.0; 3])]);

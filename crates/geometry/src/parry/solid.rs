@@ -28,24 +28,22 @@ use parallel::Parallel;
 use parry3d_f64::shape::{ConvexPolyhedron, Shape, SharedShape, TypedShape};
 use rounded::Rounded;
 
-/// From so many sizes away a side is that of a place beside the boundary: coordinates have a millionth of its size left.
+/// From this many sizes away the side is taken from a point beside the boundary: coordinates resolve only a millionth of its size.
 const FAR: f64 = 1e9;
 
 /// The table inside or outside of a shape in space.
 ///
-/// Exact rays for ball, cuboid, half-space, capsule, cylinder, cone, convex polyhedron, the rounded ones of these, triangle
-/// mesh, height field and voxels, and for compounds of convex shapes (as unions; members may overlap). Shapes of your own go
-/// through distance queries: a certified march to the first hit, accurate like the shape's own projection.
+/// Exact ray solvers for ball, cuboid, half-space, capsule, cylinder, cone, convex polyhedron, their rounded forms, triangle mesh,
+/// height field and voxels, and for compounds of convex shapes (as unions; members may overlap). Shapes of your own go through distance
+/// queries: a certified march to the first hit, as accurate as the shape's own projection.
 ///
-/// A triangle mesh must be oriented consistently; closed ones may be inside out, and may have several parts: one in
-/// another bounds a cavity. An open one is a wall on one side: the table outside sees the counter-clockwise faces. Where
-/// triangles coincide that are seen from different sides, there is a wall with the table on both. The inside of a height
-/// field is what lies below it.
+/// A triangle mesh must be oriented consistently; closed ones may be inside out, and may have several parts: one inside another bounds
+/// a cavity. An open one is a one-sided wall: the table outside sees the counter-clockwise faces. Where triangles with opposite
+/// orientations coincide, there is a wall with the table on both sides. The inside of a height field is the region below it.
 ///
-/// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a cone
-/// lateral surface 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their
-/// order, and then the second parts of those that are split at a vertex on a side of theirs; of a compound its members;
-/// otherwise 0.
+/// Pieces: the faces of a cuboid, `2·axis + side`; of a cylinder lateral surface 0, lower cap 1, upper cap 2; of a cone lateral surface
+/// 0, base 1; of a convex polyhedron its faces; of a mesh its triangles of positive area, in their order, and then the second parts of
+/// those that are split at a vertex on one of their sides; of a compound its members; otherwise 0.
 ///
 /// ```
 /// use geometry::{parry::{parry3d_f64::shape::Cylinder, Side, Solid}, Boundary, Line, Vector3};
@@ -62,7 +60,7 @@ pub struct Solid {
     side: Side,
 }
 
-/// Who finds the first hit, and what knows the distance where that does not.
+/// What finds the first hit, and what gives the distance where that does not.
 #[derive(Debug)]
 enum Body {
     Convex(Convex, Distance<3>),
@@ -72,7 +70,7 @@ enum Body {
     Distance(Distance<3>),
 }
 
-/// The boundary as seen from a point.
+/// The point of the boundary closest to a given point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closest {
     /// Distance from the boundary \[L\], negative outside the table.
@@ -93,14 +91,14 @@ impl Solid {
     /// # Errors
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), meshes
     /// that are not oriented, and the inside of a compound with members that are not convex; [`Error::Triangle`] for
-    /// triangles of a mesh that make no surface, and closed ones with parts that contradict one another;
-    /// [`Error::Parameter`] for sizes that are not positive and finite, or a translation that is not finite.
+    /// triangles of a mesh that do not form a surface, and closed meshes with contradictory parts; [`Error::Parameter`] for sizes that
+    /// are not positive and finite, or a translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;
         Solid::placed(shape, &Frame::from(pose), side)
     }
 
-    /// The boundary of a convex polyhedron in a frame, rounded if it is to be.
+    /// The boundary of a convex polyhedron in a frame, perhaps rounded.
     pub(super) fn polytope(polytope: &Polytope, rounding: f64, frame: &Frame<3>, side: Side) -> Result<Solid, Error> {
         Ok(Solid { members: vec![Body::polytope(polytope, rounding, frame, side)?], side })
     }
@@ -115,11 +113,11 @@ impl Solid {
         Ok(Solid { members, side })
     }
 
-    /// The table of the centre of a ball with radius `margin` \[L\] in this one: all that is farther than that from the triangles of
-    /// meshes, height fields and voxels. (Of other shapes [`SolidSpec::parallel`](super::SolidSpec::parallel) knows it.)
+    /// The table for the centre of a ball of radius `margin` \[L\] in this one: all points farther than that from the triangles of
+    /// meshes, height fields and voxels. (For other shapes see [`SolidSpec::parallel`](super::SolidSpec::parallel).)
     ///
-    /// A ball that touches triangles on both sides of an edge at once, where the table is bent like the inside of a corner, is in a
-    /// corner. Behind an open mesh there is no table, but its triangles keep a ball off that comes round its rim.
+    /// A ball that touches triangles on both sides of a concave edge at once is in a corner. Behind an open mesh there is no table, but
+    /// its triangles also keep off a ball that comes round its rim.
     ///
     /// # Errors
     /// [`Error::Shape`] for other shapes, [`Error::Parameter`] unless the margin is positive and finite.
@@ -159,7 +157,7 @@ impl Solid {
     /// members that contain the point.
     pub fn closest(&self, point: &Vector3<f64>) -> Closest {
         let of = |m: &Body| m.closest(point, self.side);
-        // both for the table outside (nearest obstacle) and inside (deepest of the members around the point)
+        // serves both the table outside (nearest obstacle) and inside (deepest of the members around the point)
         let better = |a: &Closest, b: &Closest| match self.side {
             Side::Outside => a.distance < b.distance,
             Side::Inside => a.distance > b.distance,
@@ -180,7 +178,7 @@ impl Solid {
         if beside == *point { distance } else { distance.abs().copysign(self.closest(&beside).distance) }
     }
 
-    /// A point on the same side of the boundary and not far from it: from [`FAR`], rounding leaves nothing of its shape.
+    /// A point on the same side of the boundary and not far from it: seen from [`FAR`] away, the boundary's shape is lost in rounding.
     fn beside(&self, point: &Vector3<f64>) -> Vector3<f64> {
         if point.amax() <= FAR * self.size() {
             return *point;
@@ -189,12 +187,13 @@ impl Solid {
         Extent { min, max }.beside(point)
     }
 
-    /// How far off the boundary \[L\] a point may lie and still count as on it: the rounding of its coordinates and of the walls'.
+    /// How far off the boundary \[L\] a point may lie and still count as on it: the rounding of its coordinates and of those of the
+    /// walls.
     pub fn slack(&self, point: &Vector3<f64>) -> f64 {
         slack([self.size(), point.amax()])
     }
 
-    /// The largest of the numbers that it is made of \[L\]: of a half-space a coordinate of the point through which its plane was laid.
+    /// The largest of the numbers \[L\] that define it: for a half-space, a coordinate of the point given on its plane.
     pub fn size(&self) -> f64 {
         let sizes = self.members.iter().map(|member| match member {
             Body::Convex(convex, _) => convex.size(),
@@ -233,7 +232,7 @@ impl Solid {
         self.meshes().any(|mesh| mesh.meets_a_sheet(point, normal))
     }
 
-    /// What it is, if walls in lanes know it.
+    /// Its figure, if it is one that walls in lanes support.
     pub(super) fn figure(&self) -> Option<Figure> {
         match &self.members[..] {
             [Body::Convex(convex, _)] => convex.figure(),
@@ -241,7 +240,7 @@ impl Solid {
         }
     }
 
-    /// Its surfaces, if it is one convex body that walls in lanes know.
+    /// Its surfaces, if it is a single convex body that walls in lanes support.
     pub(super) fn body(&self) -> Option<ConvexBody> {
         match &self.members[..] {
             [Body::Convex(convex, _)] => convex.body(self.side),
@@ -251,7 +250,7 @@ impl Solid {
         }
     }
 
-    /// Out of a union of convex shapes: through each shape entered on the way, until one is left for nothing.
+    /// Leaves a union of convex shapes: through each shape entered on the way, until one is left without another being entered.
     fn leave(&self, path: &Line<3>) -> Option<Hit<3>> {
         let convex = || {
             self.members.iter().enumerate().filter_map(|(i, m)| match m {
@@ -320,14 +319,14 @@ impl Boundary<3> for Solid {
             }),
         });
         let hit = first_of(path, hits)?;
-        // a mesh alone has looked for that
+        // a single mesh has checked for that already
         let corner = hit.corner || (several && self.meets_a_sheet(&hit.point, &hit.normal));
         Some(Hit { corner, ..hit })
     }
 }
 
 impl Body {
-    /// A convex polyhedron, rounded if it is to be.
+    /// A convex polyhedron, perhaps rounded.
     fn polytope(polytope: &Polytope, rounding: f64, frame: &Frame<3>, side: Side) -> Result<Body, Error> {
         if rounding > 0.0 {
             return Rounded::polytope(polytope, rounding, frame).map(Body::Rounded);
@@ -437,7 +436,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
     Ok(())
 }
 
-/// Its points and no more: what parry joins to faces need not lie in a plane.
+/// Uses only its points: what parry joins into faces need not lie in a plane.
 fn polytope(hull: &ConvexPolyhedron) -> Result<Polytope, Error> {
     let points: Vec<Vector3<f64>> = hull.points().iter().map(|&p| from_glam3(p)).collect();
     Polytope::hull(&points).ok_or_else(|| unsupported("convex polyhedron", "its points lie in a plane"))

@@ -15,10 +15,10 @@ use parry3d_f64::{
     shape::{Ball, Capsule, Cone, Cuboid, Cylinder, HalfSpace, RoundShape, Shape, TriMesh},
 };
 
-/// A shape in space as plain data: what `shape = { … }` in a scene file says.
+/// A shape in space as plain data: the content of `shape = { … }` in a scene file.
 ///
-/// Lengths \[L\]. Shapes with a size are centred at the origin; `rounding` is the radius of a ball that rolls around the
-/// shape, 0 for none.
+/// Lengths \[L\]. Shapes with a size are centred at the origin; `rounding` is the width of a border added around the
+/// shape, as swept by a ball of that radius; 0 for none.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SolidSpec {
     /// All points within `radius` of the origin.
@@ -67,13 +67,13 @@ pub enum SolidSpec {
         /// Rounding.
         rounding: f64,
     },
-    /// Bounded by triangles, counter-clockwise as seen from outside.
+    /// A shape bounded by triangles, counter-clockwise as seen from outside.
     TriMesh {
         /// Vertices.
         vertices: Vec<[f64; 3]>,
         /// Triples of numbers of vertices.
         triangles: Vec<[usize; 3]>,
-        /// How far the table keeps off the triangles, on whichever side it lies: [`Solid::kept_off`].
+        /// How far the table keeps away from the triangles, on whichever side it lies: see [`Solid::kept_off`].
         margin: f64,
     },
     /// Everything behind the plane through the origin.
@@ -98,7 +98,7 @@ impl SolidSpec {
     /// ```
     pub fn solid(&self, center: [f64; 3], side: Side) -> Result<Solid, Error> {
         finite("center", &center)?;
-        // parry's axes of revolution lie along x₂; a quaternion for the quarter turn would be rounded
+        // parry's axes of revolution lie along x₂; a quaternion for the quarter turn would be inexact
         let upright = Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0);
         let rotation = match self {
             SolidSpec::Cylinder { .. } | SolidSpec::Cone { .. } => upright,
@@ -190,7 +190,7 @@ fn hull(points: &[[f64; 3]]) -> Result<Polytope, Error> {
     Polytope::hull(&points).ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))
 }
 
-/// A shape, rounded if it is to be.
+/// A shape, perhaps rounded.
 fn round<S>(inner_shape: S, rounding: f64) -> Result<Box<dyn Shape>, Error>
 where
     S: Shape,
@@ -210,7 +210,7 @@ fn wrong(field: &str, must: &'static str) -> Error {
     Error::Field { field: field.into(), must }
 }
 
-/// A length must be positive, and with others still a number.
+/// A length must be positive, and in the range in which computations with it neither over- nor underflow.
 fn positive(field: &str, value: f64) -> Result<f64, Error> {
     if value > 0.0 && value < 1e300 { Ok(value) } else { Err(wrong(field, "positive and less than 1e300")) }
 }

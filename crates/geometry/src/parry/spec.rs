@@ -7,10 +7,10 @@ use parry2d_f64::{
     shape::{Ball, Capsule, Cuboid, HalfSpace, HeightField, Polyline, RoundShape, Segment, Shape, TriMesh},
 };
 
-/// A planar shape as plain data: what `shape = { … }` in a scene file says.
+/// A planar shape as plain data: the content of `shape = { … }` in a scene file.
 ///
-/// Lengths \[L\]. Every shape is described in its own coordinates, in which it is centred at the origin where it has a
-/// size and lies where its vertices say otherwise.
+/// Lengths \[L\]. Every shape is described in its own coordinates: a shape given by its size is centred at the origin, others lie where
+/// their vertices are.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ShapeSpec {
     /// `ball`
@@ -89,8 +89,8 @@ pub enum ShapeSpec {
         /// Triples of numbers of vertices, in either sense.
         triangles: Vec<[usize; 3]>,
     },
-    /// `heightfield`: a graph over `−scale₁/2 … scale₁/2`, with its inside below. It is an open chain, which other pieces or a lattice lead
-    /// on.
+    /// `heightfield`: a graph over `−scale₁/2 … scale₁/2`, with its inside below. It is an open chain, which other pieces or a lattice must
+    /// continue.
     HeightField {
         /// Heights at equal distances, multiplied by `scale₂`.
         heights: Vec<f64>,
@@ -109,9 +109,9 @@ pub enum ShapeSpec {
 pub struct Placed {
     /// The shape.
     pub shape: ShapeSpec,
-    /// Moved by this \[L\].
+    /// The translation \[L\].
     pub translation: [f64; 2],
-    /// Turned by this angle first, counter-clockwise, in radians.
+    /// The angle by which it is turned first, counter-clockwise, in radians.
     pub rotation: f64,
 }
 
@@ -142,7 +142,7 @@ impl Placed {
         assemble(contours, side)
     }
 
-    /// The same shape at the same place seen at `factor` times the size.
+    /// The same shape with its position, both `factor` times as large.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Placed {
         Placed {
@@ -339,7 +339,7 @@ impl Fields<'_> {
             let turn = cross((before / size).into(), (after / size).into());
             left |= turn > 0.0;
             right |= turn < 0.0;
-            // a convex polygon goes right once and left once
+            // the edges of a convex polygon turn to the right once and to the left once
             reversals += usize::from(
                 (before.x > 0.0 || (before.x == 0.0 && before.y > 0.0))
                     != (after.x > 0.0 || (after.x == 0.0 && after.y > 0.0)),

@@ -1,13 +1,13 @@
 //! The outline of a planar shape of which only the distance is known, traced and measured.
 //!
-//! Smooth stretches are right to 10⁻¹². At a corner a stretch is accepted as straight when its end lies 10⁻⁸ of the
-//! shape's size beyond the corner, so each corner adds that much of an error.
+//! Smooth stretches are accurate to 10⁻¹². At a corner a stretch is accepted as straight when its end lies 10⁻⁸ of
+//! the shape's size beyond the corner, so each corner adds an error of that size.
 use super::distance::Distance;
 use crate::{Landing, plane::cross};
 use nalgebra::Vector2;
 use std::collections::HashMap;
 
-/// Nodes along the outline, dense enough that circular arcs between them have its length to 10⁻¹².
+/// Nodes along the outline, so dense that circular arcs between them give its length to 10⁻¹².
 #[derive(Debug)]
 pub(crate) struct Traced {
     /// Loops one after another; each ends with its first node again.
@@ -26,9 +26,9 @@ struct Node {
 
 /// Cells across the box, as a power of two.
 const DEPTH: u32 = 8;
-/// What a stretch may still gain by being halved, in units of the shape's size.
+/// Change that halving a stretch may still make, in units of the shape's size.
 const FINE: f64 = 1e-14;
-/// Halvings of a stretch: at a corner the last is 10⁻¹³ of the size.
+/// Most halvings of a stretch: at a corner the last has 10⁻¹³ of the size.
 const DEEPEST: u32 = 36;
 
 type Vertex = (i64, i64);
@@ -82,12 +82,13 @@ impl Traced {
             self.refine(landing, &middle, b, size, depth + 1);
             return;
         }
-        // the error of a stretch of length h is c h⁵: halving gains 15/16 of it, and a fifteenth of the gain is left
+        // the error of a stretch of length h is c h⁵: halving removes 15/16 of it, and a fifteenth of the change is
+        // left
         let s = self.nodes.last().map_or(0.0, |n| n.s);
         let half = s + left.0 + gain[0] / 30.0;
         self.nodes.push(Node { at: middle, s: half, starts: false });
         self.nodes.push(Node { at: *b, s: half + right.0 + gain[0] / 30.0, starts: false });
-        // about a point of the boundary: far away, the areas of triangles have no digits left
+        // about a point of the boundary: about a distant point the areas of triangles would lose all digits
         let corner = self.nodes[0].at.point;
         let triangle = 0.5 * cross((a.point - corner).into(), (b.point - corner).into());
         self.area += triangle + whole.1 + gain[1] * (16.0 / 15.0);
@@ -168,7 +169,8 @@ fn loops(distance: &Distance<2>) -> Vec<Vec<Vector2<f64>>> {
         let saddle = inside[0] == inside[2] && inside[1] == inside[3] && inside[0] != inside[1];
         for k in entries {
             let exits = |m: usize| !inside[m % 4] && inside[(m + 1) % 4];
-            // at a saddle: around the one wall corner if the table holds together, else around the one table corner
+            // at a saddle: around the single wall corner if the table is connected there, else around the single
+            // table corner
             let exit = if saddle {
                 if center_inside() { k + 1 } else { k + 3 }
             } else {

@@ -1,8 +1,8 @@
 //! The outline of a union of shapes.
 //!
-//! Every figure is cut where it meets another shape's figures; a part survives if its outer side is nobody's inside.
-//! Parts that lie on one another survive once if their interiors are on the same side, and not at all if the shapes
-//! touch back to back.
+//! Every figure is cut where it meets another shape's figures; a part survives if its outer side is inside no other
+//! shape. Parts that lie on one another survive once if their interiors are on the same side, and not at all if the
+//! shapes touch back to back.
 use super::contour::{Contour, piece_of};
 use crate::{
     Error, Extent, Figure, Piece,
@@ -63,7 +63,7 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
     let size = parts.iter().map(|p| p.extent.size()).fold(0.0, f64::max);
     let same = SAME * size;
     let mut vertices = Vertices { points: vec![], same };
-    // the ends are exact: a crossing computed near one gives way to it
+    // the ends are exact: a crossing computed near one is replaced by it
     parts.iter().flat_map(Part::finite_ends).for_each(|end| _ = vertices.snap(end));
     let (mut figures, mut screens) = (vec![], vec![]);
     for part in &parts {
@@ -85,9 +85,9 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
     Ok(Contour { name: "compound", figures, screens })
 }
 
-/// Fails where an outline crosses itself: which side of it is its inside then changes from side to side.
+/// Fails where an outline crosses itself: its inside would then change sides along it.
 fn is_simple(contour: &Contour) -> Result<(), Error> {
-    // what has arcs is a shape with a border around it, which is convex
+    // an outline with arcs is that of a shape with a border, which is convex
     if !contour.figures.iter().all(|figure| matches!(figure, Figure::Segment { .. })) {
         return Ok(());
     }
@@ -123,7 +123,7 @@ impl Carrier {
         })
     }
 
-    /// Where two carriers meet, which touch if their distance there is at most `same`.
+    /// Where two carriers meet; they touch if their distance there is at most `same`.
     fn meet(&self, other: &Carrier, same: f64) -> Contact {
         match (self, other) {
             (Carrier::Line { through: p, direction: d }, Carrier::Line { through: q, direction: e }) => {
@@ -178,10 +178,10 @@ fn meetings(part: &Part, other: &Part, same: f64) -> Vec<Vector2<f64>> {
     let on = |p: &Vector2<f64>, part: &Part| (part.piece.closest(p).point - p).amax() <= same;
     let on_both = |p: &Vector2<f64>| on(p, part) && on(p, other);
     let mut points: Vec<_> = other.finite_ends().filter(|p| on(p, part)).collect();
-    // in the same order for both, so that both are cut at the same bits
+    // in the same order for both, so that both are cut at exactly the same points
     match if part.member < other.member { own.meet(&its, same) } else { its.meet(&own, same) } {
         Contact::Crossing(at) => points.extend(at.into_iter().filter(on_both)),
-        // where one ends on the other they touch there
+        // where one ends on the other, they touch at that end
         Contact::Touching(at) => {
             if points.is_empty() && !part.finite_ends().any(|p| on(&p, other)) && on_both(&at) {
                 points.push(at);
@@ -238,7 +238,7 @@ fn split(part: &Part, cuts: &[Vector2<f64>], vertices: &mut Vertices, size: f64)
             Figure::Other => return Err(Error::Empty),
         });
     }
-    // an arc must not be shorter than what its ends were moved by
+    // an arc must not be shorter than the distance by which its ends were moved
     let most = part.piece.length() + size;
     figures.retain(|f| piece_of(f).is_ok_and(|p| p.length() > SAME * size && p.length() <= most));
     Ok(figures)
@@ -249,12 +249,12 @@ fn outgoing(figure: &Figure, direction: Vector2<f64>) -> Vector2<f64> {
     if let Figure::Ray { left: false, .. } = figure { -direction } else { direction }
 }
 
-/// A point well inside a part that was cut there.
+/// A point well inside a part between two cuts.
 fn middle(figure: &Figure, cuts: &[Vector2<f64>], size: f64) -> Result<Vector2<f64>, Error> {
     let piece = piece_of(figure)?;
     Ok(match figure {
         Figure::Ray { from, direction, .. } => from + direction * size,
-        // a whole circle that another shape touches, if any, is cut there only
+        // a whole circle is cut only where another shape touches it, if at all
         Figure::Circle { center, radius, .. } => {
             cuts.first().map_or_else(|| piece.point_at(PI * radius), |touched| center * 2.0 - touched)
         }
@@ -273,7 +273,7 @@ fn survives(part: &Part, middle: &Vector2<f64>, parts: &[Part], members: usize, 
         let least = landings.iter().map(|(d, _)| *d).fold(f64::INFINITY, f64::min);
         let closest = landings.iter().filter(|(d, _)| *d <= least + same);
         if least > same {
-            // of the pieces that are equally near, as at a vertex, the one seen least obliquely tells the side
+            // of several equally near pieces, as at a vertex, the one seen least obliquely determines the side
             let heights = closest.map(|(_, l)| (middle - l.point).dot(&l.normal));
             return heights.reduce(|a, b| if b.abs() > a.abs() { b } else { a }).is_none_or(|height| height < 0.0);
         }

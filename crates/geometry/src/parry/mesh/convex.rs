@@ -4,9 +4,10 @@ use crate::walls::ConvexBody;
 use nalgebra::Vector3;
 
 impl Mesh {
-    /// The convex body that it bounds, if it is one of few triangles, smaller by a margin \[L\] where the table is within.
+    /// The convex body that it bounds, if it bounds one with few triangles; shrunk by a margin \[L\] where the table is
+    /// inside.
     pub(crate) fn body(&self, margin: f64) -> Option<ConvexBody> {
-        /// More are looked for through the tree.
+        /// Meshes with more triangles are searched through the tree.
         const MANY: usize = 256;
         if self.triangles.len() > MANY || !self.closed || (self.outside && margin > 0.0) {
             return None;
@@ -20,7 +21,7 @@ impl Mesh {
                 return None;
             }
             let through = corner - outward * margin;
-            // triangles of one face
+            // triangles that belong to one face
             let is_same = |[other, n]: &[Vector3<f64>; 2]| {
                 (n - outward).amax() <= 4.0 * f64::EPSILON && n.dot(&(through - other)).abs() <= 0.25 * self.slack
             };

@@ -1,10 +1,10 @@
-//! Why triangles are no surface with two sides.
+//! Why triangles do not form a two-sided surface.
 use super::sides;
 use crate::Error;
 use std::collections::{HashMap, HashSet};
 
-/// What is wrong where two triangles run along one edge in the same direction, the latter with this number of its own;
-/// `numbers` are those given.
+/// The error where two triangles run along one edge in the same direction, of which `number` is the latter; `numbers`
+/// are the given numbers of all triangles.
 pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]) -> Error {
     let named = |k: usize, problem| Error::Triangle { triangle: numbers[k], problem };
     let mut found = HashSet::new();
@@ -38,7 +38,8 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
     }
 }
 
-/// Whether no turning round of triangles makes neighbours run along their edge in opposite directions.
+/// Whether the surface has only one side: no reversal of triangles makes all neighbours run along their edge in
+/// opposite directions.
 fn has_one_side(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>) -> bool {
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     let mut open = vec![];

@@ -4,8 +4,7 @@ use crate::{BoxTree, Error, Extent};
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
-/// For each triangle the number of one in the same part of the surface, the same for all of that; `at` knows which has
-/// a side.
+/// For each triangle the number of one that represents its part of the surface; `at` gives the triangle of each side.
 pub(super) fn shells(triangles: &[[usize; 3]], at: &HashMap<[usize; 2], usize>) -> Vec<usize> {
     let mut shell = vec![usize::MAX; triangles.len()];
     let mut open = vec![];
@@ -36,12 +35,12 @@ struct Shell {
 }
 
 impl Mesh {
-    /// Refuses a closed mesh with a part that contradicts the others: outwards of a part that lies in no other one is
-    /// what is outwards of the whole, a part that lies in another one bounds a cavity, and a part in a cavity is a body
-    /// again.
+    /// Refuses a closed mesh with a part whose orientation contradicts the others: a part that lies in no other one
+    /// must be oriented like the whole, a part that lies in another one bounds a cavity, and a part in a cavity is a
+    /// body again.
     ///
     /// So around the points of a part the others wind 0 times if it is a body and once if it is a cavity. Points that
-    /// lie on others tell nothing, nor do parts that enclose nothing.
+    /// lie on others decide nothing, nor do parts that enclose nothing.
     ///
     /// # Errors
     /// [`Error::Triangle`] with one of these `numbers`.
@@ -87,7 +86,7 @@ impl Mesh {
         Ok(())
     }
 
-    /// How often the parts but one wind around a point, unless that lies on one of them, within rounding.
+    /// How often all parts except one wind around a point; `None` if it lies on one of them, within rounding.
     fn winding_of_others(
         &self,
         parts: &[Shell],

@@ -3,10 +3,10 @@ use super::{Mesh, winding::Surface};
 use crate::plane::slack;
 use nalgebra::Vector3;
 
-/// What parry finds lies on the triangle on which it should, within this part of the size.
+/// A foot found by parry lies on its triangle to within this fraction of the size.
 const FOUND: f64 = 1e-12;
 
-/// Closer to the boundary than this part of the size, the difference of a point and its foot has lost more than three
+/// Closer to the boundary than this fraction of the size, the difference of a point and its foot has lost more than three
 /// digits.
 const CLEAR: f64 = 1e-3;
 
@@ -16,11 +16,12 @@ impl Mesh {
         Surface { vertices, triangles, normals, tree }
     }
 
-    /// Foot, unit normal there and distance of a point, as found by somebody who asks the triangles through the foot for the
-    /// side: where the table is on both sides of one of these, the point lies beside the one that looks at it.
+    /// Corrects foot, unit normal there and distance of a point, as determined from the triangles through the foot: where
+    /// one of these has the table on both sides, the point belongs to the triangle that faces it.
     ///
-    /// Around a closed surface its winding number tells whether the table is there at all: two solid bodies may touch, and a
-    /// triangle as narrow as rounding, which looks anywhere, may have a say in the side of all that is nearest to its edges.
+    /// For a closed surface the winding number around the point decides whether it lies in the table at all: two solid
+    /// bodies may touch, and a triangle as narrow as rounding, whose normal is arbitrary, may otherwise spoil the side of
+    /// all points nearest to its edges.
     pub(crate) fn beside(
         &self,
         point: &Vector3<f64>,
@@ -50,9 +51,9 @@ impl Mesh {
         (foot, normal, distance)
     }
 
-    /// Whether the table of a closed surface is at a point beside a triangle with this normal.
+    /// Whether a point beside a triangle with this normal lies in the table of a closed surface.
     fn is_in_table(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
-        // the axis along which the triangle is seen best
+        // the axis along which the triangle appears largest
         (self.surface().winding(point, normal.iamax(), |_| true) == 0) == self.outside
     }
 }

@@ -1,23 +1,23 @@
-//! Triangles without area, whose long side has others beyond it than the two short ones.
+//! Triangles without area, whose long side adjoins other triangles than the two short ones do.
 use super::{across, sides};
 use crate::Error;
 use core::cmp::Reverse;
 use nalgebra::Vector3;
 use std::collections::{BinaryHeap, HashMap};
 
-/// A triangle may be split where several without area lie one on another, each of them a few times.
+/// Most splits per triangle: where several triangles without area lie on one another, each may be split a few times.
 const SPLITS: usize = 16;
 
-/// The triangles of positive area of a surface, each side in common with what lies beyond it, and which of those given
-/// they are of.
+/// The triangles of positive area of a surface, split so that each side is shared with what lies beyond it, and for each the given
+/// triangle that it is part of.
 ///
-/// One without area, with a corner `c` on its long side from `a` to `b`, is taken out, and the triangle `b a s` beyond
-/// that side is split at `c`: into `b c s`, which keeps its place, and `c a s`, at the end. Otherwise rounding would
-/// leave a gap between `a b` and `a c b`. The longest goes first: what lies beyond the long side of another one has an area then, unless
-/// its long side is the same. So `n` of them take `n log n` steps, wherever they lie.
+/// A triangle without area, with a corner `c` on its long side from `a` to `b`, is removed, and the triangle `b a s` beyond that side is
+/// split at `c`: into `b c s`, which keeps its place, and `c a s`, at the end. Otherwise rounding would leave a gap between `a b` and
+/// `a c b`. The longest is removed first: then what lies beyond the long side of the next has an area, unless the two share their long
+/// side. So `n` of them take `n log n` steps, wherever they lie.
 ///
 /// # Errors
-/// [`Error::Triangle`] where that leads to no end.
+/// [`Error::Triangle`] where this does not terminate.
 pub(super) fn split(
     vertices: &[Vector3<f64>],
     mut triangles: Vec<[usize; 3]>,
@@ -30,7 +30,7 @@ pub(super) fn split(
             libm::hypot(libm::hypot(x, y), z)
         })
     };
-    // in the order of positive numbers, then of places
+    // ordered by length (the bits of positive numbers), then by index
     let size = |t: &[usize; 3]| lengths(t).into_iter().fold(0.0, f64::max).to_bits();
     let entry = |k: usize, t: &[usize; 3]| (size(t), Reverse(k));
     let mut flat: BinaryHeap<_> =
@@ -47,7 +47,7 @@ pub(super) fn split(
     let mut left = SPLITS * flat.len();
     while let Some((longest, Reverse(k))) = flat.pop() {
         let t = triangles[k];
-        // what has been split since is there once more, if it needs to be
+        // a triangle split since then is in the queue again, if need be
         if gone[k] || !is_flat(&t) || size(&t) != longest {
             continue;
         }
@@ -68,7 +68,7 @@ pub(super) fn split(
         for side in [[a, b], [b, a]] {
             at.remove(&side);
         }
-        // one is the other turned round: nothing lies between
+        // one is the other reversed: nothing lies between
         if s == c {
             gone[beyond] = true;
             continue;

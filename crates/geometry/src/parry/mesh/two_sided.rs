@@ -3,23 +3,23 @@ use super::Mesh;
 use crate::{BoxTree, Extent, plane::slack};
 use nalgebra::Vector3;
 
-/// Within this many times the [`slack`] of a triangle with two sides a point of another wall may count as on it: twice
-/// that, one for the triangle and one for the point, and a half for the rounding of a start there.
+/// A point of another wall may count as on a two-sided triangle within this many times its [`slack`]: one slack for
+/// the triangle, one for the point, and a half for the rounding of a start there.
 const BAND: f64 = 2.5;
 
-/// Unit normals that differ by less than this, or are so nearly opposite, are those of one wall.
+/// Unit normals that differ by less than this, or are opposite to within this, belong to one wall.
 const SAME: f64 = 1e-9;
 
-/// The triangles with two sides and a tree of their boxes.
+/// The two-sided triangles and a tree of their boxes.
 #[derive(Clone)]
 pub(super) struct Sheets {
     pub(super) numbers: Vec<usize>,
     pub(super) tree: BoxTree<3>,
 }
 
-/// Whether two triangles lie in one plane, but for rounding of vertices, and have more of it in common than an edge.
+/// Whether two triangles lie in one plane, up to rounding of vertices, and share more than an edge.
 ///
-/// Two triangles in a plane are apart where a line along one of their six sides is between them.
+/// Two triangles in a plane are disjoint if a line along one of their six sides separates them.
 fn overlap(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3], normals: [&Vector3<f64>; 2], slack: f64) -> bool {
     let rounding = 0.25 * slack;
     let flat = |of: &[Vector3<f64>; 3], n: &Vector3<f64>, on: &[Vector3<f64>; 3]| {
@@ -44,7 +44,7 @@ impl Mesh {
         self.triangles[k].map(|v| self.vertices[v])
     }
 
-    /// The triangles that coincide with another one, or in part, which has the table on the other side.
+    /// The triangles that coincide, at least in part, with another one that has the table on the other side.
     ///
     /// `n log n` operations for triangles in general position.
     fn doubles(&self) -> Vec<usize> {
@@ -64,8 +64,8 @@ impl Mesh {
         (0..self.triangles.len()).filter(is_double).collect()
     }
 
-    /// Finds the triangles with two sides: what starts on them, within rounding, may be on either side and does not
-    /// cross them.
+    /// Finds the two-sided triangles: a path that starts on them, within rounding, may be on either side and does
+    /// not cross them.
     pub(super) fn mark_two_sided(&mut self) {
         let numbers = self.doubles();
         for &k in &numbers {
@@ -75,12 +75,12 @@ impl Mesh {
         self.sheets = if numbers.is_empty() { None } else { Some(Sheets { numbers, tree }) };
     }
 
-    /// Whether there are triangles with two sides.
+    /// Whether there are two-sided triangles.
     pub(crate) fn has_two_sides(&self) -> bool {
         self.sheets.is_some()
     }
 
-    /// Whether a point lies on a triangle, but for so much.
+    /// Whether a point lies on a triangle, to within `reach`.
     pub(super) fn has_on_it(&self, k: usize, point: &Vector3<f64>, reach: f64) -> bool {
         let (corners, n) = (self.corners(k), &self.normals[k]);
         let inside = |i: usize| {
@@ -90,7 +90,7 @@ impl Mesh {
         n.dot(&(point - corners[0])).abs() <= reach && (0..3).all(inside)
     }
 
-    /// Visits the triangles with two sides on which a point lies, but for so much.
+    /// Visits the two-sided triangles on which a point lies, to within `reach`.
     pub(super) fn on_sheets(&self, point: &Vector3<f64>, reach: f64, mut visit: impl FnMut(usize)) {
         let Some(sheets) = &self.sheets else { return };
         sheets.tree.search(
@@ -104,10 +104,10 @@ impl Mesh {
         );
     }
 
-    /// Whether a point of a wall with this normal lies where a triangle with two sides meets that wall.
+    /// Whether a point of a wall with this normal lies where a two-sided triangle meets that wall.
     ///
-    /// What starts on such a triangle, within rounding, does not cross it. So a path that has just left another wall
-    /// beside it would slip through: orbits end there, as in a corner.
+    /// A path that starts on such a triangle, within rounding, does not cross it. So a path that has just left
+    /// another wall next to it could slip through; therefore orbits end there, as in a corner.
     pub(crate) fn meets_a_sheet(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
         let mut found = false;
         let reach = BAND * self.slack.max(slack([point.amax()]));

@@ -12,10 +12,10 @@ pub(super) struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// How often those triangles that are `asked` for, which must be a closed surface, wind around a point: so many
-    /// more of them does a ray along the axis cross to their counter-clockwise side than to the other one.
+    /// How often the triangles selected by `asked`, which must form a closed surface, wind around a point: the number of them that a
+    /// ray along the axis crosses to their counter-clockwise side, less the number crossed to the other side.
     ///
-    /// Neighbours agree on which side of the ray the edge between them passes: nothing leaks.
+    /// Neighbours agree on which side of the ray the edge between them passes, so nothing leaks.
     pub(super) fn winding(&self, point: &Vector3<f64>, axis: usize, asked: impl Fn(usize) -> bool) -> i32 {
         let axes = [axis, (axis + 1) % 3, (axis + 2) % 3];
         let [_, i, j] = axes;
@@ -39,10 +39,10 @@ impl Surface<'_> {
         winding
     }
 
-    /// Whether the line through a point along an axis meets a triangle ahead of the point, with the places along it of two sides of the
-    /// triangle between which that is.
+    /// Whether the line through a point along an axis meets a triangle ahead of the point, given the positions along the line of the
+    /// two sides of the triangle between which it passes.
     fn is_ahead(&self, k: usize, point: &Vector3<f64>, axis: usize, mut sides: impl Iterator<Item = f64>) -> bool {
-        // a plane along the axis is met anywhere, within rounding, but not outside of the triangle
+        // a plane parallel to the axis may be met anywhere, within rounding, but not outside the triangle
         let (Some(a), Some(b)) = (sides.next(), sides.next()) else { return false };
         if a > point[axis] && b > point[axis] {
             return true;
@@ -56,29 +56,29 @@ impl Surface<'_> {
     }
 }
 
-/// Where the side of a triangle, seen along an axis, is as high as a point.
+/// Where the side of a triangle, seen along an axis, is at the height of a point.
 struct Level {
     upwards: bool,
     at: f64,
-    /// Along the axis.
+    /// Position along the axis.
     along: f64,
 }
 
 impl Level {
-    /// On the side from `a` to `b`, if it has such a place.
+    /// The place on the side from `a` to `b`, if there is one.
     fn of([axis, i, j]: [usize; 3], point: &Vector3<f64>, a: &Vector3<f64>, b: &Vector3<f64>) -> Option<Level> {
         let upwards = a[j] <= point[j] && point[j] < b[j];
         let downwards = b[j] <= point[j] && point[j] < a[j];
         if !(upwards || downwards) {
             return None;
         }
-        // from the lower end, whichever way it is passed: the same for both neighbours
+        // computed from the lower end, whatever the direction, so it is the same for both neighbours
         let (low, high) = if upwards { (a, b) } else { (b, a) };
         let place = |i: usize| low[i] + (point[j] - low[j]) * ((high[i] - low[i]) / (high[j] - low[j]));
         Some(Level { upwards, at: place(i), along: place(axis) })
     }
 
-    /// +1 where it passes a point on its right upwards, −1 downwards.
+    /// +1 where the side passes upwards on the right of a point, −1 downwards.
     fn passes(&self, point: f64) -> i32 {
         if self.at <= point {
             0

@@ -1,22 +1,22 @@
-//! Triangles of one plane joined to faces.
+//! Triangles of one plane joined into faces.
 use super::Face;
 use lanes::{Double, two_sum};
 use nalgebra::Vector3;
 use std::collections::{BTreeMap, HashMap};
 
-/// A triangle that is narrower than this part of its length has no direction but that of rounding, 4 ulp.
+/// A triangle narrower than this fraction of its length has a normal dominated by rounding (4 ulp).
 const THIN: f64 = 16.0 * f64::EPSILON;
 
 /// Triangles that lie in one plane.
 struct Plane {
     members: Vec<usize>,
-    /// Sums over them: of their normals times twice their areas, of their middles times that, and of that.
+    /// Sums over the triangles: normals times twice the areas, middles times twice the areas, and twice the areas.
     normal: Vector3<f64>,
     middle: Vector3<f64>,
     area: f64,
 }
 
-/// `(b − a) × (c − a)`, right to an ulp unless the triangle is thin.
+/// `(b − a) × (c − a)`, accurate to an ulp unless the triangle is thin.
 fn across([a, b, c]: [&Vector3<f64>; 3]) -> Vector3<f64> {
     let way = |to: &Vector3<f64>| {
         [0, 1, 2].map(|i| {
@@ -31,7 +31,7 @@ fn across([a, b, c]: [&Vector3<f64>; 3]) -> Vector3<f64> {
     })
 }
 
-/// Faces of a closed convex surface of triangles: neighbours within the `tolerance` of one plane are one face.
+/// Faces of a closed convex surface of triangles: neighbours within the `tolerance` of one plane form one face.
 pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Face> {
     let sides = |t: &[usize; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
     let by_side: HashMap<[usize; 2], usize> =
@@ -47,7 +47,7 @@ pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], toleranc
             normal.norm() <= THIN * longest * longest
         })
         .collect();
-    // from the largest on, since their directions are known best
+    // starting with the largest, whose directions are most accurate
     let mut seeds: Vec<usize> = (0..triangles.len()).filter(|k| !is_thin[*k]).collect();
     seeds.sort_by(|i, j| normals[*j].norm().total_cmp(&normals[*i].norm()));
     let mut planes: Vec<Plane> = vec![];
@@ -64,7 +64,8 @@ pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], toleranc
         while let Some(&k) = plane.members.get(next) {
             next += 1;
             for neighbour in beyond(k) {
-                // nearly at right angles lies what is narrow only, and more of it might lie at a distance
+                // only a narrow triangle can lie within the tolerance at nearly a right angle, and its continuation
+                // might not
                 let agrees = is_thin[neighbour]
                     || normals[neighbour].dot(&plane.normal) > 0.5 * normals[neighbour].norm() * plane.normal.norm();
                 let is_near = || triangles[neighbour].iter().all(|&v| plane.height(&points[v]).abs() <= tolerance);
@@ -76,7 +77,7 @@ pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], toleranc
         }
         planes.push(plane);
     }
-    // what is thin and left over is a part of its longest side
+    // a thin triangle that is left over joins the face beyond its longest side
     while let Some((k, plane)) = (0..triangles.len()).filter(|k| plane_of[*k].is_none()).find_map(|k| {
         let known = sides(&triangles[k]).into_iter().filter_map(|[a, b]| Some(([a, b], plane_of[by_side[&[b, a]]]?)));
         known.max_by(|a, b| length(a.0).total_cmp(&length(b.0))).map(|(_, plane)| (k, plane))
@@ -122,7 +123,7 @@ impl Plane {
     }
 }
 
-/// The closed chain of most sides, by where they begin and end, from its least number on.
+/// The longest closed chain of sides, given by their ends, starting from its least number.
 fn longest_chain(mut sides: BTreeMap<usize, usize>) -> Vec<usize> {
     let mut longest = vec![];
     while let Some((start, mut next)) = sides.pop_first() {
@@ -140,7 +141,8 @@ fn longest_chain(mut sides: BTreeMap<usize, usize>) -> Vec<usize> {
     longest
 }
 
-/// Leaves out of all rings what is no corner, since fewer than three faces meet there; faces without area have none.
+/// Removes from all rings points that are not corners, since fewer than three faces meet there; faces without area
+/// have no corners.
 fn straightened(rings: &mut [Vec<usize>], points: usize) {
     loop {
         let mut faces = vec![0; points];

@@ -1,8 +1,8 @@
 //! The triangles of a convex hull, by quickhull with exact predicates.
 //!
-//! A point beyond the hull of those before it strictly sees a disk of triangles, whatever points lie in one plane or on one line,
-//! as long as seeing is decided exactly; so the rim of that disk is one closed chain, and nothing needs a tolerance.
-//! References: [Barber, Dobkin, Huhdanpaa 1996], [Shewchuk 1997].
+//! A point outside the hull of the points before it strictly sees a disk of triangles, even if points are coplanar or collinear,
+//! as long as visibility is decided exactly; so the rim of that disk is one closed chain, and no tolerance is needed. References:
+//! [Barber, Dobkin, Huhdanpaa 1996], [Shewchuk 1997].
 use nalgebra::Vector3;
 use robust::{Coord3D, orient3d};
 use std::collections::HashMap;
@@ -11,9 +11,9 @@ use std::collections::HashMap;
 struct Triangle {
     /// Counter-clockwise as seen from outside.
     corners: [usize; 3],
-    /// The triangles beyond the sides from corner `k` to the next.
+    /// The triangles beyond each side, from corner `k` to the next.
     beyond: [usize; 3],
-    /// Points that see it and are to be looked at from here, with what their height is in proportion to.
+    /// Points that see this triangle and are assigned to it, with values proportional to their heights.
     seen_by: Vec<(usize, f64)>,
     is_alive: bool,
 }
@@ -23,13 +23,13 @@ struct Hull<'a> {
     triangles: Vec<Triangle>,
 }
 
-/// In proportion to how far a point lies above the plane of a triangle; its sign is exact.
+/// A value proportional to the height of a point above the plane of a triangle; its sign is exact.
 fn above(points: &[Vector3<f64>], corners: [usize; 3], point: usize) -> f64 {
     let at = |k: usize| Coord3D { x: points[k].x, y: points[k].y, z: points[k].z };
     -orient3d(at(corners[0]), at(corners[1]), at(corners[2]), at(point))
 }
 
-/// The number with the greatest value, the first of equal ones; None unless that is positive.
+/// The index of the greatest value, the first of equal ones; `None` unless that value is positive.
 fn greatest(values: impl Iterator<Item = f64>) -> Option<usize> {
     let best = values.enumerate().fold((0, 0.0), |best, (k, value)| if value > best.1 { (k, value) } else { best });
     (best.1 > 0.0).then_some(best.0)
@@ -51,7 +51,7 @@ pub(super) fn triangles(points: &[Vector3<f64>]) -> Option<Vec<[usize; 3]>> {
     }
     let others = (0..points.len()).filter(|k| ![a, b, c, d].contains(k));
     hull.assign(0, others.collect());
-    // new ones come last, and none of the old ones is seen by more points than before
+    // new triangles come last, and no old one is seen by more points than before
     let mut k = 0;
     while k < hull.triangles.len() {
         if hull.triangles[k].is_alive
@@ -66,7 +66,7 @@ pub(super) fn triangles(points: &[Vector3<f64>]) -> Option<Vec<[usize; 3]>> {
 }
 
 impl Hull<'_> {
-    /// Gives each point to the first of the triangles from this number on that it sees; those that see none lie inside.
+    /// Assigns each point to the first triangle from this number on that it sees; points that see none lie inside.
     fn assign(&mut self, from: usize, points: Vec<usize>) {
         for point in points {
             for triangle in &mut self.triangles[from..] {
@@ -84,7 +84,7 @@ impl Hull<'_> {
         let first = self.triangles.len();
         let mut sees = HashMap::from([(triangle, true)]);
         let (mut visible, mut next) = (vec![triangle], 0);
-        // the new triangle at each side of the rim, by where that begins
+        // the new triangle at each side of the rim, by the start of that side
         let mut rim = HashMap::new();
         while let Some(&seen) = visible.get(next) {
             next += 1;

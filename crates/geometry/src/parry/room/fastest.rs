@@ -1,4 +1,4 @@
-//! The walls of a room in lanes, where a simple container is around everything else.
+//! The walls of a room in lanes, where a simple container surrounds everything else.
 use super::{Room, boxed};
 use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
@@ -9,23 +9,23 @@ use crate::{
 };
 use nalgebra::Vector3;
 
-/// What may be around everything else.
+/// A container of everything else.
 #[derive(Clone, Copy, Debug)]
 enum Container {
     /// The inside of a ball, with its number.
     Ball { center: Vector3<f64>, radius: f64, piece: usize },
     /// The inside of a cylinder about a unit vector, with its number.
     Cylinder { center: Vector3<f64>, axis: Vector3<f64>, radius: f64, half_height: f64, piece: usize },
-    /// All between two corners, which may lie at infinity, with the numbers of the lower and the upper wall across each axis.
+    /// All points between two corners, which may lie at infinity, with the numbers of the lower and the upper wall across each axis.
     Box { low: Vector3<f64>, high: Vector3<f64>, pieces: [[usize; 2]; 3] },
 }
 
 impl Room {
-    /// Runs a computation with the walls of the room in the fastest form there is.
+    /// Runs a computation with the walls of the room in the fastest available form.
     ///
     /// The inside of a ball, of a cylinder, of a cuboid with its sides along the axes (one solid or six planes), and the slab between two
-    /// planes across an axis answer in one go, alone or around balls that lie apart. Any other convex solids, but cones from outside, are
-    /// asked one after another in lanes, where they are not too many; all else for one path after another.
+    /// planes perpendicular to an axis answer in one go, alone or around disjoint balls. Any other convex solids, except cones from
+    /// outside, are tested one after another in lanes, if they are not too many; all else is tested for one path after another.
     pub fn with_walls<V: WithWalls<3>>(&self, visit: V) -> V::Output {
         let single = self.solids.iter().enumerate().filter_map(|(number, solid)| Container::single(number, solid));
         let mut containers = self.between_planes().into_iter().chain(single);
@@ -50,10 +50,10 @@ impl Room {
         }
     }
 
-    /// The convex bodies that are asked in lanes, and all other solids: obstacles only up to so many surfaces.
+    /// The convex bodies that are tested in lanes, and all other solids: obstacles only up to a limited number of surfaces.
     fn in_lanes(&self) -> Option<(Vec<Member>, Obstacles<'_>)> {
-        /// In 16 lanes 48 faces of obstacles take 18 ns and a tree 42, but one orbit 100 and 78. More were not worth it: of 162 faces, 50 and
-        /// 90 ns in lanes, but of one orbit, which asked each of them then, 500 and 180.
+        /// In 16 lanes 48 faces of obstacles take 18 ns and a tree 42, but for a single orbit 100 and 78. More would not pay: 162 faces
+        /// take 50 and 90 ns in lanes, but for a single orbit, which would then test each of them, 500 and 180.
         const MOST: usize = 64;
         if self.sheets {
             return None;
@@ -69,12 +69,12 @@ impl Room {
         (!members.is_empty()).then_some((members, others))
     }
 
-    /// The box or the slab between all planes across axes.
+    /// The box or the slab between all planes perpendicular to axes.
     fn between_planes(&self) -> Option<Container> {
         let mut ends = [[None; 2]; 3];
         for (number, solid) in self.solids.iter().enumerate() {
             let Some(Figure::HalfSpace { axis, upwards, at }) = solid.figure() else { continue };
-            // a table above the half-space begins there
+            // a table above the half-space begins at its plane
             let end = &mut ends[axis][usize::from(upwards != (solid.side() == Side::Outside))];
             if end.replace((at, number)).is_some() {
                 return None;
@@ -91,7 +91,7 @@ impl Room {
                 _ => return None,
             }
         }
-        // a channel without end has no walls in lanes
+        // an infinite channel has no walls in lanes
         let walls = high.iter().filter(|end| end.is_finite()).count();
         (walls == 1 || walls == 3).then_some(Container::Box { low, high, pieces })
     }
@@ -110,7 +110,7 @@ impl Container {
         }
     }
 
-    /// Runs a computation with its walls alone; gives it back where they cannot be made.
+    /// Runs a computation with its walls alone; returns the computation where they cannot be made.
     fn alone<V: WithWalls<3>>(&self, visit: V) -> Result<V::Output, V> {
         match self.vessel() {
             Ok(Vessel::Ball(walls)) => Ok(visit.run(&walls)),
@@ -147,7 +147,7 @@ impl Container {
         }
     }
 
-    /// Whether all solids of a room but its own lie within, so far off its walls that both are never hit at once.
+    /// Whether all other solids of the room lie inside, so far from its walls that both are never hit at once.
     fn holds_the_rest_of(&self, room: &Room) -> bool {
         let (own, others): (Vec<_>, Vec<_>) = room.solids.iter().enumerate().partition(|(number, _)| self.has(*number));
         let off = own.iter().map(|(_, solid)| off(solid)).fold(0.0, f64::max);
@@ -165,7 +165,7 @@ impl Container {
     }
 }
 
-/// By how much what is in a solid, or beside it, may be off a place through rounding \[L\], and twice that.
+/// Twice the rounding error \[L\] of positions in a solid or beside it.
 fn off(solid: &Solid) -> f64 {
     2.0 * slack([solid.size()])
 }
@@ -192,7 +192,7 @@ impl<'a> Obstacles<'a> {
         Obstacles { room, solids, tree }
     }
 
-    /// Centres, radii and numbers, if all of them are balls that lie apart, none of them tiny beside the room.
+    /// Centres, radii and numbers, if all are disjoint balls, none of them tiny compared with the room.
     fn balls(&self) -> Option<Vec<(Vector3<f64>, f64, usize)>> {
         let ball = |(number, solid): &(usize, &Solid)| match solid.figure()? {
             Figure::Ball { center, radius } if solid.side() == Side::Outside => Some((center, radius, *number)),

@@ -9,7 +9,7 @@ use crate::{
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 
-/// Draws points of one member of a solid: each trial finds one or none, and all have the same density by area.
+/// Draws points of one member of a solid: each trial finds one or none, with uniform density by area.
 #[derive(Debug)]
 pub(in crate::parry) struct Trials<'a> {
     solid: &'a Solid,
@@ -19,19 +19,19 @@ pub(in crate::parry) struct Trials<'a> {
 
 #[derive(Debug)]
 enum Kind<'a> {
-    /// Lines through a box, alike from everywhere, which enter a convex body: in each part of its surface as many as it has area
-    /// (Cauchy, Crofton). Of a box around a thin body they do not miss as many as of a ball.
+    /// Isotropic random lines through a box, which enter a convex body through each part of its surface in proportion to its area
+    /// (Cauchy, Crofton). With a box around a thin body fewer lines miss than with a ball.
     Lines { body: &'a Body, extent: [Vector3<f64>; 2] },
     /// The part of a plane in a disk about a point of it.
     Disk { about: Closest, radius: f64 },
-    /// Triangles, up to each of which so many units of area come.
+    /// Triangles, with their cumulative areas.
     Triangles { mesh: &'a Mesh, unit: f64, sums: Vec<f64> },
-    /// The parts of a parallel surface with what lies around them, up to each of which so many units of area come.
+    /// The parts of a parallel surface with what lies around them, with their cumulative areas.
     Strata { parallel: &'a Parallel, strata: Vec<Stratum>, unit: f64, sums: Vec<f64> },
 }
 
 impl Solid {
-    /// Trials for all members. Of planes those points are drawn that lie within `bound`, which holds the table.
+    /// Trials for all members. On planes, points are drawn within `bound`, which contains the table.
     ///
     /// # Errors
     /// [`Error::Unbounded`] for planes without a bound, [`Error::Shape`] for shapes known by their distance only.
@@ -66,10 +66,10 @@ impl Solid {
         trials.collect()
     }
 
-    /// Whether a point of one member, with the outward normal there, is one of the whole: not inside any other.
+    /// Whether a point of one member, with the outward normal there, is on the boundary of the whole: not inside any other member.
     fn exposes(&self, member: usize, point: &Vector3<f64>, outward: &Vector3<f64>, slack: f64) -> bool {
         let others = self.members.iter().enumerate().filter(|(k, _)| *k != member);
-        // from outside, whatever side the table is on
+        // seen from outside, whichever side the table is on
         let seen = |body: &Body| match (body.closest(point, self.side), self.side) {
             (seen, Side::Outside) => seen,
             (Closest { distance, point, normal }, _) => Closest { distance: -distance, point, normal: -normal },
@@ -79,15 +79,15 @@ impl Solid {
 }
 
 impl Closest {
-    /// Whether a point of another wall, with this normal there, is on the table's side of this one. Where both lie on one another
-    /// there is nothing between them if they face each other; otherwise they are one wall, which belongs to the `first` of them.
+    /// Whether a point of another wall, with this normal there, is on the table's side of this one. Where the two walls coincide, there
+    /// is nothing between them if they face each other; otherwise they are one wall, which belongs to the `first` of them.
     pub(in crate::parry) fn leaves(&self, normal: &Vector3<f64>, first: bool, slack: f64) -> bool {
         self.distance > slack || (self.distance >= -slack && first && self.normal.dot(normal) > 0.0)
     }
 }
 
 impl Trials<'_> {
-    /// The area that would be found if every trial found a point, in units of a length whose inverse is `unit`.
+    /// The area that would correspond to every trial finding a point, in units of a length whose inverse is `unit`.
     pub(in crate::parry) fn area(&self, unit: f64) -> f64 {
         match &self.kind {
             Kind::Lines { extent: [low, high], .. } => 2.0 * sides(&((high - low) * unit)).sum(),
@@ -132,8 +132,8 @@ fn sides(size: &Vector3<f64>) -> Vector3<f64> {
     Vector3::new(size.y * size.z, size.z * size.x, size.x * size.y)
 }
 
-/// A random line that meets a box, from far enough that it starts outside: through each part of its surface as many as it has area, and
-/// there by the cosine of the angle of incidence.
+/// A random line that meets a box, starting outside: it enters each part of the surface in proportion to its area, with directions
+/// distributed by the cosine of the angle of incidence.
 fn line_into([low, high]: &[Vector3<f64>; 2], uniform: &mut dyn FnMut() -> f64) -> Line<3> {
     let size = high - low;
     let areas = sides(&(size * to_unit(size.amax())));
@@ -147,7 +147,7 @@ fn line_into([low, high]: &[Vector3<f64>; 2], uniform: &mut dyn FnMut() -> f64) 
     Line { point: point - velocity * size.norm(), velocity }
 }
 
-/// The sums of the first, the first two, ... of some numbers.
+/// The cumulative sums of some numbers.
 fn sums(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
     let add = |sum: &mut f64, number: f64| {
         *sum += number;
@@ -156,14 +156,14 @@ fn sums(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
     numbers.scan(0.0, add).collect()
 }
 
-/// One of the numbers of which these are the sums, as often as it is large.
+/// A random index, with probabilities proportional to the numbers that have these cumulative sums.
 fn pick(sums: &[f64], uniform: &mut dyn FnMut() -> f64) -> usize {
     let share = uniform() * sums[sums.len() - 1];
     sums.partition_point(|sum| *sum <= share).min(sums.len() - 1)
 }
 
 impl Body {
-    /// Where a line that starts outside of a convex body enters it, and the outward normal there.
+    /// Where a line that starts outside a convex body enters it, and the outward normal there.
     fn entered(&self, path: &Line<3>) -> Option<(Vector3<f64>, Vector3<f64>)> {
         match self {
             Body::Convex(convex, _) => convex.entry(path).map(|(time, face)| convex.land(face, &path.at(time))),

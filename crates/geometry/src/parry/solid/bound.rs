@@ -10,14 +10,14 @@ pub(in crate::parry) struct Bound {
 }
 
 impl Bound {
-    /// About a box, if that is finite.
+    /// A ball around a box, if that is finite.
     pub(in crate::parry) fn of([low, high]: [Vector3<f64>; 2]) -> Option<Bound> {
         let (center, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
         let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([low.amax(), high.amax()]);
         Some(Bound { center, radius }).filter(|ball| ball.radius.is_finite())
     }
 
-    /// About all that is within a margin of some points.
+    /// A ball around all that is within a margin of some points.
     pub(super) fn around<const K: usize>(points: [Vector3<f64>; K], margin: f64) -> Bound {
         let Extent { min, max } = Extent::of(points);
         let center = min * 0.5 + max * 0.5;
@@ -26,13 +26,13 @@ impl Bound {
     }
 }
 
-/// A path prepared to be asked for the balls that it enters.
+/// A path prepared for tests against balls.
 pub(super) struct Aim {
     point: Vector3<f64>,
-    /// The velocity in a unit in which its square is neither too large nor too small for a number.
+    /// The velocity in a unit in which its square neither over- nor underflows.
     velocity: Vector3<f64>,
     square: f64,
-    /// The units of length and time, inverse.
+    /// The inverses of the units of length and time.
     per_length: f64,
     per_time: f64,
 }
@@ -46,9 +46,9 @@ impl Aim {
         Aim { point: path.point, velocity, square, per_length, per_time: per_length / per_speed }
     }
 
-    /// Whether the path comes into a ball after this time only, or never. Where that is within rounding, it does not count.
+    /// Whether the path enters a ball only after this time, or never. Where rounding leaves this open, the answer is no.
     pub(super) fn misses(&self, ball: &Bound, until: f64) -> bool {
-        /// Of the square of a distance: more than all roundings in it.
+        /// Fraction of a squared distance that exceeds all roundings in it.
         const LITTLE: f64 = 32.0 * f64::EPSILON;
         let way = (ball.center - self.point) * self.per_length;
         let radius = ball.radius * self.per_length;

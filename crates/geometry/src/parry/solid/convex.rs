@@ -16,18 +16,18 @@ use std::collections::HashMap;
 #[derive(Clone, Debug)]
 pub(super) struct Convex {
     kind: Kind,
-    /// The edges of each face; none where faces meet at right angles only, so that an edge is as far as the face beyond it.
+    /// The edges of each face; none where faces meet only at right angles, so that an edge is as far away as the face beyond it.
     edges: Vec<Vec<Edge>>,
-    /// The largest of its coordinates: of a half-space, that of the point through which its plane was laid.
+    /// The largest of its coordinates; for a half-space, that of the point given on its plane.
     size: f64,
     slack: f64,
-    /// Within this distance of an edge a point lies on it.
+    /// A point within this distance of an edge lies on it.
     near: f64,
 }
 
 #[derive(Clone, Debug)]
 enum Kind {
-    /// Everything that satisfies all of these.
+    /// The intersection of the convex sides of these faces.
     Intersection(Vec<Face>),
     /// The hull of two balls.
     Capsule(Box<Pill>),
@@ -65,25 +65,25 @@ enum Face {
     },
 }
 
-/// What walls in lanes know.
+/// The figures that walls in lanes support.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::parry) enum Figure {
     Ball {
         center: Vector3<f64>,
         radius: f64,
     },
-    /// With its sides along the axes, between two corners.
+    /// A box with its sides along the axes, between two corners.
     Cuboid {
         low: Vector3<f64>,
         high: Vector3<f64>,
     },
-    /// Below a plane across an axis, or above where its outward normal does not point upwards.
+    /// The half-space below a plane perpendicular to an axis, or above it where its outward normal does not point upwards.
     HalfSpace {
         axis: usize,
         upwards: bool,
         at: f64,
     },
-    /// With flat ends, about a unit vector.
+    /// A cylinder with flat ends about a unit vector.
     Cylinder {
         center: Vector3<f64>,
         axis: Vector3<f64>,
@@ -102,7 +102,7 @@ enum Edge {
 }
 
 impl Edge {
-    /// How far a point lies from it.
+    /// The distance of a point from it.
     fn distance(&self, x: &Vector3<f64>) -> f64 {
         match self {
             Edge::Straight { through, along } => along.cross(&(x - through)).norm(),
@@ -114,7 +114,7 @@ impl Edge {
     }
 }
 
-/// Faces whose normals differ by no more continue one another: no angle that anybody means is this small.
+/// Faces whose normals differ by no more than this continue one another: no intended angle is this small.
 const SMOOTH: f64 = 1e-9;
 
 /// The part of a line on the convex side of a face.
@@ -126,8 +126,8 @@ struct Chord {
 
 const WHOLE: Chord = Chord { enter: f64::NEG_INFINITY, exit: f64::INFINITY };
 
-/// `A t² + 2 B t + C ≤ 0` with `A > 0` and the discriminant `B² − A C` given; `touches`: a start that lies inside but
-/// for rounding always has a chord.
+/// `A t² + 2 B t + C ≤ 0` with `A > 0` and the discriminant `B² − A C` given; `touches`: a start that lies inside up to rounding
+/// always has a chord.
 fn between(a: f64, b: f64, c: f64, discriminant: f64, touches: bool) -> Option<Chord> {
     if discriminant < 0.0 && !touches {
         return None;
@@ -138,14 +138,14 @@ fn between(a: f64, b: f64, c: f64, discriminant: f64, touches: bool) -> Option<C
         return Some(Chord { enter: 0.0, exit: 0.0 });
     }
     if discriminant < -(a * c) {
-        // rounding leaves so little of both that C is no product of roots
+        // both are so small that rounding spoils C as a product of the roots
         return Some(Chord { enter: (-b - root) / a, exit: (root - b) / a });
     }
     Some(if b < 0.0 { Chord { enter: c / q, exit: q / a } } else { Chord { enter: -q / a, exit: -c / q } })
 }
 
 impl Face {
-    /// How far a point lies on the outer side; negative on the convex side.
+    /// The distance of a point on the outer side; negative on the convex side.
     fn off(&self, x: &Vector3<f64>) -> f64 {
         match self {
             Face::Plane { through, normal } => normal.dot(&(x - through)),
@@ -183,7 +183,7 @@ impl Face {
         }
     }
 
-    /// Whether the path at its start comes nearer to the convex side.
+    /// Whether the path approaches the convex side at its start.
     fn approached(&self, path: &Line<3>) -> bool {
         self.project(&path.point).1.dot(&path.velocity) < 0.0
     }
@@ -225,15 +225,15 @@ impl Face {
                 }
                 // one end lies at infinity, in the direction of the axis
                 if a == 0.0 {
-                    // parallel to a generator: seen from beside the apex it has no digits to lose; it crosses the double cone once,
-                    // and if it leans away from the axis, the mirror nappe
+                    // parallel to a generator: relative to a point beside the apex nothing cancels; it crosses the double cone
+                    // once, in the mirror nappe if it leans away from the axis
                     let beside = -g / down;
                     let w = w + v * beside;
                     let lean = w.dot(&v);
                     let end = if lean * down < 0.0 {
                         beside - w.norm_squared() / (2.0 * lean)
                     } else if touches && down != 0.0 {
-                        // along the generator itself: from the apex on
+                        // along the generator itself: starting at the apex
                         beside
                     } else {
                         return None;
@@ -257,8 +257,8 @@ impl Face {
         }
     }
 
-    /// A time at which the path crosses the face within rounding, after one step of Newton's method: coefficients of a quadratic
-    /// that are differences lose some digits.
+    /// A crossing time improved by one step of Newton's method: coefficients of the quadratic that are differences lose some
+    /// digits.
     fn nearer(&self, path: &Line<3>, time: f64, slack: f64) -> f64 {
         let view = |time: f64| {
             let [point, rest] = path.at_exactly(time);
@@ -268,7 +268,7 @@ impl Face {
         let (height, rise) = view(time);
         let next = time - height / rise;
         let is_short = (height / rise).abs() * path.velocity.norm() <= slack;
-        // at grazing the way is long though the height is not, and past the middle of a chord it leads away
+        // at grazing incidence the step is long although the height is small, and past the middle of a chord it leads away
         if is_short || (height.abs() <= slack && view(next).0.abs() <= 0.5 * height.abs()) { next } else { time }
     }
 }
@@ -300,7 +300,7 @@ impl Convex {
         Convex { kind, edges: vec![], size, slack: slack([size]), near: CORNER * size }
     }
 
-    /// With these edges of its faces.
+    /// The same solid with these edges of its faces.
     fn with_edges(self, edges: Vec<Vec<Edge>>) -> Convex {
         Convex { edges, ..self }
     }
@@ -329,7 +329,7 @@ impl Convex {
         Convex::of(Kind::Intersection(vec![face]), frame.translation.amax())
     }
 
-    /// What it is, if that is something simple.
+    /// Its figure, if it is a simple one.
     pub(super) fn figure(&self) -> Option<Figure> {
         let Kind::Intersection(faces) = &self.kind else { return None };
         match faces[..] {
@@ -357,7 +357,7 @@ impl Convex {
         }
     }
 
-    /// Its surfaces, with the table inside or outside; not those of a cone from outside.
+    /// Its surfaces, with the table inside or outside; `None` for a cone from outside.
     pub(super) fn body(&self, side: Side) -> Option<ConvexBody> {
         let faces = match &self.kind {
             Kind::Intersection(faces) => faces,
@@ -453,7 +453,7 @@ impl Convex {
         self.size
     }
 
-    /// How far a point may be off a face and still count as on it, given where the path starts.
+    /// How far a point may be off a face and still count as on it, for a path with this start.
     fn slack(&self, path: &Line<3>) -> f64 {
         self.slack + slack([path.point.amax()])
     }
@@ -485,7 +485,7 @@ impl Convex {
         }
     }
 
-    /// The face with this number, as seen from a point near it.
+    /// The face with this number, for a point near it.
     fn face(&self, number: usize, at: &Vector3<f64>) -> Option<Face> {
         match &self.kind {
             Kind::Intersection(faces) => faces.get(number).copied(),
@@ -521,8 +521,8 @@ impl Convex {
         let [(enter, number), (exit, _)] = self.chord(path)?;
         let slack = self.slack(path);
         let speed = path.velocity.norm();
-        // a chord shorter than rounding cuts an edge from which the path has just come, or touches; from afar, only the solid's own
-        // coordinates count, or thin ones would be passed through
+        // a chord shorter than rounding cuts an edge that the path has just left, or is a touch; for paths from afar, only the
+        // solid's own rounding counts, or thin solids would be passed through
         let shortest = if enter * speed > slack { self.slack } else { slack };
         let real = (exit - enter) * speed > shortest && enter > f64::NEG_INFINITY;
         let starts_on_it = || {
@@ -532,14 +532,14 @@ impl Convex {
         (real && (enter > 0.0 || starts_on_it())).then_some((enter.max(0.0), number))
     }
 
-    /// A point brought onto a face, and the outward normal there.
+    /// A point projected onto a face, and the outward normal there.
     pub(super) fn land(&self, face: usize, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
         self.face(face, x).map_or((*x, Vector3::zeros()), |f| f.project(x))
     }
 
     /// Whether a point of one face lies on an edge of it, within rounding.
     ///
-    /// Where faces meet at a small angle, all of a strip beside their edge lies on both of them within rounding.
+    /// Where faces meet at a small angle, a whole strip beside their edge lies on both of them within rounding.
     pub(super) fn on_edge(&self, face: usize, x: &Vector3<f64>) -> bool {
         match &self.kind {
             Kind::Intersection(faces) => {
@@ -552,8 +552,8 @@ impl Convex {
         }
     }
 
-    /// For points whose nearest point of the surface is that of the nearest face: closest point, outward normal, how
-    /// far outside.
+    /// For points whose closest point of the surface is that of the nearest face: closest point, outward normal, and distance
+    /// outside.
     pub(super) fn nearest_face(&self, x: &Vector3<f64>) -> Option<(Vector3<f64>, Vector3<f64>, f64)> {
         let face = match &self.kind {
             Kind::Capsule(_) => self.face(0, x)?,

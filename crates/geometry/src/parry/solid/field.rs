@@ -1,4 +1,4 @@
-//! parry's shapes in space as fields of distances, and as triangles.
+//! parry's shapes in space as distance fields, and as triangles.
 use super::super::{
     Side,
     convert::{Frame, from_glam3, to_glam3},
@@ -49,14 +49,14 @@ impl Field<3> for Spatial {
     }
 }
 
-/// A shape and the power of two it has been multiplied by.
+/// A shape and the power of two by which it has been multiplied.
 pub(super) struct Scaled {
     field: Box<dyn Field<3>>,
     scale: f64,
 }
 
 impl Scaled {
-    /// The shape brought to size 1, where it can be: parry's own fail below 1e-8.
+    /// The shape scaled to size 1, where possible: parry's own shapes fail below size 1e-8.
     fn new(shape: &dyn Shape) -> Scaled {
         let own = Spatial { shape: shape.clone_dyn() };
         let scale = Distance::unit(&own.extent());
@@ -88,7 +88,7 @@ fn oriented(vertices: Vec<Glam>, triangles: Vec<[u32; 3]>) -> Result<TriMesh, Er
 }
 
 impl Scaled {
-    /// Triangles brought to size 1 before parry makes its normals of them.
+    /// Triangles scaled to size 1 before parry computes its normals from them.
     fn of_triangles(points: &[Glam], triangles: &[[u32; 3]]) -> Result<Scaled, Error> {
         let [low, high] = points.iter().fold([Glam::INFINITY, Glam::NEG_INFINITY], |[a, b], p| [a.min(*p), b.max(*p)]);
         let scale = Distance::<3>::unit(&[low, high].map(from_glam3));
@@ -97,22 +97,22 @@ impl Scaled {
     }
 }
 
-/// The distance from a convex polyhedron through its faces: parry's own goes through an iteration good to 10⁻⁸.
+/// The distance from a convex polyhedron through its faces: parry's own uses an iteration accurate to 10⁻⁸.
 pub(super) fn polytope(polytope: &Polytope) -> Result<Scaled, Error> {
     let corners: Vec<Glam> = polytope.corners.iter().map(to_glam3).collect();
     Scaled::of_triangles(&corners, &numbered(&polytope.triangles())?)
 }
 
-/// Triangles as parry has them.
+/// Triangles in parry's form.
 fn numbered(triangles: &[[usize; 3]]) -> Result<Vec<[u32; 3]>, Error> {
     let number = |v: usize| u32::try_from(v).map_err(|_| unsupported("triangle mesh", "it has too many vertices"));
     triangles.iter().map(|[a, b, c]| Ok([number(*a)?, number(*b)?, number(*c)?])).collect()
 }
 
-/// The distance from a mesh that stands where it is.
+/// The distance from a mesh in its own coordinates.
 pub(super) fn mesh_distance(mesh: &Mesh, side: Side) -> Result<Distance<3>, Error> {
     let vertices: Vec<Glam> = mesh.vertices.iter().map(to_glam3).collect();
-    // parry wants them counter-clockwise from outside, ours are so from the table
+    // parry wants them counter-clockwise from outside; ours are counter-clockwise from the table
     let outwards = |[a, b, c]: [usize; 3]| if side == Side::Outside { [a, b, c] } else { [a, c, b] };
     let triangles = numbered(&mesh.triangles.iter().map(|t| outwards(*t)).collect::<Vec<_>>())?;
     let whole = Frame { rotation: Matrix3::identity(), translation: Vector3::zeros() };
@@ -146,7 +146,7 @@ pub(super) fn height_field(field: &HeightField) -> (Vec<Vector3<f64>>, Vec<[usiz
     (vertices, triangles)
 }
 
-/// The faces of full cells that border on empty ones, as triangles seen counter-clockwise from outside.
+/// The faces of full cells that adjoin empty ones, as triangles counter-clockwise as seen from outside.
 pub(super) fn voxels(voxels: &Voxels) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
     let full: Vec<[i64; 3]> = voxels.voxels().map(|v| [v.grid_coords.x, v.grid_coords.y, v.grid_coords.z]).collect();
     let is_full: HashSet<[i64; 3]> = full.iter().copied().collect();

@@ -1,4 +1,4 @@
-//! The surface parallel to a mesh: where the centre of a ball is that touches triangles.
+//! The surface parallel to a mesh: the positions of the centre of a ball that touches triangles.
 use super::{
     super::{distance::Distance, mesh::Mesh},
     Closest,
@@ -18,9 +18,9 @@ use nalgebra::Vector3;
 #[derive(Debug)]
 pub(super) struct Parallel {
     mesh: Mesh,
-    /// All that is within the margin of each triangle.
+    /// For each triangle, all points within the margin of it.
     plates: Vec<Rounded<Plate>>,
-    /// Balls around the plates, and boxes.
+    /// Balls around the plates, and a tree of boxes.
     balls: Vec<Bound>,
     tree: BoxTree<3>,
     /// The distance from the mesh.
@@ -29,7 +29,7 @@ pub(super) struct Parallel {
     /// How far inside a point may lie and still count as on the surface.
     slack: f64,
     size: f64,
-    /// Within this distance of a second plate a point lies on an edge.
+    /// A point within this distance of a second plate lies on an edge.
     near: f64,
 }
 
@@ -51,8 +51,8 @@ impl Parallel {
 
     /// The first plate that the path comes to, and when.
     ///
-    /// Around small triangles a path is in the boxes of many plates: each is asked only as far as the first hit so far, and only if
-    /// the ball around it is entered before.
+    /// Around small triangles a path is in the boxes of many plates: each is tested only up to the first hit so far, and only if the
+    /// ball around it is entered before that.
     pub(super) fn first(&self, path: &Line<3>) -> Option<(usize, f64)> {
         let limit = Cell::new(f64::INFINITY);
         let aim = Aim::new(path, self.size);
@@ -78,11 +78,11 @@ impl Parallel {
         });
     }
 
-    /// A point brought onto a plate, the unit normal there, and whether the ball touches another triangle there as well.
+    /// A point projected onto a plate, the unit normal there, and whether the ball touches another triangle there as well.
     ///
-    /// Where the normals of two plates through a point form a small angle φ, either φ is that of an edge in which the surface is bent
-    /// inwards, or the foot on one triangle is an edge to which the other foot is near: then that plate is `m φ²/2` off, with the
-    /// margin `m`. What is so within rounding counts as no corner, with a factor of four.
+    /// Where the normals of two plates through a point form a small angle φ, either φ is the angle of an edge at which the surface is
+    /// bent inwards, or the foot on one triangle is on an edge near the other foot: then that plate is off by `m φ²/2`, with the
+    /// margin `m`. If that is within rounding (with a factor of four), it does not count as a corner.
     pub(super) fn land(&self, k: usize, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, bool) {
         let (point, normal) = self.plates[k].land(x);
         let (mut corner, mut flat) = (false, None);
@@ -92,12 +92,12 @@ impl Parallel {
                 flat = Some(other);
             }
         });
-        // beside its edge a face is no farther than the edge, within rounding, but its normal is another to half the digits
+        // next to its edge a face is no farther than the edge, within rounding, but its normal differs in half of the digits
         let (point, normal) = flat.filter(|_| !corner).map_or((point, normal), |other| self.plates[other].land(&point));
         (point, normal, corner)
     }
 
-    /// The convex body that it bounds from outside, if it does and has few faces.
+    /// The convex body that it bounds, if it does and has few faces.
     pub(super) fn body(&self) -> Option<ConvexBody> {
         self.mesh.body(self.margin)
     }
@@ -107,13 +107,13 @@ impl Parallel {
         strata(&self.mesh)
     }
 
-    /// The area of a part with what lies around it, where `unit` is the inverse of the unit of length.
+    /// The area of a part with its surroundings, where `unit` is the inverse of the unit of length.
     pub(super) fn area(&self, stratum: &Stratum, unit: f64) -> f64 {
         stratum.area(&self.mesh, self.margin, unit)
     }
 
-    /// A random point of a part and the unit normal there, where that is one of the surface: nearer to no other triangle, nor behind
-    /// the mesh. What lies around several triangles is that of the first.
+    /// A random point of a part and the unit normal there, if the point is on the surface: nearer to no other triangle, and not
+    /// behind the mesh. A point that belongs to several triangles counts for the first.
     pub(super) fn draw(
         &self,
         stratum: &Stratum,

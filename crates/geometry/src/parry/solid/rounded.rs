@@ -1,8 +1,8 @@
 //! Convex solids with a border of constant width: the first hit to the last digits.
 //!
-//! The distance from a convex core is a convex function along any line. Newton's method comes to where it is that of the border
-//! from one side and never steps over: from before where the path enters, from behind where it leaves. The core is known by
-//! its faces, edges and corners, so that distance and normal come from formulas.
+//! The distance from a convex core is a convex function along any line. So Newton's method converges from one side to where this
+//! distance equals the width of the border, and never oversteps: from before the entry of the path, or from beyond its exit. The
+//! core is given by its faces, edges and corners, so that distance and normal come from formulas.
 mod brick;
 mod facet;
 mod hull;
@@ -28,7 +28,7 @@ use parry3d_f64::shape::{Cone, Cuboid, Cylinder, Triangle};
 
 pub(in crate::parry) use plate::Plate;
 
-/// A surface as seen from a point: how far the point lies above it, negative below, and the outward unit normal at the foot.
+/// A surface as seen from a point: the height of the point above it, negative below, and the outward unit normal at the foot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::parry) struct View {
     height: f64,
@@ -36,7 +36,8 @@ pub(in crate::parry) struct View {
 }
 
 impl View {
-    /// Of a point, an edge, or anything else that is a point in the section that contains `away`, the way from it to the viewer.
+    /// The view of a point, an edge, or anything else whose section in a plane containing `away` is a point; `away` leads from
+    /// it to the viewer.
     fn around(away: Vector3<f64>) -> Option<View> {
         let height = away.norm();
         (height > 0.0).then(|| View { height, normal: away / height })
@@ -47,7 +48,7 @@ impl View {
 pub(in crate::parry) trait Core: Debug + Send + Sync {
     /// Its surface, seen from outside.
     fn outer(&self, x: &Vector3<f64>) -> View;
-    /// Its surface, seen from inside, if that is where the point is.
+    /// Its surface, seen from inside, if the point lies inside.
     fn inner(&self, x: &Vector3<f64>) -> Option<View>;
     /// A box around it.
     fn extent(&self) -> [Vector3<f64>; 2];
@@ -71,12 +72,13 @@ pub(super) struct Rounded<C = Box<dyn Core>> {
     core: C,
     radius: f64,
     extent: [Vector3<f64>; 2],
-    /// So near the surface Newton's next step is the last one: the error left by it is a quarter of an ulp where the path goes
-    /// sixteen ulp deep, and less where it goes deeper.
+    /// Within this distance of the surface the next step of Newton's method is the last: it leaves an error of a quarter of an
+    /// ulp where the path goes sixteen ulp deep, and less where it goes deeper.
     near: f64,
 }
 
-/// Steps that no path needs: at grazing each halves the distance from the hit, which 10⁻⁸ of the size is as good as 0.
+/// More steps than any path needs: at grazing incidence each step halves the distance from the hit, for which 10⁻⁸ of the size
+/// is as good as 0.
 const MOST_STEPS: usize = 200;
 
 impl Rounded {
@@ -104,7 +106,7 @@ impl Rounded {
 }
 
 impl Rounded<Plate> {
-    /// A triangle with these corners, in whose plane this is a unit normal.
+    /// A triangle with these corners and this unit normal of its plane.
     pub(super) fn plate(corners: [Vector3<f64>; 3], normal: Vector3<f64>, radius: f64) -> Result<Self, Error> {
         Rounded::new(Plate::new(corners, normal), radius)
     }
@@ -125,13 +127,13 @@ impl<C: Core> Rounded<C> {
         self.extent
     }
 
-    /// The surface, seen from outside of the core.
+    /// The surface, seen from outside the core.
     fn view(&self, x: &Vector3<f64>) -> View {
         let View { height, normal } = self.core.outer(x);
         View { height: height - self.radius, normal }
     }
 
-    /// The same from where a path is at a time, with what that place lacks for rounding.
+    /// The same from the position of a path at a time, corrected for the rounding of that position.
     fn on_path(&self, path: &Line<3>, time: f64) -> View {
         let [x, rest] = path.at_exactly(time);
         let View { height, normal } = self.view(&x);
@@ -168,13 +170,13 @@ impl<C: Core> Rounded<C> {
     }
 
     fn leaves(&self, path: &Line<3>) -> f64 {
-        // beyond the box, from wherever within it the path starts
+        // a point beyond the box, wherever inside it the path starts
         let [low, high] = &self.extent;
         let mut time = 2.0 * (high - low).norm() / path.velocity.norm();
         for _ in 0..MOST_STEPS {
             let View { height, normal } = self.on_path(path, time);
             let speed = normal.dot(&path.velocity);
-            // beside the shape: it starts on the surface and touches it there
+            // the path runs beside the shape: it starts on the surface and touches it there
             if !(speed > 0.0) {
                 return 0.0;
             }
@@ -187,7 +189,7 @@ impl<C: Core> Rounded<C> {
         time.max(0.0)
     }
 
-    /// A point brought onto the surface, and the outward normal there.
+    /// A point projected onto the surface, and the outward normal there.
     pub(super) fn land(&self, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
         let View { height, normal } = self.view(x);
         (x - normal * height, normal)

@@ -1,20 +1,21 @@
-//! Of what the surface parallel to a mesh is made: parts of planes above triangles, of cylinders around edges, of spheres around
+//! The parts of the surface parallel to a mesh: parts of planes above triangles, of cylinders around edges, of spheres around
 //! corners.
 //!
-//! Each part is drawn together with what lies around it and is not exposed. It is little, even where triangles are much smaller than
-//! the margin: then nearly all of a plate, which is all that is within the margin of a triangle, would be inside of others.
+//! Points are drawn from each part together with some surroundings that are not exposed. These are small, even where triangles are
+//! much smaller than the margin; of whole plates (all points within the margin of a triangle), nearly everything would then be
+//! inside others.
 use crate::{parry::mesh::Mesh, surface::in_disk};
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
-/// The sines of angles that are none.
+/// Angles with a sine below this count as zero.
 const ALIKE: f64 = 1e-6;
 
-/// A part of a parallel surface, or a little more.
+/// A part of a parallel surface, perhaps with a little more.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stratum {
-    /// The first triangle of those that it is the surface around.
+    /// The first of the triangles that it surrounds.
     pub(super) triangle: usize,
     form: Form,
 }
@@ -25,7 +26,7 @@ enum Form {
     Plane,
     /// A sector around the edge that starts at this corner of the triangle: its middle direction, and half its angle.
     Cylinder { start: usize, middle: Vector3<f64>, half: f64 },
-    /// A cap around this corner of the triangle: its middle direction, and its height as a part of the radius.
+    /// A cap around this corner of the triangle: its middle direction, and its height as a fraction of the radius.
     Sphere { corner: usize, middle: Vector3<f64>, height: f64 },
 }
 
@@ -35,7 +36,7 @@ struct Edge {
     start: usize,
     /// Unit vectors across it, into the triangles.
     inward: Vec<Vector3<f64>>,
-    /// The sum of their normals, which leads into the table.
+    /// The sum of their normals, which points into the table.
     front: Vector3<f64>,
 }
 
@@ -46,7 +47,7 @@ struct Star {
     corner: Option<(usize, usize)>,
     /// Unit vectors along the edges.
     along: Vec<Vector3<f64>>,
-    /// The sum of the triangles' normals, each as often as its angle is wide, which leads into the table.
+    /// The sum of the triangles' normals weighted by their angles, which points into the table.
     front: Vector3<f64>,
 }
 
@@ -80,12 +81,12 @@ pub(super) fn strata(mesh: &Mesh) -> Vec<Stratum> {
 }
 
 impl Edge {
-    /// From an edge the surface is seen in directions that lead away from its triangles, if those lead into the table.
+    /// Around an edge the surface lies in directions that lead away from its triangles, if those lead into the table.
     fn stratum(&self) -> Option<Stratum> {
         let (middle, half) = match self.inward[..] {
             [] => return None,
             [a] => (-a, 0.5 * PI),
-            // of more than two triangles, two leave out enough
+            // for more than two triangles, two exclude enough
             [a, b, ..] => {
                 let between = -(a + b);
                 let length = between.norm();
@@ -94,22 +95,22 @@ impl Edge {
             }
         };
         let form = Form::Cylinder { start: self.start, middle, half };
-        // at a rim they are at right angles
+        // at a rim the two are perpendicular
         (half > 0.0 && middle.dot(&self.front) >= -ALIKE).then_some(Stratum { triangle: self.triangle, form })
     }
 }
 
 impl Star {
-    /// From a vertex the surface is seen in directions that lead away from its edges, if those lead into the table: a cone, of which
-    /// this is a cap around it.
+    /// Around a vertex the surface lies in directions that lead away from its edges, if those lead into the table. They form a cone;
+    /// the stratum is a cap around it.
     fn stratum(&self) -> Option<Stratum> {
-        /// Of more edges than this, some leave out enough.
+        /// For more edges than this, a selection excludes enough.
         const MOST: usize = 16;
-        /// So little may a direction lead towards an edge.
+        /// The component along an edge that a direction may have and still count as leading away from it.
         const LITTLE: f64 = 1e-8;
         let (triangle, corner) = self.corner?;
         let along: Vec<_> = self.along.iter().step_by(self.along.len().div_ceil(MOST)).collect();
-        // on a straight side what is left lies in a plane: the edges' cylinders have it
+        // on a straight side the remaining directions lie in a plane, and are covered by the edges' cylinders
         if along.iter().enumerate().any(|(i, a)| along[..i].iter().any(|b| (*a + *b).norm() <= ALIKE)) {
             return None;
         }
@@ -119,7 +120,7 @@ impl Star {
             let side = (length > ALIKE).then(|| across / length);
             side.into_iter().flat_map(|side| [side, -side]).filter(away)
         };
-        // the cone is spanned by those of its sides' directions that belong to it
+        // the cone is spanned by the intersection lines of its sides that belong to it
         let pairs = along.iter().enumerate().flat_map(|(i, a)| along[..i].iter().map(move |b| a.cross(b)));
         let rays: Vec<Vector3<f64>> = pairs.flat_map(both).collect();
         let line = *rays.first()?;
@@ -131,10 +132,10 @@ impl Star {
                 return None;
             }
             let height = rays.iter().map(|ray| 0.5 * (ray - middle).norm_squared()).fold(0.0, f64::max);
-            // with rays that are farther apart, what is between them need not be near the middle
+            // for rays that are farther apart, directions between them need not be near the middle
             Form::Sphere { corner, middle, height: if height < 1.0 { height } else { 2.0 } }
         } else {
-            // around a vertex of a plane nothing is left but a line, unless it is one of a rim
+            // around a vertex inside a plane only a line is left, unless the vertex is on a rim
             let flat = rays.iter().all(|ray| ray.cross(&line).norm() <= ALIKE);
             if flat && !along.iter().any(|a| both(line.cross(a)).next().is_some()) {
                 return None;
@@ -172,7 +173,7 @@ impl Stratum {
             }
             Form::Sphere { corner, middle, height } => {
                 let disk = in_disk(&middle, uniform);
-                // heights are uniform, and so are the squares of points of a disk
+                // heights are distributed uniformly, and so are the squared radii of points of a disk
                 let below = height * disk.norm_squared();
                 let outward = middle * (1.0 - below) + disk * (height * (2.0 - below)).sqrt();
                 corners[corner] + outward * margin
@@ -234,7 +235,7 @@ mod tests {
                     edges += 1;
                     assert!((2.0 * half - FRAC_PI_2).abs() < 1e-15);
                 }
-                // at least from the diagonal to the axes; the diagonals of sides draw the middle away from it
+                // at least from the diagonal to the axes; the diagonals of sides pull the middle away from it
                 Form::Sphere { height, .. } => {
                     corners += 1;
                     assert!((1.0 - 1.0 / 3.0_f64.sqrt()..0.75).contains(&(height + 1e-15)), "{height}");

@@ -1,17 +1,17 @@
-//! Where the centre of a ball can be that moves inside or around a shape: the shape's parallel body, again a shape.
+//! Where the centre of a ball that moves inside or around a shape can be: bounded by the shape's parallel body, again a shape.
 use super::SolidSpec;
 use crate::{Error, parry::Side};
 
 impl SolidSpec {
-    /// The shape whose surface lies at a distance \[L\] from this one's, on the given side, and by what it is to be moved: the table of
-    /// the centre of a ball with that radius, where this is the table of the ball.
+    /// The shape whose surface lies at a distance \[L\] from this one's, on the given side, and the translation to apply to it: it
+    /// bounds the table for the centre of a ball of that radius, where this shape bounds the table of the ball.
     ///
-    /// Around a shape it is rounded by so much more. Inside, the rounding is used up first, and then the core shrinks; that of a
-    /// convex hull becomes a mesh, which like all meshes is kept off.
+    /// Outside, the rounding grows by the distance. Inside, the rounding is used up first, and then the core shrinks; the core of
+    /// a convex hull becomes a mesh, and meshes get a margin ([`Solid::kept_off`](crate::parry::Solid::kept_off)).
     ///
     /// # Errors
-    /// [`Error::NothingLeft`] where no such ball fits in, but for meshes and hulls, of which that is not known;
-    /// [`Error::Field`] for the points of a hull that is none.
+    /// [`Error::NothingLeft`] where no such ball fits in, except for meshes and hulls, for which that is not known;
+    /// [`Error::Field`] for points that do not span a hull.
     ///
     /// ```
     /// use geometry::parry::{Side, SolidSpec};
@@ -58,7 +58,7 @@ impl SolidSpec {
                 // the ball that touches base and lateral surface
                 let largest = r * h / (r + slope);
                 let by = eroded(rounding, largest, distance)?;
-                // the same cone, smaller about that ball's centre
+                // the same cone, scaled down about that ball's centre
                 let left = (largest - by) / largest;
                 (*radius, *height) = (r * left, h * left);
                 shift[2] = by * (1.0 - 0.5 * h / largest);
@@ -78,7 +78,7 @@ impl SolidSpec {
     }
 }
 
-/// What is left of a radius.
+/// A radius reduced by a distance.
 fn less(radius: f64, distance: f64) -> Result<f64, Error> {
     if distance < radius {
         Ok(radius - distance)
@@ -87,7 +87,7 @@ fn less(radius: f64, distance: f64) -> Result<f64, Error> {
     }
 }
 
-/// Takes a distance off a rounding; by what the core in which a ball of radius `largest` fits has to shrink besides.
+/// Reduces a rounding by a distance; returns the rest, by which the core, in which a ball of radius `largest` fits, has to shrink.
 fn eroded(rounding: &mut f64, largest: f64, distance: f64) -> Result<f64, Error> {
     less(*rounding + largest, distance)?;
     let by = (distance - *rounding).max(0.0);
@@ -114,7 +114,7 @@ mod tests {
             all.push(SolidSpec::Cone { radius: 1.3, height: 1.9, rounding });
             all.push(SolidSpec::ConvexHull { points: hull.clone(), rounding });
         }
-        // a cube with a pyramid cut out of its top, as if of the table
+        // a cube with a pyramid cut out of its top
         let vertices = (0..8).map(|k| [0, 1, 2].map(|i| if k >> i & 1 == 1 { 0.8 } else { -0.8 }));
         let vertices = vertices.chain([[0.1, 0.0, -0.2]]).collect();
         let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
@@ -196,7 +196,7 @@ mod tests {
         assert!(aim([0.125, 0.125, 0.2]).corner);
         assert!(aim([0.3, 0.125, 0.125]).corner);
         assert!(!aim([0.3, 0.125, 0.1251]).corner);
-        // beside the diagonal of a face of four corners nothing happens
+        // next to the diagonal of a face with four corners there is no corner
         assert!(!aim([0.8, 0.4, 0.125]).corner);
     }
 

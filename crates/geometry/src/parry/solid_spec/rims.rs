@@ -4,8 +4,8 @@ use crate::parry::mesh::{self, merged};
 use nalgebra::Vector3;
 
 impl SolidSpec {
-    /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed, as those of all other shapes
-    /// are. Through what is open a path leaves the table, or comes from behind.
+    /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed, as it is for all other
+    /// shapes. Through an opening a path may leave the table, or come from behind.
     ///
     /// ```
     /// use geometry::parry::SolidSpec;

@@ -1,4 +1,4 @@
-//! What drawings need of a shape: its sharp edges, and the point farthest in a direction.
+//! What drawings need to know of a shape: its sharp edges, and the point farthest in a direction.
 use super::SolidSpec;
 use core::f64::consts::TAU;
 use nalgebra::Vector3;
@@ -7,8 +7,8 @@ use nalgebra::Vector3;
 const POINTS: u32 = 256;
 
 impl SolidSpec {
-    /// The point \[L\] farthest in a direction, given by a unit vector: of a convex shape, a point of its outline as seen from across
-    /// that. None for a half-space.
+    /// The point \[L\] farthest in a direction, given by a unit vector: for a convex shape, a point of its outline as seen
+    /// perpendicular to that direction. `None` for a half-space.
     ///
     /// ```
     /// use geometry::{Vector3, parry::SolidSpec};
@@ -44,8 +44,8 @@ impl SolidSpec {
         })
     }
 
-    /// Its edges \[L\], as closed chains of points: of a rounded shape none, of a mesh without margin the sides of all
-    /// triangles.
+    /// Its edges \[L\], as closed chains of points: none for a rounded shape, the sides of all triangles for a mesh
+    /// without margin.
     pub fn edges(&self) -> Vec<Vec<Vector3<f64>>> {
         let circle = |radius: f64, z: f64| {
             let at = |k: u32| {

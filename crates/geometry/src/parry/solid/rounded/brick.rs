@@ -26,7 +26,7 @@ impl Brick {
         Ok(Brick { center: frame.translation, axes, half })
     }
 
-    /// Per axis, how far a point lies beyond a side, and the outward normal of that side.
+    /// Per axis, the distance of a point beyond a side, and the outward normal of that side.
     fn beyond(&self, x: &Vector3<f64>) -> [(f64, Vector3<f64>); 3] {
         let w = x - self.center;
         core::array::from_fn(|i| {
@@ -47,7 +47,7 @@ impl Core for Brick {
     fn outer(&self, x: &Vector3<f64>) -> View {
         let beyond = self.beyond(x);
         let outside = beyond.iter().filter(|(by, _)| *by > 0.0);
-        // beyond one side only it is flat
+        // beyond a single side the surface is flat
         if outside.clone().count() < 2 {
             return Brick::outmost(beyond);
         }

@@ -1,9 +1,9 @@
-//! A triangle, seen from in front or from anywhere.
+//! A triangle, seen from its front or from either side.
 use super::View;
 use crate::Extent;
 use nalgebra::Vector3;
 
-/// A triangle, counter-clockwise as seen from in front.
+/// A triangle, counter-clockwise as seen from its front.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Facet {
     corners: [Vector3<f64>; 3],
@@ -47,7 +47,7 @@ impl Facet {
         self.normal.dot(&(x - self.corners[0]))
     }
 
-    /// Seen from in front: its plane where that is straight below, otherwise an edge or a corner.
+    /// The view from its front: its plane if the triangle is straight below, otherwise an edge or a corner.
     pub(super) fn front(&self, x: &Vector3<f64>) -> View {
         let flat = View { height: self.above(x), normal: self.normal };
         if flat.height < 0.0 {
@@ -56,19 +56,19 @@ impl Facet {
         self.rim(x, self.passed(x)).unwrap_or(flat)
     }
 
-    /// Seen from either side.
+    /// The view from either side.
     pub(super) fn either(&self, x: &Vector3<f64>) -> View {
         let height = self.above(x);
         let flat = View { height: height.abs(), normal: self.normal * 1.0_f64.copysign(height) };
         self.rim(x, self.passed(x)).unwrap_or(flat)
     }
 
-    /// Beyond which edges the point of its plane nearest to `x` lies: none where it is one of the triangle.
+    /// Beyond which edges the point of its plane nearest to `x` lies: none where that point is in the triangle.
     fn passed(&self, x: &Vector3<f64>) -> [bool; 3] {
         core::array::from_fn(|k| self.sides[k].inward.dot(&(x - self.corners[k])) < 0.0)
     }
 
-    /// The nearest of some edges and their corners; nothing where there are none, and from one of their points.
+    /// The nearest of some edges and their corners; `None` where there are none, or `x` lies on one of them.
     fn rim(&self, x: &Vector3<f64>, of: [bool; 3]) -> Option<View> {
         let away = (0..3).filter(|k| of[*k]).map(|k| {
             let Edge { along, length, .. } = &self.sides[k];

@@ -9,7 +9,7 @@ use crate::{
 };
 use nalgebra::Vector3;
 
-/// A convex polyhedron as its faces in triangles.
+/// A convex polyhedron, given by its faces cut into triangles.
 #[derive(Debug)]
 pub(super) struct Hull {
     triangles: Vec<Facet>,
@@ -34,8 +34,8 @@ impl Hull {
 
 impl Core for Hull {
     fn outer(&self, x: &Vector3<f64>) -> View {
-        // what lies straight above a face is nearest to that; beside its edge this is no farther within rounding, but its normal is
-        // another to half the digits
+        // a point straight above a face is nearest to it; next to its edge the face is no farther than the edge within rounding,
+        // but the normals differ in half of the digits
         let rounding = 8.0 * f64::EPSILON * self.size.max(x.amax());
         let height = |k: usize| {
             let View { height, normal } = self.triangles[k].front(x);

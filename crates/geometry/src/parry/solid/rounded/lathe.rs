@@ -7,7 +7,7 @@ use crate::{
 use nalgebra::{Vector2, Vector3};
 use parry3d_f64::shape::{Cone, Cylinder};
 
-/// What a convex polygon becomes that turns about an axis.
+/// The solid swept by a convex polygon that turns about an axis.
 #[derive(Debug)]
 pub(super) struct Lathe {
     center: Vector3<f64>,
@@ -59,7 +59,7 @@ impl Lathe {
         Ok(Lathe { center: frame.translation, axis: frame.direction(&Vector3::y()), sides })
     }
 
-    /// A point by its distance from the axis and its height, and the unit vector that leads there from the axis.
+    /// A point's distance from the axis and its height, and the unit vector that leads to it from the axis.
     fn section(&self, x: &Vector3<f64>) -> (Vector2<f64>, Vector3<f64>) {
         let w = x - self.center;
         let height = w.dot(&self.axis);
@@ -104,7 +104,8 @@ impl Core for Lathe {
     fn extent(&self) -> [Vector3<f64>; 2] {
         let corners = self.sides.iter().flat_map(|side| side.ends);
         let reach = corners.fold(Vector3::zeros(), |reach: Vector3<f64>, corner| {
-            // a circle reaches as far along an axis as that is long in its plane
+            // a circle's reach along a coordinate axis is its radius times the length of that axis
+            // projected onto its plane
             let of_circle = self.axis.map(|a| corner.x * libm::sqrt((1.0 - a * a).max(0.0)));
             reach.sup(&(self.axis.abs() * corner.y.abs() + of_circle))
         });

@@ -1,14 +1,14 @@
-//! A flat triangle, of no thickness but its border.
+//! A flat triangle, without thickness except for its border.
 use super::{Core, View, facet::Facet};
 use crate::Extent;
 use nalgebra::Vector3;
 
-/// A triangle, from both of its sides.
+/// A triangle, seen from both of its sides.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::parry) struct Plate(Facet);
 
 impl Plate {
-    /// The triangle with these corners, in whose plane this is a unit normal.
+    /// The triangle with these corners and this unit normal of its plane.
     pub(super) fn new(corners: [Vector3<f64>; 3], normal: Vector3<f64>) -> Plate {
         Plate(Facet::new(corners, normal))
     }
