@@ -1,4 +1,4 @@
-//! The first thing on a path, made so that rounding never loses one.
+//! The first thing on a path, found so that rounding never loses one.
 use super::{BoxTree, Eight, WIDTH, stack::Stack};
 use crate::{Crossing, Line};
 use lanes::{Kernel, Lane, Mask};
@@ -6,8 +6,8 @@ use lanes::{Kernel, Lane, Mask};
 /// A path prepared for box tests.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slab<const N: usize> {
-    /// Where the path starts, moved back by the margin for the sides that it enters through and on for those through which it
-    /// leaves.
+    /// The start of the path, moved back by the margin for the sides through which it enters, and forward for those through
+    /// which it leaves.
     enter: [f64; N],
     leave: [f64; N],
     inverse: [f64; N],
@@ -18,24 +18,25 @@ pub(crate) struct Slab<const N: usize> {
 impl<const N: usize> Slab<N> {
     /// The path, for boxes whose finite coordinates do not exceed `size`.
     ///
-    /// A piece decides for itself with an error of a few ulp of its distance from the start of the path, which is at most
-    /// |x| + size; a box that is larger by ten times that holds every crossing that the piece can find. The few
-    /// roundings of the box test itself are of the same size.
+    /// A piece decides with an error of a few ulp of its distance from the start of the path, which is at most |x| + size; a
+    /// box enlarged by ten times that contains every crossing that the piece can find. The few roundings of the box test
+    /// itself are of the same size.
     ///
-    /// Only of a path that grazes a piece the piece itself knows less: the place along the path to that error over the angle,
-    /// and it may count as crossed at once what lies behind a start that is on its line. There the box decides.
+    /// Only for a path that grazes a piece is the piece itself less accurate: it knows the place along the path only to that
+    /// error divided by the angle, and may count a crossing behind the start, if this lies on the piece's line, as one at
+    /// time 0. There the box decides.
     #[inline(always)]
     pub(crate) fn new(path: &Line<N>, size: f64) -> Self {
         let margin = 64.0 * f64::EPSILON * (path.point.amax() + size);
         let down: [bool; N] = core::array::from_fn(|i| path.velocity[i] < 0.0);
         let start = |margin: f64| core::array::from_fn(|i| path.point[i] + if down[i] { -margin } else { margin });
-        // −0 is 0, and 0·∞ would be no number
+        // makes −0 to 0, and avoids 0·∞, which would be NaN
         let inverse = core::array::from_fn(|i| (1.0 / (path.velocity[i] + 0.0)).clamp(-f64::MAX, f64::MAX));
         Slab { enter: start(margin), leave: start(-margin), inverse, down }
     }
 
-    /// Lower bounds of the times at which the path enters eight boxes, and as bits which of them it enters before `limit`
-    /// at all.
+    /// Lower bounds of the times at which the path enters eight boxes, and a bit mask of those that it enters before
+    /// `limit`.
     #[inline(always)]
     fn enters<F: Lane>(&self, zero: F, boxes: &Eight<N>, limit: f64) -> ([f64; WIDTH], u64) {
         let mut times = [0.0; WIDTH];
@@ -58,7 +59,7 @@ impl<const N: usize> Slab<N> {
     }
 }
 
-/// The first of what has been offered, in whatever order: of equal times the lowest number.
+/// The first of the crossings offered, in whatever order; for equal times the one with the lowest number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct First {
     time: f64,
@@ -69,7 +70,7 @@ impl First {
     /// Nothing so far.
     pub(crate) const NONE: First = First { time: f64::INFINITY, place: 0 };
 
-    /// Takes the crossing of the thing at a place, whose number is asked for only if need be, if it is the first so far.
+    /// Takes the crossing of the thing at a place if it is the first so far; its number is computed only if needed.
     #[inline(always)]
     pub(crate) fn offer(&mut self, place: usize, crossing: Crossing, number: impl Fn(usize) -> usize) {
         let time = crossing.time();
@@ -78,23 +79,23 @@ impl First {
         }
     }
 
-    /// Its place and the time.
+    /// The place found, and the time.
     pub(crate) fn found(self) -> Option<(usize, f64)> {
         (self.time < f64::INFINITY).then_some((self.place, self.time))
     }
 }
 
-/// Something to look at: a lower bound of the time at which the path gets there, and what it is.
+/// A node to visit: a lower bound of the time at which the path reaches it, and which node it is.
 ///
-/// As one number, whose upper half is that of the time (rounded down, and times are not negative): what comes first is
-/// the least.
+/// Packed into one number whose upper half is that of the time (rounded down; times are not negative), so that the first
+/// node has the least number.
 #[derive(Clone, Copy)]
 struct Open(u64);
 
 /// The bits of an [`Open`] that hold the time.
 const TIME: u64 = !0 << 32;
 
-/// Bits of the place of a node on its level, which is told by the bits above them.
+/// Number of bits for the place of a node on its level; the bits above them hold the level.
 const PLACE: u32 = 28;
 
 impl Open {
@@ -112,13 +113,13 @@ impl Open {
     }
 }
 
-/// What lies in the boxes of a tree.
+/// The contents of the boxes of a tree.
 pub(crate) trait Inside {
-    /// Offers what is in the box at a place: the crossing of it with the path.
+    /// Offers the crossing of the path with the contents of the box at a place.
     fn offer<F: Lane>(&self, zero: F, place: usize, first: &mut First);
 }
 
-/// Things that are asked one by one.
+/// Things that are tested one by one.
 struct OneByOne<'a, const N: usize, C> {
     tree: &'a BoxTree<N>,
     path: &'a Line<N>,
@@ -142,20 +143,20 @@ impl<const N: usize, C: Fn(usize) -> Crossing> Kernel for OneByOne<'_, N, C> {
 }
 
 impl<const N: usize> BoxTree<N> {
-    /// The first piece that the path crosses, given the crossing of each, and the time; of equal times the lowest
-    /// number.
+    /// The first piece that the path crosses, given the crossing of each, and the time; for equal times the one with the
+    /// lowest number.
     pub fn first(&self, path: &Line<N>, crossing: impl Fn(usize) -> Crossing) -> Option<(usize, f64)> {
         let found = lanes::dispatch(OneByOne { tree: self, path, crossing }).found();
         found.map(|(place, time)| (self.number(place), time))
     }
 
-    /// Asks what lies in boxes that the path enters, nearer ones first, until nothing can come before the first that
-    /// was found.
+    /// Tests the contents of boxes that the path enters, nearer ones first, until nothing can come before the first one
+    /// found.
     #[inline(always)]
     pub(crate) fn walk<F: Lane>(&self, zero: F, path: &Line<N>, inside: &impl Inside) -> First {
         let mut first = First::NONE;
         let Some(root) = self.levels.len().checked_sub(1) else { return first };
-        // what is not a number is in no box, and what is infinite would be in those that fill a node up
+        // NaN is in no box, and infinite values would be in the empty boxes that fill up a node
         if path.point.iter().chain(path.velocity.iter()).any(|a| !a.is_finite()) {
             return first;
         }
@@ -169,7 +170,7 @@ impl<const N: usize> BoxTree<N> {
             let boxes = &self.nodes[self.levels[level].start + place];
             let (enter, mut hit) = slab.enters(zero, boxes, first.time.min(f64::MAX));
             let below = if level == 0 { 0 } else { (level as u64 - 1) << PLACE };
-            // the nearest on top
+            // the nearest goes on top
             let bottom = open.count();
             while hit != 0 {
                 let k = hit.trailing_zeros() as usize;

@@ -1,10 +1,11 @@
-//! What is near a place, or in any boxes that are wanted.
+//! What is near a point, or in boxes selected by a predicate.
 use super::{BoxTree, WIDTH, stack::Stack};
 use crate::Extent;
 use nalgebra::SVector;
 
 impl<const N: usize> BoxTree<N> {
-    /// Visits every box that is `wanted`, and so lies in boxes that are, in the order of the tree.
+    /// Visits every box that is `wanted`, in the order of the tree; every box around a wanted box must be wanted,
+    /// too.
     pub(crate) fn search(&self, wanted: impl Fn(&Extent<N>) -> bool, mut visit: impl FnMut(usize)) {
         let Some(root) = self.levels.len().checked_sub(1) else { return };
         let mut open = Stack::of((root, 0));
@@ -23,8 +24,8 @@ impl<const N: usize> BoxTree<N> {
         }
     }
 
-    /// The least value of a function that is at least the distance of `point` from the box, and whose it is; `None`
-    /// where nothing is below `bound`.
+    /// The least value of a function that is at least the distance of `point` from the box, and the place where it
+    /// is attained; `None` where nothing is below `bound`.
     pub(crate) fn nearest(
         &self,
         point: &SVector<f64, N>,
@@ -47,7 +48,7 @@ impl<const N: usize> BoxTree<N> {
                 continue;
             };
             let node = &self.nodes[self.levels[level].start + place];
-            // the nearest on top
+            // the nearest goes on top
             let bottom = open.count();
             for k in 0..WIDTH.min(self.levels[level].boxes - WIDTH * place) {
                 let child = (node.extent(k).distance(point), level, WIDTH * place + k);

@@ -1,11 +1,11 @@
-//! In which order boxes are put into a tree.
+//! The order in which boxes are put into a tree.
 use super::WIDTH;
 use crate::Extent;
 
-/// The order in which a tree over some boxes is searched faster; `None` for their own.
+/// An order in which a tree over some boxes is searched faster than in their own order; `None` if their own is better.
 ///
-/// The boxes that a random line meets are as many as the sum of their perimeters (in space, surfaces) tells (Cauchy and
-/// Crofton), so the order with the lesser sum over all nodes is better.
+/// The expected number of boxes that a random line meets is proportional to the sum of their perimeters (in space, surface
+/// areas) by Cauchy and Crofton, so the order with the smaller sum over all nodes is better.
 pub(crate) fn order<const N: usize>(boxes: &[Extent<N>]) -> Option<Vec<u32>> {
     let mut halved: Vec<Place<N>> = (0..).zip(boxes).map(|(number, e)| Place { middle: middle(e), number }).collect();
     halve(&mut halved);
@@ -13,7 +13,7 @@ pub(crate) fn order<const N: usize>(boxes: &[Extent<N>]) -> Option<Vec<u32>> {
     (measure(sorted) < measure(boxes.to_vec())).then(|| halved.iter().map(|place| place.number).collect())
 }
 
-/// A box by its middle.
+/// A box, represented by its middle.
 #[derive(Clone, Copy)]
 struct Place<const N: usize> {
     middle: [f64; N],
@@ -25,8 +25,8 @@ fn middle<const N: usize>(extent: &Extent<N>) -> [f64; N] {
     core::array::from_fn(|i| finite(extent.min[i]) + finite(extent.max[i]))
 }
 
-/// Halves the places at the median of the coordinate in which they are spread most, again and again, so that what belongs to
-/// one node stays together.
+/// Recursively halves the places at the median of the coordinate in which they are spread most, keeping the members of one
+/// node together.
 fn halve<const N: usize>(places: &mut [Place<N>]) {
     if places.len() <= WIDTH {
         return;
@@ -38,7 +38,7 @@ fn halve<const N: usize>(places: &mut [Place<N>]) {
         high - low
     };
     let axis = (1..N).fold((0, spread(0)), |best, i| if spread(i) > best.1 { (i, spread(i)) } else { best }).0;
-    // whole nodes of the highest level that has more than one of them
+    // split at whole nodes of the highest level that has more than one of them
     let mut node = WIDTH;
     while node * WIDTH < places.len() {
         node *= WIDTH;
@@ -58,7 +58,7 @@ fn measure<const N: usize>(mut boxes: Vec<Extent<N>>) -> f64 {
         for e in &boxes {
             let width = e.max - e.min;
             let face = |i: usize| (0..N).filter(|&j| j != i).map(|j| width[j]).product::<f64>();
-            // what is infinite is so in any order
+            // infinite contributions are the same in any order
             sum += (0..N).map(face).filter(|face| face.is_finite()).sum::<f64>();
         }
     }

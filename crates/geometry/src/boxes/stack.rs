@@ -1,4 +1,4 @@
-//! What a search has yet to look at.
+//! The nodes that a search has yet to visit.
 use super::OPEN;
 
 /// Places in a tree, the next one on top, in an array of fixed size.
@@ -8,7 +8,7 @@ pub(super) struct Stack<T> {
 }
 
 impl<T: Copy> Stack<T> {
-    /// With one place to look at.
+    /// A stack with one place to visit.
     #[inline(always)]
     pub(super) fn of(root: T) -> Self {
         Stack { places: [root; OPEN], count: 1 }
@@ -29,14 +29,14 @@ impl<T: Copy> Stack<T> {
         })
     }
 
-    /// Puts one on top.
+    /// Pushes one on top.
     #[inline(always)]
     pub(super) fn push(&mut self, place: T) {
         self.places[self.count] = place;
         self.count += 1;
     }
 
-    /// Puts one below those on top that are `nearer`, but above the first `bottom` places.
+    /// Inserts one below those on top that are `nearer`, but above the first `bottom` places.
     #[inline(always)]
     pub(super) fn insert(&mut self, bottom: usize, place: T, nearer: impl Fn(&T) -> bool) {
         let mut at = self.count;

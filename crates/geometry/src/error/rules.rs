@@ -5,7 +5,7 @@ use std::fmt;
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 #[non_exhaustive]
 pub enum ImplicitRule {
-    /// To be smooth: `∇f ≠ 0` on them, and they can be followed by chords.
+    /// To be smooth: `∇f ≠ 0` on them, and they can be traced by chords.
     Smooth,
     /// To lie in the box that is searched.
     InItsBox,
@@ -31,11 +31,12 @@ pub enum ParametricRule {
     Closed,
     /// To be finite.
     Finite,
-    /// To have bounded rates `c′`.
+    /// To have a bounded derivative `c′`.
     FiniteRate,
-    /// To move on, `c′ ≠ 0`, but at simple cusps.
+    /// To have `c′ ≠ 0`, except at simple cusps.
     Moving,
-    /// To be smooth but for kinks, of which there are not too many and which stand out.
+    /// To be smooth except for kinks that are not too many and can be separated from their
+    /// surroundings.
     FewKinks,
     /// To be smooth between kinks and cusps.
     Smooth,

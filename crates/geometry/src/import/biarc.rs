@@ -3,10 +3,11 @@ use super::contour::{Edge, Oval, Pen};
 use crate::{Piece, shapes::Arc};
 use nalgebra::Vector2;
 
-/// Arcs with a radius of more than this many times the size of the drawing are drawn straight: far centres cost digits.
+/// Arcs with a radius of more than this many times the size of the drawing are drawn straight: distant centres cost
+/// accuracy.
 const FLAT: f64 = 1024.0;
 
-/// Halvings of a curve; a tolerance of rounding needs about 17 of a wild one.
+/// Most halvings of a curve; a tolerance at the level of rounding needs about 17 for a wild one.
 const HALVINGS: u32 = 24;
 
 /// How far the arcs may be from the curve, and how large the drawing is \[L\].
@@ -95,7 +96,7 @@ impl Edge {
     }
 }
 
-/// The distance of a point from an edge.
+/// The distance of a point `x` from an edge from `a` to `b`.
 fn distance(edge: Edge, a: Vector2<f64>, b: Vector2<f64>, x: Vector2<f64>) -> f64 {
     match edge {
         Edge::Arc { oval, counter_clockwise } => Arc::new(oval.center, a, b, counter_clockwise)

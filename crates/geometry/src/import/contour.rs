@@ -8,7 +8,7 @@ use crate::{
 };
 use nalgebra::Vector2;
 
-/// Semi-axes that differ by less than this part make a circle: transformations round.
+/// Semi-axes whose relative difference is less than this make a circle: transformations are rounded.
 const ROUND: f64 = 1e-12;
 
 /// An ellipse, or the one that an arc is part of.
@@ -16,7 +16,7 @@ const ROUND: f64 = 1e-12;
 pub(super) struct Oval {
     pub(super) center: Vector2<f64>,
     pub(super) semi_axes: [f64; 2],
-    /// Of the first semi-axis (radians).
+    /// Direction of the first semi-axis (radians).
     pub(super) angle: f64,
 }
 
@@ -34,7 +34,7 @@ impl Oval {
     }
 }
 
-/// What leads from one vertex to the next.
+/// An edge from one vertex to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Edge {
     Line,
@@ -67,7 +67,7 @@ pub(super) enum Form {
     Oval(Oval),
 }
 
-/// Fails where the coordinates of an outline are so large or so small that areas were no numbers.
+/// Fails where the coordinates of an outline are so large or so small that areas would over- or underflow.
 pub(super) fn in_range<'a>(coordinates: impl IntoIterator<Item = &'a f64>, place: &str) -> Result<(), Error> {
     let finite = |x: &f64| if x.is_nan() { f64::INFINITY } else { x.abs() };
     let size = coordinates.into_iter().map(finite).fold(0.0, f64::max);
@@ -78,10 +78,10 @@ pub(super) fn in_range<'a>(coordinates: impl IntoIterator<Item = &'a f64>, place
     Err(Error::Import { place: place.into(), problem })
 }
 
-/// What an outline bounds.
+/// The role of an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// Whatever the outlines around it make of it.
+    /// An outer wall or a hole, depending on the outlines around it.
     Nested,
     Outer,
     Hole,
@@ -148,7 +148,7 @@ impl Pen {
         } else if let Some(last) = self.edges.last_mut() {
             last.1 = self.start;
         }
-        // snapping may leave an edge without length
+        // snapping may leave an edge of zero length
         let edges = core::mem::take(&mut self.edges);
         let mut from = self.start;
         for (edge, to) in edges {
@@ -182,7 +182,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         // the vertices may be off by the rounding of their coordinates
         let far = width < 1e-3 * size;
         let flat = area.is_nan() || area.abs() <= width * slack([size]);
-        // one that crosses itself is told so, with the place, where the table is validated
+        // a self-crossing is reported later, with its location, when the table is validated
         if flat && (far || crosses_itself(contour.pieces(false)?).is_none()) {
             let problem = if far {
                 "the outline is so far from the origin that its coordinates are rounded to less than its size: move it nearer"
@@ -217,19 +217,19 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
     Ok(pieces)
 }
 
-/// Tries to find a ray from an outline that touches no other one.
+/// Number of tries to find a ray from an outline that touches no other one.
 const RAYS: usize = 16;
-/// Where on a piece of length 1 the first ray begins, the golden section; the others begin later. Drawings have vertices at halves, thirds
-/// and quarters, and outlines that share parts mostly meet there.
+/// The fraction of a piece (the golden section) at which the first ray begins; the others begin later. Drawings have vertices at halves,
+/// thirds and quarters, and outlines that share parts mostly meet there.
 const FIRST_PLACE: f64 = 0.381_966;
-/// At 54° to the first axis, along which and along whose diagonals drawn sides often lie.
+/// A direction at 54° to the first axis: drawn sides often lie along the axes and their diagonals.
 const AWAY: Vector2<f64> = Vector2::new(0.587_785_252_292_473, 0.809_016_994_374_947);
 
 /// Whether an outline lies inside an odd number of others.
 #[derive(Clone, Copy)]
 struct Nesting {
     is_odd: bool,
-    /// Whether a ray was found that touches none: they may have parts in common.
+    /// Whether a ray was found that touches no other outline, which may fail where outlines have parts in common.
     is_clear: bool,
 }
 

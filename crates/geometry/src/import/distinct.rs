@@ -1,9 +1,9 @@
-//! JSON whose keys are distinct: of two that are the same, `serde_json` keeps the last and says nothing.
+//! JSON with distinct keys: of two equal keys, `serde_json` silently keeps the last.
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 use std::fmt;
 
-/// A JSON value without an object that has a key twice.
+/// A JSON value in which no object has a key twice.
 pub(super) struct Distinct(pub(super) Value);
 
 impl<'de> Deserialize<'de> for Distinct {

@@ -2,13 +2,13 @@
 use crate::plane::slack;
 use nalgebra::{Vector2, Vector3};
 
-/// Polygons that are not convex may have so many corners: looking for crossings takes the square of their number.
+/// Most corners of polygons that are not convex: looking for crossings takes the square of their number of steps.
 const CORNERS: usize = 10_000;
 
-/// Triangles that fill a polygon and go round as it does, as numbers of its corners; `None` where these do not go round a simple polygon.
+/// Triangles that fill a polygon with the same orientation, as numbers of its corners; `None` where the polygon is not simple.
 ///
-/// The polygon is seen along the coordinate axis along which it looks largest, so that corners next to a plane will do. A convex one
-/// becomes a fan around its first corner, from any other ears are cut off.
+/// The polygon is projected along the coordinate axis along which it appears largest, so its corners need only lie near a plane. A convex
+/// one becomes a fan around its first corner; from any other, ears are cut off.
 pub(super) fn triangles(corners: &[Vector3<f64>]) -> Option<Vec<[usize; 3]>> {
     if corners.len() == 3 {
         return Some(vec![[0, 1, 2]]);
@@ -49,7 +49,7 @@ impl Polygon {
         if area.abs() <= self.rounding * ab.amax().max(ac.amax()) { 0.0 } else { area }
     }
 
-    /// Whether all turns are left ones, and one whole turn together.
+    /// Whether all turns are to the left, and add up to one whole turn.
     fn is_convex(&self) -> bool {
         let n = self.corners.len();
         let rises = |k: usize| self.corners[(k + 1) % n].y >= self.corners[k % n].y;
@@ -69,7 +69,7 @@ impl Polygon {
         let mut after: Vec<usize> = (0..n).map(|k| (k + 1) % n).collect();
         let is_blunt = |corner: [usize; 3]| self.turn(corner) <= 0.0;
         let mut blunt: Vec<bool> = (0..n).map(|k| is_blunt([before[k], k, after[k]])).collect();
-        // what was no ear is none until a neighbour is cut off, unless another corner only touched it
+        // a corner that was not an ear stays so until a neighbour is cut off, unless another corner only touched it
         let mut refused = vec![false; n];
         let mut cut = vec![];
         let (mut at, mut left, mut passed, mut since) = (0, n, 0, 0);
@@ -98,8 +98,8 @@ impl Polygon {
         Some(cut)
     }
 
-    /// Whether a triangle is a left turn with no other corner in it or on its edges. Where there is one, one of them is blunt: that which
-    /// is farthest in.
+    /// Whether a triangle is a left turn with no other corner inside it or on its edges. If there are other corners in it, one of them is
+    /// reflex, namely the one farthest in, so only `blunt` corners need testing.
     fn is_ear(&self, [a, b, c]: [usize; 3], blunt: &[bool]) -> bool {
         let own = [a, b, c].map(|k| self.corners[k]);
         let is_in = |k: usize| [[a, b, k], [b, c, k], [c, a, k]].into_iter().all(|edge| self.turn(edge) >= 0.0);

@@ -7,9 +7,9 @@ use serde_json::Value;
 
 /// The outlines of all polygons of a `GeoJSON` text, as pieces of a table.
 ///
-/// `Polygon` and `MultiPolygon` are read, alone or in features and collections; other geometries bound nothing and are
-/// an error. Coordinates are taken as they are (a plane, not a sphere); a third one is ignored. Rings end with the position that they
-/// begin with (RFC 7946, 3.1.6). Outer rings become counter-clockwise and holes clockwise, however they are given.
+/// `Polygon` and `MultiPolygon` are read, alone or in features and collections; other geometries do not bound anything and are an
+/// error. Coordinates are taken as they are (a plane, not a sphere); a third one is ignored. Rings end with the position that they
+/// begin with (RFC 7946, 3.1.6). Outer rings become counter-clockwise and holes clockwise, whatever their orientation in the file.
 ///
 /// ```
 /// use geometry::{Table, import};
@@ -20,7 +20,7 @@ use serde_json::Value;
 /// ```
 ///
 /// # Errors
-/// [`Error::Import`] with the place of what is wrong, [`Error::Empty`] where there is no polygon.
+/// [`Error::Import`] with the place of the problem, [`Error::Empty`] where there is no polygon.
 pub fn geojson(text: &str) -> Result<Vec<Box<dyn Piece>>, Error> {
     let Distinct(value) = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
         let problem = e.to_string();
@@ -53,7 +53,7 @@ fn object(value: &Value, place: &str, contours: &mut Vec<Contour>) -> Result<(),
             list.iter().enumerate().try_for_each(|(k, v)| object(v, &format!("{path}[{k}]"), contours))
         }
         Some("Feature") => match value.get("geometry") {
-            // a feature may have no place
+            // a feature may have no geometry
             None | Some(Value::Null) => Ok(()),
             Some(geometry) => object(geometry, &path("geometry"), contours),
         },

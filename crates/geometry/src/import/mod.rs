@@ -1,9 +1,9 @@
 //! Outlines and surfaces from files: drawings (SVG) and maps (`GeoJSON`) as pieces of a table, triangles (STL, OBJ) as walls in
 //! space.
 //!
-//! Straight edges become segments, circular arcs arcs, elliptic arcs elliptic arcs: exactly. Bézier curves become
-//! smoothly joined circular arcs within a tolerance. Loops are oriented as a table needs them: an outline that lies in
-//! an even number of others is an outer wall, any other one is a hole in it.
+//! Straight edges, circular arcs and elliptic arcs are imported exactly. Bézier curves become smoothly joined circular arcs
+//! within a tolerance. Loops are oriented as a table needs them: an outline that lies in an even number of others is an outer
+//! wall, any other one is a hole in it.
 //!
 //! ```
 //! use geometry::{Table, import};
@@ -29,5 +29,5 @@ pub use obj::obj;
 pub use stl::stl;
 pub use svg::svg;
 
-/// How far, as part of the size of the drawing, the arcs that replace Bézier curves may be from them.
+/// How far the arcs that replace Bézier curves may deviate from them, as a fraction of the size of the drawing.
 pub const TOLERANCE: f64 = 1e-9;

@@ -1,13 +1,13 @@
 //! Surfaces from Wavefront OBJ.
 //!
-//! The reader is our own: `tobj` cuts dented faces into a wrong surface, and does not say in which line something is wrong.
+//! The reader is our own: `tobj` cuts non-convex faces into a wrong surface, and does not report the line of an error.
 use super::{contour::in_range, ears};
 use crate::{Error, parry::SolidSpec};
 use nalgebra::Vector3;
 
-/// The faces of an OBJ file: a [`SolidSpec::TriMesh`]. All objects and groups together; textures, normals, materials, points and lines
-/// are not asked for. Faces of more than three corners are cut into triangles; they may be dented but not cross themselves, and where
-/// they are not flat, their triangles are the surface.
+/// The faces of an OBJ file: a [`SolidSpec::TriMesh`]. All objects and groups are taken together; textures, normals, materials, points
+/// and lines are ignored. Faces of more than three corners are cut into triangles; they need not be convex but must not cross
+/// themselves, and where they are not flat, their triangles are the surface.
 ///
 /// The corners of each face must go round counter-clockwise as seen from outside (a closed surface may be inside out).
 ///
@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 /// ```
 ///
 /// # Errors
-/// [`Error::Import`] with the line of what is wrong, [`Error::Empty`] where there is no face.
+/// [`Error::Import`] with the line of the problem, [`Error::Empty`] where there is no face.
 pub fn obj(text: &str) -> Result<SolidSpec, Error> {
     let (mut points, mut faces) = (vec![], vec![]);
     for (line, words) in statements(text.trim_start_matches('\u{feff}')) {
@@ -40,7 +40,7 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
     }
     in_range(points.iter().flatten(), "the file")?;
     let (mut vertices, mut triangles) = (vec![], vec![]);
-    // vertices that no face has are none of the surface
+    // vertices that belong to no face are left out
     let mut numbers: Vec<Option<usize>> = vec![None; points.len()];
     for (line, corners) in faces {
         let located = |problem: String| Error::Import { place: format!("line {line}"), problem };
@@ -74,7 +74,7 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
 fn statements(text: &str) -> Vec<(usize, Vec<&str>)> {
     let mut statements: Vec<(usize, Vec<&str>)> = vec![];
     let mut goes_on = false;
-    // lines end in LF, CRLF or, as of old, in CR alone
+    // lines end in LF, CRLF or, in old files, CR alone
     let lines = text.split('\n').flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'));
     for (k, line) in lines.enumerate() {
         let line = line.split('#').next().unwrap_or("").trim_end();

@@ -1,14 +1,14 @@
 //! Surfaces from STL.
 //!
-//! The reader is our own: `stl_io` takes the first solid of a text for all, and a binary file for as long as it says it is.
+//! The reader is our own: `stl_io` reads only the first solid of a text file, and trusts the length stated in a binary file.
 use crate::{Error, parry::SolidSpec, plane::key};
 use std::collections::HashMap;
 
 /// The triangles of an STL file, binary or text: a [`SolidSpec::TriMesh`].
 ///
-/// Binary files have coordinates in single precision, and texts as many digits as they have: all are taken as they are. What its normals
-/// say is not asked for, but the corners of each triangle must go round counter-clockwise as seen from outside (a closed surface may be
-/// inside out). All solids of a text are one surface.
+/// Binary files have coordinates in single precision, and texts as many digits as they have: all are taken as they are. The normals in
+/// the file are ignored, but the corners of each triangle must go round counter-clockwise as seen from outside (a closed surface may be
+/// inside out). All solids of a text file form one surface.
 ///
 /// ```
 /// use geometry::{import, parry::Side};
@@ -24,12 +24,12 @@ use std::collections::HashMap;
 /// ```
 ///
 /// # Errors
-/// [`Error::Import`] for what is no STL to its end, [`Error::Empty`] where there is no triangle.
+/// [`Error::Import`] for a file that is not valid STL to its end, [`Error::Empty`] where there is no triangle.
 pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let begins_as_text = text.trim_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
-    // binary files may begin so, too; the size tells them
+    // binary files may begin like this, too; they are recognised by their size
     let facets = match announced(bytes) {
         Some((count, size)) if bytes.len() as u64 == size || !begins_as_text => binary(bytes, count, size)?,
         _ => ascii(text)?,

@@ -15,12 +15,12 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 /// The outlines of an SVG drawing, as pieces of a table.
 ///
-/// Read are `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse`, with the transformations of elements and
-/// groups, as attributes; open outlines are closed by a straight edge where they are filled, as filling does. Hidden elements, texts, images and elements of
-/// other namespaces are left out. Colours (but for `fill="none"` of an open outline), fill rules, clips and the view box mean nothing here: lengths are user units, and absolute
-/// units (`mm`, `in`, …) are converted at 96 per inch. The x₂ axis of a table points up, that of a drawing down: `y` becomes `−y`, so
-/// that both look the same. Bézier curves become arcs within `tolerance` times the greatest coordinate ([`TOLERANCE`](super::TOLERANCE)
-/// is a good one).
+/// The elements `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse` are read, with the transformations of elements and groups
+/// given as attributes; open outlines that are filled are closed by a straight edge, as filling does. Hidden elements, texts, images and
+/// elements of other namespaces are left out. Colours (except `fill="none"` on an open outline), fill rules, clips and the view box are
+/// ignored: lengths are user units, and absolute units (`mm`, `in`, …) are converted at 96 per inch. The x₂ axis of a table points up, that
+/// of a drawing down: `y` becomes `−y`, so that both look the same. Bézier curves become arcs within `tolerance` times the greatest
+/// coordinate ([`TOLERANCE`](super::TOLERANCE) is a good one).
 ///
 /// # Errors
 /// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for an open outline that
@@ -43,7 +43,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     let is_own = |node: &Node| node.is_element() && node.tag_name().namespace() == root.tag_name().namespace();
     root.descendants().filter(is_own).try_for_each(|node| rules_nothing(&node))?;
     let mut outlines = vec![];
-    // depth does not overflow a stack of our own
+    // an explicit stack, which deep nesting cannot overflow
     let mut open = vec![(root, Affine::FLIP, true, true)];
     while let Some((node, outer, is_visible, is_filled)) = open.pop() {
         let name = node.tag_name().name();
@@ -72,7 +72,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
         if GROUPS.contains(&name) {
             let here = if node == root { here } else { here.after(&nested(&node)?) };
             let children = node.children().filter(is_own);
-            // of a switch, the first child without conditions is for all readers
+            // of a switch, the first child without conditions is meant for all readers
             let conditions = ["requiredExtensions", "requiredFeatures", "systemLanguage"];
             let is_for_all = |node: &Node| !conditions.iter().any(|name| node.has_attribute(*name));
             let children: Vec<_> = match name {
@@ -103,7 +103,7 @@ const NAMESPACE: &str = "http://www.w3.org/2000/svg";
 /// Elements whose children are drawn.
 const GROUPS: [&str; 4] = ["svg", "g", "a", "switch"];
 
-/// Elements that draw themselves.
+/// Elements that are drawn themselves.
 const DRAWN: [&str; 8] = ["path", "polygon", "polyline", "circle", "ellipse", "rect", "line", "use"];
 
 /// Line and name of an element.
@@ -132,7 +132,7 @@ fn rules_nothing(node: &Node) -> Result<(), Error> {
     })
 }
 
-/// The placement of a drawing within a drawing.
+/// The placement of a nested drawing.
 fn nested(node: &Node) -> Result<Affine, Error> {
     if node.tag_name().name() != "svg" {
         return Ok(Affine::IDENTITY);
@@ -176,7 +176,7 @@ enum Drawn {
     Oval { center: Vector2<f64>, radii: [f64; 2] },
 }
 
-/// What an element draws.
+/// The outlines that an element draws.
 fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
     let v = Vector2::new;
     let fail = |problem: String| Err(place(node).fail(problem));
@@ -218,7 +218,7 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
             if w == 0.0 || h == 0.0 {
                 return Ok(vec![]);
             }
-            // one radius stands for both
+            // a single radius stands for both
             let given =
                 |name: &str| node.attribute(name).filter(|r| *r != "auto").map(|_| length(node, name, 0.0)).transpose();
             let (rx, ry) = (given("rx")?, given("ry")?);
@@ -253,7 +253,7 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
     })
 }
 
-/// An outline, and what takes it into the table.
+/// An outline, and the map that takes it into the table.
 #[derive(Clone, Debug)]
 struct Outline {
     place: Place,
@@ -263,7 +263,7 @@ struct Outline {
 }
 
 impl Outline {
-    /// Points that tell its size.
+    /// Points from which its size is estimated.
     fn points(&self) -> Vec<Vector2<f64>> {
         let points = match &self.drawn {
             Drawn::Path(path) => core::iter::once(path.start).chain(path.edges.iter().flat_map(Draw::points)).collect(),

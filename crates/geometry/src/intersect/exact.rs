@@ -4,7 +4,7 @@ use crate::{Figure, plane::slack};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
-/// A curve that can be intersected in closed form, parametrised by arc length as its piece is.
+/// A curve that can be intersected in closed form, parametrised by arc length like its piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Curve {
     Straight(Straight),
@@ -106,7 +106,8 @@ impl Curve {
         }
     }
 
-    /// The arc length of a point that lies on the curve within `tolerance`; exactly that of an end which is as near.
+    /// The arc length of a point that lies on the curve within `tolerance`; exactly that of an end if the point is as
+    /// near to it.
     fn locate(&self, point: &Vector2<f64>, tolerance: f64) -> Option<f64> {
         if let Some((_, s)) = self.ends().find(|(e, _)| length(e - point) <= tolerance) {
             return Some(s);
@@ -130,7 +131,7 @@ impl Curve {
         }
     }
 
-    /// A point beside it, brought onto it if it is straight.
+    /// A nearby point, projected onto the curve if it is straight.
     fn straightened(&self, point: &Vector2<f64>) -> Vector2<f64> {
         match self {
             Curve::Straight(line) => line.origin + line.direction * (point - line.origin).dot(&line.direction),
@@ -267,15 +268,15 @@ fn same_circle(a: &Curve, b: &Curve, tolerance: f64, found: &mut Vec<Meeting>) {
     }
 }
 
-/// The two points in which a line or a circle meets a circle: mirror images in an axis.
+/// The two points in which a line or a circle meets a circle, which are mirror images of each other.
 struct Pair {
-    /// A point of the axis, halfway between them.
+    /// The point of the mirror axis halfway between them.
     foot: Vector2<f64>,
     /// Unit vector across the axis.
     across: Vector2<f64>,
     /// Half the distance between the points; 0 where the curves touch.
     half: f64,
-    /// By how much the one curve reaches through the other.
+    /// How far the one curve reaches through the other.
     depth: f64,
 }
 
@@ -314,10 +315,10 @@ impl Pair {
         (pair.depth >= -tolerance).then_some(pair)
     }
 
-    /// Adds what is not yet found.
+    /// Adds the points not yet found.
     fn complete(&self, a: &Curve, b: &Curve, tolerance: f64, found: &mut Vec<Meeting>) {
         let ends: Vec<Vector2<f64>> = found.iter().map(|m| m.point).collect();
-        // an end may itself be off by the tolerance; up to four times that, nothing but rounding separates the points
+        // an end may itself be off by the tolerance; up to four times that, the two points differ only by rounding
         if self.depth <= if ends.is_empty() { tolerance } else { 4.0 * tolerance } {
             if ends.is_empty()
                 && let (Some(s), Some(t)) =
@@ -339,7 +340,7 @@ impl Pair {
             if ends.iter().any(|e| length(e - point) <= 4.0 * tolerance) {
                 continue;
             }
-            // the middle of a flat arc is far away, and so is the foot: what is straight is known better
+            // the centre of a flat arc is far away, and so is the foot: the straight curve is known more accurately
             let point = a.straightened(&b.straightened(&point));
             if let (Some(s), Some(t)) = (a.locate(&point, 2.0 * tolerance), b.locate(&point, 2.0 * tolerance)) {
                 let end = a.is_end(s) || b.is_end(t);

@@ -4,16 +4,16 @@ use crate::{BoxTree, Extent, Piece, plane::slack};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
-/// Stretches of a piece that is not known as graphs.
+/// Number of stretches of a piece that has no graphs.
 const PARTS: u32 = 32;
 
-/// What turns by less (radians) does not come back to itself, wherever along it that is: by half a turn, but for rounding.
+/// A stretch whose direction varies by less than this (radians; half a turn, up to rounding) cannot come back to itself.
 const TURN: f64 = PI - 1e-6;
 
 /// Where two parts of a piece cross, or run along each other, if they do.
 ///
-/// Its stretches bend one way each, where it is known as [graphs](Piece::graphs). Two of them that come near each other may cross if the
-/// directions on the way from one to the other are not all within half a turn.
+/// Each of its stretches bends in one sense, if it has [graphs](Piece::graphs). Two stretches that come near each other can cross only
+/// if the directions on the way from one to the other are not all within half a turn.
 pub(crate) fn self_crossing(piece: &dyn Piece) -> Option<Vector2<f64>> {
     let length = piece.length();
     if !length.is_finite() {
@@ -29,7 +29,7 @@ pub(crate) fn self_crossing(piece: &dyn Piece) -> Option<Vector2<f64>> {
         let [a, b] = [0, 1].map(|k| ends[k].normal);
         directions.push(directions[directions.len() - 1] + libm::atan2(a.perp(&b), a.dot(&b)));
     }
-    // the directions at the start and the end of some parts, and of those between; past the end of a closed piece they go on
+    // the directions at the ends of the stretches from one to another; past the end of a closed piece they continue
     let last = boxes.len();
     let turned = directions[last];
     let direction = |k: usize| if k <= last { directions[k] } else { directions[k - last] + turned };
@@ -54,7 +54,7 @@ pub(crate) fn self_crossing(piece: &dyn Piece) -> Option<Vector2<f64>> {
     })
 }
 
-/// The arc lengths between which a piece is looked at: about where its graphs end.
+/// The arc lengths that separate the stretches: about where the graphs end.
 fn marks(piece: &dyn Piece, length: f64) -> Vec<f64> {
     let Some(graphs) = piece.graphs() else {
         return (0..=PARTS).map(|k| length * (f64::from(k) / f64::from(PARTS))).collect();
@@ -68,7 +68,7 @@ fn marks(piece: &dyn Piece, length: f64) -> Vec<f64> {
     marks.iter().map(|s| (s * scale).min(length)).collect()
 }
 
-/// A box around a stretch: its points are as far from both of its ends together as it is long, at most.
+/// A box around a stretch: the distances of a point of it from its two ends add up to at most its length.
 fn around(s: &[f64], ends: [Vector2<f64>; 2]) -> Extent {
     let length = s[1] - s[0];
     let chord = (ends[1] - ends[0]).norm();

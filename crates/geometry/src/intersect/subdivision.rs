@@ -1,8 +1,7 @@
 //! Curves of any kind, by subdivision over their arc length.
 //!
-//! An arc of length `ℓ` from `p` to `q` lies in the ellipse with foci `p`, `q` whose points have distances of sum `ℓ`;
-//! two arcs whose ellipses are apart do not meet. Arcs that turn less than their chords differ in direction meet at
-//! most once, and Newton's method decides.
+//! An arc of length `ℓ` from `p` to `q` lies in the ellipse with foci `p`, `q` and sum of focal distances `ℓ`; two arcs whose ellipses are
+//! disjoint do not meet. Arcs that turn less than their chords differ in direction meet at most once, and Newton's method decides.
 use super::{Meeting, MeetingKind, along};
 use crate::{
     Piece,
@@ -11,18 +10,18 @@ use crate::{
 };
 use nalgebra::Vector2;
 
-/// Pairs of arcs looked at before the pieces are taken to run along each other.
+/// Most pairs of arcs examined before the pieces are taken to run along each other.
 const PATIENCE: usize = 50_000;
 
-/// Arcs shorter than this part of the whole that cannot be told apart touch: their distance, quadratic in their length,
-/// is below rounding.
+/// Arcs shorter than this fraction of the whole that cannot be told apart touch: their distance, quadratic in their length, is below
+/// rounding.
 const TOUCHING: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 
-/// Arcs shorter than this part of the whole are so nearly straight that only their curvature tells how they bend: a sagitta
-/// of rounding `ε` goes with a length of `√ε` to `ε^{1/3}`.
+/// Arcs shorter than this fraction of the whole are so nearly straight that only their curvature tells how they bend: a sagitta of the size
+/// of rounding `ε` corresponds to a length of `√ε` to `ε^{1/3}`.
 const SHORT: f64 = 1.0 / 8192.0;
 
-/// A short arc that seems to turn by more than this (radians), and is longer than its chord by more than rounding, does turn so, whatever
+/// A short arc that seems to turn by more than this (radians), and is longer than its chord by more than rounding, really does so, whatever
 /// the curvature at its ends: there is a sharp bend between them.
 const HIDDEN: f64 = 1e-2;
 
@@ -54,7 +53,7 @@ struct Hull {
     /// Unit vector along the chord.
     along: Vector2<f64>,
     semi_axes: [f64; 2],
-    /// A bound, with some margin, for how far the direction differs from the chord's (radians).
+    /// A bound, with some margin, on the deviation of the direction from the chord's (radians).
     turning: f64,
 }
 
@@ -69,8 +68,7 @@ impl Stretch {
         let length = self.length();
         let chord = self.to.point - self.from.point;
         let distance = libm::hypot(chord.x, chord.y);
-        // the arc is longer than its chord by so much, or by less: where rounding would have it shorter, it may still bend by more than
-        // that
+        // the arc is longer than its chord by at most this much: where rounding makes it seem shorter, it may still bend by more than that
         let longer = (length - distance).max(0.0) + rounding;
         let excess = (longer * (length + distance)).sqrt();
         // c/ℓ = 1 − φ²/24 for an arc that turns by φ
@@ -127,7 +125,7 @@ fn range(piece: &dyn Piece, other: &dyn Piece) -> Option<[f64; 2]> {
     if off > reach {
         return None;
     }
-    // where the piece has an end its parameter is 0 there
+    // at the end of a half-infinite piece the parameter is 0
     let ends = piece.ends().map_or([false; 2], |e| e.map(|p| is_finite(&p)));
     let low = if ends[0] { (s - reach).max(0.0) } else { s - reach };
     let high = if ends[1] { (s + reach).min(0.0) } else { s + reach };
@@ -137,7 +135,7 @@ fn range(piece: &dyn Piece, other: &dyn Piece) -> Option<[f64; 2]> {
 pub(super) fn meetings(a: &dyn Piece, b: &dyn Piece) -> Vec<Meeting> {
     let (Some(p), Some(q)) = (range(a, b), range(b, a)) else { return vec![] };
     let size = a.extent().size().max(b.extent().size());
-    // formula curves are solved to a few ulp more than coordinates; the points of a flat arc are known as well as its centre only
+    // curves given by formulas are solved to a few ulp more than coordinates; the points of a flat arc are known only as well as its centre
     let tolerance = 4.0 * slack([size]).max(rounding(a)).max(rounding(b));
     let mut found = vec![];
     ends_on(a, b, tolerance, |point, s, t| Meeting { point, at: [s, t], kind: MeetingKind::End }, &mut found);
@@ -168,14 +166,14 @@ fn ends_on(
     }
 }
 
-/// Adds where two ranges of arc length of two pieces meet, their ends aside.
+/// Adds the meetings of two ranges of arc length of two pieces, apart from those at ends.
 pub(super) fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found: &mut Vec<Meeting>) {
     let whole =
         [0, 1].map(|k| Stretch { from: Mark::new(pieces[k], ranges[k][0]), to: Mark::new(pieces[k], ranges[k][1]) });
     let rounding = 0.25 * tolerance;
     let longest = whole[0].length().max(whole[1].length());
     let (least, short) = (TOUCHING * longest, SHORT * longest);
-    // a closed curve is halved first: its chord is no direction
+    // a closed curve is halved first, since its chord has no direction
     let mut open = vec![];
     for a in whole[0].halves(pieces[0]) {
         for b in whole[1].halves(pieces[1]) {
@@ -218,27 +216,27 @@ pub(super) fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: 
     }
     for at in touching {
         let point = pieces[0].point_at(at[0]);
-        // stretches that touch together are one meeting
+        // neighbouring stretches that touch are one meeting
         if !found.iter().any(|m| (m.point - point).norm() <= 64.0 * least) {
             found.push(Meeting { point, at, kind: MeetingKind::Tangency });
         }
     }
 }
 
-/// How far about a crossing there may be another one, if no more than rounding lies between the curves from the one to the other: then they
-/// touch there.
+/// If the curves touch at a crossing, that is, if they may cross again with no more than rounding between them on the way: the distance at
+/// which that other crossing may lie.
 ///
-/// Curves that cross at an angle with the sine `σ` and bend apart by `κ` cross again after `2σ/κ`, and are up to `σ²/2κ` apart on the way.
+/// Curves that cross at an angle with the sine `σ` and bend apart by `κ` cross again after `2σ/κ`, and are up to `σ²/2κ` apart in between.
 fn touching_at(pieces: [&dyn Piece; 2], crossing: &Meeting, tolerance: f64) -> Option<f64> {
     let normals = [0, 1].map(|k| pieces[k].landing_at(crossing.at[k]).normal);
     let bends = pieces.map(|piece| piece.curvature(&crossing.point));
     let apart = (bends[0] - bends[1].copysign(bends[1] * normals[0].dot(&normals[1]))).abs();
     let sine = normals[0].perp(&normals[1]).abs();
-    // where curves touch, steps only halve, and stop within four tolerances
+    // where curves touch, Newton steps only halve, and stop within four tolerances
     (sine * sine <= 2.0 * apart * (8.0 * tolerance)).then(|| 4.0 * sine / apart)
 }
 
-/// The arc lengths at which a piece has points; beyond them `point_at` may stay at the end.
+/// The range of arc lengths of a piece; beyond it `point_at` may stay at the end.
 fn domain(piece: &dyn Piece) -> [f64; 2] {
     let Some([start, end]) = piece.ends() else { return [f64::NEG_INFINITY, f64::INFINITY] };
     match [start, end].map(|p| is_finite(&p)) {
@@ -249,16 +247,16 @@ fn domain(piece: &dyn Piece) -> [f64; 2] {
     }
 }
 
-/// The crossing of two nearly straight stretches, and how exactly its place is known.
+/// The crossing of two nearly straight stretches, and the accuracy of its position.
 fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<(Meeting, f64)> {
     let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
     let (mut last, mut rest) = (f64::INFINITY, f64::INFINITY);
     let mut point = hulls[0].middle;
-    // a place is known by its arc length to so much: of a piece that winds, less well than by its coordinates
+    // the accuracy of a position given by its arc length: on a winding piece, less than that of its coordinates
     let known = |k: usize| 4.0 * f64::EPSILON * pair[k].from.s.abs().max(pair[k].to.s.abs());
     let tolerance = tolerance.max(known(0)).max(known(1));
     let domains = pieces.map(domain);
-    // point and direction; beyond its ends a piece goes on straight, so that a step too far is followed by one back
+    // point and direction; beyond its ends a piece is continued straight, so that a step too far is followed by one back
     let place = |k: usize, s: f64| {
         let inner = s.clamp(domains[k][0], domains[k][1]);
         let landing = pieces[k].landing_at(inner);
@@ -290,8 +288,8 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
     }
     let [(_, along), (_, other)] = places;
     let converged = last <= 4.0 * tolerance / along.perp(&other).abs();
-    // a steep formula knows its points less well than anything else does, for they move by the slope times the rounding of the angle: there
-    // steps stop shrinking early, and that the pieces cross is seen from a little way before and behind
+    // points of a steep formula are less accurate than all others, since they move by the slope times the rounding of the angle: there
+    // steps stop shrinking early, and whether the pieces cross is decided a little before and behind
     let way = 8.0 * rest.max(last);
     let crosses = || {
         let passes = |k: usize| {
@@ -306,7 +304,7 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
     (inside && (converged || crosses())).then_some((Meeting { point, at, kind: MeetingKind::Crossing }, known))
 }
 
-/// The pieces run along each other: what is in common begins and ends at ends.
+/// For pieces that run along each other: the common stretch begins and ends at ends of the pieces.
 fn overlap(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: f64, found: &mut Vec<Meeting>) {
     found.retain(|m| m.kind == MeetingKind::End);
     for m in found.iter_mut() {

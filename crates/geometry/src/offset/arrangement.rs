@@ -1,4 +1,4 @@
-//! The moved pieces, cut where they meet, and what of them bounds the region of centres.
+//! The moved pieces, cut where they meet, and the parts of them that bound the region of centres.
 use super::{
     Origin,
     moved::Moved,
@@ -17,8 +17,8 @@ use crate::{
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A meeting at an end, of directions that differ by less than this (radians), says nothing about sides: where curves touch
-/// is known to the root of rounding, 10⁻⁸, only.
+/// A meeting at an end with directions that differ by less than this (radians) says nothing about sides: where curves touch is known
+/// only to the square root of rounding, 10⁻⁸.
 const TANGENT: f64 = 1e-6;
 
 /// A place where a moved piece is cut.
@@ -27,20 +27,20 @@ struct Cut {
     /// Arc length.
     s: f64,
     site: Site,
-    /// Whether the piece comes from where it is too near the boundary, and whether it goes there: it crosses another
-    /// moved piece to the left, or to the right.
+    /// Whether the piece leaves the zone that is too near the boundary, and whether it enters it: it crosses another moved piece to its
+    /// left, or to its right.
     leaves: bool,
     enters: bool,
 }
 
-/// What room there is beside a point of a moved piece.
+/// The room beside a point of a moved piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Room {
     /// None: it is too near the boundary, in a corridor as wide as the disk, or behind a wall.
     None,
-    /// It is before all walls that the disk touches there.
+    /// The point is in front of all walls that the disk touches there.
     Clear,
-    /// It is before one of the walls that the disk touches there and behind another one.
+    /// The point is in front of one of the walls that the disk touches there and behind another one.
     AmongWalls,
 }
 
@@ -96,11 +96,11 @@ impl<'a> Arrangement<'a> {
                 }
                 for m in meetings(&*copy.piece, &*other.piece) {
                     let [t, u] = [&copy.piece, &other.piece].map(|p| direction_at(&**p, &m.point));
-                    // one way, they are on one side; opposite ways, the region is pinched here
+                    // with equal directions neither crosses to the other side; with opposite ones the region is pinched here
                     if m.kind == MeetingKind::Tangency && t.dot(&u) > 0.0 {
                         continue;
                     }
-                    // left of a moved piece is away from the wall it comes from; right of it, too near
+                    // the left of a moved piece is away from its wall; the right is too near to it
                     let leftward = u.perp(&t);
                     let clear = match m.kind {
                         MeetingKind::Crossing => true,
@@ -125,7 +125,7 @@ impl<'a> Arrangement<'a> {
         }
     }
 
-    /// Whether two pieces, the second one in another cell, go on as one another at a point: that they do so at an angle, within what is
+    /// Whether two pieces, the second one in another cell, continue one another at a point: a small angle there, within what counts as
     /// smooth, says nothing about sides.
     fn go_on(&self, [i, j]: [usize; 2], cell: [f64; 2], point: Vector2<f64>) -> bool {
         let tolerance = self.tolerances.of_raw[i].max(self.tolerances.of_raw[j]);
@@ -134,17 +134,17 @@ impl<'a> Arrangement<'a> {
         own.any(|site| its.contains(site) && (self.vertices.at(*site) - point).amax() <= tolerance)
     }
 
-    /// Makes one vertex of those that differ by rounding, and one cut of those at one vertex.
+    /// Merges vertices that differ by rounding, and cuts at the same vertex.
     fn unite(&mut self) {
         self.vertices.unite_near(&self.tolerances.of_vertices);
         for ((raw, cuts), tolerance) in self.raw.iter().zip(&mut self.cuts).zip(&self.tolerances.of_raw) {
             let mut single: Vec<Cut> = vec![];
             let length = raw.piece.length();
             for cut in cuts.drain(..) {
-                // nothing as short as this is a piece
+                // anything this short is not a piece
                 if let Some(last) = single.last_mut().filter(|last| cut.s - last.s <= 4.0 * tolerance) {
                     self.vertices.unite(last.site, cut.site);
-                    // where it ends is known to the last digit, where others meet it there is not
+                    // the piece's own end is known to the last digit, meetings with others there are not
                     if cut.s == 0.0 || cut.s == length {
                         last.s = cut.s;
                     }
@@ -164,7 +164,7 @@ impl<'a> Arrangement<'a> {
                 }
             }
             if raw.piece.ends().is_none() && single.len() == 1 {
-                // a circle cut once: a second vertex opposite, since an arc has two ends
+                // a circle cut once gets a second vertex opposite, since an arc needs two distinct ends
                 let s = single[0].s + 0.5 * length;
                 let site = self.vertices.add(raw.piece.point_at(s));
                 single.push(Cut { s, site, leaves: false, enters: false });
@@ -217,7 +217,7 @@ impl<'a> Arrangement<'a> {
                     if r.piece.ends().is_none() {
                         pairs.push([Some(last), Some(Cut { s: first.s + length, ..first })]);
                     } else if !length.is_finite() {
-                        // the parts that reach to infinity
+                        // add the parts that reach to infinity
                         if r.ends[0].is_none() {
                             pairs.insert(0, [None, Some(first)]);
                         }
@@ -245,8 +245,8 @@ impl<'a> Arrangement<'a> {
         kept
     }
 
-    /// Whether a section is at its distance from the boundary, with room beside it: its middle, and further points where that may
-    /// happen to lie in line with a place where walls touch, as in the middle of the arc around a tip.
+    /// Whether a section is at the right distance from the boundary, with room beside it: this is tested at its middle, and at further
+    /// points where the middle may happen to be in line with a place where walls touch, like the middle of the arc around a tip.
     fn is_clear(&self, drawn: &Copies, number: usize, [low, high]: [f64; 2]) -> bool {
         let raw = &self.raw[number];
         let step = self.radius.max(self.tolerances.general / f64::EPSILON);
@@ -267,15 +267,15 @@ impl<'a> Arrangement<'a> {
         }
     }
 
-    /// What room there is beside a point of a moved piece.
+    /// The room beside a point of a moved piece.
     fn room_at(&self, drawn: &Copies, number: usize, at: f64) -> Room {
         let piece = &*self.raw[number].piece;
         let at = piece.point_at(at);
         if drawn.nearest(&at, self.radius - self.tolerances.widest).is_some() {
             return Room::None;
         }
-        // walls on both sides: a corridor exactly as wide as the disk is closed; and what goes around the tip of a wall that ends on
-        // another one may be behind that
+        // walls on both sides: a corridor exactly as wide as the disk is closed; and an arc around the tip of a wall that ends on
+        // another one may be behind that other wall
         let normal = piece.closest(&at).normal;
         let (mut near, mut pinched, mut before, mut behind) = (false, false, false, false);
         drawn.search(
@@ -307,7 +307,7 @@ impl<'a> Arrangement<'a> {
         }
     }
 
-    /// Strings the sections together.
+    /// Links the sections into chains.
     fn chains(&self, sections: &[Section]) -> Result<Vec<Chain>, Error> {
         let root = |site: Site| self.vertices.find(site);
         let mut starting: std::collections::HashMap<usize, Vec<usize>> = std::collections::HashMap::new();
@@ -352,10 +352,10 @@ impl<'a> Arrangement<'a> {
                 used[at] = true;
                 chain.sections.push((sections[at], cell));
                 let Some(following) = next[at] else {
-                    // a circle without cuts has no next one, and needs none
+                    // a circle without cuts has no next section, and needs none
                     break;
                 };
-                // the next one starts where this one ends, in whatever cell that is
+                // the next section starts where this one ends, in whatever cell
                 if let (Some(end), Some(start)) = (sections[at].sites[1], sections[following].sites[0]) {
                     let (end, start) = (root(end), root(start));
                     cell = [0, 1].map(|k| cell[k] + end.cell[k] - start.cell[k]);
@@ -371,7 +371,7 @@ impl<'a> Arrangement<'a> {
         Ok(chains)
     }
 
-    /// Makes one section of neighbours that were parted by a cut which turned out to be none.
+    /// Merges neighbouring sections that were separated by a cut which turned out to be unnecessary.
     fn join(&self, chain: &mut Chain) {
         let continues = |(a, cell): &(Section, [f64; 2]), (b, next): &(Section, [f64; 2])| {
             let [p, q] = [a.last, b.raw].map(|raw| &self.raw[raw]);
@@ -379,14 +379,14 @@ impl<'a> Arrangement<'a> {
             let wraps = p.piece.ends().is_none() && a.range[1] == b.range[0] + length;
             let same = a.last == b.raw && (a.range[1] == b.range[0] || wraps);
             let parts = match (&p.part, &q.part) {
-                // not where one part ends on the beginning of another by chance, as where the curve touches itself
+                // not where one part ends at the beginning of another by chance, as where the curve touches itself
                 (Some(p), Some(q)) => p.leads_to(q, [a.last, b.raw]) && a.range[1] == length && b.range[0] == 0.0,
                 _ => false,
             };
             cell == next && (same || parts)
         };
         if chain.closed == Some([0.0; 2]) {
-            // begin where a section does not continue the one before
+            // start with a section that does not continue the one before
             let count = chain.sections.len();
             let start = (0..count).find(|&k| !continues(&chain.sections[(k + count - 1) % count], &chain.sections[k]));
             if let Some(start) = start {
@@ -429,7 +429,7 @@ impl<'a> Arrangement<'a> {
             let closes = last && chain.closed == Some([0.0; 2]);
             let to = if closes { start } else { place(section.sites[1], *cell) };
             let piece = self.piece(section, *cell, [from, to]).map_err(|error| match (error, to.or(from)) {
-                // what is left of a piece between vertices that are one but for rounding
+                // the rest of a piece between vertices that are equal up to rounding
                 (Error::ZeroLength | Error::OffCircle { .. }, Some(at)) => {
                     Error::Undecided { radius: self.radius, at: at.into() }
                 }
@@ -473,7 +473,7 @@ impl<'a> Arrangement<'a> {
                 let parallels = [section.raw, section.last].map(|k| self.raw[k].part.as_ref().map(|p| &p.parallel));
                 let [Some(first), Some(last)] = parallels else { return Err(undecided) };
                 let range = [first.base_parameter(section.range[0]), last.base_parameter(section.range[1])];
-                // the base is moved and not the parallel: its ends are vertices, to the last digit
+                // translate the base and not the parallel, so that its ends are the vertices to the last digit
                 Box::new(Parallel::new(translated(first.base(), shift), self.radius, range, Some([a, b]))?)
             }
             (_, [None, None]) => {
@@ -493,7 +493,7 @@ fn translated(piece: &Arc<dyn Piece>, by: Vector2<f64>) -> Arc<dyn Piece> {
 
 /// Sections that follow each other.
 struct Chain {
-    /// Each with the cell it is moved to.
+    /// The sections, each with the cell it is moved to.
     sections: Vec<(Section, [f64; 2])>,
     /// By how many lattice vectors it is moved after one round, if it is closed.
     closed: Option<[f64; 2]>,

@@ -1,4 +1,4 @@
-//! A piece moved inwards, whole and as it came.
+//! A piece moved inwards, before any cutting.
 use super::{Origin, vertices::Site};
 use crate::{Piece, shapes::Parallel};
 use std::sync::Arc;
@@ -10,7 +10,7 @@ pub(super) struct Moved {
     pub(super) origin: Origin,
     /// Its finite ends.
     pub(super) ends: [Option<Site>; 2],
-    /// For a curve without a figure, what it is part of.
+    /// For a curve without a figure, the part of its parallel curve that it is.
     pub(super) part: Option<Part>,
 }
 
@@ -23,7 +23,8 @@ pub(super) struct Part {
 }
 
 impl Part {
-    /// Whether `next` goes on along the curve where this part ends, by their numbers among the moved pieces.
+    /// Whether `next` continues along the curve where this part ends, given their numbers among the moved
+    /// pieces.
     pub(super) fn leads_to(&self, next: &Part, [number, next_number]: [usize; 2]) -> bool {
         let base = self.parallel.base();
         let around = base.ends().is_none()

@@ -1,4 +1,4 @@
-//! All pieces moved inwards, whatever becomes of them.
+//! All pieces moved inwards, before they are cut and selected.
 use super::{
     Origin,
     moved::{Moved, Part},
@@ -21,12 +21,12 @@ use std::sync::Arc;
 /// `R` is off by `R` times an eighth of the square, which is rounding.
 const SMOOTH: f64 = 2e-7;
 
-/// A convex corner is smooth as well where the moved sides reach beyond each other by no more than this many times the rounding of
-/// coordinates along them, for they are parallel then as far as anybody can tell.
+/// A convex corner also counts as smooth where the moved sides reach beyond each other by no more than this many times the rounding of
+/// coordinates, since the sides are then parallel within rounding.
 const SHALLOW: f64 = 4.0;
 
-/// A re-entrant corner is smooth as well where the arc about it is no longer than this many times what places may differ by that are
-/// computed twice: what is as short is no piece.
+/// A re-entrant corner also counts as smooth where the arc about it is no longer than this many times the tolerance within which points
+/// computed twice agree: anything this short is not a piece.
 const SHORT: f64 = 4.0;
 
 /// The moved pieces, and their ends as vertices.
@@ -36,7 +36,7 @@ pub(super) struct RawBoundary {
     pub(super) vertices: Vertices,
 }
 
-/// Where the ends of a piece go.
+/// The moved ends of a piece.
 type Ends = [Option<(Vector2<f64>, Site)>; 2];
 
 pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
@@ -55,7 +55,7 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
             tips.faces(ends, i, radius, &mut vertices, &mut pieces)?;
             continue;
         }
-        // an end without a neighbour to share it, or at a convex corner
+        // ends without a neighbour to share them, or at a convex corner
         for (k, end) in piece.ends().into_iter().flatten().enumerate() {
             if ends[i][k].is_none() && is_finite(&end) {
                 let moved = end + piece.closest(&end).normal * radius;
@@ -77,8 +77,8 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
     Ok(RawBoundary { pieces, vertices })
 }
 
-/// What becomes of a corner: a shared vertex where the boundary is smooth, an arc where it is re-entrant. Places that are computed twice
-/// may differ by the tolerance \[L\].
+/// Moves a corner: it becomes a shared vertex where the boundary is smooth, and an arc where it is re-entrant. Points that are computed
+/// twice may differ by the tolerance \[L\].
 fn turn(
     table: &Table,
     radius: f64,
@@ -128,7 +128,7 @@ fn turn(
 /// A piece of known figure, moved; `None` where it shrinks to nothing.
 fn shifted(piece: &dyn Piece, radius: f64, ends: [Option<Vector2<f64>>; 2]) -> Result<Option<Arc<dyn Piece>>, Error> {
     let left = |d: Vector2<f64>| Vector2::new(-d.y, d.x);
-    // a focusing arc of the radius of the disk, but for rounding, becomes a point
+    // a focusing arc whose radius equals that of the disk, up to rounding, becomes a point
     let reduced = |r: f64, inside: bool, center: Vector2<f64>| {
         let moved = if inside { r - radius } else { r + radius };
         (moved > slack([center.x, center.y, r])).then_some(moved)
@@ -158,12 +158,12 @@ fn shifted(piece: &dyn Piece, radius: f64, ends: [Option<Vector2<f64>>; 2]) -> R
     })
 }
 
-/// Places where the curvature is looked at, and parts of a regular curve (a curve that meets itself is cut by that).
+/// Number of places where the curvature is evaluated, and of parts of a regular curve (so that a curve that meets itself is cut).
 const PLACES: usize = 256;
 const PARTS: usize = 4;
 
-/// Places along a curve, with the function there, in order: so dense that its sign mostly changes at most once from each to the next.
-/// Where it comes near to 0 and turns, the extreme is sought and added if it lies beyond 0.
+/// Places along a curve, with the value of a function there, in order: so dense that its sign usually changes at most once between
+/// neighbours. Where the function comes near 0 and turns back, its extremum is sought and added if it lies beyond 0.
 fn places(length: f64, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let at = |k: usize| length * (k as f64 / PLACES as f64);
     let even: Vec<_> = (0..=PLACES).map(|k| (at(k), function(at(k)))).collect();
@@ -173,7 +173,7 @@ fn places(length: f64, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
         let sign = if value > 0.0 { 1.0 } else { -1.0 };
         let fall = [before, after].map(|other| sign * (other - value));
         let turns = fall[0] >= 0.0 && fall[1] >= 0.0;
-        // a parabola through the three does not go farther beyond the middle one than they differ
+        // the parabola through the three values exceeds the middle one by no more than their differences
         if turns
             && sign * value < 4.0 * (fall[0] + fall[1])
             && let Some(found) = beyond_zero(|s| sign * function(s), low, high)
@@ -185,11 +185,11 @@ fn places(length: f64, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
     places
 }
 
-/// Where a function that falls and rises again is not positive, if it is so anywhere: by golden sections towards its minimum.
+/// A place where a function that falls and rises again is not positive, if there is one, by golden-section search towards its minimum.
 fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
     let [mut a, mut b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
     let [mut at_a, mut at_b] = [function(a), function(b)];
-    // to the root of rounding: nearer, a minimum cannot be known
+    // to the square root of rounding: a minimum cannot be located more closely
     for _ in 0..40 {
         if at_a <= 0.0 {
             return Some(a);
@@ -210,7 +210,7 @@ fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Op
     None
 }
 
-/// The regular parts of the parallel of a curve: between centres of curvature.
+/// The regular parts of the parallel of a curve, between its cusps (where it meets centres of curvature of the curve).
 fn parallels(
     base: &Arc<dyn Piece>,
     number: usize,
@@ -250,7 +250,8 @@ fn parallels(
         let point = moved(0.0);
         (point, vertices.add(point))
     });
-    // how far a place is from the parallel's, in arc length of the base: beside a corner that counts as smooth, the normal is not the mean one
+    // the distance of a place from the parallel's point, in arc length of the base: next to a corner that counts as smooth, the normal is
+    // not the mean one
     let ahead = |s: f64, place: Vector2<f64>| {
         let normal = base.closest(&base.point_at(s)).normal;
         (place - moved(s)).dot(&along(&normal)) / stretch(s)

@@ -1,4 +1,4 @@
-//! Walls without thickness, moved to both sides, and what the disk does around their tips.
+//! Walls without thickness, moved to both sides, and the arcs around their tips.
 use super::{
     Origin,
     moved::Moved,
@@ -12,7 +12,7 @@ use std::{collections::HashMap, sync::Arc};
 #[derive(Debug, Default)]
 pub(super) struct Tips {
     all: Vec<Tip>,
-    /// Which of them is at a point.
+    /// The index of the tip at a point.
     at: HashMap<[u64; 2], usize>,
 }
 
@@ -25,7 +25,8 @@ struct Tip {
     ends: Vec<(Vector2<f64>, Site)>,
 }
 
-/// Two faces whose ends on the circle around a tip are no farther apart than this part of its radius go on in one another.
+/// Two faces whose ends on the circle around a tip are no farther apart than this fraction of its radius continue one
+/// another.
 const STRAIGHT: f64 = 2e-7;
 
 impl Tips {
@@ -55,7 +56,7 @@ impl Tips {
         Ok(())
     }
 
-    /// The end of a moved face: one that is there already, or a new one.
+    /// The end of a moved face: an existing one, or a new one.
     fn end(
         &mut self,
         tip: Vector2<f64>,
@@ -78,7 +79,7 @@ impl Tips {
         })
     }
 
-    /// The circles around the tips, in arcs from end to end.
+    /// The circles around the tips, cut into arcs from end to end.
     pub(super) fn arcs(self, radius: f64, pieces: &mut Vec<Moved>) -> Result<(), Error> {
         for Tip { point: tip, piece, mut ends } in self.all {
             // clockwise, with the table outside

@@ -1,17 +1,18 @@
-//! How much places on moved pieces may differ that are computed twice.
+//! How much points of moved pieces that are computed twice may differ.
 use super::{moved::Moved, vertices::Vertices};
 use crate::{Piece, Table, piece::rounding, plane::slack};
 
-/// The points of a flat arc are known as well as its centre only: such a piece, and what ends on it, is allowed more, and no other.
+/// The points of a flat arc are known only as well as its centre: such pieces, and those that end on them, get a larger tolerance
+/// than all others.
 pub(super) struct Tolerances {
-    /// On most pieces.
+    /// The tolerance of most pieces.
     pub(super) general: f64,
-    /// On the one where it is most.
+    /// The largest tolerance of any piece.
     pub(super) widest: f64,
     pub(super) of_raw: Vec<f64>,
     pub(super) of_drawn: Vec<f64>,
     pub(super) of_vertices: Vec<f64>,
-    /// Of each moved piece with those that it goes on as, which end it.
+    /// For each moved piece, the largest of its own tolerance and those of the vertices at its ends.
     pub(super) of_ended: Vec<f64>,
 }
 

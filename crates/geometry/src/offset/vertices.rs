@@ -1,4 +1,4 @@
-//! Points that are one point but for rounding, on a lattice also but for a translation.
+//! Points that are equal up to rounding and, on a lattice, up to a translation.
 use crate::{BoxTree, Extent, Lattice};
 use nalgebra::Vector2;
 
@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Site {
     pub(super) vertex: usize,
-    /// By how many of each lattice vector.
+    /// How many of each lattice vector it is moved by.
     pub(super) cell: [f64; 2],
 }
 
@@ -27,7 +27,7 @@ pub(super) fn minus(a: [f64; 2]) -> [f64; 2] {
 pub(super) struct Vertices {
     lattice: Option<Lattice>,
     points: Vec<Vector2<f64>>,
-    /// Each vertex is at its parent's place, moved.
+    /// Each vertex is a translate of its parent.
     parents: Vec<Site>,
 }
 
@@ -119,7 +119,7 @@ mod tests {
     #[test]
     fn one_place_of_a_lattice_is_one_vertex_whichever_way_rounding_goes() {
         let lattice = Lattice::new(&[v(1.0, 0.0), v(0.0, 2.0)]).unwrap();
-        // about a corner of cells, an edge, and within
+        // at a corner of cells, on an edge, and inside
         for place in [v(0.0, 0.0), v(0.0, 0.75), v(0.5, 2.0), v(0.25, 0.5)] {
             let off = [-1e-15, 1e-15];
             for (i, j, k, l) in (0..16).map(|n| (n & 1, n >> 1 & 1, n >> 2 & 1, n >> 3)) {
@@ -130,7 +130,7 @@ mod tests {
                 vertices.unite_near(&[4e-15; 3]);
                 assert_eq!(vertices.find(a).vertex, vertices.find(b).vertex, "{place} {i} {j} {k} {l}");
                 assert_ne!(vertices.find(a).vertex, vertices.find(other).vertex);
-                // the one is the other, three cells on and two down
+                // the one is the other, moved by three cells forwards and two down
                 assert_eq!(vertices.at(b), vertices.at(a) + v(3.0, -4.0), "{place} {i} {j} {k} {l}");
             }
         }

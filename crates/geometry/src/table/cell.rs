@@ -6,27 +6,27 @@ use std::sync::Arc;
 /// A cell that holds each point of a channel or a flat torus once: `{Σ (cₖ + aₖ) ℓₖ : 0 ≤ aₖ < 1}` with the shortest vectors `ℓₖ` of
 /// the lattice and a corner `c`.
 ///
-/// Any such cell will do. In a long and thin one a path would cross edges all the time, so that the vectors are those of
-/// [`Lattice`]'s shortest basis; and a piece that is cut by an edge would have to be asked twice, so that the corner lies where the
-/// fewest are. Where nothing is gained, it is the unit cell of the lattice as it was given.
+/// Any such cell is possible. In a long and thin one a path would cross edges all the time, so the vectors are those of the
+/// [`Lattice`]'s shortest basis; and a piece that is cut by an edge would have to be tested twice, so the corner lies where the fewest
+/// are cut. Where nothing is gained, it is the unit cell of the lattice as given.
 #[derive(Clone, Debug)]
 pub struct FundamentalCell {
     given: Lattice,
     lattice: Lattice,
-    /// How many of the given vectors each of the shortest ones is.
+    /// Each of the shortest vectors in multiples of the given ones.
     of_given: [[f64; 2]; 2],
     /// The lattice coordinates of the corner.
     corner: [f64; 2],
 }
 
 impl FundamentalCell {
-    /// That with its corner in the origin.
+    /// The cell with its corner at the origin.
     pub(super) fn at_origin(given: Lattice) -> FundamentalCell {
         let (lattice, of_given) = given.reduced();
         FundamentalCell { given, lattice, of_given, corner: [0.0; 2] }
     }
 
-    /// That with its corner where the fewest translates of these pieces reach in.
+    /// The cell with its corner placed so that the fewest translates of these pieces reach in.
     pub(super) fn around(self, pieces: &[Arc<dyn Piece>]) -> FundamentalCell {
         let count = self.lattice.vectors().len();
         let of_piece = |piece: &Arc<dyn Piece>| {
@@ -47,13 +47,13 @@ impl FundamentalCell {
         };
         let candidates = [[0.0; 2], [gap[0], 0.0], [0.0, gap[1]], gap];
         let fewest = candidates.map(|corner| (corner, copies(corner))).into_iter().reduce(|best, other| {
-            // where it is no better, the corner stays
+            // where no other is better, the corner stays
             if other.1 < best.1 { other } else { best }
         });
         FundamentalCell { corner: fewest.map_or([0.0; 2], |(corner, _)| corner), ..self }
     }
 
-    /// The lattice, as it was given.
+    /// The lattice as given.
     pub fn given(&self) -> &Lattice {
         &self.given
     }
@@ -68,18 +68,18 @@ impl FundamentalCell {
         self.corner
     }
 
-    /// Whether it is the unit cell of the lattice as it was given.
+    /// Whether it is the unit cell of the lattice as given.
     pub fn is_unit_cell(&self) -> bool {
         self.corner == [0.0; 2] && self.is_as_given()
     }
 
-    /// Whether the shortest vectors are those that were given.
+    /// Whether the shortest vectors are the given ones.
     fn is_as_given(&self) -> bool {
         self.of_given == [[1.0, 0.0], [0.0, 1.0]]
     }
 
-    /// The point of the cell that is the same as `point`, and the translation from the one to the other, in multiples of the vectors
-    /// as they were given.
+    /// The point of the cell that is equivalent to `point`, and the translation from the one to the other, in multiples of the given
+    /// vectors.
     pub fn home(&self, point: &Vector2<f64>) -> (Vector2<f64>, [f64; 2]) {
         let (home, cell) = self.home_in_shortest(point);
         if self.is_as_given() {
@@ -99,7 +99,7 @@ impl FundamentalCell {
         (p, cell)
     }
 
-    /// Whether a point lies in the cell or, but for rounding, on its edge.
+    /// Whether a point lies in the cell or, up to rounding, on its edge.
     pub fn holds(&self, point: &Vector2<f64>) -> bool {
         (0..self.lattice.vectors().len()).all(|k| {
             let [f, g] = self.lattice.functional(k);
@@ -109,19 +109,19 @@ impl FundamentalCell {
         })
     }
 
-    /// The same in the unit cell of the lattice as it was given. A point of that is where it is, also one that rounding has taken
-    /// across its edge if paths are followed in it.
+    /// The same in the unit cell of the lattice as given. A point of the unit cell stays where it is, even if rounding has taken it
+    /// across the edge while paths are followed in that cell.
     pub fn in_unit_cell(&self, point: &Vector2<f64>) -> (Vector2<f64>, [f64; 2]) {
         if self.is_unit_cell() { (*point, [0.0; 2]) } else { self.given.reduce(point) }
     }
 
-    /// The largest number of given vectors that one of the shortest ones is made of.
+    /// The largest multiple of a given vector in one of the shortest ones.
     pub(super) fn skew(&self) -> f64 {
         self.of_given.as_flattened().iter().fold(0.0, |most, count| most.max(count.abs()))
     }
 
-    /// Of each of the shortest vectors the least and the largest multiple by which a piece can be moved to reach within `margin` cells
-    /// of this one.
+    /// For each of the shortest vectors, the least and the largest multiple by which a piece can be moved to reach within `margin`
+    /// cells of this one.
     pub(super) fn reach(&self, piece: &dyn Piece, margin: f64) -> [[f64; 2]; 2] {
         let mut range = [[0.0; 2]; 2];
         for (k, range) in range.iter_mut().enumerate().take(self.lattice.vectors().len()) {
@@ -141,26 +141,27 @@ impl FundamentalCell {
     }
 }
 
-/// Between which values of a lattice coordinate a piece lies; `None` of one that goes on for ever.
+/// The range of a lattice coordinate over a piece; `None` for one that goes on for ever.
 fn span_of(piece: &dyn Piece, functional @ [f, g]: [f64; 2]) -> Option<[f64; 2]> {
     if let Figure::Circle { center, radius, .. } = piece.figure() {
         return Some(span_of_disk(center, radius, functional));
     }
     let Extent { min, max } = piece.extent();
     let corners_of = [min, Vector2::new(max.x, min.y), max, Vector2::new(min.x, max.y)];
-    // an infinite extent at right angles to the functional counts nothing
+    // an infinite extent at right angles to the functional does not count
     let at = corners_of.map(|c| [f * c.x, g * c.y].iter().filter(|a| !a.is_nan()).sum::<f64>());
     let (low, high) = at.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &a| (l.min(a), h.max(a)));
     (low.is_finite() && high.is_finite()).then_some([low, high])
 }
 
-/// The same of a disk, which has no corners.
+/// The same for a disk, which has no corners.
 fn span_of_disk(center: Vector2<f64>, radius: f64, [f, g]: [f64; 2]) -> [f64; 2] {
     let (at, reach) = (f * center.x + g * center.y, radius * libm::hypot(f, g));
     [at - reach, at + reach]
 }
 
-/// The least and the largest number of cells by which a span can be moved to reach within `margin` cells of that from `corner` on.
+/// The least and the largest number of cells by which a span can be moved to reach within `margin` cells of the cell that starts at
+/// `corner`.
 fn reaching([low, high]: [f64; 2], corner: f64, margin: f64) -> [f64; 2] {
     // a wall along an edge of cells bounds those on both sides of it
     let rounding = slack([1.0, low, high]);
@@ -176,7 +177,7 @@ fn many([least, largest]: [f64; 2]) -> f64 {
 
 /// The middle of the widest stretch, modulo 1, where the fewest spans are cut; in [−1/2, 1/2), and 0 without spans.
 fn widest_gap(spans: impl Iterator<Item = [f64; 2]>) -> f64 {
-    // how many are cut at 0, and where there is one more or less
+    // how many are cut at 0, and the places where the number changes by one
     let (mut cut, mut ends) = (0.0, vec![]);
     for span in spans {
         let [from, to] = span.map(|at| at - libm::floor(at));
@@ -220,7 +221,7 @@ mod tests {
         let square = [v(1.0, 0.0), v(0.0, 1.0)];
         assert_eq!(cell(&square, &[(v(0.0, 0.0), 0.25)]).corner(), [-0.5, -0.5]);
         assert_eq!(cell(&square, &[(v(0.5, 0.0), 0.25)]).corner(), [0.0, -0.5]);
-        // the same is cut, wherever it may lie, and one that is not stays
+        // the same disk is cut wherever it lies, and if none is cut the corner stays
         assert_eq!(cell(&square, &[(v(1e6, -1e6), 0.25)]).corner(), [-0.5, -0.5]);
         assert!(cell(&square, &[(v(0.375, 0.6), 0.25)]).is_unit_cell());
         let hexagonal = cell(&[v(1.0, 0.0), v(0.5, 0.75_f64.sqrt())], &[(v(0.0, 0.0), 0.4)]);
@@ -233,10 +234,10 @@ mod tests {
     #[test]
     fn the_corner_lies_where_the_fewest_disks_are_cut() {
         let square = [v(1.0, 0.0), v(0.0, 1.0)];
-        // between 0.1 and 0.3 none is, above 0.6 both are
+        // between 0.1 and 0.3 none is cut, above 0.6 both are
         let corner = cell(&square, &[(v(0.55, 0.5), 0.25), (v(0.9, 0.5), 0.2)]).corner();
         assert!((corner[0] - 0.2).abs() < 1e-15 && corner[1] == 0.0, "{corner:?}");
-        // nothing is gained where one is always cut
+        // nothing is gained where some disk is always cut
         let all_over = [(v(0.0, 0.5), 0.2), (v(1.0 / 3.0, 0.5), 0.2), (v(2.0 / 3.0, 0.5), 0.2)];
         assert_eq!(cell(&square, &all_over).corner(), [0.0; 2]);
     }
@@ -253,7 +254,7 @@ mod tests {
                 let point = v(corner[0] + parts[0] + 0.25 * (corner[1] + parts[1]), corner[1] + parts[1]);
                 let within = parts.iter().all(|part| (0.0..=1.0).contains(part));
                 assert_eq!(square.holds(&point), within, "{corner:?} {parts:?}");
-                // rounding counts for nothing, more than that does
+                // rounding does not matter, more than that does
                 for off in [1e-15, -1e-15] {
                     assert_eq!(square.holds(&(point + v(off, off))), within, "{corner:?} {parts:?} {off}");
                 }

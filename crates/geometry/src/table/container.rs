@@ -9,11 +9,11 @@ use crate::{
 };
 use nalgebra::Vector2;
 
-/// A composite wall with all pieces that it does not answer for, which lie inside.
+/// A composite wall, with all pieces that it does not answer for, which lie inside it.
 #[derive(Debug)]
 pub(super) struct Enclosed {
     pub(super) container: Container,
-    /// Where its sides are several pieces.
+    /// The seams, where a side consists of several pieces.
     pub(super) seams: Vec<Seam>,
     /// The numbers of the pieces inside.
     pub(super) rest: Vec<usize>,
@@ -22,7 +22,7 @@ pub(super) struct Enclosed {
 /// Chains of more pieces than this are better served piece by piece.
 pub(super) const MOST_SIDES: usize = 16;
 
-/// A composite wall that encloses the particle. Those that are no [`Hull`] have sides of one piece each, and nothing lies within.
+/// A composite wall that encloses the particle. Those that are not a [`Hull`] have sides of one piece each, and nothing inside.
 #[derive(Debug)]
 pub(super) enum Container {
     Hull(Hull),
@@ -33,7 +33,7 @@ pub(super) enum Container {
     Capsule(Capsule),
 }
 
-/// The wall that answers for the sides of a chain, if there is one: whether it is alone, and each side one piece.
+/// The wall that answers for the sides of a chain, if there is one; `alone`: nothing lies inside, and each side is one piece.
 pub(super) fn container(sides: &[Side], alone: bool) -> Option<Container> {
     let figures: Vec<Figure> = sides.iter().map(|side| side.figure).collect();
     let pieces: Vec<usize> = sides.iter().map(|side| side.piece).collect();
@@ -67,7 +67,7 @@ fn rectangle(sides: &[Segment], numbers: &[usize]) -> Option<Hull> {
     let all: Vec<[f64; 2]> = sides.iter().map(Segment::start).collect();
     let bound = |i: usize, pick: fn(f64, f64) -> f64| all.iter().map(|p| p[i]).reduce(pick).unwrap_or(0.0);
     let (low, high) = ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
-    // the walls in the order of axes: lower and upper
+    // the walls in the order of the axes, lower before upper
     let mut pieces = [[usize::MAX; 2]; 2];
     for (k, s) in sides.iter().enumerate() {
         let n = s.inward_normal();
@@ -89,7 +89,7 @@ fn rectangle(sides: &[Segment], numbers: &[usize]) -> Option<Hull> {
 }
 
 fn capsule(figures: &[Figure], numbers: &[usize], alone: bool) -> Option<Container> {
-    // in whatever order the loop starts: side, cap, side, cap
+    // wherever the loop starts, in the order side, cap, side, cap
     let k = figures.iter().position(|f| matches!(f, Figure::Segment { .. }))?;
     let at = |i: usize| figures[(k + i) % figures.len()];
     if figures.len() != 4 {

@@ -5,7 +5,7 @@ use nalgebra::Vector2;
 /// Arc length along a piece, and the point there.
 pub(super) type Place = (f64, Vector2<f64>);
 
-/// The ends of a piece and the places where it is cut, in order, none of them within rounding of another; around a closed one, back to the
+/// The ends of a piece and the places where it is cut, in order, no two of them equal within rounding; around a closed piece, back to the
 /// first.
 pub(super) fn stops(piece: &dyn Piece, mut cuts: Vec<Place>, near: f64) -> Vec<Place> {
     cuts.sort_by(|(s, _), (t, _)| s.total_cmp(t));
@@ -50,7 +50,7 @@ pub(super) fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
     }
 }
 
-/// Points where pieces are cut, so that those that end there have the same one.
+/// Points where pieces are cut, so that all pieces that end at a point share exactly the same one.
 pub(super) struct Vertices {
     points: Vec<Vector2<f64>>,
     tree: BoxTree,
@@ -64,7 +64,7 @@ impl Vertices {
         Vertices { points, tree, near }
     }
 
-    /// The first of the points that are equal to this one but for rounding, or else this one.
+    /// The first of the points that equal this one up to rounding, or else this one.
     pub(super) fn snap(&self, point: Vector2<f64>) -> Vector2<f64> {
         let here = Extent { min: point, max: point };
         let mut first = None;

@@ -30,7 +30,7 @@ impl Table {
                 None => visit.run(&Periodic::in_cell(self.translates(cell), cell).within(cell.lattice(), boxes())),
             };
         }
-        // obstacles of straight sides in a rectangle, too, are asked faster together with it
+        // even obstacles with straight sides in a rectangle are tested faster together with the rectangle
         if self.polygon.get().is_some() || (self.pieces.len() > MOST_SIDES && self.is_straight()) {
             return self.with_general_walls(visit);
         }
@@ -62,7 +62,7 @@ impl Table {
         }
     }
 
-    /// Runs a computation with walls of any form.
+    /// Runs a computation with walls for boundaries of any form.
     fn with_general_walls<V: WithWalls<2>>(&self, visit: V) -> V::Output {
         match self.polygon.get_or_init(|| self.polygon().map(Arc::new)) {
             Some(walls) => visit.run(&**walls),
@@ -75,7 +75,7 @@ impl Table {
         self.pieces.iter().all(|piece| straight(&**piece).is_some())
     }
 
-    /// All pieces as the sides of a polygon, if they are straight and none is one side of a wall with two.
+    /// All pieces as the sides of a polygon, if they are straight and none is one side of a two-sided wall.
     fn polygon(&self) -> Option<Polygon> {
         let number = |(i, side): (usize, Option<Segment>)| Some((i, side.filter(|side| !side.is_two_sided())?));
         let sides: Option<Vec<_>> =
@@ -84,7 +84,7 @@ impl Table {
         Some(Polygon::new(&sides?, &self.corners).with_junctions(junctions))
     }
 
-    /// The obstacles as one scatterer, if they are that.
+    /// The obstacles as one scatterer, if they are one disk.
     fn scatterer(&self, obstacles: &[usize]) -> Option<Scatterer<2>> {
         let &[piece] = obstacles else { return None };
         match self.pieces[piece].figure() {
@@ -97,7 +97,7 @@ impl Table {
         }
     }
 
-    /// All that there is in a cell, if that is one disk as a whole, which touches none of its translates.
+    /// The whole content of a cell, if that is one whole disk that touches none of its translates.
     fn lone_disk(&self, cell: &FundamentalCell) -> Option<Scatterer<2>> {
         match self.figures()[..] {
             [Figure::Circle { center, radius, inside: false }] => {
@@ -112,12 +112,12 @@ impl Table {
         }
     }
 
-    /// Any table as a list of pieces, asked one by one: the reference for all other walls.
+    /// Any table as a list of pieces, tested one by one: the reference for all other walls.
     pub fn list(&self, numbers: impl IntoIterator<Item = usize>) -> List {
         List::new(self.numbered(numbers), &self.corners)
     }
 
-    /// Those pieces that no composite wall covers as walls, each asked in the best way.
+    /// The pieces that no composite wall covers, as walls, each tested in the best way.
     fn parts(&self, numbers: &[usize]) -> &Pieces {
         self.parts.get_or_init(|| Arc::new(Pieces::new(self.numbered(numbers.iter().copied()), &self.corners)))
     }
@@ -174,7 +174,7 @@ impl Table {
         self.around(slab, vec![], &[one, other])
     }
 
-    /// A composite wall of some pieces with all others, if these lie inside: a table may have several rooms.
+    /// A composite wall of some pieces with all others, if these lie inside it: a table may have several rooms.
     fn around(&self, container: Container, seams: Vec<Seam>, chain: &[usize]) -> Option<Enclosed> {
         let rest: Vec<usize> = (0..self.pieces.len()).filter(|i| !chain.contains(i)).collect();
         rest.iter().all(|&i| self.inside(chain, i)).then_some(Enclosed { container, seams, rest })
@@ -202,7 +202,8 @@ impl Table {
     }
 }
 
-/// Whether a polygon has a vertex that is no corner of the table: composite walls of straight sides call each of theirs one.
+/// Whether a polygon has a vertex that is not a corner of the table: composite walls of straight sides report every vertex
+/// as a corner.
 fn has_flat_vertex(sides: &[Side], is_corner: impl Fn(&Vector2<f64>) -> bool) -> bool {
     let starts: Option<Vec<Segment>> = sides.iter().map(|side| side.straight).collect();
     starts.is_some_and(|sides| sides.iter().any(|side| !is_corner(&side.start().into())))

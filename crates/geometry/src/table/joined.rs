@@ -1,4 +1,4 @@
-//! Boundaries that stand on one another, as a box on a floor does, made one.
+//! Boundaries that stand on one another, like a box on a floor, joined into one.
 use super::{
     Table,
     cuts::{Place, Vertices, stops, with_ends},
@@ -21,23 +21,24 @@ use std::{
 struct Part {
     from: Vector2<f64>,
     to: Vector2<f64>,
-    /// A point within, and the normal there.
+    /// A point inside the part, and the normal there.
     within: Landing,
-    /// Whether it lies on a piece of another loop, which has the table on the other side.
+    /// Whether it lies on a piece of another loop that has the table on the other side.
     is_double: bool,
     /// Whether it bounds nothing.
     is_idle: bool,
 }
 
-/// The parts of those pieces that coincide with others, by number.
+/// The parts of the pieces that coincide with others, by piece number.
 type Parts = BTreeMap<usize, Vec<Part>>;
 
 impl Table {
-    /// The same table without what loops have in common where it lies on neither side, and for each piece the number of that which it is,
-    /// or is part of, here; `None` where there is nothing of the kind.
+    /// The same table without the stretches that loops have in common with the table on neither side, and for each of its pieces the number
+    /// of the piece of this table that it is, or is part of; `None` where there are no such stretches.
     ///
     /// A box that stands on a floor shares a stretch with it that bounds nothing: no path comes there. [`Table::validate`] calls it a
-    /// [spike](crate::Error::Spike). Without it both are one boundary, of pieces that end where the stretch does. One loop that runs there and back is left as it is, and so are curves by formulas.
+    /// [spike](crate::Error::Spike). Without it both form one boundary, of pieces that end where the stretch does. A single loop that runs
+    /// there and back is left as it is, and so are curves given by formulas.
     ///
     /// ```
     /// use geometry::{Outline, Table, Vector2};
@@ -56,12 +57,12 @@ impl Table {
         let size = if size > 0.0 { size } else { 1.0 };
         let near = 4.0 * slack([size]);
         let mut parts = self.parts_in_common(size, near);
-        // on which side the table lies there is told by all other walls
+        // all other walls determine on which side the table lies there
         let (others, _) = self.without(&parts, near, |part| part.is_double)?;
         let others = Copies::new(others.pieces(), others.shortest(), &finite_extent(&self.pieces), near);
         for part in parts.values_mut().flatten().filter(|part| part.is_double) {
             let Landing { point, normal } = part.within;
-            // not straight ahead of the tip of a cusp, the sides of which would both be seen edge on
+            // a point not straight ahead of the tip of a cusp, both sides of which would be seen edge on
             let aside = point + normal * (0.5 * others.signed_distance(&point).abs());
             part.is_idle = others.signed_distance(&aside) < 0.0;
         }
@@ -71,7 +72,7 @@ impl Table {
         self.without(&parts, near, |part| part.is_idle)
     }
 
-    /// The parts of all straight and circular pieces that run along one of another loop.
+    /// The parts of all straight and circular pieces that run along a piece of another loop.
     fn parts_in_common(&self, size: f64, near: f64) -> Parts {
         let loops = drawn_loops(&self.pieces);
         let copies = Copies::new(&self.pieces, self.shortest(), &finite_extent(&self.pieces), near);
@@ -108,7 +109,8 @@ impl Table {
         parts
     }
 
-    /// The table without some of the parts, and for each piece its number here; `None` where that is none.
+    /// The table without some of the parts, and for each of its pieces the number of the piece here that it comes from; `None` where that
+    /// is no table.
     fn without(&self, parts: &Parts, near: f64, left_out: impl Fn(&Part) -> bool) -> Option<(Table, Vec<usize>)> {
         let removed = parts.values().flatten().filter(|part| left_out(part));
         let vertices = Vertices::new(removed.flat_map(|part| [part.from, part.to]), near);
@@ -135,8 +137,8 @@ impl Table {
     }
 }
 
-/// For each piece the number of the loop in which it was drawn: pieces follow one another until one ends where a loop began. (Of a box in
-/// the corner of a room, both of which begin there, the box is none that the walls lead into.)
+/// For each piece the number of the loop in which it was drawn: pieces follow one another until one ends where a loop began. (A box in the
+/// corner of a room is not taken as a continuation of the walls, even if both loops begin at that corner.)
 fn drawn_loops(pieces: &[Arc<dyn Piece>]) -> Vec<usize> {
     let ends: Vec<_> = pieces.iter().map(Piece::ends).collect();
     let mut begun = HashSet::new();
@@ -157,7 +159,7 @@ fn drawn_loops(pieces: &[Arc<dyn Piece>]) -> Vec<usize> {
     (0..pieces.len()).map(number).collect()
 }
 
-/// An arc length between two others, where nothing is special; where one is infinite, as far from the other as the table is large.
+/// An arc length between two others, at no special fraction; where one is infinite, at a distance of about the table's size from the other.
 fn well_between([from, to]: [f64; 2], size: f64) -> f64 {
     match (from.is_finite(), to.is_finite()) {
         (true, true) => from + GOLDEN * (to - from),
@@ -167,7 +169,7 @@ fn well_between([from, to]: [f64; 2], size: f64) -> f64 {
     }
 }
 
-/// The ends of what is kept between parts that are left out; a closed piece goes on where it began.
+/// The ends of the stretches that are kept between parts that are left out; a closed piece continues where it began.
 fn runs(parts: &[Part], is_closed: bool, left_out: impl Fn(&Part) -> bool) -> Vec<[Vector2<f64>; 2]> {
     let first = if is_closed { parts.iter().position(&left_out).unwrap_or(0) } else { 0 };
     let mut runs: Vec<[Vector2<f64>; 2]> = vec![];

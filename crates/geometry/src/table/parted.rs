@@ -1,4 +1,4 @@
-//! The boundary cut where walls touch, which tells what falls apart there.
+//! The boundary cut where walls touch, which shows what falls apart there.
 use super::{
     Table,
     cuts::{Place, Vertices, stops, with_ends},
@@ -15,21 +15,21 @@ use crate::{
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// A piece, and the number of that which it is, or is part of.
+/// A piece, and the number of the piece that it is, or is part of.
 type Part = (Arc<dyn Piece>, usize);
 
 /// A table of pieces that end wherever another one touches them, and follow one another around each of its parts.
 pub(crate) struct Parted {
     pub(crate) table: Table,
-    /// For each piece the number of that which it is part of.
+    /// For each piece the number of the piece that it is part of.
     pub(crate) numbers: Vec<usize>,
-    /// By how much the boundary turns where one piece follows another.
+    /// The angles by which the boundary turns where one piece follows another.
     pub(crate) turns: Vec<f64>,
 }
 
 impl Table {
-    /// The same table, parted; `None` where nothing touches but what follows one another anyway. Ellipses and other curves are not cut:
-    /// where they touch is not always found.
+    /// The same table, parted; `None` where nothing touches except pieces that follow one another. Ellipses and other curves are not
+    /// cut, since their contacts are not always found.
     pub(crate) fn parted(&self) -> Option<Parted> {
         let size = self.pieces.iter().map(|piece| piece.extent().size()).fold(0.0, f64::max);
         let size = if size > 0.0 { size } else { 1.0 };
@@ -67,7 +67,7 @@ impl Table {
         Some(Parted { table: Table { next, unbounded: self.unbounded, ..table }, numbers, turns })
     }
 
-    /// Where each of some pieces meets another one, and whether any two meet that do not follow one another.
+    /// The places where each of some pieces meets another one, and whether any two meet that do not follow one another.
     fn cuts(&self, pieces: &[Arc<dyn Piece>], near: f64) -> (Vec<Vec<Place>>, bool) {
         let copies = Copies::new(pieces, self.shortest(), &finite_extent(pieces), near);
         let follows = |a: &dyn Piece, b: &dyn Piece, at: &Vector2<f64>| {
@@ -97,20 +97,20 @@ impl Table {
     }
 }
 
-/// The two faces of a straight wall that lies on itself; otherwise the piece.
+/// The two faces of a straight wall without thickness; otherwise the piece itself.
 fn faces(piece: &Arc<dyn Piece>, number: usize) -> Vec<Part> {
     let face = |ends| piece_of(&Figure::Segment { ends }).map(|face| (Arc::from(face), number));
     let both = piece.tips().and_then(|[a, b]| Some(vec![face([a, b]).ok()?, face([b, a]).ok()?]));
     both.unwrap_or_else(|| vec![(Arc::clone(piece), number)])
 }
 
-/// The parts of a piece between places; of one that is not cut, itself. `None` where a part cannot be made.
+/// The parts of a piece between places; the piece itself if it is not cut. `None` where a part cannot be made.
 fn cut(piece: &Arc<dyn Piece>, mut cuts: Vec<Place>, vertices: &Vertices, near: f64) -> Option<Vec<Box<dyn Piece>>> {
     let figure = piece.figure();
     if let (None, Some(&(s, point))) = (piece.ends(), cuts.first())
         && cuts.iter().all(|(_, other)| (other - point).amax() <= near)
     {
-        // an arc has two ends, however many walls stand where it is cut
+        // an arc needs two distinct ends, even if a circle is cut at a single place
         let opposite = s + 0.5 * piece.length();
         cuts.push((opposite, piece.point_at(opposite)));
     }
@@ -124,7 +124,7 @@ fn cut(piece: &Arc<dyn Piece>, mut cuts: Vec<Place>, vertices: &Vertices, near: 
     ends.filter(|[a, b]| a != b).map(|ends| piece_of(&with_ends(figure, ends)).ok()).collect()
 }
 
-/// The parts of a line along the only lattice vector, which begins anew after the length of that.
+/// The parts of a line along the only lattice vector, which repeats after the length of that vector.
 fn cut_line(line: &Arc<dyn Piece>, cuts: Vec<Place>, lattice: &Lattice, near: f64) -> Option<Vec<Box<dyn Piece>>> {
     let vector = lattice.vectors()[0];
     let round = libm::hypot(vector.x, vector.y);
@@ -143,11 +143,11 @@ fn cut_line(line: &Arc<dyn Piece>, cuts: Vec<Place>, lattice: &Lattice, near: f6
 struct Around {
     /// For each piece the next one.
     next: Vec<Option<usize>>,
-    /// By how many lattice vectors each is moved to follow those before it.
+    /// By how many lattice vectors each piece is moved to follow those before it.
     cells: Vec<[f64; 2]>,
 }
 
-/// `None` where rounding hides what follows what.
+/// `None` where rounding hides which piece follows which.
 fn around_each_part(table: &Table, joints: Vec<Joint>) -> Option<Around> {
     let count = table.pieces.len();
     let mut after: Vec<Option<Joint>> = vec![None; count];
@@ -166,7 +166,7 @@ fn around_each_part(table: &Table, joints: Vec<Joint>) -> Option<Around> {
             cells[at] = Some(cell);
             let Some(joint) = after[at] else { break };
             cell = [0, 1].map(|k| cell[k] + joint.cell[k]);
-            // one that comes back to a translate of itself goes on for ever
+            // a chain that comes back to a translate of itself goes on for ever
             next[at] = Some(joint.after).filter(|_| joint.after != head || cell == [0.0; 2]);
             at = joint.after;
         }

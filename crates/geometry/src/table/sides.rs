@@ -2,7 +2,7 @@
 use crate::{Figure, plane::slack, shapes::Segment, walls::Seam};
 use nalgebra::Vector2;
 
-/// One side of a chain: a piece, or several of one straight line or circle.
+/// One side of a chain: a piece, or several pieces of one straight line or circle.
 #[derive(Debug)]
 pub(super) struct Side {
     pub(super) figure: Figure,
@@ -12,8 +12,8 @@ pub(super) struct Side {
     pub(super) piece: usize,
 }
 
-/// The sides of a chain, from one that begins where the one before it does not go on, and the seams between their pieces; `None` where
-/// pieces that are nearly one side are not.
+/// The sides of a chain, starting with one that does not continue the one before it, and the seams between their pieces; `None` where
+/// pieces are almost one side, but not quite.
 pub(super) fn sides(chain: &[Side], is_corner: impl Fn(&Vector2<f64>) -> bool) -> Option<(Vec<Side>, Vec<Seam>)> {
     let count = chain.len();
     let goes_on = |i: usize| goes_on(&chain[i % count].figure, &chain[(i + 1) % count].figure, &is_corner);
@@ -30,7 +30,7 @@ pub(super) fn sides(chain: &[Side], is_corner: impl Fn(&Vector2<f64>) -> bool) -
     Some((sides, seams))
 }
 
-/// Whether the second of two pieces may go on as the first one does.
+/// Whether the second of two pieces may continue the first one as the same side.
 fn goes_on(first: &Figure, second: &Figure, is_corner: impl Fn(&Vector2<f64>) -> bool) -> bool {
     match (first, second) {
         (Figure::Segment { ends: [_, b] }, Figure::Segment { ends: [c, _] }) => b == c && !is_corner(b),
@@ -45,7 +45,7 @@ fn goes_on(first: &Figure, second: &Figure, is_corner: impl Fn(&Vector2<f64>) ->
     }
 }
 
-/// Pieces that go on as one another, as one side, all around if it `closes`.
+/// Pieces that continue one another, as one side, all around if it `closes`.
 fn joined(pieces: &[&Side], closes: bool, seams: &mut Vec<Seam>) -> Option<Side> {
     let [first, others @ ..] = pieces else { return None };
     let last = others.last().unwrap_or(first);

@@ -13,12 +13,12 @@ use std::{
 /// Two normals that differ by less than this (radians) belong to a smooth joint.
 ///
 /// Rounding of the vertices of a joint meant to be smooth turns the normals by a few ulp of size over length of the
-/// shorter piece; no corner that anybody means is this flat.
+/// shorter piece; no intended corner is this flat.
 pub(crate) const SMOOTH: f64 = 1e-9;
 
-/// How pieces hang together.
+/// How pieces are connected.
 pub(super) struct Succession {
-    /// For each piece, the one that starts where it ends; on a lattice, that of which a translate does.
+    /// For each piece, the one that starts where it ends; on a lattice, the one a translate of which does.
     pub(super) next: Vec<Option<usize>>,
     /// The vertices at which the direction of the boundary jumps; both ends of a joint across cells.
     pub(super) corners: Vec<Vector2<f64>>,
@@ -70,7 +70,7 @@ struct Following<'a> {
     ends: &'a [Option<[Vector2<f64>; 2]>],
     /// The first piece of the loop that is followed.
     head: usize,
-    /// All starts in order, once somebody asks.
+    /// All starts in order, computed when first needed.
     sorted: OnceCell<Vec<(Vector2<f64>, usize)>>,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Following<'a> {
         Following { ends, head: 0, sorted: OnceCell::new() }
     }
 
-    /// The piece that starts at `v`, where piece `i` ends: mostly the one after it, or the first one of the loop that it closes.
+    /// The piece that starts at `v`, where piece `i` ends: usually the next one, or the first one of the loop that it closes.
     fn after(&mut self, i: usize, v: &Vector2<f64>) -> Option<usize> {
         let starts_there = |j: &usize| self.ends.get(*j).copied().flatten().is_some_and(|[a, _]| a == *v);
         let next = [i + 1, self.head].into_iter().find(starts_there);
@@ -103,7 +103,8 @@ impl<'a> Following<'a> {
     }
 }
 
-/// Fails where a piece starts and none ends: `next` tells of ends only, and where tables touch it may name one piece twice.
+/// Fails where a piece starts and none ends: `next` only accounts for ends, and where boundaries touch it may name one piece
+/// twice.
 fn every_start_is_an_end(
     ends: &[Option<[Vector2<f64>; 2]>],
     next: &[Option<usize>],

@@ -13,9 +13,10 @@ use oval::Oval;
 use std::sync::Arc;
 use straight::Side;
 
-/// The numbers of those pieces that coincide with another one, or in part, which has the table on the other side.
+/// The numbers of the pieces that coincide, at least in part, with another one that has the table on the other
+/// side.
 ///
-/// `n log n` operations for pieces in general position.
+/// Takes `n log n` operations for pieces in general position.
 pub(super) fn two_sided(pieces: &[Translate]) -> Vec<usize> {
     let side = |copy: &Translate| match copy.piece.figure() {
         Figure::Segment { ends } => Side::segment(copy.number, ends),
@@ -37,7 +38,7 @@ pub(super) fn two_sided(pieces: &[Translate]) -> Vec<usize> {
     found
 }
 
-/// The piece as one side of a wall on which the table lies behind, too.
+/// The piece as one side of a wall with the table on both sides.
 pub(super) fn one_side(piece: &Arc<dyn Piece>) -> Arc<dyn Piece> {
     match piece.shape().map(Shape::two_sided) {
         Some(shape) => shape.into_piece(),

@@ -15,7 +15,7 @@ impl Affine {
         Affine([1.0, 0.0, 0.0, 1.0, x, y])
     }
 
-    /// First `inner`, then this.
+    /// The composition: first `inner`, then this map.
     pub(super) fn after(&self, inner: &Affine) -> Affine {
         let ([a, b, c, d, e, f], [p, q, r, s, t, u]) = (self.0, inner.0);
         Affine([a * p + c * q, b * p + d * q, a * r + c * s, b * r + d * s, a * t + c * u + e, b * t + d * u + f])

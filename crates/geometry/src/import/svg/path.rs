@@ -1,6 +1,6 @@
 //! Path data: the small language of the `d` attribute.
 //!
-//! The reader is our own: `kurbo`'s makes cubic curves of elliptical arcs, which here stay what they are.
+//! The reader is our own: `kurbo`'s turns elliptical arcs into cubic curves, whereas here they stay exact.
 use nalgebra::Vector2;
 
 /// Reads numbers and letters.
@@ -98,7 +98,7 @@ impl<'a> Scanner<'a> {
 pub(super) struct Subpath {
     pub(super) start: Vector2<f64>,
     pub(super) edges: Vec<Draw>,
-    /// Whether it says that it is closed.
+    /// Whether the path data close it.
     pub(super) closed: bool,
 }
 
@@ -116,7 +116,7 @@ impl Draw {
             Draw::Line(to) | Draw::Cubic(.., to) | Draw::Arc { to, .. } => to,
         }
     }
-    /// Points that tell its size.
+    /// Points from which its size is estimated.
     pub(super) fn points(&self) -> Vec<Vector2<f64>> {
         match *self {
             Draw::Cubic(b, c, d) => vec![b, c, d],
@@ -168,7 +168,7 @@ pub(super) fn parse(text: &str) -> Result<Vec<Subpath>, String> {
                 continue;
             }
             b'Z' => {
-                // what follows a closed part starts where that did
+                // the part after a closed one starts where that one did
                 if let Some(part) = parts.last_mut() {
                     part.closed = true;
                     at = part.start;

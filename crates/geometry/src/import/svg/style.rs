@@ -1,4 +1,4 @@
-//! Style sheets and style attributes: what of them bears on outlines.
+//! Style sheets and style attributes, as far as they affect outlines.
 use roxmltree::Node;
 
 /// Properties that place or form an outline; they are read from attributes only.
@@ -26,7 +26,7 @@ const PLACING: [&str; 21] = [
     "y",
 ];
 
-/// The value of a property, in small letters: that in the style of an element or else that of its attribute.
+/// The value of a property, in lower case: that in the style of an element or else that of its attribute.
 pub(super) fn value(node: &Node, property: &str) -> Option<String> {
     let style = node.attribute("style").map(declarations).unwrap_or_default();
     let declared = style.into_iter().rev().find(|(name, _)| name == property).map(|(_, value)| value);
@@ -35,7 +35,7 @@ pub(super) fn value(node: &Node, property: &str) -> Option<String> {
 
 /// A property in the style of an element that would place or form its outline.
 pub(super) fn placing(node: &Node) -> Option<String> {
-    // the size of the page is not asked for
+    // the size of the page is ignored
     let is_page = |name: &str| node.parent_element().is_none() && ["width", "height"].contains(&name);
     let style = node.attribute("style").map(declarations).unwrap_or_default();
     style.into_iter().find(|declared| is_placing(declared) && !is_page(&declared.0)).map(|(name, _)| name)
@@ -55,7 +55,7 @@ fn is_placing((name, value): &(String, String)) -> bool {
     PLACING.contains(&name.trim_start_matches("-webkit-")) && value != "none"
 }
 
-/// Names and values of the declarations in the blocks of a style sheet, or in a style attribute, in small letters.
+/// Names and values of the declarations in the blocks of a style sheet, or in a style attribute, in lower case.
 fn declarations(text: &str) -> Vec<(String, String)> {
     let mut plain = String::new();
     for (k, part) in text.split("/*").enumerate() {

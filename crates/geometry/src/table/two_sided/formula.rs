@@ -1,10 +1,11 @@
 //! Curves of other kinds that coincide from end to end.
 use crate::{Piece, plane::slack};
 
-/// Where along their length two curves are compared: at no simple fraction, since those may be special points of both.
+/// Fractions of the length at which two curves are compared: not simple ones, since those may be special points of
+/// both.
 const PLACES: [f64; 5] = [0.0917, 0.2839, 0.4613, 0.6427, 0.8871];
 
-/// The numbers of those that run along the whole of another one, which has the table on the other side.
+/// The numbers of the curves that run along the whole of another one that has the table on the other side.
 pub(super) fn doubles<'a>(pieces: impl Iterator<Item = (usize, &'a dyn Piece)>) -> Vec<usize> {
     let mut pieces: Vec<_> = pieces.map(|(number, piece)| (piece.extent(), number, piece)).collect();
     pieces.sort_by(|(a, ..), (b, ..)| a.min.x.total_cmp(&b.min.x));

@@ -12,7 +12,8 @@ use nalgebra::Vector2;
 pub(super) struct Oval {
     number: usize,
     inside: bool,
-    /// The coordinates of its centre, and how far it reaches from there along x₁, x₂ and x₁ + x₂, which tells its form.
+    /// The coordinates of its centre, and how far it reaches from there along x₁, x₂ and x₁ + x₂, which determines its
+    /// form.
     place: [f64; 5],
     /// Rounding of its coordinates.
     slack: f64,
@@ -43,7 +44,7 @@ impl Oval {
         Some(Oval { number, inside, place, slack: slack(place), from, to })
     }
 
-    /// The same, told by angles less a turn.
+    /// The same with its angles less a turn.
     fn turned(self) -> Oval {
         Oval { from: self.from - 2.0 * PI, to: self.to - 2.0 * PI, ..self }
     }
@@ -68,7 +69,7 @@ fn of_ellipse(ellipse: &Ellipse) -> Form {
     (ellipse.center(), [[1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|d| ellipse.reach(d)), ellipse.unit().inside)
 }
 
-/// The numbers of those that coincide with another one, or in part, which has the table on the other side.
+/// The numbers of the ovals that coincide, at least in part, with another one that has the table on the other side.
 pub(super) fn doubles(mut ovals: Vec<Oval>) -> Vec<usize> {
     let across: Vec<Oval> = ovals.iter().filter(|oval| oval.to > PI).map(|oval| oval.turned()).collect();
     ovals.extend(across);
@@ -86,7 +87,8 @@ pub(super) fn doubles(mut ovals: Vec<Oval>) -> Vec<usize> {
     found
 }
 
-/// Those that differ in number `i` by more than rounding apart from each other; only groups of two and more.
+/// Splits a group so that coordinate `i` of `place` agrees up to rounding within each part; returns only groups of two
+/// or more.
 fn alike(mut group: Vec<Oval>, i: usize) -> Vec<Vec<Oval>> {
     group.sort_by(|a, b| a.place[i].total_cmp(&b.place[i]));
     let same = |a: &Oval, b: &Oval| b.place[i] - a.place[i] <= 0.25 * a.slack.max(b.slack);

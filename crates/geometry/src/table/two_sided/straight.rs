@@ -4,23 +4,23 @@ use crate::plane::{SAME_DIRECTION, cross, direction, dot, from, slack};
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
-/// A straight piece among others of its direction.
+/// A straight piece, to be compared with others of its direction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
     number: usize,
-    /// Its ends; of an infinite one, twice a point of it.
+    /// Its ends; for an infinite one, the same point of it twice.
     ends: [[f64; 2]; 2],
-    /// Whether it ends there, or goes on for ever.
+    /// For each of them, whether the piece ends there or goes on for ever.
     finite: [bool; 2],
     /// Unit vector in the sense of traversal.
     along: [f64; 2],
     length: f64,
     /// Rounding of its coordinates.
     slack: f64,
-    /// The angle of its line (radians), and whether it runs that way or back.
+    /// The angle of its line (radians), and whether the piece runs in that direction or against it.
     angle: f64,
     forward: bool,
-    /// How far to the left of the origin it lies, seen along a direction that is near its own.
+    /// How far to the left of the origin it lies, along a direction near its own.
     height: f64,
 }
 
@@ -44,12 +44,12 @@ impl Side {
         Side { number, ends, finite, along, length, slack, angle, forward, height: 0.0 }
     }
 
-    /// The same, told by the angle less half a turn.
+    /// The same with the angle less half a turn.
     fn turned(self) -> Side {
         Side { angle: self.angle - PI, forward: !self.forward, ..self }
     }
 
-    /// Where it begins and ends along a direction near its own.
+    /// Its beginning and end along a direction near its own.
     fn stretch(&self, d: [f64; 2]) -> Stretch {
         let far = if dot(self.along, d) > 0.0 { f64::INFINITY } else { -f64::INFINITY };
         let [a, b] = self.ends.map(|end| dot(end, d));
@@ -57,20 +57,20 @@ impl Side {
         Stretch::new(self.number, self.forward, [a.min(b), a.max(b)])
     }
 
-    /// Whether both lie on one line, but for rounding of vertices, and have more than a point of it in common.
+    /// Whether both lie on one line, up to rounding of vertices, and have more than a point in common.
     fn coincides(&self, other: &Side, overlap: f64) -> bool {
         let rounding = 0.25 * self.slack.max(other.slack);
         let (short, long) = if self.length < other.length { (self, other) } else { (other, self) };
         let off = |end: &[f64; 2]| cross(long.along, from(long.ends[0], *end)).abs() <= rounding;
-        // infinite ones go together for ever
+        // infinite pieces must stay together for ever
         let parallel = short.length < f64::INFINITY || cross(short.along, long.along).abs() <= 4.0 * f64::EPSILON;
         overlap > self.slack.max(other.slack) && parallel && short.ends.iter().all(off)
     }
 }
 
-/// The numbers of those straight pieces that coincide with another one, or in part, which has the table on the other side.
+/// The numbers of the straight pieces that coincide, at least in part, with another one that has the table on the other side.
 pub(super) fn doubles(mut sides: Vec<Side>) -> Vec<usize> {
-    // a line is the same half a turn later
+    // a line is the same after half a turn
     let last: Vec<Side> = sides.iter().filter(|s| s.angle > PI - SAME_DIRECTION).map(|s| s.turned()).collect();
     sides.extend(last);
     sides.sort_by(|a, b| a.angle.total_cmp(&b.angle));
@@ -82,7 +82,7 @@ pub(super) fn doubles(mut sides: Vec<Side>) -> Vec<usize> {
             side.height = 0.5 * (cross(d, side.ends[0]) + cross(d, side.ends[1]));
         }
         parallel.sort_by(|a, b| a.height.total_cmp(&b.height));
-        // the lines of two that coincide are as far apart as their directions are, times how far they lie apart
+        // the lines of two pieces that coincide differ by the angle between their directions times the distance between the pieces
         let near = |a: &Side, b: &Side| {
             let size = [a, b].iter().flat_map(|s| s.ends.as_flattened()).fold(0.0, |m: f64, x| m.max(x.abs()));
             b.height - a.height <= 4.0 * SAME_DIRECTION * size
@@ -140,7 +140,7 @@ mod tests {
         assert_eq!(found([infinite(0, 0.0, 1.0, line), infinite(1, 3.0, -1.0, line)]), [0, 1]);
         assert_eq!(found([infinite(0, 0.0, 1.0, line), Side::segment(1, [at(7.5), at(7.25)]).unwrap()]), [0, 1]);
         assert_eq!(found([infinite(0, 0.0, 1.0, line), infinite(1, 1e3, -1.0, to)]), [0, 1]);
-        // two rays that overlap, and two that part where they begin
+        // two rays that overlap, and two that start at one point in opposite directions
         assert_eq!(found([infinite(0, 0.0, 1.0, from), infinite(1, 2.0, -1.0, to)]), [0, 1]);
         assert_eq!(found([infinite(0, 0.0, 1.0, from), infinite(1, 0.0, -1.0, from)]), [] as [usize; 0]);
         assert_eq!(found([infinite(0, 0.0, 1.0, line), infinite(1, 0.0, 1.0, line)]), [] as [usize; 0]); // of one side

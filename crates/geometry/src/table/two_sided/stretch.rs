@@ -18,11 +18,11 @@ impl Stretch {
     }
 }
 
-/// The numbers of stretches that overlap one which has the table on the other side, if they really do: if `coincide` of their places.
+/// The numbers of stretches that overlap one with the table on the other side, as confirmed by `coincide` for their indices.
 pub(super) fn doubles(mut line: Vec<(Stretch, usize)>, coincide: impl Fn(usize, usize, f64) -> bool) -> Vec<usize> {
     line.sort_by(|(a, _), (b, _)| a.from.total_cmp(&b.from));
     let mut found = vec![];
-    // those that reach so far; of those that are found, the farthest one each way will do
+    // the stretches that reach this far; of those already found, the farthest one in each direction suffices
     let mut open: Vec<usize> = vec![];
     for k in 0..line.len() {
         open.retain(|&other| line[other].0.to > line[k].0.from);
