@@ -22,7 +22,7 @@ impl Translate {
         Translate { number, cell: [0.0; 2], by: Vector2::zeros(), piece: piece.clone() }
     }
 
-    /// The piece moved by so many of each lattice vector.
+    /// The piece moved by these multiples of the lattice vectors.
     pub(crate) fn new(number: usize, piece: &Arc<dyn Piece>, lattice: &Lattice, cell: [f64; 2]) -> Translate {
         let by = lattice.translation(cell);
         if by == Vector2::zeros() {

@@ -141,7 +141,7 @@ pub enum Error {
         /// About the parameter at which it does not.
         parameter: f64,
     },
-    /// Sides that do not bound a convex (and, where asked for, centrally symmetric) polygon.
+    /// Sides that do not bound a convex (and, where required, centrally symmetric) polygon.
     #[error("the sides do not bound a convex polygon of the kind asked for")]
     NotConvex,
     /// A boundary that starts or ends at a point where nothing joins it.
@@ -235,7 +235,7 @@ pub enum Error {
     ManyCells {
         /// The piece.
         piece: usize,
-        /// About so many cells.
+        /// Approximate number of cells.
         cells: f64,
     },
     /// A piece so far from the unit cell of a lattice that rounded coordinates there cannot tell one cell from the next.
@@ -245,7 +245,7 @@ pub enum Error {
     FarFromCell {
         /// The piece.
         piece: usize,
-        /// About so many cells.
+        /// Approximate number of cells.
         cells: f64,
     },
     /// An arc so flat that rounding decides where it is.
@@ -263,7 +263,7 @@ pub enum Error {
     /// A disk that fits nowhere in the table.
     #[error("a disk of radius {} has no room to move in the table; its radius must be less than {}", short(*radius), short(*largest))]
     NothingLeft {
-        /// The radius asked for.
+        /// The requested radius.
         radius: f64,
         /// Radius of the largest disk in the table.
         largest: f64,
@@ -275,7 +275,7 @@ pub enum Error {
         about(at)
     )]
     Undecided {
-        /// The radius asked for.
+        /// The requested radius.
         radius: f64,
         /// Approximate location.
         at: [f64; 2],
@@ -294,7 +294,7 @@ pub enum Error {
     /// Lattice vectors that are dependent or too many.
     #[error("the lattice vectors must be one or two, finite and independent")]
     Lattice,
-    /// A shape that cannot bound a table in the way asked for.
+    /// A shape that cannot bound a table in the requested way.
     #[error("{shape}: {why}")]
     Shape {
         /// The kind of shape.

@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 pub(crate) struct Joint {
     pub(crate) before: usize,
     pub(crate) after: usize,
-    /// `after`, moved by so many of each lattice vector, starts where `before` ends.
+    /// How many of each lattice vector `after` is moved by to start where `before` ends.
     pub(crate) cell: [f64; 2],
     pub(crate) vertex: Vector2<f64>,
 }

@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn a_direction_has_the_nearest_numbers_at_any_scale() {
-        // of 5, 12 and 13: exact but for the division
+        // of 5, 12 and 13: exact except for the division
         for scale in [1.0, 2.0_f64.powi(1000), 2.0_f64.powi(-1060)] {
             let far = [7.0 * scale, -3.0 * scale];
             let (unit, length) = direction(far, moved(far, [5.0 * scale, -12.0 * scale])).unwrap();

@@ -50,7 +50,7 @@ fn near(x: f64) -> [f64; 3] {
     if x == 0.0 { [x; 3] } else { [x, x.next_down(), x.next_up()] }
 }
 
-/// `|n|²` as an exact sum, but for terms of 10⁻³².
+/// `|n|²` as an exact sum, except for terms of 10⁻³².
 fn square(n: [f64; 2]) -> [f64; 2] {
     let ((a, a_rest), (b, b_rest)) = (two_prod(n[0], n[0]), two_prod(n[1], n[1]));
     let (high, rest) = two_sum(a, b);
