@@ -1,8 +1,8 @@
-//! Run time against error, on the machine at hand: what accuracy costs, method by method.
+//! Run time against error on this machine: what accuracy costs, method by method.
 //!
-//! Every method computes the same orbits. They are compared with a program of a textbook in about 106 bits
-//! ([`textbook`]), so that errors down to the rounding of an `f64` are seen, and timed by the processor time of the
-//! thread. [`stress`] goes where programs break.
+//! Every method computes the same orbits. They are compared with a textbook program in about 106 bits
+//! ([`textbook`]), so that errors down to the rounding of an `f64` are visible, and timed by the processor time of
+//! the thread. [`stress`] covers the cases in which programs break.
 
 pub mod case;
 pub mod chart;
@@ -39,12 +39,12 @@ impl Effort {
         if self == Effort::Quick { 16 } else { 64 }
     }
 
-    /// Rounds of which the median time counts.
+    /// Number of rounds, whose median time counts.
     fn rounds(self) -> usize {
         if self == Effort::Quick { 3 } else { 7 }
     }
 
-    /// How long a round takes, about.
+    /// About how long a round takes.
     fn round(self) -> Duration {
         Duration::from_millis(if self == Effort::Quick { 5 } else { 40 })
     }

@@ -25,7 +25,7 @@ pub enum Failure {
     Input(Vec<Diagnostic>),
     /// The input is right, but the work could not be done. Exit status 1.
     Work(String),
-    /// Whoever read the output has seen enough. Exit status 0.
+    /// The reader of the output has closed it. Exit status 0.
     Closed,
 }
 
@@ -78,7 +78,7 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// That a file cannot be written there, and what helps.
+/// The failure that a file cannot be written there, with advice.
 fn unwritable(path: &Path, error: &io::Error) -> Failure {
     let what = format!("{}: {error}", path.display());
     let help = match error.kind() {
@@ -97,10 +97,12 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
     Failure::Work(format!("{what}\nhelp: {help}"))
 }
 
-/// Signals within this time are one request: launchers such as `timeout` send one to the program and another to its group.
+/// Signals within this time count as one request: launchers such as `timeout` send one to the program and another to its
+/// group.
 const ONE_REQUEST: Duration = Duration::from_millis(500);
 
-/// The first Ctrl-C calls `interrupt`, which ends the work; another one that is not the same request ends the program at once.
+/// The first Ctrl-C calls `interrupt`, which ends the work; a later one that is not part of the same request ends the program
+/// at once.
 fn on_ctrl_c(interrupt: impl Fn() + Send + 'static) -> Result<(), Failure> {
     let mut first: Option<Instant> = None;
     let handler = move || match first {

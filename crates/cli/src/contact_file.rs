@@ -1,7 +1,7 @@
 //! Contact files: two bodies, where they touch, how they move, and the law.
 //!
 //! TOML or JSON, in the form of the certified cases in `tests/data/collisions`: such a case, with a law added, is a
-//! contact file; what it says about itself and its result (`id`, `kind`, `K`, `energy`, `results`) is passed over.
+//! contact file; its metadata and results (`id`, `kind`, `K`, `energy`, `results`) are ignored.
 
 use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value};
 use crate::scene::{self, LawKind};
@@ -33,7 +33,7 @@ pub struct ContactFile {
 pub struct BodyEntry {
     /// Centre of mass.
     pub position: Vec<f64>,
-    /// Mass and inertia; none of a fixed body.
+    /// Mass and inertia; `None` for a fixed body.
     pub free: Option<(Spanned<f64>, Spanned<InertiaEntry>)>,
 }
 
@@ -105,7 +105,7 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
     }
     let dimension = root.required("dim", "dim = 2").and_then(|item| dimension(item, problems));
     let Some(n) = dimension else {
-        // Without it no other length can be checked.
+        // Without the dimension no other length can be checked.
         root.finish_leniently(problems);
         return None;
     };

@@ -1,6 +1,7 @@
-//! Input files as trees of values that remember where they stand, whether written in TOML or in JSON.
+//! Input files as trees of values that remember their place in the file, whether written in TOML or
+//! in JSON.
 //!
-//! Every later complaint, even one about geometry, can so point at the line and column of its cause.
+//! So every later error, even one about geometry, can point at the line and column of its cause.
 
 mod diagnostic;
 mod json;

@@ -1,8 +1,8 @@
 //! Numbers written as formulas: `"sqrt(3)/2"`, `"acos(1/2-(3/2)*cos(pi/4))"`, and curves such as `"1 + 0.2*cos(5*t)"`.
 //!
-//! A mathematician writes √3/2, not 0.8660254037844386, and a scene should hold what was meant. The parser is iterative
-//! (an operator stack), so no input can exhaust the call stack; a parsed expression is a list of nodes, each of which
-//! refers only to earlier ones, so evaluation and differentiation are single passes.
+//! A mathematician writes √3/2, not 0.8660254037844386, and a scene should contain what was meant. The parser is iterative (an operator
+//! stack), so no input can exhaust the call stack; a parsed expression is a list of nodes, each of which refers only to earlier ones, so
+//! evaluation and differentiation are single passes.
 
 mod constant;
 mod curve;
@@ -29,17 +29,17 @@ pub const MAX_LEVELS: usize = 100;
 /// Up to this many nodes, evaluation needs no allocation.
 const SMALL: usize = 64;
 
-/// What helps where a number is too large.
+/// Advice where a number is too large.
 const TOO_LARGE: &str = "doubles end at 1.8e308: make it smaller";
 
 /// What is wrong with an expression, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
-    /// Column of the offence inside the expression, counted in characters from 1.
+    /// Column of the error inside the expression, counted in characters from 1.
     pub column: usize,
     /// What is wrong, in lower case.
     pub what: String,
-    /// How to mend it, where that is known.
+    /// How to fix it, where that is known.
     pub help: Option<String>,
 }
 
@@ -78,7 +78,7 @@ enum Function {
     Sinh,
     Cosh,
     Tanh,
-    /// The derivative of the sign: 0 but at 0, where it has no bound. Formulas do not name it.
+    /// The derivative of the sign: 0 except at 0, where it is unbounded. Formulas cannot name it.
     Jump,
 }
 
@@ -108,7 +108,7 @@ enum Operation {
     Multiply,
     Divide,
     Power,
-    /// `sign(x) |x|ʸ`, of which derivatives of `|x|ʸ` are made; the sign itself for `y = 0`. Formulas do not name it.
+    /// `sign(x) |x|ʸ`, used for derivatives of `|x|ʸ`; the sign itself for `y = 0`. Formulas cannot name it.
     SignedPower,
     Atan2,
 }
@@ -179,14 +179,14 @@ impl Expression {
         }
     }
 
-    /// The same formula with numbers in place of its parts without variables, every step of which is checked.
+    /// The same formula with its parts without variables replaced by numbers, with every step checked.
     ///
     /// Evaluated in numbers or in intervals, a formula then has the same constants: `x^(4/2)` is a square to both. They are computed
     /// in more digits and rounded to doubles at their ends.
     fn folded(mut self, literals: &[(usize, Literal<'_>)]) -> Result<Self, Error> {
         let mut values = vec![f64::NAN; self.nodes.len()];
         let mut constants: Vec<Option<Constant>> = vec![None; self.nodes.len()];
-        // a number that stands alone is the double that it reads as
+        // a number that stands alone is simply the double that it is read as
         for &(i, literal) in literals.iter().filter(|_| self.nodes.len() > 1) {
             if let Node::Constant(value) = self.nodes[i] {
                 constants[i] = Some(Constant::of(literal, value));
@@ -224,7 +224,7 @@ impl Expression {
     }
 }
 
-/// Evaluates nodes in turn into `values`; the last one's value.
+/// Evaluates nodes in turn into `values`, and returns the last value.
 fn fill<T: Number>(nodes: &[Node], values: &mut [T], variables: &[T]) -> T {
     let mut last = T::constant(f64::NAN);
     for (i, node) in nodes.iter().enumerate() {
@@ -245,7 +245,7 @@ impl Node {
         }
     }
 
-    /// `|x|` for `√x²`: it is right to the last bit, and its derivative is a sign and no quotient.
+    /// `|x|` for `√x²`: it is exact to the last bit, and its derivative is a sign rather than a quotient.
     fn without_root_of_square(self, nodes: &[Self]) -> Self {
         match self {
             Self::Unary(Function::Sqrt, a) => match nodes[a] {
@@ -258,7 +258,7 @@ impl Node {
         }
     }
 
-    /// Why this node, in a column of the text, has no finite value, its operands being finite.
+    /// Why this node, at a column of the text, has no finite value although its operands are finite.
     fn complaint(self, values: &[f64], column: usize) -> Error {
         let (what, help) = match self {
             Self::Unary(Function::Sqrt, a) => {

@@ -28,7 +28,7 @@ pub use view::{View, Window};
 
 /// Width of a picture in points of 1/72 inch: one column of 8 cm.
 pub const COLUMN: f64 = 226.8;
-/// Most legs of orbits that a picture shows: beyond, lines only blacken the page.
+/// Most legs of orbits that a picture shows: more lines would only blacken the page.
 pub const MOST_LEGS: usize = 20_000;
 
 /// A picture a scene can ask for.
@@ -46,7 +46,7 @@ pub struct Picture {
     pub draw: fn(&Material) -> Vec<File>,
 }
 
-/// What a run must collect for a picture.
+/// The material that a run must collect for a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Needs {
     /// [`Material::solids`], [`Material::outline`], [`Material::guides`], [`Material::radius`], [`Material::window`] and [`Material::paths`].
@@ -60,15 +60,15 @@ pub enum Needs {
 /// What a run has collected.
 #[derive(Clone, Debug, Default)]
 pub struct Material {
-    /// The insides of obstacles, and hollows in these after them.
+    /// The insides of obstacles, each followed by the hollows in it.
     pub solids: Vec<Solid>,
     /// The walls.
     pub outline: Vec<Stroke>,
-    /// Lines that are no walls: around the region of centres of a particle of positive radius, and of lattice cells.
+    /// Lines that are not walls: around the region of centres of a particle of positive radius, and of lattice cells.
     pub guides: Vec<Stroke>,
     /// Radius of the particle.
     pub radius: f64,
-    /// What of a table without end is shown; of all others, everything is.
+    /// The part of an infinite table that is shown; all other tables are shown completely.
     pub window: Option<Window>,
     /// Each orbit in the plane.
     pub paths: Vec<Path>,
@@ -83,20 +83,20 @@ pub struct Material {
 pub struct Path {
     /// Connected parts, each a chain of points; more than one where it crosses the edge of a lattice cell.
     pub chains: Vec<Vec<[f64; 2]>>,
-    /// How an orbit leaves for ever that does; more than one leg where it crosses edges of lattice cells.
+    /// How an orbit that escapes leaves for ever; more than one leg where it crosses edges of lattice cells.
     pub escape: Vec<Leaving>,
-    /// The last collision whose place is known, where the lines go on beyond it.
+    /// The last collision whose position is known, if the lines continue beyond it.
     pub horizon: Option<[f64; 2]>,
 }
 
-/// A straight leg of an orbit that leaves for ever.
+/// A straight leg of an orbit on its way to infinity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Leaving {
     /// Where it begins.
     pub from: [f64; 2],
     /// Its direction.
     pub direction: [f64; 2],
-    /// How far it goes, in units of the direction: without end on a plane that is not folded.
+    /// How far it goes, in units of the direction; infinite on a plane that is not folded.
     pub until: f64,
 }
 
@@ -105,7 +105,7 @@ pub struct Leaving {
 pub struct File {
     /// Its name, without a folder.
     pub name: String,
-    /// What it holds.
+    /// Its content.
     pub content: Vec<u8>,
 }
 

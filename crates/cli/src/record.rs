@@ -72,7 +72,7 @@ pub struct Row<'a> {
 
 /// How collision records are written. Rows must have the lengths that [`Columns`] says.
 ///
-/// Threads format their rows by themselves; what they have is written in order.
+/// Threads format their own rows; the results are written in order.
 pub trait Format: Debug + Send + Sync {
     /// What comes before the rows, of the same length for any number of them.
     fn header(&self, columns: Columns, rows: u64) -> Vec<u8>;
@@ -119,7 +119,7 @@ impl<'a> RecordFile<'a> {
         Ok(Self { file, format, columns, rows: 0 })
     }
 
-    /// Writes so many rows.
+    /// Writes a number of formatted rows.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -128,7 +128,7 @@ impl<'a> RecordFile<'a> {
         self.file.write_all(formatted)
     }
 
-    /// Completes the file, which is to be finished with others.
+    /// Completes the file, which is then finished together with others.
     ///
     /// # Errors
     /// The file cannot be written.
@@ -143,14 +143,14 @@ impl<'a> RecordFile<'a> {
 }
 
 /// Appends the shortest decimal that reads back to the same double: `0.25`, `-3`, `1e-7`; of several, the nearest, and of two
-/// equally near ones (there are such for some sums of few powers of two) the even one.
+/// equally near ones (which exist for some sums of a few powers of two) the even one.
 fn push_number(to: &mut Vec<u8>, x: f64) {
     if (1e-4..1e16).contains(&x.abs()) {
         let mut digits = zmij::Buffer::new();
         let digits = digits.format_finite(x);
         return to.extend_from_slice(digits.strip_suffix(".0").unwrap_or(digits).as_bytes());
     }
-    // what is very large or small has an exponent
+    // very large or small numbers have an exponent
     let digits = format!("{x:?}");
     to.extend_from_slice(digits.strip_suffix(".0").unwrap_or(&digits).as_bytes());
 }

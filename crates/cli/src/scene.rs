@@ -1,7 +1,7 @@
 //! Scene files: what moves, where, under which law, for how long, and what is kept of it.
 //!
-//! A scene is read into plain data in which every value remembers its place, so that whoever builds the table and runs
-//! the orbits can still point at the line that is at fault ([`Source::diagnostic`]).
+//! A scene is read into plain data in which every value remembers its place, so that later stages, which build the
+//! table and run the orbits, can still point at the line at fault ([`Source::diagnostic`]).
 
 mod boundary;
 mod law;
@@ -111,7 +111,7 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
         .map(|title| title.value);
     let table_item = root.required("table", "[table] with name = \"stadium\"");
     let dimension = table_item.map_or(Some(2), |item| table::dimension(item, problems));
-    // Of a scene of unknown dimension hardly anything can be checked.
+    // Hardly anything can be checked in a scene of unknown dimension.
     let n = dimension?;
     let table = table_item.and_then(|item| table::read(item, n, problems));
     let law = match &request.law {
@@ -142,12 +142,12 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
     })
 }
 
-/// A section that is not there, read as one without keys: so it is known which keys go there.
+/// A missing section, read as one without keys, so that its possible keys are known.
 fn absent() -> Item {
     Item::new(Value::Table(vec![]), Span::default())
 }
 
-/// A string; `help` tells which.
+/// A string; `help` says what it should be.
 fn text(item: &document::Item, help: &str, problems: &mut Problems) -> Option<Spanned<String>> {
     match &item.value {
         Value::Text(text) => Some(Spanned::new(text.clone(), item.span)),
@@ -158,7 +158,7 @@ fn text(item: &document::Item, help: &str, problems: &mut Problems) -> Option<Sp
     }
 }
 
-/// One of a few words; `what` is what they name, for messages.
+/// One of a few words; `what` says what they name, for messages.
 fn choice<T: Clone>(item: &document::Item, what: &str, choices: &[(&str, T)], problems: &mut Problems) -> Option<T> {
     let word = text(item, &known(choices.iter().map(|c| c.0)), problems)?.value;
     if let Some((_, value)) = choices.iter().find(|(name, _)| *name == word) {
@@ -169,7 +169,7 @@ fn choice<T: Clone>(item: &document::Item, what: &str, choices: &[(&str, T)], pr
     None
 }
 
-/// That these words are known.
+/// Help that lists the known words.
 fn known<'a>(words: impl Iterator<Item = &'a str>) -> String {
     format!("known: {}", words.collect::<Vec<_>>().join(", "))
 }

@@ -1,4 +1,5 @@
-//! SHA-256 [FIPS 180-4]: the name of a scene by its content, the same that `sha256sum` prints.
+//! SHA-256 [FIPS 180-4]: identifies a scene by its content, with the same digest that `sha256sum`
+//! prints.
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
 

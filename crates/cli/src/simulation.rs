@@ -1,4 +1,4 @@
-//! A scene run: its table built, its starts checked, its orbits run on all cores, what is asked for kept.
+//! Runs a scene: builds its table, checks its starts, runs its orbits on all cores, and keeps what the scene asks for.
 
 mod bearings;
 mod boundary;
@@ -83,12 +83,12 @@ enum Body {
     Space(Box<Spatial>),
 }
 
-/// How a simulation is run, and how far it is.
+/// How a simulation is run, and its progress.
 #[derive(Debug)]
 pub struct Control {
     /// Number of threads; the results do not depend on it.
     pub threads: usize,
-    /// Set to end the run and keep what is done.
+    /// Set it to end the run and keep what is done.
     pub interrupted: AtomicBool,
     done: AtomicU64,
 }
@@ -99,13 +99,13 @@ impl Control {
         Control { threads, interrupted: AtomicBool::new(false), done: AtomicU64::new(0) }
     }
 
-    /// Orbits done so far, in millionths, more or less.
+    /// Approximate number of orbits done so far, in millionths of an orbit.
     pub fn steps_done(&self) -> u64 {
         self.done.load(std::sync::atomic::Ordering::Relaxed)
     }
 }
 
-/// What a run has left.
+/// The results of a run.
 #[derive(Clone, Debug)]
 pub struct Done {
     /// The summary.
@@ -118,7 +118,7 @@ impl Simulation {
     /// Builds the table of a scene and checks everything that depends on it.
     ///
     /// # Errors
-    /// All that is wrong with the scene, at its place in the file.
+    /// Everything that is wrong with the scene, with its place in the file.
     pub fn new(scene: Scene) -> Result<Self, Vec<Diagnostic>> {
         let body = if scene.dimension == 2 {
             Body::Plane(Box::new(Planar::new(&scene)?))
@@ -180,7 +180,7 @@ impl Simulation {
             PICTURES.iter().filter(|known| drawn.iter().any(|picture| picture.0 == known.name)).collect();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
         let limit = self.limit();
-        // as they are now, not as they are after hours
+        // hash the inputs as they are now, not as they are hours later
         let inputs = Summary::inputs(&self.scene)?;
         let horizons = match &self.body {
             Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1]),
@@ -188,7 +188,7 @@ impl Simulation {
         }
         .map_err(io::Error::other)?;
         let asked = Asked { folder, needs: &needs, horizons: &horizons };
-        // better now than after hours
+        // fail now rather than after hours
         let path = folder.join("summary.json");
         WholeFile::probe(&path)?;
         for picture in &pictures {
@@ -202,7 +202,7 @@ impl Simulation {
         };
         let record = self.scene.output.collisions.map(|format| record::path(folder, format));
         let mut files: Vec<PathBuf> = record.into_iter().collect();
-        // none of them has its name before all are there: a run that fails or is ended leaves those of an earlier one alone
+        // no file gets its name before all are complete: a run that fails or is ended leaves those of an earlier one alone
         let mut whole = Vec::from_iter(kept.record);
         for file in pictures.iter().flat_map(|picture| (picture.draw)(&kept.material)) {
             let path = folder.join(file.name);
@@ -285,7 +285,7 @@ impl Simulation {
         Ok((kept, busy))
     }
 
-    /// How the record is written, if one is asked for.
+    /// How the record is written, if one is requested.
     fn format(&self, lattice: bool) -> Option<(Box<dyn record::Format>, Columns)> {
         let columns = Columns { dimension: self.scene.dimension, lattice };
         self.scene.output.collisions.map(|format| (record::format(format, columns), columns))
@@ -339,7 +339,7 @@ impl Simulation {
     }
 }
 
-/// What is asked for of a run, and where.
+/// What is requested of a run, and where.
 struct Asked<'a> {
     folder: &'a Path,
     needs: &'a [Needs],

@@ -8,23 +8,23 @@ use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 
-/// A long file is brought to disk in portions of so many bytes, each while the next one is written. Otherwise the disk idles
-/// until the system has as much in memory as it likes, or the file is finished.
+/// A long file is flushed to disk in portions of this many bytes, each while the next one is being written. Otherwise the disk idles
+/// until the system's write cache is full, or the file is finished.
 const PORTION: usize = 1 << 24;
 
-/// The temporary files that there are.
+/// The temporary files that exist.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 fn temporary_files() -> MutexGuard<'static, Vec<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the program at once, whatever its threads do; of files that are not finished nothing is left.
+/// Ends the program at once, whatever its threads do; nothing is left of unfinished files.
 pub fn exit(status: i32) -> ! {
-    // held to the end: no file is begun any more
+    // the lock is held to the end, so that no new file is begun
     let files = temporary_files();
     for file in &*files {
-        // one that has its own name by now is not there
+        // a file that has its own name by now is no longer there
         let _ = fs::remove_file(file);
     }
     std::process::exit(status)
@@ -32,8 +32,8 @@ pub fn exit(status: i32) -> ! {
 
 /// A file written under a temporary name in the same folder; [`finish`](Self::finish) gives it its own.
 ///
-/// Whoever sees the file under its own name sees all of it, and an earlier file of that name stays until then. Dropped
-/// unfinished, it leaves nothing behind.
+/// Under its own name the file is always seen complete, and an earlier file of that name stays until then. Dropped unfinished, it
+/// leaves nothing behind.
 #[derive(Debug)]
 pub struct WholeFile {
     path: PathBuf,
@@ -41,14 +41,14 @@ pub struct WholeFile {
     temporary: Option<PathBuf>,
     /// `None` once all of it is written.
     file: Option<BufWriter<File>>,
-    /// Keeps the lock, by which others know that somebody writes here, until the file has its own name.
+    /// Holds the lock, by which other processes know that the file is being written, until the file has its own name.
     locked: File,
-    /// Bytes of the portion at hand, and what brings portions to disk if there has been one.
+    /// Bytes of the current portion, and the thread that flushes portions, if there has been one.
     portion: usize,
     carrier: Option<Carrier>,
 }
 
-/// A thread that brings to disk what has been written, whenever it is told to.
+/// A thread that flushes to disk what has been written, whenever it is told to.
 #[derive(Debug)]
 struct Carrier {
     go: SyncSender<()>,
@@ -74,14 +74,14 @@ impl WholeFile {
     /// Starts a file, and makes its folder if need be.
     ///
     /// # Errors
-    /// The folder or the temporary file cannot be made, or the path names no file, or a folder.
+    /// The folder or the temporary file cannot be made, or the path does not name a file, or names a folder.
     pub fn create(path: &Path) -> io::Result<Self> {
         let name =
             path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not the name of a file"))?;
         let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         fs::create_dir_all(folder)?;
         if path.is_dir() {
-            // renaming would find it out after all the work
+            // renaming would only fail after all the work
             let what = format!("{} is a folder, not a file", name.display());
             return Err(io::Error::new(io::ErrorKind::IsADirectory, what));
         }
@@ -93,7 +93,7 @@ impl WholeFile {
         Ok(whole)
     }
 
-    /// Tells before the work whether a file can be made there, and leaves nothing behind.
+    /// Checks before the work whether a file can be made there, and leaves nothing behind.
     ///
     /// # Errors
     /// As [`create`](Self::create).
@@ -101,7 +101,7 @@ impl WholeFile {
         Self::create(path).map(drop)
     }
 
-    /// A file with this content, to be finished with others.
+    /// A file with this content, to be finished together with others.
     ///
     /// # Errors
     /// It cannot be made or written.
@@ -111,21 +111,21 @@ impl WholeFile {
         Ok(file)
     }
 
-    /// Brings files to disk and then gives them their names, in this order: one that cannot be written leaves nothing of any.
+    /// Flushes files to disk and then gives them their names, in this order; if one cannot be written, nothing is left of any.
     ///
     /// # Errors
     /// One cannot be written or renamed.
     pub fn finish(mut files: Vec<Self>) -> io::Result<()> {
         files.iter_mut().try_for_each(Self::settle)?;
-        // held to the end: the program is not ended between two names
+        // the lock is held to the end, so that the program is not ended between two names
         let mut temporary = temporary_files();
         let named = files.iter_mut().try_for_each(|file| file.rename(&mut temporary));
-        // what has no name is dropped, which takes it off the list
+        // a file without its name is dropped, which takes it off the list
         drop(temporary);
         named
     }
 
-    /// Brings the file to disk.
+    /// Flushes the file to disk.
     fn settle(&mut self) -> io::Result<()> {
         let Some(file) = self.file.take() else { return Ok(()) };
         let written = file.into_inner().map_err(io::IntoInnerError::into_error);
@@ -133,7 +133,7 @@ impl WholeFile {
         written.and_then(|file| carried.and_then(|()| file.sync_all()))
     }
 
-    /// Gives the file its own name, under which it is no temporary one any more.
+    /// Gives the file its own name, after which it is no longer temporary.
     fn rename(&mut self, files: &mut Vec<PathBuf>) -> io::Result<()> {
         if let Some(temporary) = &self.temporary {
             fs::rename(temporary, &self.path)?;
@@ -148,15 +148,15 @@ impl WholeFile {
     }
 }
 
-/// Takes a temporary file off the list: it is gone.
+/// Takes a temporary file that is gone off the list.
 fn forget(files: &mut Vec<PathBuf>, temporary: &Path) {
-    // only one: where it has its own name by now, another file may already be begun under this one
+    // only one entry: once the file has its own name, another file may already have been begun under this temporary name
     if let Some(at) = files.iter().position(|file| file == temporary) {
         files.swap_remove(at);
     }
 }
 
-/// Temporary files of this name are called so, between these two a number of a process and one of its own.
+/// The fixed parts of the names of temporary files for this name; a process number and a serial number come between them.
 fn hidden(name: &OsStr) -> OsString {
     let mut hidden = OsString::from(".");
     hidden.push(name);
@@ -166,8 +166,8 @@ fn hidden(name: &OsStr) -> OsString {
 
 const PARTIAL: &str = ".partial";
 
-/// Removes what killed programs have left of a file of this name. What somebody still writes is locked, and where there are no
-/// locks all stays.
+/// Removes what killed programs have left of a file of this name. Files that are still being written are locked; where there are no
+/// locks, all stays.
 fn sweep(folder: &Path, name: &OsStr) {
     let hidden = hidden(name);
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -181,14 +181,14 @@ fn sweep(folder: &Path, name: &OsStr) {
             && let Ok(file) = File::options().write(true).open(entry.path())
             && file.try_lock().is_ok()
         {
-            // who cannot remove it writes all the same
+            // a failure to remove it does not prevent writing
             let _ = fs::remove_file(entry.path());
         }
     }
 }
 
-/// A new file that nobody else writes. In containers that share a folder processes may have the same number, and one that was killed
-/// leaves its file behind.
+/// A new file that no other process writes. In containers that share a folder, processes may have the same number, and a killed
+/// process leaves its file behind.
 fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
     let process = std::process::id();
     let mut number = 0_u64;
@@ -201,7 +201,7 @@ fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
             made => {
                 let file = made?;
-                // Somebody who sweeps may have found it before it was locked; without locks nobody does.
+                // Another process that sweeps may have removed it before it was locked; without locks none does.
                 if !matches!(file.try_lock(), Err(TryLockError::WouldBlock)) && path.exists() {
                     files.push(path.clone());
                     return Ok((path, file));
@@ -222,7 +222,7 @@ impl Write for WholeFile {
                 Some(carrier) => carrier,
                 None => Carrier::of(self.inner()?.get_ref())?,
             };
-            // a carrier that is still at work takes this portion with the next one; its error is told at the end
+            // a carrier that is still at work takes this portion with the next one; its error is reported at the end
             let _ = carrier.go.try_send(());
             self.carrier = Some(carrier);
         }
@@ -243,7 +243,7 @@ impl Seek for WholeFile {
 impl Drop for WholeFile {
     fn drop(&mut self) {
         if let Some(file) = self.file.take() {
-            // Without writing what is still in the buffer; nobody is left to hear of an error.
+            // Drops what is still in the buffer; there is nobody left to report an error to.
             let _ = file.into_parts();
             let _ = self.carrier.take().map(Carrier::finish);
         }

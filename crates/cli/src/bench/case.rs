@@ -1,4 +1,4 @@
-//! The tables that are timed, and what is known of each beforehand.
+//! The tables that are timed, and what is known about each beforehand.
 
 use billiards::geometry::tables::{self, SpatialTable};
 use billiards::geometry::{Error, Line, SVector, Table, Vector2, Vector3};
@@ -16,7 +16,7 @@ pub struct Case {
     pub name: &'static str,
     /// Where the particle moves.
     pub space: Space,
-    /// Half the width of the table: errors of positions are parts of it.
+    /// Half the width of the table: errors of positions are relative to it.
     pub size: f64,
     /// The boundary as one formula, if there is one.
     pub formulas: Option<Formulas>,
@@ -43,7 +43,7 @@ pub struct Formulas {
     pub within: [f64; 2],
 }
 
-/// A quantity that the motion of this table keeps besides the energy, at unit speed.
+/// A quantity conserved by the motion on this table besides the energy, at unit speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Invariant {
     /// What it is.
@@ -97,7 +97,7 @@ fn planar(name: &'static str, table: Table) -> Case {
 fn circle() -> Result<Case, Error> {
     Ok(Case {
         formulas: Some(Formulas { implicit: "x^2 + y^2 - 1", polar: "1", within: [1.25, 1.25] }),
-        // both laws keep it, and mix only the tangential part with the spin
+        // both laws conserve it, and mix only the tangential part with the spin
         invariant: |_| {
             let of = |s: &State<f64>| {
                 let [x, y, _] = s.position;
@@ -145,11 +145,11 @@ fn strip() -> Result<Case, Error> {
     })
 }
 
-/// Where, along a strip of width 1, the two lines cross that hold the contact points of a no-slip disk with γ² = 1/2.
+/// Where, along a strip of width 1, the two lines through the contact points of a no-slip disk with γ² = 1/2 cross.
 ///
-/// Between two hits on the lower wall the pair `w = (v₀, v₁)` is turned by `R = T₋ T₊` (the angle 2β) while the disk gets
-/// on by `τ (v₁ + (T₊ w)₁)`, where `τ = 1/|v₂|`. So `x₁ − τ c·w` stays, with `(Rᵀ − 1) c = (s, 1 + cos β)`; on the upper wall
-/// `R` turns the other way and `s` changes its sign.
+/// Between two hits on the lower wall the pair `w = (v₀, v₁)` is turned by `R = T₋ T₊` (the angle 2β) while the disk advances
+/// by `τ (v₁ + (T₊ w)₁)`, where `τ = 1/|v₂|`. So `x₁ − τ c·w` is conserved, with `(Rᵀ − 1) c = (s, 1 + cos β)`; on the upper
+/// wall `R` turns the other way and `s` changes its sign.
 fn middle_of_strip_orbit(state: &State<f64>) -> f64 {
     let (cos, sin) = (1.0 / 3.0, libm::sqrt(8.0) / 3.0);
     let side = if state.velocity[1] > 0.0 { 1.0 } else { -1.0 };
@@ -171,17 +171,17 @@ fn slab() -> Result<Case, Error> {
     })
 }
 
-/// Grazing starts come at angles of 10⁻¹ … 10⁻⁷ to the wall: a chord of a circle at 10⁻⁸ is as close to it as the rounding
-/// of its ends.
+/// Grazing starts have angles of 10⁻¹ … 10⁻⁷ to the wall: a chord of a circle at 10⁻⁸ is within the rounding of its ends from
+/// the circle.
 const ANGLES: i32 = 7;
 
 impl Case {
-    /// What the motion keeps besides the energy.
+    /// What the motion conserves besides the energy.
     pub fn invariant(&self, law: Law) -> Option<Invariant> {
         (self.invariant)(law)
     }
 
-    /// The same motion in the precision of `R`, as a textbook has it.
+    /// The same motion in the precision of `R`, by the textbook program.
     pub fn textbook<R: Real>(&self, law: Law) -> Option<Textbook<R>> {
         match &self.space {
             Space::Plane(_) if self.name == "ellipse" => Some(Textbook::ellipse(SEMI_AXES, law)),
@@ -190,7 +190,7 @@ impl Case {
         }
     }
 
-    /// So many starts at unit speed, half-way to the first wall from points of the canonical measure.
+    /// `many` starts at unit speed, half-way to the first wall from points of the canonical measure.
     ///
     /// # Errors
     /// The canonical measure does not exist.
@@ -198,7 +198,7 @@ impl Case {
         Ok(self.on_walls(many)?.into_iter().map(|start| self.half_way(start)).collect())
     }
 
-    /// So many starts on the walls, nearly along them.
+    /// `many` starts on the walls, nearly along them.
     ///
     /// # Errors
     /// The canonical measure does not exist.
@@ -223,7 +223,7 @@ impl Case {
         };
         match &self.space {
             Space::Plane(table) if table.perimeter().is_finite() => plane(table),
-            // an infinite strip: the part of it that is a square
+            // an infinite strip: a square part of it
             Space::Plane(_) => {
                 let mut starts = plane(&tables::square(1.0).map_err(billiards::Error::from)?)?;
                 for start in &mut starts {
@@ -264,7 +264,7 @@ impl Case {
         }
     }
 
-    /// How far outside of the table a point is, as a part of its size; 0 inside.
+    /// How far outside the table a point is, relative to the table's size; 0 inside.
     pub fn outside(&self, state: &State<f64>) -> f64 {
         let [x, y, z] = state.position;
         let distance = match &self.space {

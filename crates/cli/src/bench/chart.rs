@@ -13,15 +13,15 @@ const FRAME: [f64; 2] = [330.0, 278.0];
 const LEGEND: f64 = 382.0;
 const TEXT: f64 = 8.5;
 const NUMBER: f64 = 7.5;
-/// Size of exponents; not in percent, which some readers take of the page.
+/// Size of exponents; not in percent, which some viewers take relative to the page.
 const RAISED: f64 = 5.25;
 const HAIR: Style = Style::line(Colour::BLACK, 0.4);
 
 /// The errors shown are those after this one of [`STOPS`].
 const SHOWN: usize = 1;
-/// Errors below this are drawn there: a few hundredths of a rounding.
+/// Errors below this are drawn at this value: a few hundredths of a rounding.
 const LEAST: f64 = 1e-17;
-/// Errors above this are drawn there: the particle is lost.
+/// Errors above this are drawn at this value: the particle is lost.
 const MOST: f64 = 10.0;
 
 /// How a method is marked.
@@ -115,7 +115,7 @@ impl Scale {
             svg.line([left, at], [right, at], faint);
             svg.text([left - 4.0, at + 2.5], NUMBER, Anchor::End, &power(decade));
         }
-        // what is drawn on the frame is as large as that or larger, or as small or smaller
+        // points on the frame mean values at least as large, or at most as small
         svg.text([left - 4.0, top + 2.5], NUMBER, Anchor::End, "lost");
         svg.text([left - 4.0, bottom + 2.5], NUMBER, Anchor::End, &format!("\u{2264} {}", power(self.y[0])));
         svg.rectangle(CORNER, [right, bottom], HAIR);
@@ -138,7 +138,7 @@ fn power(decade: f64) -> String {
 
 fn colour_of(table: &str) -> Colour {
     let number = CASES.iter().position(|entry| entry.name == table).unwrap_or(0);
-    // two more than orbits have
+    // two more colours than orbits have
     let more = [Colour::BLACK, Colour(0xb4, 0x00, 0xff)];
     ORBITS.iter().chain(&more).copied().nth(number).unwrap_or(Colour::MIDDLE)
 }

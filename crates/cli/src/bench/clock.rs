@@ -1,15 +1,15 @@
-//! How long a thread has really been at work.
+//! How long a thread has actually been running.
 
 use std::time::Duration;
 
-/// The processor time of this thread: whatever else the machine does meanwhile does not count.
+/// The processor time of this thread, which does not include other work of the machine.
 #[cfg(unix)]
 pub fn thread_time() -> Duration {
     use nix::time::{ClockId, clock_gettime};
     clock_gettime(ClockId::CLOCK_THREAD_CPUTIME_ID).map_or(Duration::ZERO, Duration::from)
 }
 
-/// The time on the wall, where there is no clock of threads.
+/// The wall-clock time, where there is no clock of threads.
 #[cfg(not(unix))]
 pub fn thread_time() -> Duration {
     use std::sync::LazyLock;

@@ -18,17 +18,17 @@ use super::state::State;
 
 /// A way of computing orbits, ready for one table and law.
 pub trait Method {
-    /// Runs one orbit and shows its state after so many collisions, in rising order.
+    /// Runs one orbit and shows its state after each of the numbers of collisions in `stops`, in rising order.
     fn trace(&self, start: &State<f64>, stops: &[u64], look: &mut dyn FnMut(usize, &State<f64>)) -> End;
 
-    /// Runs each start for so many collisions, for the time it takes. Returns the number of collisions made.
+    /// Runs each start for a number of collisions, to measure the time. Returns the number of collisions made.
     fn bulk(&self, starts: &[State<f64>], collisions: u64) -> u64;
 }
 
 /// How an orbit ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
-    /// After as many collisions as were asked for.
+    /// After the requested number of collisions.
     Whole,
     /// In a corner, as an orbit may.
     Corner,
@@ -36,7 +36,8 @@ pub enum End {
     Lost(Stop),
 }
 
-/// Shows an orbit after these numbers of collisions; `step` makes so many more, and tells why it stopped and where.
+/// Shows an orbit after these numbers of collisions; `step` makes a number of further collisions, and returns why it
+/// stopped and where.
 fn in_steps(
     stops: &[u64],
     look: &mut dyn FnMut(usize, &State<f64>),

@@ -1,4 +1,4 @@
-//! Real numbers of three precisions, for one program in all of them.
+//! Real numbers of three precisions, so that one program runs in all of them.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -112,7 +112,7 @@ impl Div for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
-    /// 2⁻¹⁰⁴: the last two of 106 bits are not sure.
+    /// 2⁻¹⁰⁴: the last two of 106 bits are not reliable.
     const EPSILON: f64 = 4.930_380_657_631_324e-32;
     fn of(x: f64) -> Self {
         DoubleDouble { high: x, low: 0.0 }
@@ -124,7 +124,7 @@ impl Real for DoubleDouble {
         if self.high <= 0.0 {
             return Self::of(libm::sqrt(self.high));
         }
-        // Newton's step doubles the digits of the root of the first half
+        // one step of Newton's method doubles the digits of the root of the high part
         let root = Self::of(libm::sqrt(self.high));
         let rest = self - root * root;
         root + Self::of(rest.high / (2.0 * root.high))
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn two_numbers_hold_thirty_one_digits() {
         let [one, two, three, seven] = [1.0, 2.0, 3.0, 7.0].map(DoubleDouble::of);
-        // each is one or two roundings of 2⁻¹⁰⁴ off
+        // each is off by one or two roundings of 2⁻¹⁰⁴
         for zero in [two.sqrt() * two.sqrt() - two, one / seven * seven - one, (one / three + two / three) - one] {
             assert!(zero.value().abs() < 8.0 * DoubleDouble::EPSILON, "{zero:?}");
         }

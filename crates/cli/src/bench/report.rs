@@ -23,7 +23,7 @@ pub fn json(scores: &[Score], law: Law, effort: Effort) -> Value {
     })
 }
 
-/// A number that JSON can hold; an error without bound is null.
+/// A score as JSON; an infinite error is null.
 fn of_score(score: &Score) -> Value {
     let spread =
         |(stop, spread): (&u64, &Spread)| json!({ "collisions": stop, "median": spread.median, "worst": spread.worst });
@@ -69,7 +69,7 @@ pub fn preamble(law: Law, effort: Effort, out: &mut dyn Write) -> io::Result<()>
 /// The output cannot be written.
 pub fn table(scores: &[Score], out: &mut dyn Write) -> io::Result<()> {
     let Some(first) = scores.first() else { return Ok(()) };
-    // a column for what this table keeps besides the energy
+    // a column for what this table conserves besides the energy
     let own = first.drift.invariant.map_or("", |(name, _)| name);
     let width = if own.is_empty() { 0 } else { own.len().max(8) + 1 };
     let [a, b, c] = STOPS.map(|n| n.to_string());
@@ -152,7 +152,7 @@ pub fn stress(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     )
 }
 
-/// An error in two digits; "lost" if it has no bound, a dash if there is none.
+/// An error in two digits; "lost" if it is infinite, a dash if there is none.
 fn short(error: f64) -> String {
     if error.is_nan() {
         "\u{2013}".into()

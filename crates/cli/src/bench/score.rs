@@ -12,15 +12,15 @@ use super::method::{self, End, Method};
 use super::real::{DoubleDouble, Real};
 use super::state::{State, worse};
 
-/// Errors are looked at after so many collisions.
+/// Numbers of collisions after which errors are measured.
 pub const STOPS: [u64; 3] = [1, 10, 100];
 
-/// Drifts are looked at after so many collisions, unless that takes too long.
+/// Number of collisions after which drifts are measured, unless that takes too long.
 const LONG_RUN: u64 = 100_000;
-/// Orbits that are followed for so long.
+/// Number of orbits that are followed for so long.
 const LONG_ORBITS: usize = 4;
 
-/// A point outside of the table by more than this part of its size is lost.
+/// A point outside the table by more than this fraction of its size is lost.
 ///
 /// The coarsest polyline lies 5·10⁻⁴ off the boundary.
 const OUTSIDE: f64 = 1e-2;
@@ -40,25 +40,26 @@ pub struct Score {
     pub nanoseconds: f64,
     /// Errors after the numbers of collisions in [`STOPS`].
     pub errors: [Spread; 3],
-    /// How well long orbits keep what they should.
+    /// How well long orbits conserve what they should.
     pub drift: Drift,
     /// What became of the orbits.
     pub lost: Lost,
 }
 
-/// Errors of several orbits: those whose right states are known, which end in no corner before. None of them are not a number.
+/// Errors of several orbits: those whose right states are known because they do not end in a corner before. Without such
+/// orbits, NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// That of which half of the orbits are better.
+    /// The median.
     pub median: f64,
     /// The largest.
     pub worst: f64,
 }
 
-/// How far conserved quantities have moved; without bound where an orbit was lost on the way.
+/// How far conserved quantities have drifted; infinite where an orbit was lost on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// After so many collisions.
+    /// The number of collisions made.
     pub collisions: u64,
     /// Largest relative deviation of the energy.
     pub energy: f64,
@@ -66,14 +67,14 @@ pub struct Drift {
     pub invariant: Option<(&'static str, f64)>,
 }
 
-/// Orbits that a method has lost: how many ended early, but not in a corner, and in what way, or outside of the table.
+/// Orbits that a method has lost: how many ended early, but not in a corner, by reason, or outside the table.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Lost {
-    /// Of those from ordinary starts.
+    /// Those from ordinary starts.
     pub ordinary: BTreeMap<&'static str, usize>,
-    /// Of those that start nearly along a wall.
+    /// Those that start nearly along a wall.
     pub grazing: BTreeMap<&'static str, usize>,
-    /// Of so many each.
+    /// Number of orbits of each kind.
     pub of: usize,
 }
 
@@ -99,7 +100,7 @@ pub struct Exam<'a> {
 }
 
 impl<'a> Exam<'a> {
-    /// Computes the right answers, in about 106 bits.
+    /// Computes the reference answers, in about 106 bits.
     ///
     /// # Errors
     /// There are no starts on this table, or no right answers.
@@ -128,7 +129,7 @@ impl<'a> Exam<'a> {
     /// # Errors
     /// It cannot be prepared.
     pub fn score(&self, entry: &method::Entry, pieces: Option<usize>) -> Result<Score, Box<dyn Error>> {
-        // walls are prepared when a path first asks for them
+        // walls are prepared when a path first needs them
         let (method, build) = timed(|| {
             let method = (entry.build)(self.case, self.law, pieces)?;
             method.bulk(&self.starts, 1);
@@ -226,7 +227,7 @@ impl Spread {
     }
 }
 
-/// The middle one; not a number if there is none.
+/// The median; NaN if there are no values.
 fn median(values: &mut [f64]) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)

@@ -36,7 +36,7 @@ pub fn first<const N: usize>(x: &[f64; 3]) -> [f64; N] {
 }
 
 impl State<f64> {
-    /// `|v|² + |w|²` in twice the digits.
+    /// `|v|² + |w|²` in double-double precision.
     fn square(&self) -> DoubleDouble {
         let squares = self.velocity.iter().chain(&self.spin).map(|x| DoubleDouble::of(*x) * DoubleDouble::of(*x));
         squares.fold(DoubleDouble::of(0.0), |sum, square| sum + square)
@@ -52,8 +52,8 @@ impl State<f64> {
         ((self.square() - start.square()) / start.square()).value().abs()
     }
 
-    /// How far off this is from what is right: the largest component of the difference, positions as parts of `size`,
-    /// velocities as parts of the speed. Infinite where anything is not a number.
+    /// The error of this state against the right one: the largest component of the difference, positions relative to
+    /// `size`, velocities relative to the speed. Infinite where anything is NaN.
     pub fn error(&self, right: &State<DoubleDouble>, size: f64) -> f64 {
         let speed = self.speed();
         let off = |a: &[f64; 3], b: &[DoubleDouble; 3], unit: f64| {
@@ -68,7 +68,7 @@ impl State<f64> {
     }
 }
 
-/// The larger of two errors; infinite if one is not a number.
+/// The larger of two errors; infinite if one is NaN.
 pub fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

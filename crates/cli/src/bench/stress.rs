@@ -1,9 +1,9 @@
-//! Where billiard programs break: the worst that a table, a start, a body or a unit can be.
+//! Where billiard programs break: extreme tables, starts, bodies and units.
 //!
-//! Each case says what happened: how the orbits ended, the worst error of something that is known exactly, and whether
-//! anything was lost. An orbit is lost if it leaves a closed table, comes to lie outside of it by more than rounding, or
-//! has a number that is none. A case ends after a number of collisions set beforehand, so that none can hang; one that
-//! panics is reported like any other.
+//! Each case reports what happened: how the orbits ended, the worst error of something that is known exactly, and
+//! whether anything was lost. An orbit is lost if it leaves a closed table, lies outside it by more than rounding, or
+//! contains a NaN. A case ends after a number of collisions set beforehand, so that none can hang; one that panics is
+//! reported like any other.
 
 mod gamma;
 mod mass;
@@ -64,13 +64,13 @@ pub struct Report {
     pub name: &'static str,
     /// What was done.
     pub summary: &'static str,
-    /// What came of it, or why nothing did.
+    /// Its result, or why there is none.
     pub result: Result<Tally, String>,
     /// Time that it took.
     pub time: Duration,
 }
 
-/// What came of a case.
+/// The result of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     /// Orbits, or single collisions.
@@ -79,9 +79,9 @@ pub struct Tally {
     pub collisions: u64,
     /// How many ended in which way.
     pub stops: BTreeMap<&'static str, u64>,
-    /// What is known exactly.
+    /// The quantity that is known exactly.
     pub known: &'static str,
-    /// The worst error of that.
+    /// Its worst error.
     pub error: f64,
     /// How many were lost.
     pub lost: u64,
@@ -111,7 +111,7 @@ impl Tally {
 }
 
 impl Entry {
-    /// Does it.
+    /// Runs the case.
     pub fn run(&self, effort: Effort) -> Report {
         let begun = Instant::now();
         let result = match catch_unwind(AssertUnwindSafe(|| (self.run)(effort))) {
@@ -127,8 +127,8 @@ pub fn cases(only: Option<&str>) -> Vec<&'static Entry> {
     CASES.iter().filter(|entry| only.is_none_or(|only| entry.name == only)).collect()
 }
 
-/// A point off a wall by more than this part of the size of its coordinates is outside: 64 ulp, four times what a point
-/// on a piece may be off (16) and still start from it.
+/// A point off a wall by more than this fraction of the size of its coordinates is outside: 64 ulp, four times the
+/// error (16) with which a point still counts as on a piece.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Collisions between two looks at an orbit.
 const BLOCK: u64 = 1000;
@@ -149,7 +149,7 @@ impl Trial<'_> {
         Tally { known: "energy", ..self.watch(starts, &|first, now| now.energy_drift(first)) }
     }
 
-    /// The same with another error, seen from the states at the start and now.
+    /// The same with another error, computed from the initial and the current state.
     fn watch(&self, starts: &[Start<2, 1>], error: &dyn Fn(&State<f64>, &State<f64>) -> f64) -> Tally {
         with_engine(self.table, &self.law, |engine| {
             let mut tally = Tally::default();
@@ -197,7 +197,7 @@ impl Trial<'_> {
     }
 }
 
-/// A start in the plane, with as much spin as speed across.
+/// A start in the plane, with a spin as large as the transverse speed.
 fn start(position: [f64; 2], angle: f64) -> Start<2, 1> {
     let (sin, cos) = libm::sincos(angle);
     Start { position, velocity: [cos, sin], spin: [0.5] }

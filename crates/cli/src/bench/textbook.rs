@@ -1,8 +1,8 @@
 //! The billiard program of a textbook, in any precision.
 //!
-//! Each wall is asked when the path crosses it outwards, the first one wins, the particle is put there and its velocity
-//! is turned: the formulas as one would write them down, without the engine's care for rounding. In about 106 bits it is
-//! what the other methods are measured against; in `f64` and `f32` it is a method itself.
+//! The crossing time outwards is computed for each wall, the first one wins, the particle is put there and its velocity
+//! is changed: the formulas as one would write them down, without the engine's care for rounding. In about 106 bits it
+//! is the reference for the other methods; in `f64` and `f32` it is a method itself.
 
 use super::law::Law;
 use super::real::Real;
@@ -14,7 +14,8 @@ use billiards::geometry::{Figure, Table, Vector2};
 enum Wall<R> {
     /// A straight line, or the part of it up to `along` from `from`.
     Straight { from: [R; 2], along: [R; 2], normal: [R; 2], whole: bool },
-    /// A circle, or what of it lies on the right of the way between two points (on the left if the table is outside).
+    /// A circle, or the part of it that lies on the right of the line between two points (on the left if the table is
+    /// outside).
     Circle { center: [R; 2], radius: R, inside: bool, ends: Option<[[R; 2]; 2]> },
     /// The inside of an ellipse about the origin, with semi-axes along the axes.
     Ellipse { semi_axes: [R; 2] },
@@ -31,7 +32,7 @@ pub struct Textbook<R> {
     size: R,
 }
 
-/// What a collision does.
+/// The effect of a collision.
 #[derive(Clone, Debug)]
 enum Turn<R> {
     /// `(v₀, v·t) ↦ (−c v₀ + s v·t, s v₀ + c v·t)`, the normal part reversed.
@@ -42,7 +43,7 @@ enum Turn<R> {
     Smooth,
 }
 
-/// Why a particle got no farther.
+/// The particle met no further wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Escaped;
 
@@ -171,10 +172,10 @@ impl<R: Real> Textbook<R> {
     /// Flies to the next wall and collides there.
     ///
     /// # Errors
-    /// No wall is met any more.
+    /// No further wall is met.
     pub fn step(&self, at: &mut State<R>) -> Result<(), Escaped> {
         let State { position: x, velocity: v, spin: w } = at;
-        // a wall behind by no more than rounding is crossed now
+        // a wall that is behind by no more than rounding is crossed now
         let speed = dot(*v, *v).sqrt();
         let back = -(R::of(64.0 * R::EPSILON) * self.size / speed);
         let mut first: Option<(R, &Wall<R>)> = None;

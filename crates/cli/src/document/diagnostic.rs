@@ -1,4 +1,4 @@
-//! Errors in input files: what is wrong, where, and how to mend it.
+//! Errors in input files: what is wrong, where, and how to fix it.
 
 use std::fmt;
 
@@ -39,7 +39,7 @@ pub struct Diagnostic {
     pub place: Option<Place>,
     /// What is wrong, in lower case.
     pub what: String,
-    /// How to mend it.
+    /// How to fix it.
     pub help: Option<String>,
 }
 
@@ -53,7 +53,7 @@ impl Diagnostic {
         Self { file: source.name().into(), place: Some(Place::new(source.text(), span)), what, help: None }
     }
 
-    /// Adds how to mend it.
+    /// Adds advice on how to fix it.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
@@ -63,7 +63,7 @@ impl Diagnostic {
 
 impl Place {
     fn new(text: &str, span: Span) -> Self {
-        // a byte order mark is no character of the first line
+        // a byte order mark is not a character of the first line
         let text_start = if text.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
         let start = floor_char_boundary(text, span.start).max(text_start);
         let end = floor_char_boundary(text, span.end).max(start);
@@ -85,7 +85,8 @@ impl Place {
     }
 }
 
-/// One line of text that a terminal shows and does not obey: a blank for each control character.
+/// One line of text that is safe to show on a terminal: each control character is replaced by a
+/// blank.
 ///
 /// ```
 /// assert_eq!(billiards_cli::document::plain("red \u{1b}[31m\nor not"), "red  [31m or not");
@@ -128,7 +129,7 @@ pub struct Problems {
     found: Vec<(Span, Diagnostic)>,
     /// Places of the file, and which keys may stand there.
     homes: Vec<(String, Vec<String>)>,
-    /// Which errors are keys in a table that has none such, and the keys.
+    /// Which errors are about keys that their table does not have, and the keys.
     strays: Vec<(usize, String)>,
 }
 
@@ -148,7 +149,7 @@ impl Problems {
         self.found.push((span, self.source.diagnostic(span, what)));
     }
 
-    /// Records an error and how to mend it.
+    /// Records an error and how to fix it.
     pub fn add_with_help(&mut self, span: Span, what: impl Into<String>, help: impl Into<String>) {
         self.found.push((span, self.source.diagnostic(span, what).with_help(help)));
     }
@@ -158,7 +159,7 @@ impl Problems {
         self.homes.push((place.into(), keys.iter().map(|&key| key.into()).collect()));
     }
 
-    /// Records a key that its table may not have; the help is for one that no other place has either.
+    /// Records a key that its table may not have; the help applies if no other place has it either.
     pub(crate) fn add_stray(&mut self, span: Span, key: &str, what: impl Into<String>, help: impl Into<String>) {
         self.strays.push((self.found.len(), key.into()));
         self.add_with_help(span, what, help);

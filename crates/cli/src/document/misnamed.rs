@@ -6,7 +6,7 @@ use std::path::Path;
 use super::Diagnostic;
 use crate::spelling::closest;
 
-/// Adds the name of the file that may be meant to the complaint that another one could not be read.
+/// Adds the name of the file that may have been meant to the error that another one could not be read.
 pub fn with_file_meant(diagnostic: Diagnostic, error: &io::Error, path: &Path) -> Diagnostic {
     match meant(path).filter(|_| error.kind() == io::ErrorKind::NotFound) {
         Some(file) => diagnostic.with_help(format!("did you mean \"{file}\"?")),
@@ -14,7 +14,8 @@ pub fn with_file_meant(diagnostic: Diagnostic, error: &io::Error, path: &Path) -
     }
 }
 
-/// The file in the same folder whose name differs from this one by its ending alone, or else by little.
+/// The file in the same folder whose name differs from this one only by its extension, or else only
+/// slightly.
 fn meant(path: &Path) -> Option<String> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let files = folder.read_dir().ok()?.filter_map(Result::ok).filter(|entry| !entry.path().is_dir());

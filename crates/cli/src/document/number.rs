@@ -12,7 +12,7 @@ use crate::expression::{self, Expression, PolarCurve};
 pub const SMALLEST: f64 = 1e-150;
 /// Largest accepted length, coordinate or speed: squares of such numbers still are finite.
 pub const LARGEST: f64 = 1e150;
-/// Parameters at which the size of a curve is looked at.
+/// Number of parameters at which the size of a curve is examined.
 const PLACES: u32 = 64;
 /// Largest accepted count.
 const LARGEST_COUNT: u64 = 1_000_000_000_000;
@@ -91,7 +91,7 @@ fn real_formula(text: &Spanned<String>, over: [f64; 2], help: &str, problems: &m
     Some(real)
 }
 
-/// Some angle at which a radius is longer or shorter than lengths are, and the radius.
+/// An angle at which a radius is outside the range of lengths, and the radius there.
 fn beyond(radius: &Expression) -> Option<(f64, f64)> {
     let curve = PolarCurve::new(radius);
     let angles = (0..PLACES).map(|k| 2.0 * PI * f64::from(k) / f64::from(PLACES));
@@ -195,7 +195,7 @@ pub fn whole(item: &Item, range: RangeInclusive<u64>, problems: &mut Problems) -
     found.map(|n| Spanned::new(n, item.span))
 }
 
-/// 2⁵³: from here on, what is rounded to 53 bits may be another whole number than was meant.
+/// 2⁵³: from here on, rounding to 53 bits may give another whole number than was meant.
 const TOO_LONG: f64 = 9_007_199_254_740_992.0;
 
 /// A whole number from 0 to 2⁶⁴ − 1.
@@ -244,7 +244,7 @@ pub fn vector(
     values.map(|values| Spanned::new(values, item.span))
 }
 
-/// A number as one would write it: `0.25`, `1e-7`.
+/// A number as people write it: `0.25`, `1e-7`.
 pub fn spell(x: f64) -> String {
     format!("{x:?}").trim_end_matches(".0").into()
 }

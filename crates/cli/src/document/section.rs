@@ -5,8 +5,8 @@ use crate::spelling;
 
 /// A table of an input file while it is read.
 ///
-/// Every key asked for counts as known; [`finish`](Self::finish) then reports those the file has beyond them, and those
-/// it lacks.
+/// Every key that is requested counts as known; [`finish`](Self::finish) then reports unknown keys in the file, and missing
+/// ones.
 #[derive(Debug)]
 pub struct Section<'a> {
     name: String,
@@ -16,7 +16,7 @@ pub struct Section<'a> {
     missing: Vec<Missing<'a>>,
 }
 
-/// Something the table lacks, unless a misspelt key turns out to stand for it.
+/// A missing key, unless a misspelt one turns out to stand for it.
 #[derive(Debug)]
 struct Missing<'a> {
     keys: Vec<&'a str>,
@@ -25,13 +25,13 @@ struct Missing<'a> {
 }
 
 impl<'a> Section<'a> {
-    /// Starts to read a table with a header of its own, which is how messages call it: `[[orbit]]`. Anything else is recorded as
-    /// an error.
+    /// Starts to read a table with its own header, such as `[[orbit]]`, which is its name in messages. Anything else is recorded
+    /// as an error.
     pub fn new(item: &'a Item, name: &str, problems: &mut Problems) -> Option<Self> {
         Self::read(item, name, format!("write {name} on a line of its own, and its keys below"), problems)
     }
 
-    /// The same of a table within braces, of which `example` shows one.
+    /// The same for a table within braces; `example` shows one.
     pub fn inline(item: &'a Item, name: &str, example: &str, problems: &mut Problems) -> Option<Self> {
         Self::read(item, name, format!("write for instance {example}"), problems)
     }
@@ -48,7 +48,7 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// How messages call this table.
+    /// The name of this table in messages.
     pub fn name(&self) -> &str {
         &self.name
     }
@@ -106,7 +106,7 @@ impl<'a> Section<'a> {
         present.first().copied()
     }
 
-    /// The entries not asked for so far, for tables whose keys are free.
+    /// The entries not requested so far, for tables with free keys.
     pub fn others(&self) -> impl Iterator<Item = &'a (Spanned<String>, Item)> {
         self.entries.iter().filter(|(k, _)| !self.known.contains(&k.value.as_str()))
     }
@@ -116,8 +116,8 @@ impl<'a> Section<'a> {
         self.report(true, problems);
     }
 
-    /// Reports missing keys, and unknown ones only where they look like a known one: for a table of which an earlier
-    /// mistake hides what keys it may have.
+    /// Reports missing keys, and unknown ones only where they look like a known one: for a table whose possible keys are hidden
+    /// by an earlier mistake.
     pub fn finish_leniently(self, problems: &mut Problems) {
         self.report(false, problems);
     }
@@ -141,7 +141,7 @@ impl<'a> Section<'a> {
             };
             problems.add_stray(key.span, &key.value, what, help);
         }
-        // only what has a header of its own: a curve or an edge is no place to send a key to
+        // only tables with a header of their own: a key cannot be moved to a curve or an edge
         if self.name.starts_with('[') {
             problems.learn(format!("under {}", self.name), &self.known);
         }

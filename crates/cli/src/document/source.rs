@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use super::{Diagnostic, with_file_meant};
 
-/// No file written by anybody is longer (bytes); what has no end, as `/dev/zero`, is.
+/// Longest accepted file (bytes): no real input is longer, whereas endless ones such as `/dev/zero`
+/// are.
 const LONGEST: u64 = 1 << 30;
 
 /// The text of an input file under the name the user gave. Cheap to clone.
@@ -80,7 +81,7 @@ impl Source {
     }
 }
 
-/// What a file holds, if that is not longer than this.
+/// The content of a file, if it is not longer than this.
 fn up_to(longest: u64, path: &Path) -> io::Result<Vec<u8>> {
     let mut bytes = vec![];
     if File::open(path)?.take(longest + 1).read_to_end(&mut bytes)? as u64 > longest {

@@ -6,15 +6,15 @@ use super::{Item, Problems, Span, Spanned, Value};
 
 /// Parses a TOML document. Syntax errors are recorded; `None` means that nothing sensible could be read.
 ///
-/// Duplicate keys are recorded too, and the rest of the document is still returned, so that all else that is wrong with
-/// it can be reported in the same go.
+/// Duplicate keys are recorded too, and the rest of the document is still returned, so that everything else that is wrong
+/// with it can be reported at the same time.
 pub fn parse(problems: &mut Problems) -> Option<Item> {
     let source = problems.source().clone();
     let (document, errors) = DeTable::parse_recoverable(source.text());
     let place = |error: &::toml::de::Error| error.span().map_or(Span::default(), Span::from);
     let line = |span: Span| source.text().get(..span.start).map_or(0, |before| before.matches('\n').count());
     let (duplicates, faults): (Vec<_>, Vec<_>) = errors.iter().partition(|e| e.message().starts_with("duplicate key"));
-    // One slip often upsets the lines that follow: of a run of lines with faults, the first complaint is the one that helps.
+    // One slip often upsets the lines that follow: of a run of faulty lines, only the first error is helpful.
     let mut upset = None;
     for fault in &faults {
         let (span, after) = (place(fault), upset);
@@ -39,7 +39,7 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     Some(Spanned::new(table(document.into_inner()), whole))
 }
 
-/// How to mend a number that is none in TOML, by what its parser says and what stands there.
+/// How to fix a number that is invalid in TOML, from the parser's message and the text at that place.
 fn mend(fault: &str, there: &str) -> Option<&'static str> {
     let says = |beginning| fault.starts_with(beginning);
     if says("string values must be quoted") {
@@ -97,7 +97,7 @@ fn nearest(digits: &str, radix: u32) -> f64 {
         if leading >> 120 == 0 {
             leading = leading << bits | u128::from(digit);
         } else {
-            // far behind the digits of a double: these only tell that something is left
+            // far beyond the digits of a double: these only matter as a non-zero remainder
             leading |= u128::from(digit != 0);
             left = left.saturating_add_unsigned(bits);
         }

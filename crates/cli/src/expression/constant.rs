@@ -1,4 +1,4 @@
-//! The constants of formulas, in 192 bits: what is known without variables is rounded once, at its end.
+//! The constants of formulas, in 192 bits: a part without variables is rounded only once, at its end.
 //!
 //! Each step in doubles may be off by half a unit in the last place, and `cos(pi/2)` would not even be 0.
 
@@ -13,10 +13,10 @@ type Big = FBig<HalfEven, 2>;
 
 /// Bits of a constant.
 const BITS: usize = 192;
-/// What differs by so little of its size from a double, or of what it is the difference of from 0, is that: a thousand roundings are
-/// less, and of numbers that are something else one in 10³⁴ comes so near.
+/// A number whose relative difference from a double is this small is taken to be that double, and a difference this small beside its
+/// terms to be 0: a thousand roundings are less, and only one in 10³⁴ other numbers comes so near.
 const ROUNDED: isize = -170;
-/// Of a larger angle the digits do not tell where on the circle it is.
+/// The digits of a larger angle do not determine where on the circle it is.
 pub(super) const LARGEST_ANGLE: f64 = 1e30;
 /// Larger powers go through the logarithm.
 const MOST_FACTORS: f64 = 1024.0;
@@ -25,7 +25,7 @@ const MOST_FACTORS: f64 = 1024.0;
 #[derive(Clone, Debug)]
 pub(super) struct Constant(Big);
 
-/// How the text of a formula gives a number.
+/// How a number is written in the text of a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Literal<'a> {
     /// In digits.
@@ -49,7 +49,7 @@ impl Constant {
         };
         match literal {
             Literal::Pi => Constant(Big::pi(BITS)),
-            // exponents may be anything there
+            // its exponent may be anything
             Literal::Decimal(_) if value == 0.0 => Constant::from(value),
             Literal::Decimal(text) => decimal(text).unwrap_or_else(|| Constant::from(value)),
         }
@@ -60,12 +60,12 @@ impl Constant {
         self.0.to_f64().value()
     }
 
-    /// What a node makes of constants; `double` is what it makes of the doubles nearest to them, a finite number.
+    /// The value of a node with constant operands; `double` is its finite value for the doubles nearest to them.
     pub(super) fn of_node(node: Node, operand: impl Fn(usize) -> Self, double: f64) -> Self {
         let found = match node {
             Node::Constant(_) | Node::Variable(_) => None,
             Node::Negate(a) => Some(-operand(a).0),
-            // nothing so small is needed, and its digits might take for ever
+            // nothing this small is needed, and computing its digits might take for ever
             Node::Unary(Function::Exp, _) | Node::Binary(Operation::Power | Operation::SignedPower, ..)
                 if double == 0.0 =>
             {
@@ -78,7 +78,7 @@ impl Constant {
     }
 }
 
-/// The number itself, or the double that it differs from by rounding.
+/// The number itself, or the double from which it differs only by rounding.
 fn to_double(x: Big) -> Big {
     let near = x.to_f64().value();
     if near.is_infinite() {
@@ -92,17 +92,17 @@ fn size(x: &Big) -> Big {
     if *x < Big::ZERO { -x } else { x.clone() }
 }
 
-/// Whether a number is next to nothing beside another.
+/// Whether a number is negligible beside another.
 fn is_rounding(x: &Big, beside: &Big) -> bool {
     size(x) <= size(beside) << ROUNDED
 }
 
-/// The number, or 0 where it is no more than rounding of what it was computed from.
+/// The number, or 0 where it is no more than the rounding of what it was computed from.
 fn without_rounding(x: Big, beside: &Big) -> Big {
     if is_rounding(&x, beside) { Big::ZERO } else { x }
 }
 
-/// A function of a number; `None` where there is none, infinite where its value is not known.
+/// A function of a number; `None` where it has no value, infinite where its value is not known.
 fn function(f: Function, x: &Big) -> Option<Big> {
     let (context, repr) = (Context::<HalfEven>::new(BITS), x.repr());
     let wave = matches!(f, Function::Sin | Function::Cos | Function::Tan);

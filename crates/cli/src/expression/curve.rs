@@ -1,4 +1,4 @@
-//! Formulas as boundaries: what the geometry of curves asks of `r(t)`, `(x(t), y(t))` and `f(x, y)`.
+//! Formulas as boundaries: what the geometry of curves needs of `r(t)`, `(x(t), y(t))` and `f(x, y)`.
 
 use core::f64::consts::TAU;
 
@@ -11,7 +11,7 @@ use super::{Expression, Program};
 #[derive(Clone, Debug)]
 pub struct PolarCurve {
     jet: Program<3>,
-    /// Whether the formula itself comes back after a turn: most do, and need not be asked within the first turn only.
+    /// Whether the formula itself is periodic: most are, and then the angle need not be reduced to the first turn.
     returns: bool,
 }
 
@@ -93,7 +93,7 @@ fn pairs<T>([a, b, c, d, e, f]: [T; 6]) -> [[T; 2]; 3] {
     [[a, b], [c, d], [e, f]]
 }
 
-/// A function `f(x, y)` as a formula, with its gradient and Hessian, and a box that holds its zeros.
+/// A function `f(x, y)` as a formula, with its gradient and Hessian, and a box that contains its zeros.
 #[derive(Clone, Debug)]
 pub struct ImplicitCurve {
     value: Program<1>,
@@ -153,7 +153,7 @@ mod tests {
     fn a_polar_formula_is_a_table_with_the_area_of_its_integral() {
         let r = Expression::parse("1 + 0.2*cos(5*t)", &["t"]).unwrap();
         let table = Polar::new(Vector2::zeros(), PolarCurve::new(&r), true).unwrap();
-        // Area = ½∫r² = π (1 + 0.2²/2); the quadrature is good to rounding for trigonometric polynomials.
+        // Area = ½∫r² = π (1 + 0.2²/2); the quadrature is accurate to rounding for trigonometric polynomials.
         let area = core::f64::consts::PI * 1.02;
         assert!((table.area() / area - 1.0).abs() < 1e-13, "{}", table.area());
     }
@@ -179,7 +179,7 @@ mod tests {
                 }
             }
         }
-        // its slope jumps from 0.4π to −0.4π, that of the other one is 0 from both sides
+        // its slope jumps from 0.4π to −0.4π; that of the other one is 0 from both sides
         let around = Interval::new(-0.01, 0.01);
         assert_eq!(parabola.jet_over(around)[2], Interval::ENTIRE);
         assert!(bump.jet_over(around)[2].magnitude() < 10.0);
@@ -242,7 +242,7 @@ mod tests {
         for text in ["2+0.3*atan(100*sin(40*t-1))", "2+0.1*atan(500*sin(40*t-1))", "2+0.1*atan(1e4*sin(40*t-1))"] {
             assert_eq!(Table::new(vec![polar(text)]).unwrap().validate(), Ok(()), "{text}");
         }
-        // on a circle around a place of one flank, which is all but radial, lie two of its points
+        // a circle around a point of a flank, which is almost radial, meets two points of it
         for (text, waves) in [("2+0.1*atan(1e5*sin(5*t-1))", 5.0), ("2+0.1*atan(1e6*sin(3*t-1))", 3.0)] {
             let curve = polar(text);
             for k in 0..6 {
@@ -319,14 +319,14 @@ mod tests {
             ("2+0.1*sqrt(1-sin(t)^2)*sin(3*t)", 0.5 * PI),
         ] {
             let found = polar(text);
-            // where a place that is looked at lies so near that rounding leaves no slope, that is told
+            // where an examined place lies so near that rounding leaves no slope, this is reported
             let is_told = matches!(
                 found,
                 Err(Error::PolarKink { angle } | Error::PolarSlope { angle }) if (angle - at).abs() < 1e-4
             );
             assert!(is_told, "{text}: {:?}", found.err());
         }
-        // what only looks like one stays whole
+        // formulas that only seem to have a kink stay whole
         for text in
             ["2+0.1*(cos(t)^2)^1.5", "2+0.1*(1+cos(t-1))^1.5", "2+0.2*atan(1/cos(t)^2)", "2+0.1*(1-sin(t)^2)^1.5"]
         {
@@ -373,7 +373,7 @@ mod tests {
                 let time = pieces.iter().map(|piece| piece.crossing(&path).time()).fold(f64::INFINITY, f64::min);
                 let p = path.at(time);
                 let radius = r.evaluate(&[libm::atan2(p.y, p.x)]);
-                // near a cusp the radius turns a rounded angle into the root of it
+                // near a cusp the radius turns a rounding error of the angle into its square root
                 assert!((p.norm() - radius).abs() < 1e-7, "{text} {path:?} {p}");
             }
         }

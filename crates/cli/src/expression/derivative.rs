@@ -8,7 +8,7 @@ impl Expression {
     /// The partial derivative with respect to the variable with this index.
     ///
     /// Common parts are shared, so the result has a length proportional to the formula's. Where `f = 0`, `|f|' = ±f'` is one of
-    /// the two slopes on either side, and so is what derives from it.
+    /// the two one-sided slopes, and likewise for derivatives computed from it.
     #[must_use]
     pub fn derivative(&self, variable: usize) -> Self {
         let mut arena = Arena::default();
@@ -104,7 +104,7 @@ impl Arena {
 
     fn unary(&mut self, f: Function, a: usize) -> usize {
         match self.known(a) {
-            // over an interval a jump has no bound, even where its place is a number
+            // over an interval a jump has no bound, even if its argument is constant
             Some(x) if f != Function::Jump => self.constant(x.function(f)),
             _ => self.push(Node::Unary(f, a)),
         }
@@ -264,7 +264,7 @@ impl Arena {
         self.multiply(b, power)
     }
 
-    /// Takes in the nodes of an expression; the place of its value.
+    /// Adds the nodes of an expression, and returns the place of its value.
     pub(super) fn embed(&mut self, expression: &Expression) -> usize {
         let mut places = Vec::with_capacity(expression.nodes.len());
         for node in &expression.nodes {

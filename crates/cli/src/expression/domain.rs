@@ -4,19 +4,19 @@ use billiards::geometry::shapes::curve::Interval;
 
 use super::{Error, Expression, Function, Node, Operation, fill};
 
-/// Parts of a range that are looked at first.
+/// Number of parts of a range that are examined first.
 const PARTS: u32 = 1024;
 /// Most parts that are halved again: two at each of 2000 places where an argument touches the end of a domain. Where there are more,
-/// it is there within rounding all along.
+/// it is at that end within rounding everywhere.
 const MOST: usize = 4096;
-/// Parts narrower than this part of the range are rounding.
+/// Parts narrower than this fraction of the range are within rounding.
 const NARROW: f64 = 4.0 * f64::EPSILON;
 
 impl Expression {
-    /// A part of a formula in one variable that somewhere in `range` has no real value, as the root of a negative number: what is
-    /// wrong, and for about which value of the variable.
+    /// A part of a formula in one variable that has no real value somewhere in `range`, such as the root of a negative number: what
+    /// is wrong, and about the value of the variable.
     ///
-    /// That is certain; and it is found wherever an argument leaves the domain of its function by more than rounding.
+    /// A reported part is certain, and every part is found whose argument leaves the domain of its function by more than rounding.
     pub fn unreal(&self, range: Interval) -> Option<(Error, f64)> {
         let mut values = vec![Interval::ENTIRE; self.nodes.len()];
         let at = |k: u32| range.low + (range.high - range.low) * (f64::from(k) / f64::from(PARTS));
@@ -47,7 +47,7 @@ impl Expression {
 }
 
 impl Node {
-    /// The argument that has to be in some interval, and this interval, if the function is not defined everywhere.
+    /// The argument, and the interval in which it has to be, if the function is not defined everywhere.
     fn domain(self, nodes: &[Self]) -> Option<(usize, Interval)> {
         match self {
             Self::Unary(Function::Sqrt | Function::Ln, a) => Some((a, Interval::new(0.0, f64::INFINITY))),

@@ -1,4 +1,5 @@
-//! What a formula can be evaluated in: numbers, and intervals that enclose all its values in a box.
+//! The kinds of numbers in which a formula can be evaluated: doubles, and intervals that enclose
+//! all its values in a box.
 
 use billiards::geometry::shapes::curve::Interval;
 
@@ -68,7 +69,7 @@ fn power(a: f64, b: f64) -> f64 {
 
 impl Number for Interval {
     fn constant(x: f64) -> Self {
-        // an infinite end stands for numbers of any size, and is none itself
+        // an infinite end stands for numbers of any size, and is not a number itself
         if x.is_finite() { Self::from(x) } else { Self::ENTIRE }
     }
 

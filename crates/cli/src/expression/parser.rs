@@ -74,7 +74,7 @@ fn unexpected_character(c: char, column: usize) -> Error {
     }
 }
 
-/// What waits on the operator stack.
+/// An entry of the operator stack.
 #[derive(Clone, Copy, Debug)]
 enum Pending<'a> {
     /// Parenthesis, opened by a function or bare, and the number of commas seen in it.
@@ -114,7 +114,7 @@ impl<'a> Parser<'a> {
         }
     }
 
-    /// The formula that some tokens are, and which of its nodes are numbers in the text.
+    /// The formula given by some tokens, and which of its nodes are numbers in the text.
     pub(super) fn parse(
         mut self,
         tokens: &[(Token<'a>, usize)],
@@ -303,7 +303,7 @@ impl<'a> Parser<'a> {
     }
 }
 
-/// What other languages call what is written differently here.
+/// Spellings from other languages, with the ones used here.
 const FROM_ELSEWHERE: [(&str, &str); 20] = [
     ("e", "exp(1)"),
     ("log", "ln(x)"),

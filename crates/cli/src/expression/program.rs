@@ -1,4 +1,4 @@
-//! Several formulas evaluated together, common parts once.
+//! Several formulas evaluated together, with common parts computed once.
 
 use super::derivative::Arena;
 use super::number::Number;

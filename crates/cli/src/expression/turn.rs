@@ -1,11 +1,11 @@
-//! Whether a formula in an angle is the same after a whole turn, as its structure tells.
+//! Whether a formula in an angle is the same after a whole turn, decided from its structure.
 
 use super::{Expression, Function, Node, Operation};
 
-/// What becomes of a part of a formula where the angle grows by 2π.
+/// How a part of a formula changes when the angle grows by 2π.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Turned {
-    /// It grows by so many times 2π.
+    /// It grows by this many times 2π.
     Grown(f64),
     /// It is the same.
     Same,
@@ -15,8 +15,8 @@ enum Turned {
 }
 
 impl Expression {
-    /// Whether a formula in one variable certainly has the period 2π. Values at some places would not tell: between them, anything
-    /// may hide.
+    /// Whether a formula in one variable certainly has the period 2π. Sampled values would not prove that: anything may hide
+    /// between them.
     pub(super) fn comes_back(&self) -> bool {
         let mut turned: Vec<Turned> = Vec::with_capacity(self.nodes.len());
         for node in &self.nodes {
@@ -39,7 +39,7 @@ impl Expression {
 }
 
 impl Turned {
-    /// Times a number.
+    /// The change of the part multiplied by a number.
     fn times(self, x: f64) -> Self {
         match self {
             Self::Grown(k) => Self::Grown(k * x),
@@ -47,7 +47,7 @@ impl Turned {
         }
     }
 
-    /// What a function makes of it.
+    /// The change of a function of the part.
     fn through(self, f: Function) -> Self {
         use Function::{Abs, Asin, Atan, Cos, Cosh, Sin, Sinh, Tan, Tanh};
         match (self, f) {
@@ -61,7 +61,7 @@ impl Turned {
     }
 }
 
-/// What an operation makes of two parts, which may be numbers.
+/// The change of an operation on two parts, which may be numbers.
 fn joined(f: Operation, [a, b]: [Turned; 2], [x, y]: [Option<f64>; 2]) -> Turned {
     use Operation::{Add, Divide, Multiply, Power, Subtract};
     use Turned::{Grown, Opposite, Same, Unknown};

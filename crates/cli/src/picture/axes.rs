@@ -10,7 +10,7 @@ use super::view::View;
 const LABEL: f64 = 9.0;
 /// Size of numbers at ticks.
 const NUMBER: f64 = 7.5;
-/// Size of indices and exponents, as a share.
+/// Size of indices and exponents, as a fraction.
 const SMALL: f64 = 0.7;
 /// Length of a tick.
 const TICK: f64 = 2.5;
@@ -32,10 +32,10 @@ impl Label {
         Self { symbol: symbol.into(), index: index.into() }
     }
 
-    /// The label of numbers that are written without a power of ten.
+    /// The label, with the power of ten that is left out of the numbers at the ticks.
     fn markup(&self, exponent: i32) -> String {
         let mut markup = format!("<tspan font-style=\"italic\">{}</tspan>", escape(&self.symbol));
-        // not in percent, which some readers take of the page; writing to a string cannot fail
+        // not in percent, which some viewers take relative to the page; writing to a string cannot fail
         let small = Short(SMALL * LABEL);
         let mut back = 0;
         if !self.index.is_empty() {
@@ -52,7 +52,7 @@ impl Label {
         markup
     }
 
-    /// About how wide the markup is, in a serif face.
+    /// Approximate width of the markup in a serif face.
     fn width(&self, exponent: i32) -> f64 {
         let of = |text: &str, share: f64| share * LABEL * text.chars().count() as f64;
         let name = of(&self.symbol, 0.45) + of(&self.index, 0.5 * SMALL);
@@ -67,7 +67,7 @@ impl Label {
         if exponent == 0 {
             svg.text([x, y], LABEL, Anchor::Middle, &markup);
         } else {
-            // CairoSVG centres every part of a text alone, so that they lie on one another; from the left it puts them in a row
+            // CairoSVG centres every part of a text separately, so that they overlap; left-aligned, it puts them in a row
             svg.text([x - 0.5 * self.width(exponent), y], LABEL, Anchor::Start, &markup);
         }
     }
@@ -80,12 +80,12 @@ pub struct Axis {
     pub label: Label,
     /// Numbers.
     pub ticks: Vec<f64>,
-    /// Where a number stands in the picture's plane: it times this.
+    /// Coordinate in the picture's plane of the number 1: other numbers are multiplied by this.
     pub unit: f64,
 }
 
 impl Axis {
-    /// The same, drawn so many times larger.
+    /// The same, drawn this many times larger.
     #[must_use]
     pub fn stretched(self, unit: f64) -> Self {
         Self { unit, ..self }
@@ -120,7 +120,7 @@ pub fn draw(svg: &mut Svg, view: &View, x: &Axis, y: &Axis) {
         svg.line([at, top], [at, top + TICK], hair);
         // A minus sign should not push its digit off the tick.
         let shift = if name.starts_with('\u{2212}') { -0.22 * NUMBER } else { 0.0 };
-        // the last number may reach as far beyond the frame as the page does, in the widest of the usual serif faces
+        // the last number may reach beyond the frame only as far as the page does, in the widest of the usual serif faces
         let half = 0.5 * WIDEST_DIGIT * NUMBER * name.chars().count() as f64;
         let middle = (at + shift).min(right + BESIDE - half);
         svg.text([middle, bottom + 0.75 * NUMBER + 3.0], NUMBER, Anchor::Middle, name);
@@ -148,12 +148,12 @@ pub fn ticks(low: f64, high: f64, many: usize) -> Vec<f64> {
         return Vec::new();
     }
     let exponent = libm::floor(libm::log10(rough));
-    // A power of ten and its multiple exactly, as one would write it: 0.3 rather than 3 * 0.1.
+    // Exact multiples of a power of ten, as people write them: 0.3 rather than 3 * 0.1.
     let (up, down) = if exponent >= 0.0 { (libm::pow(10.0, exponent), 1.0) } else { (1.0, libm::pow(10.0, -exponent)) };
     let lead = rough / up * down;
     let factor = [1.0, 2.0, 5.0, 10.0].into_iter().find(|f| lead <= f * 1.0001).unwrap_or(10.0);
     let step = |i: f64| i * factor * up / down;
-    // a tick at the very end is shown though the quotient is rounded, and one that nobody could see beyond it is no harm
+    // a tick at the very end is shown although the quotient is rounded; one that is invisibly beyond the end does no harm
     let slack = 1e-9;
     let first = libm::ceil(low / step(1.0) - slack);
     let count = libm::floor(high / step(1.0) + slack) - first;
@@ -167,8 +167,8 @@ pub fn ticks(low: f64, high: f64, many: usize) -> Vec<f64> {
     ticks
 }
 
-/// The numbers at ticks, all with the same number of decimals and a true minus sign, and the power of ten that they are to be
-/// multiplied by.
+/// The numbers at ticks, all with the same number of decimals and a true minus sign, and the power of ten by which they are
+/// to be multiplied.
 fn numbers(ticks: &[f64]) -> (Vec<String>, i32) {
     let largest = ticks.iter().fold(0.0f64, |m, t| m.max(t.abs()));
     let exponent = if largest >= 1e5 || (largest > 0.0 && largest < 1e-3) { exponent(largest) } else { 0 };

@@ -1,4 +1,4 @@
-//! Points by the thousand or by the million: dot by dot as long as that can be seen, then counted.
+//! Points by the thousand or by the million: drawn dot by dot while dots can be told apart, then counted.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,7 +32,7 @@ pub fn layer(orbit: u64) -> usize {
 }
 
 impl Cloud {
-    /// No points yet. Once they are too many to be drawn one by one, they are counted on a grid so many cells wide.
+    /// No points yet. Once they are too many to be drawn one by one, they are counted on a grid `pixels` cells wide.
     pub fn new(window: Window, pixels: usize) -> Self {
         Self { window, pixels, dots: vec![], counted: None }
     }
@@ -51,7 +51,7 @@ impl Cloud {
         self.counted.is_some() || self.dots.len() >= MOST_DOTS
     }
 
-    /// For counting points elsewhere, in the [`layer`] of their orbit.
+    /// A counter for counting points elsewhere, in the [`layer`] of their orbit.
     pub fn counter(&self) -> Density {
         Grid::new(self.window, self.pixels, &ORBITS).into_density()
     }
@@ -61,7 +61,7 @@ impl Cloud {
         self.grid().merge(counts);
     }
 
-    /// Where points are counted from here on.
+    /// The grid on which points are counted from now on.
     fn grid(&mut self) -> &mut Grid {
         let Self { window, pixels, dots, counted } = self;
         counted.get_or_insert_with(|| {
@@ -86,8 +86,8 @@ impl Cloud {
         self.counted.as_ref().map(|grid| grid.shade(Shading::Log))
     }
 
-    /// Draws the points into a view of the window, or what they are [`shaded`](Self::shaded) to, and `guides`: dots lie on them, but
-    /// an image would hide them, and they have to be seen on it.
+    /// Draws the points, or the image that they are [`shaded`](Self::shaded) to, into a view of the window, together with `guides`:
+    /// below dots, but above an image, which would hide them.
     pub(super) fn draw(&self, svg: &mut Svg, view: &View, shaded: Option<&[u8]>, guides: impl FnOnce(&mut Svg, Style)) {
         if let Some(png) = shaded {
             svg.image(png, view.corner(), view.size());
@@ -117,15 +117,14 @@ impl Cloud {
     }
 }
 
-/// Places on the page nearer than this many points are one.
+/// Places on the page closer together than this (in points) count as one.
 const SAME: f64 = 0.05;
 
-/// Sizes of dots, by the most of them that are drawn so large, and their opacity: the more dots, the smaller, so that curves stay
-/// curves.
+/// Sizes of dots: up to how many dots, their diameter and opacity. The more dots, the smaller, so that curves stay curves.
 const SIZES: [(usize, f64, f64); 4] = [(300, 1.6, 1.0), (2000, 1.0, 1.0), (8000, 0.7, 0.9), (usize::MAX, 0.5, 0.8)];
 
-/// Sizes, each with its opacity and the places in the layers of their orbits, smaller ones first: a periodic orbit is seen among
-/// others, on top of them. An orbit has the size of as many dots as it and all those have that have no more than it.
+/// Sizes, each with its opacity and the places in the layers of their orbits, smaller ones first, so that a periodic orbit is
+/// visible on top of others. The size for an orbit is that for the total number of dots of all orbits with no more dots than it.
 fn sized(orbits: &[(usize, Vec<[f64; 2]>)]) -> impl Iterator<Item = (f64, f64, [Vec<[f64; 2]>; ORBITS.len()])> {
     let mut sizes = SIZES.map(|(_, diameter, opacity)| (diameter, opacity, ORBITS.map(|_| vec![])));
     let mut dots = 0;

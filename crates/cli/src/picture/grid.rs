@@ -25,12 +25,13 @@ struct Tally {
     tints: Vec<Colour>,
 }
 
-/// How counts become depth of colour.
+/// How counts are mapped to depth of colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shading {
     /// By the logarithm of the count, up to the count that 1 in 200 cells exceeds: true to orders of magnitude.
     Log,
-    /// By the logarithm, in the colours themselves and never near black: thin curves keep their colour, single points show.
+    /// By the logarithm, in the colours themselves and never near black: thin curves keep their colour, and single points
+    /// are visible.
     Tinted,
 }
 
@@ -61,7 +62,7 @@ impl Grid {
     /// Counts a point; one outside the window is left out.
     #[inline]
     pub fn add(&mut self, point: [f64; 2], colour: Colour) {
-        // of a colour that is not expected, points are drawn in the last one
+        // points of an unexpected colour are drawn in the last one
         let layer = self.colours.iter().position(|of| *of == colour).unwrap_or(self.colours.len());
         self.density.add_to(point, self.density.layer(layer));
     }
@@ -104,7 +105,8 @@ impl Grid {
 
     /// The picture of the counts: empty cells white, full ones in the mean colour of their points.
     ///
-    /// Where few cells are filled, points are drawn as dots of several cells, and darker, or nothing would be seen.
+    /// Where few cells are filled, points are drawn as dots of several cells, and darker, since otherwise nothing would
+    /// be visible.
     pub fn shade(&self, shading: Shading) -> Raster {
         self.tally().shade(shading)
     }
@@ -120,7 +122,7 @@ impl Tally {
         }
     }
 
-    /// The same with every count spread over the disk of cells about its own, where it is the greatest.
+    /// The same with every count spread over a disk of cells around its own; each cell takes the greatest.
     fn spread(&self, radius: usize) -> Self {
         let mut wide = self.clone();
         for (cell, (&count, &tint)) in self.counts.iter().zip(&self.tints).enumerate().filter(|(_, of)| *of.0 > 0) {
@@ -158,10 +160,10 @@ impl Tally {
     /// The depth of colour, 0 … 1, of a count that is not zero.
     fn depths(&self, shading: Shading, faintest: f64) -> impl Fn(u64) -> f64 {
         let mut filled: Vec<u64> = self.counts.iter().copied().filter(|count| *count > 0).collect();
-        // Without the few cells of periodic orbits, which all else would be pale beside.
+        // Leaves out the few cells of periodic orbits, beside which all else would be pale.
         let (few, last) = (filled.len() / 200, filled.len().saturating_sub(1));
         let mut ranked = |rank| if filled.is_empty() { 1 } else { *filled.select_nth_unstable(rank).1 };
-        // black says that a count is an order of magnitude above others; where they hardly differ the colour is full
+        // black means that a count is an order of magnitude above others; where counts hardly differ the colour is full
         let (least, most) = (ranked(few), ranked(last.saturating_sub(few)));
         let darkest = FULL + (1.0 - FULL) * libm::log10(most as f64 / least as f64).min(1.0);
         move |count| {

@@ -24,7 +24,7 @@ impl Colour {
             .sum()
     }
 
-    /// Part `t` of the way from this colour to another.
+    /// The colour at the fraction `t` of the way from this colour to another.
     #[must_use]
     pub fn mix(self, other: Self, t: f64) -> Self {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between two bytes")]
@@ -33,8 +33,8 @@ impl Colour {
     }
 }
 
-/// The colours of orbits, in turn: dark enough for thin lines, and apart from one another for colour-blind eyes too, with as much
-/// between their lightnesses as there is room for.
+/// The colours of orbits, in turn: dark enough for thin lines, and distinguishable for colour-blind eyes too, with lightnesses as
+/// different as possible.
 pub const ORBITS: [Colour; 8] = [
     Colour(0x14, 0x4a, 0x87),
     Colour(0xc1, 0x4a, 0x24),
@@ -52,7 +52,7 @@ mod tests {
 
     type Matrix = [[f64; 3]; 3];
 
-    /// What is seen of linear light [Machado 2009, severity 1]: by most, and without one kind of cones.
+    /// Linear light as perceived [Machado 2009, severity 1] by normal eyes, and by eyes that lack one kind of cones.
     const EYES: [(&str, Matrix); 4] = [
         ("trichromat", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         (
@@ -110,7 +110,7 @@ mod tests {
                 assert!(a[0] < 65.0, "{i} is light for a {who}: {a:?}");
                 for (j, b) in seen.iter().enumerate().skip(i + 1) {
                     let apart = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
-                    // the least difference that one sees side by side is about 2
+                    // the least difference visible side by side is about 2
                     assert!(apart > 18.0, "{i} and {j} are {apart} apart for a {who}");
                 }
             }

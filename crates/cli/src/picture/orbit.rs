@@ -10,7 +10,7 @@ use super::{COLUMN, File, Leaving, Material, Needs, Picture};
 const WALL: f64 = 0.8;
 /// White around the picture.
 const MARGIN: f64 = 3.0;
-/// Width of lines that are no walls.
+/// Width of lines that are not walls.
 const THIN: f64 = 0.4;
 /// Most orbits whose starts and horizons are marked.
 const MOST_MARKED: usize = 50;
@@ -25,13 +25,13 @@ pub(super) const PICTURE: Picture = Picture {
     draw: |material| vec![File { name: "orbit.svg".into(), content: draw(material).to_string().into_bytes() }],
 };
 
-/// Longest side of a picture of a table without end, in units of its shorter side.
+/// Longest side of a picture of an infinite table, in units of its shorter side.
 const LONGEST: f64 = 5.0;
-/// The same where that much is between the starts, the finite walls and the first collisions.
+/// The same where the starts, the finite walls and the first collisions are that far apart.
 const FARTHEST: f64 = 50.0;
 
 /// Draws walls and orbits in true proportions, without axes; each start is marked by a dot, or by the particle itself if
-/// it has a radius, and the last collision whose place is known by an open dot.
+/// it has a radius, and the last collision whose position is known by an open dot.
 pub fn draw(material: &Material) -> Svg {
     let window = material.window.unwrap_or_else(|| window(material));
     let inner = COLUMN - 2.0 * MARGIN;
@@ -48,12 +48,12 @@ pub fn draw(material: &Material) -> Svg {
         svg.path(&joined(&material.guides, &view), Style::line(Colour::MIDDLE, THIN));
         svg.path(&joined(&material.outline, &view), Style::line(Colour::BLACK, WALL));
     });
-    // a dot on a wall at the edge is seen whole
+    // drawn last, so that a dot on a wall at the edge is seen whole
     ends(&mut svg, &view, material);
     svg
 }
 
-/// Everything; of a table without end, some room beyond the orbits.
+/// A window with everything; for an infinite table, with some room beyond the orbits.
 fn window(material: &Material) -> Window {
     let walls = || material.outline.iter().chain(&material.guides).flat_map(super::Stroke::extent);
     let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
@@ -64,7 +64,7 @@ fn window(material: &Material) -> Window {
     if !endless {
         return tight;
     }
-    // what goes on for ever is seen to go on, but not to the vanishing point
+    // show that infinite walls and orbits go on, but do not shrink the picture to a line
     let chains = || material.paths.iter().filter_map(|path| path.chains.first());
     let starts = || chains().filter_map(|chain| chain.first().copied());
     let collisions = chains().filter_map(|chain| chain.get(1).copied());
@@ -99,8 +99,8 @@ fn orbits(svg: &mut Svg, view: &View, material: &Material) {
     }
 }
 
-/// The outlines of at most [`PART`] legs each: those of one element do not darken each other, so that what is visited often gets
-/// dark only if there are several.
+/// Outlines of at most [`PART`] legs each: legs of one element do not darken each other, so often-visited places become dark
+/// only if there are several elements.
 fn parts(legs: impl Iterator<Item = [[f64; 2]; 2]>, view: &View) -> Vec<Outline> {
     let mut parts: Vec<Outline> = vec![];
     for (number, leg) in legs.enumerate() {
@@ -114,7 +114,7 @@ fn parts(legs: impl Iterator<Item = [[f64; 2]; 2]>, view: &View) -> Vec<Outline>
     parts
 }
 
-/// Where each orbit starts and where its horizon is, unless they are too many to be told apart.
+/// Marks where each orbit starts and where its horizon is, unless they are too many to be told apart.
 fn ends(svg: &mut Svg, view: &View, material: &Material) {
     if material.paths.len() > MOST_MARKED {
         return;
@@ -181,7 +181,7 @@ mod tests {
                 assert!(window.low[0] < *x && x + 0.5 < window.high[0], "{x}: {window:?}");
             }
         }
-        // where they are too far from one another to be told from a line, the first one
+        // where they are so far apart that the picture would be a line, only the first one
         let window = window_of(&[1000.0, 0.0]);
         assert!(window.low[0] < 1000.0 && window.high[0] > 1000.0 && window.is_no_longer_than(6.0), "{window:?}");
     }

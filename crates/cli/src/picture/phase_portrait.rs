@@ -2,7 +2,7 @@
 //!
 //! The horizontal axis is arc length, all pieces laid end to end in the order of their numbers; the vertical one is the
 //! tangential part of a velocity of length one, spin included, along t = J ν, against which s grows. For a specular point particle these
-//! are the usual coordinates (s, sin of the angle with the normal) but for the sign of the second: the map preserves area in them.
+//! are, up to the sign of the second, the usual coordinates (s, sine of the angle with the normal), in which the map preserves area.
 
 use super::axes::{self, Axis, Label};
 use super::cloud::Cloud;
@@ -36,7 +36,7 @@ pub(super) const PICTURE: Picture = Picture {
 #[derive(Clone, Debug)]
 pub struct Reduced {
     cloud: Cloud,
-    /// Arc length at the start of each piece, and of the whole boundary.
+    /// Arc length at the start of each piece, and the length of the whole boundary.
     offsets: Vec<f64>,
     length: f64,
 }
@@ -53,13 +53,13 @@ impl Reduced {
         &self.cloud
     }
 
-    /// The same, to add points.
+    /// The same, mutable, for adding points.
     pub fn cloud_mut(&mut self) -> &mut Cloud {
         &mut self.cloud
     }
 }
 
-/// A portrait, each orbit in its colour, where points are counted from the file they are shaded to; thin lines part the pieces.
+/// Draws a portrait, each orbit in its colour, or from the image file `shaded` where points are counted; thin lines separate the pieces.
 fn draw(reduced: &Reduced, shaded: Option<&[u8]>) -> Svg {
     let [left, below] = axes::MARGIN;
     let width = COLUMN - left - axes::BESIDE;
@@ -68,7 +68,7 @@ fn draw(reduced: &Reduced, shaded: Option<&[u8]>) -> Svg {
     let mut svg = Svg::new(COLUMN, height + MARGIN + below);
     let unit = WIDTH / reduced.length;
     reduced.cloud.draw(&mut svg, &view, shaded, |svg, guide| {
-        // of very many pieces, lines would be all one sees
+        // with very many pieces one would see nothing but lines
         if reduced.offsets.len() <= 32 {
             for s in reduced.offsets.iter().filter(|s| **s > 0.0) {
                 svg.line(view.place([s * unit, -1.0]), view.place([s * unit, 1.0]), guide);
@@ -96,7 +96,7 @@ mod tests {
             assert_eq!(files.len(), if count > 20_000 { 2 } else { 1 });
             let svg = std::str::from_utf8(&files[0].content).unwrap();
             roxmltree::Document::parse(svg).unwrap();
-            // an image hides what is drawn before it
+            // an image hides everything drawn before it
             let guides = svg.find(if count > 20_000 { "stroke=\"#8a8a8a\"" } else { "stroke=\"#d0d0d0\"" }).unwrap();
             assert!(svg.find("<image").is_none_or(|image| image < guides));
         }

@@ -32,7 +32,7 @@ impl Raster {
         [self.width, self.pixels.len() / self.width]
     }
 
-    /// Draws a circle, smooth and two pixels wide, by its place in the window that the picture shows.
+    /// Draws an antialiased circle, two pixels wide, given in coordinates of the window that the picture shows.
     pub fn ring(&mut self, center: [f64; 2], radius: f64, window: Window, colour: Colour) {
         let scale = self.width as f64 / window.size()[0];
         let (x, y, r) = ((center[0] - window.low[0]) * scale, (window.high[1] - center[1]) * scale, radius * scale);
@@ -70,8 +70,8 @@ impl Raster {
         few.then_some(colours)
     }
 
-    /// The picture in at most 256 colours, its own most frequent ones, for a file of a third of the size: every pixel takes
-    /// the nearest of them.
+    /// The picture reduced to at most 256 of its most frequent colours, for a file of a third of the size: every pixel
+    /// takes the nearest of them.
     #[must_use]
     pub fn reduced(mut self) -> Self {
         let mut colours: Vec<_> = self.colours().into_iter().collect();
@@ -98,18 +98,19 @@ impl Raster {
             let places: BTreeMap<Colour, u8> = colours.into_iter().zip(0..=u8::MAX).collect();
             encoder.set_color(png::ColorType::Indexed);
             encoder.set_palette(places.keys().flat_map(|c| [c.0, c.1, c.2]).collect::<Vec<_>>());
-            // Places in a palette are names, whose differences say nothing.
+            // Palette indices are only names, so their differences are meaningless.
             encoder.set_filter(png::Filter::NoFilter);
             self.pixels.iter().filter_map(|pixel| places.get(pixel).copied()).collect()
         } else {
             encoder.set_color(png::ColorType::Rgb);
-            // The noise of very many points gets no smaller by trying harder, curves a quarter in half a second.
+            // Trying harder does not make the noise of very many points smaller, and curves only by a quarter, in half
+            // a second.
             encoder.set_compression(png::Compression::Fast);
             self.pixels.iter().flat_map(|c| [c.0, c.1, c.2]).collect()
         };
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: DENSITY, yppu: DENSITY, unit: png::Unit::Meter }));
-        // Writing to memory fails only for a picture without pixels, which then is an empty file.
+        // Writing to memory fails only for a picture without pixels, which then becomes an empty file.
         let _ = encoder.write_header().and_then(|mut writer| {
             writer.write_image_data(&bytes)?;
             writer.finish()
@@ -128,7 +129,7 @@ mod tests {
             [Colour(1, 2, 3), Colour::WHITE, Colour::BLACK, Colour(9, 8, 7), Colour(0, 0, 0), Colour(5, 5, 5)];
         let (size, bytes) = read(&Raster::new(3, colours).png());
         assert_eq!((size, bytes), ([3, 2], bytes_of(&colours)));
-        // and of more colours than a palette has
+        // and with more colours than a palette has
         let many: Vec<_> = (0..4).flat_map(|a| (0..=u8::MAX).map(move |b| Colour(b, a, 77))).collect();
         assert_eq!(read(&Raster::new(32, many.clone()).png()), ([32, 32], bytes_of(&many)));
     }

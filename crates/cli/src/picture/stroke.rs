@@ -30,20 +30,21 @@ pub enum Stroke {
         /// Radius.
         radius: f64,
     },
-    /// Any curve, as a chain of points that are near enough to one another to look smooth.
+    /// Any curve, as a chain of points close enough together to look smooth.
     Chain(Vec<[f64; 2]>),
 }
 
-/// The inside of closed strokes and chains of strokes: each stroke begins where the one before it ends, or a new chain.
+/// The inside of closed strokes and chains of strokes: each stroke begins where the one before it ends, or begins a new
+/// chain.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solid {
     /// The strokes around it.
     pub edge: Vec<Stroke>,
-    /// Whether it is no obstacle but a hollow in one drawn before.
+    /// Whether it is a hollow in an obstacle drawn before, rather than an obstacle.
     pub is_hollow: bool,
 }
 
-/// Strokes as one outline on the page, which goes on where one begins at the end of the last.
+/// Strokes as one outline on the page, which is continuous where a stroke begins at the end of the last.
 pub(super) fn joined(strokes: &[Stroke], view: &View) -> Outline {
     let mut outline = Outline::new();
     for stroke in strokes {
@@ -53,7 +54,7 @@ pub(super) fn joined(strokes: &[Stroke], view: &View) -> Outline {
 }
 
 impl Stroke {
-    /// Points that a window must contain to show this piece; of an infinite one, those at its finite end.
+    /// Points that a window must contain to show this piece; for an infinite one, its finite end.
     pub(super) fn extent(&self) -> Vec<[f64; 2]> {
         match *self {
             Self::Segment(a, b) => vec![a, b],

@@ -70,11 +70,11 @@ pub enum Anchor {
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
     steps: String,
-    /// Where it has come to, unless it is closed there.
+    /// The current point, unless the outline is closed there.
     at: Option<[f64; 2]>,
 }
 
-/// What begins so near to where an outline ends goes on there: ends of arcs are rounded.
+/// A stroke that begins this near to the end of an outline continues it: ends of arcs are rounded.
 const SAME: f64 = 1e-3;
 
 impl Outline {
@@ -89,7 +89,7 @@ impl Outline {
         self.push(format_args!("M{} {}", Short(x), Short(y)))
     }
 
-    /// Goes on from a point if the outline has come to it; else starts a new part there.
+    /// Continues from a point if the outline has come to it; otherwise starts a new part there.
     pub fn go_on_from(&mut self, [x, y]: [f64; 2]) -> &mut Self {
         match self.at {
             Some([u, v]) if (x - u).abs() <= SAME && (y - v).abs() <= SAME => self,
@@ -116,7 +116,7 @@ impl Outline {
         self.push(format_args!("Z"))
     }
 
-    /// Through points in turn, from where it is if that is the first of them.
+    /// Lines through points in turn, continuing the outline if it is at the first of them.
     pub fn chain(&mut self, points: impl IntoIterator<Item = [f64; 2]>) -> &mut Self {
         for (i, point) in points.into_iter().enumerate() {
             if i == 0 {
@@ -140,7 +140,7 @@ impl Outline {
     }
 }
 
-/// A coordinate to a thousandth of a point, as short as it goes.
+/// A coordinate to a thousandth of a point, written as short as possible.
 pub(super) struct Short(pub(super) f64);
 
 impl fmt::Display for Short {
@@ -169,7 +169,7 @@ impl Svg {
         }
     }
 
-    /// Draws paths of one style, which is written once. What is not opaque is darker where they cross.
+    /// Draws paths of one style, which is written once. Paths that are not opaque are darker where they cross.
     pub fn paths(&mut self, outlines: impl IntoIterator<Item = Outline>, style: Style) {
         let mut outlines = outlines.into_iter().filter(|outline| !outline.is_empty()).peekable();
         if outlines.peek().is_none() {
@@ -202,7 +202,7 @@ impl Svg {
     pub fn dots(&mut self, points: impl IntoIterator<Item = [f64; 2]>, diameter: f64, colour: Colour, opacity: f64) {
         let mut outline = Outline::new();
         for point in points {
-            // A line of no length with round ends is a dot, in half the bytes of a circle.
+            // A line of zero length with round ends is a dot, in half the bytes of a circle.
             outline.move_to(point).push(format_args!("h0"));
         }
         self.path(&outline, Style::line(colour, diameter).with_opacity(opacity));
@@ -231,7 +231,7 @@ impl Svg {
         ));
     }
 
-    /// Draws what `draw` draws, cut off outside a rectangle.
+    /// Draws what `draw` draws, clipped to a rectangle.
     pub fn clipped(&mut self, [x, y]: [f64; 2], [width, height]: [f64; 2], draw: impl FnOnce(&mut Self)) {
         let number = self.body.matches("<clipPath").count();
         let (x, y, w, h) = (Short(x), Short(y), Short(width), Short(height));
@@ -295,7 +295,7 @@ impl fmt::Display for Hex {
     }
 }
 
-/// Text with the characters that mean something in XML written out, and those it forbids left out.
+/// Text with the special characters of XML escaped, and forbidden ones left out.
 pub fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

@@ -11,7 +11,7 @@ use super::svg::{Style, Svg};
 use super::view::{View, Window};
 use super::{COLUMN, File, Material, Needs, Picture};
 
-/// White around the unit disk, as a share of its radius.
+/// White around the unit disk, as a fraction of its radius.
 const AROUND: f64 = 0.06;
 /// White around the picture.
 const MARGIN: f64 = 3.0;
@@ -43,7 +43,7 @@ pub fn cloud() -> Cloud {
     Cloud::new(Window::unit_disk(AROUND), PIXELS)
 }
 
-/// A portrait, each orbit in its colour, where points are counted from the file they are shaded to.
+/// Draws a portrait, each orbit in its colour, or from the image file `shaded` where points are counted.
 fn draw(cloud: &Cloud, shaded: Option<&[u8]>) -> Svg {
     let window = Window::unit_disk(AROUND);
     let [left, below] = axes::MARGIN;

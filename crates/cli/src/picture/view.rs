@@ -29,7 +29,7 @@ impl Window {
         [self.high[0] - self.low[0], self.high[1] - self.low[1]]
     }
 
-    /// The same, wider on all sides by a share of its larger extent; never of size zero.
+    /// The same, wider on all sides by a fraction of its larger extent; never of size zero.
     #[must_use]
     pub fn padded(self, share: f64) -> Self {
         let [width, height] = self.size();
@@ -43,8 +43,8 @@ impl Window {
         Self { low: self.low.map(|x| x - by), high: self.high.map(|x| x + by) }
     }
 
-    /// The part of it of which no side is longer than `longest` times the other, but all of another window that lies in it: about a
-    /// point as far as that goes.
+    /// A part of it, as far as possible centred at a point, of which no side is longer than `longest` times the other, but which
+    /// contains all of the window `kept`.
     #[must_use]
     pub fn no_longer_than(self, longest: f64, kept: Self, about: [f64; 2]) -> Self {
         let size = self.size();
@@ -60,7 +60,7 @@ impl Window {
         cut
     }
 
-    /// Whether no side is longer than so many times the other.
+    /// Whether no side is longer than `longest` times the other.
     pub fn is_no_longer_than(self, longest: f64) -> bool {
         let [width, height] = self.size();
         width <= longest * height && height <= longest * width
@@ -85,7 +85,7 @@ impl Window {
     }
 }
 
-/// A window of the plane on a rectangle of the page, at equal scales.
+/// A window of the plane shown in a rectangle of the page, with equal scales.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     window: Window,

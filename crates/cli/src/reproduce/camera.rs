@@ -18,7 +18,7 @@ impl Camera {
         Camera { right: [-sa, ca, 0.0], up: [-se * ca, -se * sa, ce], towards: [ce * ca, ce * sa, se] }
     }
 
-    /// Where a point is seen.
+    /// The image of a point on the page.
     pub(super) fn see(&self, x: [f64; 3]) -> [f64; 2] {
         [dot(self.right, x), dot(self.up, x)]
     }

@@ -1,4 +1,4 @@
-//! The registry of figures: one per file, in the order of the paper.
+//! The registry of figures, one per file, in the order of the paper.
 mod astroid;
 mod circle_caustics;
 mod circle_velocities;

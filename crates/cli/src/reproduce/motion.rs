@@ -15,7 +15,7 @@ use super::UNIFORM;
 pub(super) struct Hit {
     /// Number of the piece.
     pub(super) piece: usize,
-    /// Spin position and centre; on a lattice in the plane, not in the cell.
+    /// Spin position and centre; on a lattice, unfolded in the plane and not reduced to the cell.
     pub(super) x: [f64; 3],
     /// `(v₀, v₁, v₂)`
     pub(super) v: [f64; 3],
@@ -64,7 +64,7 @@ pub(super) fn no_slip_with(table: Table, gamma: f64) -> Planar<Disk> {
     Planar { table, law: Disk::new(&NoSlip, gamma).expect("a γ in range") }
 }
 
-/// Follows an orbit for so many collisions, from `x = (x₀, x₁, x₂)` with velocity `v`.
+/// Follows an orbit for a number of collisions, from `x = (x₀, x₁, x₂)` with velocity `v`.
 pub(super) fn follow<L: BallLaw<2, 1>>(billiard: &Planar<L>, x: [f64; 3], v: [f64; 3], collisions: u64) -> Path {
     let mut hits = Vec::new();
     let mut note = |c_hit: &billiards::geometry::WallHit<f64, 2>, piece, x, v| {

@@ -1,4 +1,4 @@
-//! The page: figures, claims and what goes beyond the paper, in one HTML file that holds its pictures and needs nothing else.
+//! The page: figures, claims and what goes beyond the paper, in one self-contained HTML file with embedded pictures.
 
 use std::fmt::{self, Write as _};
 
@@ -59,7 +59,7 @@ pub struct Measured {
 pub struct Drawn {
     /// The figure.
     pub figure: Figure,
-    /// The picture, as a file of the figure's name holds it beside the page.
+    /// The picture, also written to a file of the figure's name beside the page.
     pub svg: String,
     /// Its width and height on paper, in points.
     pub size: [f64; 2],
@@ -179,7 +179,7 @@ fn drawn(page: &mut String, Drawn { figure, svg, size: [width, height] }: &Drawn
     )
 }
 
-/// A picture as an address that holds it.
+/// A picture as a data URI.
 fn data_uri(svg: &str) -> String {
     let mut uri = String::from("data:image/svg+xml,");
     for c in svg.chars() {
@@ -236,7 +236,7 @@ fn table(page: &mut String, claims: &[&Measured]) -> fmt::Result {
     writeln!(page, "</tbody>\n</table>")
 }
 
-/// A measured number beside the one expected: what makes it agree.
+/// A measured number beside the expected one, with the tolerance for agreement.
 fn numbers(q: &Quantity) -> String {
     let (measured, expected, off) = (short(q.measured), short(q.expected), q.deviation());
     match q.relation {
@@ -275,7 +275,7 @@ fn small(x: f64) -> String {
     }
 }
 
-/// The claims for programs.
+/// The claims as JSON, for programs.
 pub fn claims_json(claims: &[Measured]) -> Value {
     let relation = |q: &Quantity| match q.relation {
         Relation::Equal => "equal",

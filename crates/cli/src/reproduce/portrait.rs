@@ -16,7 +16,7 @@ pub(super) struct Portrait(Grid);
 const AROUND: f64 = 0.03;
 
 impl Portrait {
-    /// An empty portrait so many cells wide.
+    /// An empty portrait this many cells wide.
     pub(super) fn new(cells: usize) -> Self {
         let colours: Vec<Colour> = ORBITS.into_iter().chain([SEA]).collect();
         Portrait(Grid::new(Window::unit_disk(AROUND), cells, &colours))
@@ -63,8 +63,8 @@ impl Portrait {
 /// The colour of orbits that spread over an area.
 pub(super) const SEA: Colour = Colour(0xc4, 0xc4, 0xc4);
 
-/// Whether points lie as in an area and not as on curves: on a grid of 100² cells they meet more than 40 % of the cells that
-/// as many points spread evenly over the unit disk would.
+/// Whether points fill an area rather than curves: on a grid of 100² cells they occupy more than 40 % of the cells that as
+/// many points spread evenly over the unit disk would.
 fn spreads(points: &[[f64; 2]]) -> bool {
     const N: usize = 100;
     let mut cells = vec![false; N * N];

@@ -84,7 +84,7 @@ impl Sheet {
         }
     }
 
-    /// What `draw` draws, cut off outside a view.
+    /// What `draw` draws, clipped to a view.
     pub(super) fn within(&mut self, view: &View, draw: impl FnOnce(&mut Sheet)) {
         let mut inner = Sheet { svg: Svg::new(0.0, 0.0) };
         core::mem::swap(&mut inner.svg, &mut self.svg);
@@ -104,17 +104,17 @@ pub(super) fn fit(window: Window, [x, y]: [f64; 2], width: f64, height: f64) -> 
 }
 
 /// Markup of a formula: letters are italic, `_` and `^` lower and raise the next character or `{group}`, and words
-/// stand between quotes.
+/// are put between quotes.
 pub(super) fn math(text: &str) -> String {
     let mut markup = String::new();
     let mut quoted = false;
-    // The step down that the next run of characters makes, and where the line is.
+    // The downward step of the next run of characters, and the current vertical offset.
     let mut off = 0.0;
     let mut chars = text.chars().peekable();
     let mut space = 0.0;
     let put = |markup: &mut String, run: &str, italic: bool, small: bool, [dx, dy]: [f64; 2]| {
         let face = if italic { " font-style=\"italic\"" } else { "" };
-        // of the text around it: CairoSVG takes percents of the page
+        // relative to the text around it: CairoSVG takes percentages relative to the page
         let size = if small { " font-size=\"0.7em\"" } else { "" };
         let right = if dx == 0.0 { String::new() } else { format!(" dx=\"{dx}em\"") };
         let down = if dy == 0.0 { String::new() } else { format!(" dy=\"{dy}\"") };
@@ -135,7 +135,8 @@ pub(super) fn math(text: &str) -> String {
                 put(&mut markup, &run, italic, true, [space, to - off]);
                 (off, space) = (to, 0.0);
             }
-            // Renderers drop a space that is all of an element: the next character moves instead.
+            // Renderers drop a space that is the whole content of an element, so the next character is moved
+            // instead.
             ' ' => space += 0.28,
             c => {
                 let italic = !quoted && c.is_alphabetic() && c != 'π';

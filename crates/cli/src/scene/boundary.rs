@@ -25,7 +25,7 @@ pub struct Entry {
 #[derive(Clone, Debug)]
 pub enum Border {
     /// `loop = { from = [x1, x2], edges = […], domain }`: a closed chain with the domain on its left; `chain = { … }`: one that
-    /// goes on in the next cell of a lattice.
+    /// continues in the next cell of a lattice.
     Loop {
         /// First vertex; of a loop also the last.
         from: Spanned<Vec<f64>>,
@@ -94,7 +94,7 @@ pub enum Border {
     Shape {
         /// The shape.
         shape: Shape,
-        /// The lengths that say how large it is.
+        /// The lengths that determine its size.
         lengths: Vec<f64>,
         /// Where the domain lies; outside unless it says otherwise.
         domain: Domain,
@@ -108,7 +108,7 @@ pub enum Border {
     Mesh {
         /// Path, relative to the scene file.
         file: Spanned<String>,
-        /// How many units of the scene one of the file is.
+        /// Length of one unit of the file, in units of the scene.
         unit: f64,
         /// Where the file's origin lies.
         center: Spanned<Vec<f64>>,
@@ -162,7 +162,7 @@ pub enum EdgePath {
         to: Spanned<Vec<f64>>,
         /// Centre of its circle.
         center: Spanned<Vec<f64>>,
-        /// Sense in which it is run through.
+        /// Sense in which it is traversed.
         turn: Turn,
     },
     /// `{ x = "t", y = "t^2", over = [0, 1] }`: the points of a curve.
@@ -412,7 +412,7 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
     Some(Border::Curve { curve, formula: text, domain: domain? })
 }
 
-/// Whether of several kinds of curves one is meant of which only the second coordinate is there; the first is missed then.
+/// Whether a curve given by coordinates is meant of which only the second one is there; the first is then reported as missing.
 fn lacks_x(section: &mut Section<'_>, kinds: &[&str]) -> bool {
     let given = |key: &str| section.others().any(|(k, _)| k.value == key);
     let lacks = given("y") && !kinds.iter().any(|kind| given(kind));

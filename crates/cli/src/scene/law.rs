@@ -21,8 +21,8 @@ pub enum LawKind {
     NoSlip,
     /// The contact velocity reverses along the normal and these directions, projected into the contact plane.
     Rough(Vec<Vec<f64>>),
-    /// Rough directions spread uniformly over the subspaces of this dimension; the seed and the place of the contact,
-    /// to the last digit, decide which at each collision.
+    /// Rough directions spread uniformly over the subspaces of this dimension; at each collision the seed and the contact
+    /// point, to the last digit, determine them.
     Random {
         /// Number of rough directions.
         rank: usize,
@@ -79,7 +79,7 @@ pub const LAWS: &[LawModel] = &[
 ];
 
 impl std::fmt::Display for LawKind {
-    /// As the summary of a run says it.
+    /// In the form used in the summary of a run.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Specular => f.write_str("specular"),
@@ -129,7 +129,7 @@ pub(super) fn exactly_one(section: &mut Section<'_>, dimension: usize, problems:
     read(found, dimension, problems)
 }
 
-/// The law of a table that may have one; nothing, too, if it is wrong, which is then recorded.
+/// The law of a table that may have one; `None` also if it is wrong, which is then recorded.
 pub(super) fn at_most_one(section: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<Law> {
     let found = section.at_most_one_of(&["law", "rough"], problems)?;
     read(found, dimension, problems)
@@ -194,7 +194,7 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
                 section.required("tangential", "tangential = 0").and_then(|item| coefficient(item, -1.0, problems));
             (|| Some(LawKind::Restitution { normal: normal?, tangential: tangential? }))()
         }
-        // Which keys belong to an unknown law is unknown too.
+        // The keys of an unknown law are unknown, too.
         None => {
             section.finish_leniently(problems);
             return None;
@@ -204,7 +204,7 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
     kind
 }
 
-/// How one writes a law with parameters as a value.
+/// How to write a law with parameters as a value.
 fn table(model: &LawModel, dimension: usize) -> String {
     match model.example.strip_prefix("law = ") {
         Some(table) => table.into(),
@@ -226,7 +226,7 @@ fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> 
     None
 }
 
-/// Records that a list of rough directions is a list of numbers, one direction as it seems.
+/// Records that a list of rough directions is a list of numbers, apparently a single direction.
 pub(crate) fn is_one_direction(item: &Item, problems: &mut Problems) -> bool {
     let is_number = |item: &Item| matches!(item.value, Value::Integer(_) | Value::Float(_) | Value::Text(_));
     let is_one = matches!(&item.value, Value::List(items) if !items.is_empty() && items.iter().all(is_number));

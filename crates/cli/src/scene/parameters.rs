@@ -10,7 +10,7 @@ use crate::document::{self, Item, Problems, Section, Span, Spanned};
 pub struct Model {
     /// Its name in a scene.
     pub name: &'static str,
-    /// Dimension of space it lives in, 2 or 3.
+    /// Dimension of its space, 2 or 3.
     pub dimension: usize,
     /// What it is, in one line.
     pub summary: &'static str,
@@ -25,7 +25,7 @@ pub struct Parameter {
     pub name: &'static str,
     /// What values it takes.
     pub kind: Kind,
-    /// What it is if absent.
+    /// Its value if absent.
     pub default: Default,
 }
 
@@ -51,7 +51,7 @@ pub enum Kind {
     Point,
     /// A vector that is not zero; its length does not matter.
     Direction,
-    /// So many points of space.
+    /// A list of points of space.
     Points {
         /// At least.
         least: usize,
@@ -67,7 +67,8 @@ pub enum Kind {
 /// What a parameter is if absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Default {
-    /// It must be given. With the defaults of the others, these numbers make a table; none where its kind tells such numbers.
+    /// It must be given. With the defaults of the others, these example numbers make a table; empty where examples follow
+    /// from its kind.
     Required(&'static [f64]),
     /// These numbers.
     Numbers(&'static [f64]),
@@ -84,7 +85,7 @@ impl Parameter {
         Self { name, kind, default: Default::Numbers(default) }
     }
 
-    /// How one writes it: `size = [2, 1]`, or the name alone if it has no default.
+    /// How to write it: `size = [2, 1]`, or the name alone if it has no default.
     pub fn signature(&self) -> String {
         match self.default {
             Default::Required(_) => self.name.into(),
@@ -96,12 +97,12 @@ impl Parameter {
         }
     }
 
-    /// Whether its numbers say how large something is.
+    /// Whether its numbers are lengths.
     pub(super) fn is_length(&self) -> bool {
         matches!(self.kind, Kind::Length | Kind::Distance | Kind::Lengths(_) | Kind::Point | Kind::Points { .. })
     }
 
-    /// How one may write it in this dimension: values that make a shape with those of its other parameters.
+    /// An example of it in this dimension: values that make a shape together with the examples of the other parameters.
     fn example(&self, dimension: usize) -> String {
         if let Default::Required([x]) = self.default {
             return format!("{} = {}", self.name, document::spell(*x));
@@ -147,7 +148,7 @@ pub struct Arguments {
 }
 
 impl Arguments {
-    /// Where a parameter was given, or the model named if it was not.
+    /// Where a parameter was given; where the model was named, if it was not given.
     pub fn span(&self, name: &str) -> Span {
         self.find(name).map_or(self.span, |argument| argument.span)
     }
@@ -160,7 +161,7 @@ impl Arguments {
         }
     }
 
-    /// A parameter that is one number; NaN, which no table accepts, if the model has no such parameter.
+    /// A parameter that is a single number; NaN, which no table accepts, if the model has no such parameter.
     pub fn number(&self, name: &str) -> f64 {
         self.numbers(name).first().copied().unwrap_or(f64::NAN)
     }

@@ -33,7 +33,7 @@ pub const INERTIAS: &[Inertia] = &[
     Inertia { name: "point", dimension: 3, gamma_squared: 0.0 },
 ];
 
-/// Reads the section; `spins` says whether some law reads γ², so that a section that is there has to give it.
+/// Reads the section; `spins` says whether some law uses γ², so that the section, if present, has to give it.
 pub(super) fn read(item: Option<&Item>, dimension: usize, spins: bool, problems: &mut Problems) -> Option<Particle> {
     let known: Vec<_> =
         INERTIAS.iter().filter(|i| i.dimension == dimension).map(|i| (i.name, i.gamma_squared)).collect();

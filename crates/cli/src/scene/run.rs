@@ -12,7 +12,7 @@ pub enum Limit {
     Time(Spanned<f64>),
 }
 
-/// The limit of the scene or the command line; nothing, too, if it is wrong, which is then recorded.
+/// The limit of the scene or the command line; `None` also if it is wrong, which is then recorded.
 pub(super) fn read(root: &mut Section<'_>, request: &Request, problems: &mut Problems) -> Option<Limit> {
     let given = request.collisions.map(|n| Limit::Collisions(Spanned { value: n, ..Spanned::default() }));
     let needed = request.needs_limit && given.is_none();

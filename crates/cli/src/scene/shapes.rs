@@ -95,7 +95,7 @@ pub enum Shape {
     },
 }
 
-/// Reads a shape and the lengths it is made of; the keys of the section that belong to it are then known.
+/// Reads a shape and the lengths that define it; the section's keys that belong to it are then known.
 pub(super) fn read(
     section: &mut Section<'_>,
     item: &Item,
@@ -134,7 +134,7 @@ pub(super) fn read(
     Some((shape, lengths))
 }
 
-/// The last point of a chain in the plane, of no thickness, that is the first one again, after others, each of them once.
+/// The last point of a planar chain without thickness, if it repeats the first one after others that each occur once.
 fn ring<'a>(name: &str, n: usize, arguments: &'a Arguments) -> Option<&'a Spanned<Vec<f64>>> {
     if name != "polyline" || n != 2 || arguments.numbers("rounding").first().is_some_and(|r| *r > 0.0) {
         return None;

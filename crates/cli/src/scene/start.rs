@@ -3,8 +3,8 @@
 use super::{INERTIAS, Particle, choice, direction, list, point};
 use crate::document::{Item, Problems, Section, Span, Spanned, Value, count, positive, real, seed};
 
-/// Most that a spin may be beside the speed of the centre: the square of this still leaves the energy of the centre above the smallest
-/// numbers.
+/// Largest ratio of a spin to the speed of the centre: even with the square of this, the energy of the centre does not underflow
+/// beside that of the spin.
 const MOST_SPIN: f64 = 1e100;
 
 /// Where orbits start.
@@ -31,7 +31,7 @@ pub struct Orbit {
     pub angle: Spanned<f64>,
 }
 
-/// Many starts by rule. Start `i` depends on `seed` and `i` alone.
+/// Many starts by rule. Start `i` depends only on `seed` and `i`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ensemble {
     /// Where `[ensemble]` stands.
@@ -55,7 +55,7 @@ pub const SAMPLES: &[(&str, &str)] = &[
     ("grid", "one start in each of so many cells of equal measure"),
 ];
 
-/// Reads where orbits start; the particle, if it could be read, tells whether they can have a spin.
+/// Reads where orbits start; the particle, if it could be read, decides whether they can have a spin.
 pub(super) fn read(
     root: &mut Section<'_>,
     dimension: usize,
@@ -82,7 +82,7 @@ pub(super) fn read(
 
 fn orbits(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Orbit>> {
     if let Value::Table(_) = item.value {
-        // A single [orbit] can only mean a single [[orbit]].
+        // An [orbit] can only mean a single [[orbit]].
         return orbit(item, dimension, problems).map(|orbit| vec![orbit]);
     }
     let items = list(item, "[[orbit]]", problems)?;
@@ -117,7 +117,7 @@ fn orbit(item: &Item, n: usize, problems: &mut Problems) -> Option<Orbit> {
     Some(Orbit { span: item.span, position: position?, velocity: velocity?, spin: spin?, angle: angle? })
 }
 
-/// Records a spin so fast that the velocity would be nothing beside it.
+/// Records a spin so fast that the velocity would be negligible beside it.
 fn slow_enough(velocity: &Spanned<Vec<f64>>, spin: &Spanned<Vec<f64>>, problems: &mut Problems) {
     let [speed, fast] = [velocity, spin].map(|v| v.value.iter().fold(0.0, |norm, x| libm::hypot(norm, *x)));
     if fast / MOST_SPIN > speed {
@@ -127,7 +127,8 @@ fn slow_enough(velocity: &Spanned<Vec<f64>>, spin: &Spanned<Vec<f64>>, problems:
     }
 }
 
-/// Records the spin and the angle of a point, which are γ R times what they are of: of a point γ is 0, and so are they.
+/// Records as an error a spin or an angle of a point: these are γ R times the physical ones, and γ = 0 for a point, so they must
+/// be 0.
 fn of_point(orbit: &Orbit, dimension: usize, problems: &mut Problems) {
     let example =
         INERTIAS.iter().find(|inertia| inertia.dimension == dimension).map_or("point", |inertia| inertia.name);

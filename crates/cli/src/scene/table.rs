@@ -63,7 +63,7 @@ pub enum TableShape {
     Boundary(Vec<Entry>),
 }
 
-/// The dimension a table declares: 2 unless it says otherwise. Of a misspelt key this tells at once, before vectors of another
+/// The dimension a table declares: 2 unless it says otherwise. A misspelt key is reported at once, before vectors of another
 /// dimension are taken for mistakes.
 pub(super) fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
     let Value::Table(entries) = &item.value else { return Some(2) };
@@ -94,7 +94,7 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     problems.learn("under [[table.boundary]]", kinds);
     let keys: Vec<_> = section.others().map(|(key, _)| key).collect();
     let (walls, others): (Vec<_>, Vec<_>) = keys.into_iter().partition(|key| kinds.contains(&&key.value[..]));
-    // walls in place of their list
+    // single walls given in place of their list
     if !walls.is_empty() && !others.iter().any(|key| ["name", "boundary"].contains(&&key.value[..])) {
         for key in walls {
             problems.add_stray(key.span, &key.value, format!("unknown key \"{}\" in [table]", key.value), "");
@@ -104,7 +104,7 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     let found = section.one_of(&["name", "boundary"], "name = \"stadium\"", problems);
     let shape = match found {
         Some(("name", item)) => {
-            // Which keys belong to an unknown table is unknown too.
+            // The keys of an unknown table are unknown, too.
             let model = parameters::model(item, "table", &super::TABLES, dimension, problems)?;
             parameters::arguments(&mut section, item.span, model, problems).map(|arguments| TableShape::Named {
                 model,

@@ -23,12 +23,12 @@ fn parameter(of: &'static tables::Parameter) -> Parameter {
         Measure::Points(n) => Kind::Points { least: n, most: n },
     };
     let default = match &of.value {
-        // of angles, one that is written without pi
+        // for angles, no example: it would be written without pi
         Value::Number(x) if of.required && of.kind != Measure::Angle => Default::Required(core::slice::from_ref(x)),
         _ if of.required => Default::Required(&[]),
         Value::Number(x) => Default::Numbers(core::slice::from_ref(x)),
         Value::List(list) => Default::Numbers(list),
-        // no table has points that it could do without
+        // points are required by every table that has them
         Value::Points(_) => Default::Required(&[]),
     };
     Parameter { name: of.name, kind, default }

@@ -1,4 +1,4 @@
-//! A table of which only the distance is known: any parry `Shape`.
+//! A table of which only the distance is known, as for any parry `Shape`.
 
 use billiards::geometry::parry::parry2d_f64::{
     bounding_volume::{Aabb, BoundingSphere},
@@ -30,7 +30,7 @@ pub(super) const ENTRY: Entry = Entry {
     },
 };
 
-/// A table of which parry sees the closest point and nothing else.
+/// A table of which parry sees only the closest point.
 #[derive(Clone)]
 struct ByDistance(Table);
 
@@ -48,7 +48,7 @@ impl PointQuery for ByDistance {
 }
 
 impl RayCast for ByDistance {
-    /// Nobody asks: rays are ours.
+    /// Never called: rays are computed by our own code.
     fn cast_local_ray_and_get_normal(&self, _: &Ray, _: f64, _: bool) -> Option<RayIntersection> {
         None
     }

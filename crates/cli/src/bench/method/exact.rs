@@ -95,7 +95,7 @@ pub(in crate::bench) fn trace<const N: usize, const S: usize, T: Trail<N, S>>(
     })
 }
 
-/// Runs each start for so many collisions.
+/// Runs each start for a number of collisions.
 pub(super) fn bulk<const N: usize, const S: usize, T: Trail<N, S>>(
     engine: &dyn Engine<N, S, T>,
     starts: &[State<f64>],

@@ -53,7 +53,7 @@ struct Polyline {
 struct Chain {
     tree: BoxTree,
     edges: Vec<Segment>,
-    /// Normals of the boundary at both ends of each edge; none where the edges' own are used.
+    /// Normals of the boundary at both ends of each edge; empty where the edges' own are used.
     normals: Vec<[Vector2<f64>; 2]>,
 }
 

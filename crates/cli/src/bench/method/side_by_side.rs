@@ -21,7 +21,7 @@ fn build(case: &Case, law: Law) -> Box<dyn Method> {
     }
 }
 
-/// Orbits of the same bits as those run alone.
+/// Orbits that agree bit for bit with those run alone.
 struct Plane {
     billiard: Planar<PlanarLaw>,
 }
@@ -54,13 +54,13 @@ where
     })
 }
 
-/// The starts, again and again until there are enough.
+/// The starts, repeated until there are enough.
 fn many<const N: usize, const S: usize>(starts: &[State<f64>]) -> impl Iterator<Item = Kept<N, S>> {
     let start = |s: &State<f64>| Orbit::new(first(&s.position), first(&s.velocity), first(&s.spin), ());
     starts.iter().map(start).cycle().take(ORBITS.max(starts.len()))
 }
 
-/// So many each that the total is about that of the starts alone.
+/// So many collisions each that the total is about that of the starts alone.
 fn share(starts: &[State<f64>], collisions: u64) -> u64 {
     (collisions * starts.len() as u64 / ORBITS.max(starts.len()) as u64).max(1)
 }

@@ -1,4 +1,4 @@
-//! The textbook's program, in double and in single precision.
+//! The textbook program, in double and in single precision.
 
 use billiards::Stop;
 

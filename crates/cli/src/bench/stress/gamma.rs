@@ -1,4 +1,4 @@
-//! Disks whose mass lies in the middle, or far out.
+//! Disks with their mass near the middle, or far out.
 
 use billiards::collision_laws::laws::NoSlip;
 use billiards::geometry::tables;
@@ -41,7 +41,7 @@ fn difference(a: &State<f64>, b: &State<f64>) -> f64 {
     worse(off(&a.position, &b.position), off(&a.velocity, &b.velocity))
 }
 
-/// The states after each of so many collisions.
+/// The states after each of a number of collisions.
 fn after(law: &PlanarLaw, start: &State<f64>, collisions: u64) -> Vec<State<f64>> {
     let Ok(table) = tables::circle(1.0) else { return vec![] };
     let mut states = vec![];

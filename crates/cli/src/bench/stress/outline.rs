@@ -23,8 +23,8 @@ fn run(effort: Effort) -> Result<Tally, Box<dyn std::error::Error>> {
     Ok(tally)
 }
 
-/// How many paths have another first hit than the one found by asking every piece: paths at vertices, along the axes and in
-/// other directions, each from where the last one ends.
+/// How many paths have another first hit than the one found by testing every piece: paths at vertices, along the axes and
+/// in other directions, each starting where the last one ends.
 struct AskAll<'a> {
     table: &'a Table,
     from: Vector2<f64>,

@@ -1,4 +1,4 @@
-//! Bodies that hardly resist turning: needles and rods beside a wall.
+//! Bodies with hardly any rotational inertia: needles and rods beside a wall.
 
 use billiards::collision_laws::bodies::{Inertia, RigidBody};
 use billiards::collision_laws::laws::{NoSlip, RoughPlane, Specular};

@@ -56,7 +56,7 @@ fn scaled(effort: Effort, of: fn(f64) -> [f64; 2]) -> Result<Tally, Box<dyn Erro
     Ok(tally)
 }
 
-/// A folder that is gone again afterwards.
+/// A folder that is removed afterwards.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -74,7 +74,8 @@ impl Drop for Folder {
     }
 }
 
-/// Runs a scene with all lengths and all speeds multiplied, as `billiards run` does, and reads its record.
+/// Runs a scene with all lengths and all speeds multiplied by factors, as `billiards run` does, and reads
+/// its record.
 fn record([length, speed]: [f64; 2], collisions: u64) -> Result<Vec<[f64; 10]>, Box<dyn Error>> {
     let (l, v) = (|x: f64| length * x, |x: f64| speed * x);
     let text = format!(

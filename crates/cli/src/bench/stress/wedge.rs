@@ -25,15 +25,15 @@ pub(super) const NO_SLIP: Entry = Entry {
 /// Angle of the wedge.
 const ANGLE: f64 = 1e-6;
 
-/// How the known quantity is given.
+/// The name of the known quantity.
 const MOMENTUM: &str = "angular momentum about the apex";
 
-/// `|x × v|`: every strict law keeps it, since an impulse on a wall of the wedge only turns its sign.
+/// `|x × v|`: every strict law conserves it, since an impulse on a wall of the wedge only reverses its sign.
 fn momentum(s: &State<f64>) -> f64 {
     (s.position[0] * s.velocity[1] - s.position[1] * s.velocity[0]).abs()
 }
 
-/// By how much it has changed, as a part of `|x| |v|`, of which it has the rounding.
+/// Its change relative to `|x| |v|`, whose rounding it has.
 fn moved(first: &State<f64>, now: &State<f64>) -> f64 {
     let length = |x: &[f64; 3]| libm::hypot(x[0], x[1]);
     (momentum(now) - momentum(first)).abs() / (length(&now.position) * length(&now.velocity))
@@ -47,7 +47,8 @@ fn starts(many: u32) -> impl Iterator<Item = Start<2, 1>> {
     })
 }
 
-/// The path unfolds to a straight line, which turns by π − 2ψ seen from the apex before it is as high again.
+/// The path unfolds to a straight line, which turns by π − 2ψ as seen from the apex before it is at the same
+/// height again.
 fn specular(effort: Effort) -> Result<Tally, Box<dyn std::error::Error>> {
     let wedge = tables::wedge(ANGLE)?;
     let mut tally = Tally { known: MOMENTUM, ..Tally::default() };
@@ -60,7 +61,7 @@ fn specular(effort: Effort) -> Result<Tally, Box<dyn std::error::Error>> {
         let Outcome { stop, collisions } = with_engine(&wedge, &law, |engine| engine.bare(&mut orbit, until));
         let now = State::from_parts(&orbit.position, &orbit.velocity, &orbit.spin);
         tally.error = worse(tally.error, moved(&first, &now));
-        // the straight line of the unfolded path is at the angle π − ψ to the way up in the end
+        // in the end the straight line of the unfolded path has the angle π − ψ to the upward direction
         let turned = core::f64::consts::PI - libm::atan2(start.velocity[0], -start.velocity[1]);
         let right = libm::floor(turned / ANGLE + 0.5);
         tally.lost += u64::from(stop != Stop::Escaped || (collisions as f64 - right).abs() > 1.0);

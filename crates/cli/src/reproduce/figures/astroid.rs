@@ -28,7 +28,7 @@ fn ladder(l: f64, u: [f64; 2]) -> [[f64; 2]; 2] {
     [[UNIFORM * a, a], [UNIFORM * b, -b]]
 }
 
-/// The envelope of the ladders, where neighbouring ones cross, as far as it lies on them: four arcs.
+/// The envelope of the ladders, where neighbouring ones cross, as far as it lies on the ladders themselves: four arcs.
 ///
 /// In the direction `(cos t, sin t)` the crossing lies on the ladder if `t` is within `arctan γ` of a multiple of π/2.
 fn envelope(l: f64) -> [Vec<[f64; 2]>; 4] {

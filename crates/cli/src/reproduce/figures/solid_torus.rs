@@ -91,9 +91,9 @@ fn draw(effort: Effort) -> Drawing {
     Ok(sheet.svg)
 }
 
-/// The edge of the torus as it is seen: where the view touches it.
+/// The visible outline of the torus, where lines of sight touch it.
 fn silhouette(sheet: &mut Sheet, view: &View, camera: &Camera) {
-    // the direction of view, from how deep the unit vectors lie
+    // the direction of view, from the depths of the unit vectors
     let w = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| camera.depth(axis));
     for side in [1.0, -1.0] {
         let points = (0..=180).map(|i| {

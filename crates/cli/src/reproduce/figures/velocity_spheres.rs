@@ -49,7 +49,7 @@ fn draw(effort: Effort) -> Drawing {
             if is_free(v, tan) {
                 return brown;
             }
-            // the part along b stays, the part across turns
+            // the part along b is kept, the part perpendicular to it turns
             let height = dot(v, axis);
             let along_b = axis.map(|x| x * height);
             let mut p: [f64; 3] = core::array::from_fn(|k| v[k] - along_b[k]);
