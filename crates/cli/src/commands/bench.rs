@@ -15,7 +15,7 @@ use crate::document::Diagnostic;
 use crate::spelling;
 use crate::whole_file::WholeFile;
 
-/// Times every method on every table, or goes where programs break, and prints what came of it.
+/// Times every method on every table, or runs the stress cases, and prints the results.
 ///
 /// # Errors
 /// There is no table or case of that name, a method fails, something is lost under stress, or something cannot be
@@ -99,7 +99,7 @@ fn under_stress(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fai
     }
 }
 
-/// Where Ctrl-C is noted: the table or case at work is the last one then.
+/// The flag that Ctrl-C sets: the current table or case is then the last one.
 fn interruption() -> Result<Arc<AtomicBool>, Failure> {
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
@@ -107,26 +107,26 @@ fn interruption() -> Result<Arc<AtomicBool>, Failure> {
     Ok(interrupted)
 }
 
-/// Fails where Ctrl-C has cut the work short: what is done is kept, but it is not all.
+/// Fails where Ctrl-C has cut the work short: the results so far are kept, but they are incomplete.
 fn whole(done: usize, of: usize, what: &str) -> Result<(), Failure> {
     if done == of { Ok(()) } else { Err(Failure::Work(format!("interrupted: {done} of {of} {what} are done"))) }
 }
 
-/// Whoever reads the results: tables as they come, or JSON at the end. The work goes on where nobody listens any more.
+/// The reader of the results: gets tables as they come, or JSON at the end. The work goes on even if the output is closed.
 struct Reader {
     json: bool,
     heard: io::Result<()>,
 }
 
 impl Reader {
-    /// Tells people what there is so far.
+    /// Prints the results so far, for people.
     fn tell(&mut self, what: impl FnOnce() -> io::Result<()>) {
         if !self.json && self.heard.is_ok() {
             self.heard = what();
         }
     }
 
-    /// Tells programs everything.
+    /// Prints everything, for programs.
     fn finish(&mut self, all: &str, out: &mut impl Write) {
         if self.json {
             self.heard = out.write_all(all.as_bytes());
@@ -134,7 +134,7 @@ impl Reader {
     }
 }
 
-/// The files that the user wants. Whether they can be written is found out before the work, which would be lost otherwise.
+/// The files that the user wants. Whether they can be written is checked before the work, which would be lost otherwise.
 struct Keep {
     paths: Vec<PathBuf>,
 }
@@ -159,7 +159,7 @@ impl Keep {
     }
 }
 
-/// On a terminal, what is being done; elsewhere nothing.
+/// A progress message on a terminal; elsewhere nothing.
 fn progress() -> ProgressBar {
     if io::stderr().is_terminal() { ProgressBar::new_spinner() } else { ProgressBar::hidden() }
 }

@@ -1,4 +1,4 @@
-//! `billiards check`: whether a scene can run, and what it is like.
+//! `billiards check`: checks whether a scene can run, and describes it.
 
 use std::fmt::Write as _;
 use std::io::{self, Write};
@@ -131,7 +131,7 @@ fn in_parts(scene: &Description, time: f64, out: &mut impl Write) -> io::Result<
     Ok(())
 }
 
-/// Says so if a region falls apart.
+/// Reports it if a region is not connected.
 fn parts(region: &Region, what: &str, out: &mut impl Write) -> io::Result<()> {
     if region.parts.len() > 1 {
         let areas: Vec<_> = region.parts.iter().map(|area| measure(*area)).collect();

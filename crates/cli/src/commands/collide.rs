@@ -15,7 +15,7 @@ use crate::document::{Diagnostic, Problems, Source, Span, spell};
 use crate::scene::LawKind;
 use crate::simulation::any_law;
 
-/// Widest table, in characters; a wider one is printed line by line.
+/// Greatest width of a table, in characters; a wider one is printed line by line.
 const WIDEST: usize = 110;
 
 /// A collision, computed. Vectors have N entries; spins have the form of the contact file.
@@ -31,7 +31,7 @@ pub struct Outcome {
     pub impulse: Vec<f64>,
     /// Everything before and after.
     pub states: [State; 2],
-    /// How far the law is from each axiom at this contact; axioms that say nothing here are left out.
+    /// How far the law is from each axiom at this contact; axioms that do not apply here are left out.
     pub defects: Vec<(String, f64)>,
     /// The axioms it breaks.
     pub broken: Vec<(String, f64)>,
@@ -126,7 +126,7 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
     Err(vec![file.source.diagnostic(file.bodies.span, what)])
 }
 
-/// Why there is no collision, with the mend.
+/// Why there is no collision, with advice.
 fn refusal(file: &ContactFile, error: &Error) -> Diagnostic {
     let at = |span| file.source.diagnostic(span, error.to_string());
     match error {
@@ -150,7 +150,7 @@ fn kept<T>(found: Result<T, Fault>, problems: &mut Problems) -> Option<T> {
     found.map_err(record).ok()
 }
 
-/// How to mend a body, a contact or a law; none where the error itself tells.
+/// How to fix a body, a contact or a law; `None` where the error message says so itself.
 fn mend(error: &Error) -> Option<&'static str> {
     Some(match error {
         Error::NotPositive { .. } => "write a number above 0",
@@ -238,7 +238,7 @@ fn rough<const N: usize>(contact: &Contact<N>, directions: &[SVector<f64, N>]) -
 
 fn state<const N: usize>(pair: &Pair<Free<N>, Free<N>, N>, velocities: &(Twist<N>, Twist<N>)) -> State {
     let u = pair.contact_velocity(velocities);
-    // Momenta are the metric products with the rigid motions of all space, about the contact point.
+    // Momenta are the products, in the metric, with the rigid motions of the whole space, about the contact point.
     let product = |a: SVector<f64, N>, spin: SMatrix<f64, N, N>| {
         let motion = [0, 1].map(|i| Twist::of_rigid_motion(&pair.arms[i], &a, &spin));
         pair.inner_product(velocities, &(motion[0], motion[1]))
@@ -269,7 +269,7 @@ fn state<const N: usize>(pair: &Pair<Free<N>, Free<N>, N>, velocities: &(Twist<N
 }
 
 impl State {
-    /// The kinetic energy, where a number has its digits; of what moves it is never 0.
+    /// The kinetic energy, if it is in the range of numbers with full precision; for moving bodies it is never 0.
     fn shown_energy(&self) -> String {
         let moves = self.motions.iter().any(|(v, w)| v.iter().chain(w).any(|x| *x != 0.0));
         if moves && self.energy < f64::MIN_POSITIVE { "below 2.3e-308".into() } else { shown(&[self.energy]) }
@@ -370,7 +370,7 @@ impl Outcome {
         if n <= 3 { w.to_vec() } else { (0..n).flat_map(|i| (0..i).map(move |j| w[i * n + j])).collect() }
     }
 
-    /// Which entries of its matrix the numbers of a spin are.
+    /// Names the matrix entries that the numbers of a spin are.
     fn entries(&self) -> String {
         if self.dimension <= 3 {
             return String::new();
@@ -383,7 +383,7 @@ impl Outcome {
     }
 }
 
-/// Numbers to twelve digits, in parentheses unless there is one.
+/// Numbers to twelve digits, in parentheses unless there is only one.
 fn shown(numbers: &[f64]) -> String {
     // −0 is 0
     let short = |x: &f64| format!("{:.11e}", x + 0.0).parse().map_or_else(|_| x.to_string(), spell);

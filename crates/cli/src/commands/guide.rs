@@ -1,4 +1,4 @@
-//! `billiards guide`: how scene and contact files are written, and what comes of them.
+//! `billiards guide`: how scene and contact files are written, and what output they produce.
 
 use std::io::{self, Write};
 

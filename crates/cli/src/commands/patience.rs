@@ -1,4 +1,4 @@
-//! Work that takes longer than a second shows on a terminal that it goes on.
+//! Work that takes longer than a second shows its progress on a terminal.
 
 use std::io::{self, IsTerminal};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,12 +7,12 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Work that is done sooner shows nothing.
+/// Work that ends sooner shows nothing.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Between two looks at how far the work is.
+/// Interval between two updates of the progress.
 const GLANCE: Duration = Duration::from_millis(100);
 
-/// Does the work, of which nobody knows how far it is, and shows on a terminal what it is about.
+/// Does work whose progress is unknown, and shows on a terminal what is being done.
 pub(super) fn with_spinner<R>(what: &str, work: impl FnOnce() -> R) -> R {
     let spinner = || {
         let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed} passed");
@@ -22,7 +22,7 @@ pub(super) fn with_spinner<R>(what: &str, work: impl FnOnce() -> R) -> R {
     with_bar(spinner, |bar, _| bar.tick(), work)
 }
 
-/// Does the work, and shows on a terminal a bar that is told how long it has taken.
+/// Does the work, and shows a progress bar on a terminal, updated with the elapsed time.
 pub(super) fn with_bar<R>(
     bar: impl Fn() -> ProgressBar + Sync,
     update: impl Fn(&ProgressBar, Duration) + Sync,
@@ -46,7 +46,7 @@ pub(super) fn with_bar<R>(
                 shown.finish_and_clear();
             }
         });
-        // also where the work panics: the scope waits for the bar
+        // ends the bar even if the work panics, since the scope waits for it
         let _over = Over { flag: &over, watcher: watcher.thread() };
         work()
     })

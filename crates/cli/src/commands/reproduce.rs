@@ -19,7 +19,7 @@ use crate::simulation::plural;
 use crate::spelling;
 use crate::whole_file::WholeFile;
 
-/// What there is to do.
+/// One job: a figure or a claim.
 #[derive(Clone, Copy, Debug)]
 enum Job {
     Draw(&'static Figure),
@@ -35,25 +35,25 @@ impl Job {
     }
 }
 
-/// What came of it.
+/// The result of a job.
 enum Done {
     Drawn(String, [f64; 2]),
     Measured(Measurement),
 }
 
-/// What came of all, each in the order of the paper.
+/// All results, each kind in the order of the paper.
 #[derive(Default)]
 struct Results {
     drawn: Vec<Drawn>,
     measured: Vec<Measured>,
-    /// What could not be drawn or measured, by name and with the reason.
+    /// The figures and claims that could not be drawn or measured, by name and with the reason.
     failed: Vec<String>,
 }
 
 /// Recomputes figures and claims, and writes the page.
 ///
 /// # Errors
-/// There is no figure or claim of that name; or, after all else is written, one of them fails or a measurement disagrees with its
+/// There is no figure or claim of that name; or (after all else is written) one of them fails or a measurement disagrees with its
 /// verdict; or something cannot be written.
 pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Failure> {
     let all = figures::all().iter().map(Job::Draw).chain(claims::all().iter().map(Job::Measure));
@@ -118,7 +118,7 @@ fn list(out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-/// Does the jobs on all processors, each on its own: all, unless interrupted.
+/// Does all jobs, one per processor at a time, unless interrupted.
 fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Results {
     let bar = progress_bar(jobs.len());
     let next = AtomicUsize::new(0);
@@ -157,7 +157,7 @@ fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Result
     results
 }
 
-/// A figure or claim whose set-up is impossible panics: an error of this program, which costs no other job.
+/// Does one job. A figure or claim whose set-up is impossible panics: an error of this program, which does not affect other jobs.
 fn one(job: Job, effort: Effort) -> Result<Done, String> {
     let work = || match job {
         Job::Draw(figure) => {
@@ -178,13 +178,14 @@ fn progress_bar(jobs: usize) -> ProgressBar {
     ProgressBar::new(jobs as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-/// The names of the page and of the measurements. Those of one figure or claim are named after it, and leave the whole page alone.
+/// The file names of the page and of the measurements. For a single figure or claim they are named after it, so that the whole
+/// page is left alone.
 struct Files {
     page: String,
     claims: Option<String>,
 }
 
-/// The pictures, the claims, and the page that shows them: all or none.
+/// Writes the pictures, the claims, and the page that shows them: all or none.
 fn write(results: &Results, effort: Effort, folder: &Path, files: &Files) -> io::Result<()> {
     let Results { drawn, measured, .. } = results;
     let mut whole = vec![];

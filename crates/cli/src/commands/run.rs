@@ -15,7 +15,7 @@ use crate::document::{Diagnostic, Source, plain, spell};
 use crate::scene::{Request, Scene};
 use crate::simulation::{Control, Done, Simulation};
 
-/// Runs a scene and prints what came of it.
+/// Runs a scene and prints a summary.
 ///
 /// # Errors
 /// The scene is wrong, or something cannot be written.
@@ -48,13 +48,13 @@ fn progress_bar(steps: u64) -> ProgressBar {
     ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-/// How long the rest takes if it goes on as it went; when all orbits are run, what is done then.
+/// How long the rest takes at the present rate; when all orbits are run, what is being done then.
 fn outlook(elapsed: Duration, done: u64, steps: u64) -> String {
     if done >= steps {
         return "horizons, pictures, files".into();
     }
     let seconds = elapsed.as_secs_f64() * ((steps - done) as f64 / done.max(1) as f64);
-    // in the largest units: no more is known
+    // only in the largest unit, since the estimate is rough
     format!("{:#} to go", HumanDuration(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)))
 }
 
@@ -88,7 +88,7 @@ mod tests {
         assert_eq!(after(2, 1 << 32, 1 << 33), "2s to go");
         assert_eq!(after(3600, 10, 20), "60m to go");
         assert_eq!(after(9, 20, 20), "horizons, pictures, files");
-        // nothing is done yet, and there is no end of it
+        // nothing is done yet, and the amount of work is enormous
         assert!(after(1, 0, u64::MAX).ends_with("y to go"));
     }
 }

@@ -1,18 +1,18 @@
-//! Where on a piece its points are, looked up by their directions from a point beside it.
+//! Arc lengths of points on a piece, looked up by their directions from a point beside it.
 
 use core::f64::consts::{PI, TAU};
 
 use billiards::geometry::{Piece, Vector2};
 
-/// Points of the piece of which the directions are known.
+/// Number of points of the piece whose directions are known.
 const SAMPLES: usize = 1024;
 
-/// Parts of a turn, between which arc lengths are interpolated.
+/// Number of parts of a turn in which arc lengths are interpolated.
 const PARTS: usize = 1024;
 
-/// Arc length and distance of the points of a piece that is seen from a middle in each direction once at most.
+/// Arc length and distance of the points of a piece that is met at most once in each direction from a middle.
 ///
-/// Right to a thousandth of a pixel where the piece is smooth, and much faster than to ask a piece that has to search.
+/// Accurate to a thousandth of a pixel where the piece is smooth, and much faster than a piece that has to search.
 #[derive(Clone, Debug)]
 pub(super) struct Bearings {
     middle: Vector2<f64>,
@@ -24,13 +24,13 @@ pub(super) struct Bearings {
     parts: Vec<[[f64; 3]; 2]>,
 }
 
-/// A turn in four parts, along the sides of a square: `a` from 0 to 4.
+/// The position of a direction along the sides of a square, from 0 to 4 over a turn.
 fn along_square(d: Vector2<f64>) -> f64 {
     let along = d.x / (d.x.abs() + d.y.abs());
     if d.y < 0.0 { along + 3.0 } else { 1.0 - along }
 }
 
-/// The direction at which one of so many parts begins.
+/// The direction at which one of `parts` parts begins.
 fn direction(part: usize, parts: usize) -> Vector2<f64> {
     let a = 4.0 * part as f64 / parts as f64;
     let along = if a < 2.0 { 1.0 - a } else { a - 3.0 };
@@ -43,7 +43,7 @@ fn wrapped(angle: f64) -> f64 {
     angle - TAU * libm::rint(angle / TAU)
 }
 
-/// Points of a piece at equal arc lengths, the last at its end, as they are seen from a middle.
+/// Points of a piece at equal arc lengths, the last at its end, as seen from a middle.
 struct View {
     middle: Vector2<f64>,
     points: Vec<Vector2<f64>>,
@@ -51,13 +51,13 @@ struct View {
     closed: bool,
     /// The direction of the first point.
     first: f64,
-    /// In which sense one turns from one to the next, 1 or −1, and how far one has turned at each.
+    /// The sense in which the direction turns from one to the next, 1 or −1, and how far it has turned at each.
     sense: f64,
     turned: Vec<f64>,
 }
 
 impl View {
-    /// `None` if there are directions in which one sees several points or, nearly, along the piece.
+    /// `None` if some direction meets several points, or is nearly tangential to the piece.
     fn new(middle: Vector2<f64>, points: Vec<Vector2<f64>>, length: f64, closed: bool) -> Option<Self> {
         let angle = |p: &Vector2<f64>| libm::atan2(p.y - middle.y, p.x - middle.x);
         let step = |w: &[Vector2<f64>]| wrapped(angle(&w[1]) - angle(&w[0]));
@@ -73,19 +73,19 @@ impl View {
         (once && steep).then_some(View { middle, points, length, closed, first, sense, turned })
     }
 
-    /// How far one has turned in a direction, and whether the piece is seen there or not far from there.
+    /// How far one has turned at a direction, and whether the piece is seen in that direction or close to it.
     fn turn(&self, d: Vector2<f64>) -> (f64, bool) {
         let turn = self.sense * wrapped(libm::atan2(d.y, d.x) - self.first);
         let turn = if turn < 0.0 { turn + TAU } else { turn };
-        // a part is at most so wide
+        // the greatest width of a part
         let (whole, width) = (self.turned[SAMPLES], 8.0 / PARTS as f64);
         if self.closed || turn <= whole + width { (turn, true) } else { (turn - TAU, turn > TAU - width) }
     }
 
-    /// Arc length and distance where one has turned so far: a polynomial through four points.
+    /// Arc length and distance at a given turn, by a polynomial through four points.
     fn known(&self, turn: f64) -> [f64; 2] {
         let above = self.turned.partition_point(|t| *t <= turn);
-        // a closed piece goes on beyond its ends
+        // a closed piece continues beyond its ends
         let from = if self.closed { above } else { above.clamp(2, SAMPLES - 2) } + SAMPLES - 2;
         let four = [0, 1, 2, 3].map(|k| {
             let (j, laps) = ((from + k) % SAMPLES, ((from + k) / SAMPLES) as f64 - 1.0);
@@ -108,7 +108,7 @@ impl View {
         if !(seen && still) {
             return [[0.0; 3]; 2];
         }
-        // on, over the start of a closed piece
+        // forward, across the start of a closed piece
         let [here, between, there] = [0.0, half - begin, end - begin].map(|on| self.known(begin + wrapped(on)));
         [0, 1].map(|i| {
             let more = there[i] - here[i];
@@ -118,7 +118,7 @@ impl View {
 }
 
 impl Bearings {
-    /// Those of a piece of finite length; `None` if it cannot be seen so.
+    /// The bearings of a piece of finite length; `None` if it cannot be seen like this.
     pub(super) fn of(piece: &dyn Piece) -> Option<Self> {
         let length = piece.length();
         if !(length > 0.0 && length.is_finite()) {
@@ -142,7 +142,8 @@ impl Bearings {
         Some(Bearings { middle, reach, length, closed, parts })
     }
 
-    /// The arc length of a point, moved back by that of these vectors which brings it closest to the piece.
+    /// The arc length of a point, after moving it back by the one of these vectors that brings it closest to the
+    /// piece.
     #[inline]
     pub(super) fn arc_length(&self, point: Vector2<f64>, shifts: &[Vector2<f64>]) -> f64 {
         let mut best = [0.0, f64::INFINITY];
@@ -158,7 +159,7 @@ impl Bearings {
         best[0]
     }
 
-    /// The arc length in a direction from the middle, and how far from the piece the point is that lies there.
+    /// The arc length in a direction from the middle, and the distance of the point there from the piece.
     #[inline]
     fn seen(&self, d: Vector2<f64>) -> [f64; 2] {
         let a = along_square(d) * (PARTS as f64 / 4.0);
@@ -212,7 +213,7 @@ mod tests {
 
     #[test]
     fn on_a_lattice_the_copy_that_was_hit_is_found() {
-        // the arcs of a channel are seen from so far off that copies come into reach
+        // the arcs of a channel are seen from so far away that copies come into reach
         for table in [tables::sinai_torus(0.3, 1.0).unwrap(), tables::channel(1.0, 0.75, 0.125).unwrap()] {
             for (number, piece) in table.pieces().iter().enumerate() {
                 let shifts: Vec<_> = table.translations(number).collect();

@@ -25,7 +25,7 @@ pub(crate) struct Drawn {
     pub(crate) table: Table,
     /// Where each piece stands in the scene.
     pub(crate) spans: Vec<Span>,
-    /// The laws that pieces have of their own.
+    /// The laws of pieces that have their own.
     pub(crate) laws: Vec<Option<LawKind>>,
     /// The factor: a power of two.
     pub(crate) factor: f64,
@@ -71,7 +71,7 @@ pub(super) fn own_laws(scene: &Scene, laws: &mut [Option<LawKind>]) -> Result<()
 }
 
 impl Drawn {
-    /// The same without what entries have in common where it bounds nothing.
+    /// The same without stretches that entries have in common and that bound nothing.
     fn joined(&self) -> Option<Drawn> {
         let (table, origins) = self.table.joined()?;
         let spans = origins.iter().map(|&piece| self.spans[piece]).collect();
@@ -79,18 +79,19 @@ impl Drawn {
         Some(Drawn { table, spans, laws, factor: self.factor })
     }
 
-    /// An error of the geometry as one about the scene.
+    /// An error of the geometry, expressed as one about the scene.
     pub(crate) fn complaint(&self, scene: &Scene, error: &Error) -> Diagnostic {
         about(scene, &self.spans, self.factor, error)
     }
 
-    /// An error whose lengths are those of the user.
+    /// The error with lengths in the user's unit.
     pub(crate) fn in_user_units(&self, error: &Error) -> Error {
         in_user_units(error, self.factor)
     }
 }
 
-/// Every length that says how large a scene is; none, and so no scaling, if part of it is drawn in a file.
+/// Every length that determines the size of a scene; none, and so no scaling, if part of it is drawn in a
+/// file.
 pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
     if let TableShape::Boundary(entries) = &scene.table.shape
         && entries.iter().any(|entry| matches!(entry.border, Border::Outline { .. } | Border::Mesh { .. }))
@@ -119,7 +120,7 @@ pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
     all
 }
 
-/// Parameters at which formulas are asked how large they are.
+/// Number of parameters at which the size of formulas is sampled.
 const PLACES: u32 = 16;
 
 fn of_border(border: &Border, all: &mut Vec<f64>) {
@@ -139,7 +140,7 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         Border::Ray { from, .. } => all.extend(&from.value),
         Border::Curve { curve: Curve::Polar { radius, center }, .. } => {
             all.extend(&center.value);
-            // a formula says how large it is by what it comes to
+            // the size of a formula is that of its values
             all.extend((0..PLACES).map(|k| radius.evaluate(&[TAU * f64::from(k) / f64::from(PLACES)])));
         }
         Border::Curve { curve: Curve::Parametric { point, over }, .. } => {
@@ -170,7 +171,7 @@ fn named(scene: &Scene, name: &str, arguments: &Arguments, span: Span, factor: f
     Ok(Drawn { table, spans: vec![span; count], laws: vec![None; count], factor })
 }
 
-/// The values of a built-in table's parameters, as the geometry has them.
+/// The values of a built-in table's parameters, in the geometry crate's form.
 pub(super) fn values(entry: &tables::Entry, arguments: &Arguments) -> Values {
     let mut values = Values::new();
     for parameter in entry.parameters {

@@ -1,4 +1,4 @@
-//! Counts of points as a cloud shows them.
+//! Counts of points for a cloud.
 
 use billiards::observe::{Density, Noted};
 use lanes::Lane;
@@ -15,13 +15,13 @@ pub(super) struct Counter {
 }
 
 impl Counter {
-    /// That of a cloud, without points.
+    /// The counter of a cloud, without points.
     pub(super) fn of(cloud: &Cloud) -> Self {
         let density = cloud.counter();
         Counter { noted: Noted::new(&density), density, counts: false }
     }
 
-    /// Counting begins in a layer. The layer, as [`note`](Self::note) wants it.
+    /// Begins counting in a layer, and returns it in the form that [`note`](Self::note) takes.
     pub(super) fn begin(&mut self, layer: usize) -> f64 {
         self.counts = true;
         self.density.layer(layer)
@@ -34,7 +34,7 @@ impl Counter {
         self.noted.note(&mut self.density, cells);
     }
 
-    /// Points, brought near where they are far.
+    /// Points, moved near the window where they are far from it.
     #[inline(always)]
     pub(super) fn near<F: Lane>(&self, point: [F; 2]) -> [F; 2] {
         self.density.near(point)

@@ -1,4 +1,4 @@
-//! What a scene is like before it runs: for `billiards check`.
+//! The description of a scene before it runs, for `billiards check`.
 
 use std::fmt;
 
@@ -21,7 +21,7 @@ use crate::scene::{Scene, Starts, TableShape};
 /// Most starts that are described.
 const MOST_STARTS: u64 = 10;
 
-/// A scene described. Lengths are in the scene's unit; nothing stands for infinity.
+/// A scene described. Lengths are in the scene's unit; `None` stands for infinity.
 #[derive(Clone, Debug, Serialize)]
 pub struct Description {
     /// The scene's title, if it has one.
@@ -48,7 +48,7 @@ pub struct Description {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub largest_disk: Option<(f64, [f64; 2])>,
     /// Mean time between collisions in the invariant measure, at unit speed, spin included. Where no law turns velocity into spin it is
-    /// given for ensembles only: it is the mean over orbits, each of which keeps its spin. None where a law is not strict.
+    /// given for ensembles only: it is the mean over orbits, each of which keeps its spin. `None` where a law is not strict.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mean_free_time: Option<f64>,
     /// The same where no law turns velocity into spin, at unit speed of the centre.
@@ -70,7 +70,7 @@ pub struct PieceOf {
     /// Its length in the plane, if that is finite.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub length: Option<f64>,
-    /// Where it is; in space, where it is open.
+    /// Where it is; in space, the openings of its surface.
     pub place: String,
     /// The unit normal in its middle, into the table.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -99,7 +99,7 @@ pub struct Region {
     /// Points where the direction of the boundary jumps, and how many of them point into the table.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corners: Option<[usize; 2]>,
-    /// Areas, in space volumes, of its connected parts; of an explicit boundary in space nothing is measured, and there are none here.
+    /// Areas (in space volumes) of its connected parts; none for an explicit boundary in space, which is not measured.
     pub parts: Vec<Option<f64>>,
     /// Perimeters of these, in the plane.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -118,7 +118,7 @@ impl Region {
     }
 }
 
-/// Where an orbit starts, and what becomes of it at first.
+/// Where an orbit starts, and its first collision.
 #[derive(Clone, Debug, Serialize)]
 pub struct StartOf {
     /// Position of the centre.
@@ -129,7 +129,7 @@ pub struct StartOf {
     pub first: First,
 }
 
-/// What an orbit meets first.
+/// The first event of an orbit.
 #[derive(Clone, Copy, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum First {
@@ -140,7 +140,7 @@ pub enum First {
         /// The piece.
         piece: u64,
     },
-    /// Nothing: why it ends.
+    /// No wall: why the orbit ends.
     Nothing(&'static str),
 }
 
@@ -198,7 +198,7 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
     let walls = table.describe();
     description.walls = region(&walls, factor);
     let disk = walls.largest_disk;
-    // along a ridge the distance is stationary: the centre is known to half the digits that the radius has
+    // the distance is stationary at its maximum: the centre is known to half the digits of the radius
     let clean = |x: f64| if x.abs() < 1e-8 * disk.radius { 0.0 } else { x / factor };
     let center = table.lattice().map_or(disk.center, |lattice| in_unit_cell(lattice, &disk.center));
     description.largest_disk = finite(disk.radius).map(|radius| (radius / factor, [center.x, center.y].map(clean)));
@@ -229,7 +229,7 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
     });
 }
 
-/// The copy of a point in the unit cell; at the far edge, within half the digits, it is that at the near one.
+/// The copy of a point in the unit cell; a point at the far edge, within half the digits, is replaced by its copy at the near one.
 fn in_unit_cell(lattice: &Lattice, point: &Vector2<f64>) -> Vector2<f64> {
     point - lattice.translation(lattice.coordinates(point).map(|x| libm::floor(x + 1e-8)))
 }
@@ -287,8 +287,8 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
     });
 }
 
-/// Notes the mean times between collisions, with and without spin, that say something of the orbits of a scene under strict laws. Other
-/// laws leave no measure invariant of which these are means. Where laws keep the spin, the centre keeps its speed.
+/// Notes the mean times between collisions, with and without spin, where they describe the orbits of the scene, that is, under strict
+/// laws. Other laws have no invariant measure with these means. Where laws keep the spin, the centre keeps its speed.
 fn mean_free_times(scene: &Scene, keep_spin: bool, [with, without]: [f64; 2], description: &mut Description) {
     let is_ensemble = matches!(scene.starts, Starts::Ensemble(_));
     let is_point = Spins::of(&scene.particle) == Spins::Still;
@@ -368,7 +368,7 @@ fn piece_of(piece: &dyn Piece, factor: f64, law: String) -> PieceOf {
     PieceOf { kind: kind.into(), length: finite(length / factor), place, normal: Some(normal.into()), law }
 }
 
-/// The walls that a table finds for itself, by the name of their type.
+/// The walls that a table chooses, by the name of their type.
 struct NameOfWalls;
 
 impl<const N: usize> WithWalls<N> for NameOfWalls {
@@ -378,13 +378,13 @@ impl<const N: usize> WithWalls<N> for NameOfWalls {
     }
 }
 
-/// The name of a type without the modules that things are in: `Around<Cuboid, Scatterer>`.
+/// The name of a type without module paths: `Around<Cuboid, Scatterer>`.
 fn plain(name: &str) -> String {
     let mut plain = String::new();
     for part in name.split_inclusive(['<', '>', ',', ' ']) {
         plain += part.rsplit("::").next().unwrap_or(part);
     }
-    // lifetimes and the dimension say nothing
+    // lifetimes and the dimension carry no information
     ["<'_>", "'_, ", "<2>", "<3>", "<2, 0>", "<2, 1>", "<3, 0>", "<3, 1>", "<3, 2>"]
         .iter()
         .fold(plain, |name, dimension| name.replace(dimension, ""))

@@ -1,4 +1,4 @@
-//! Rows of a record, formatted by whoever has time.
+//! Rows of a record, formatted by any thread that is free.
 
 use std::collections::VecDeque;
 use std::sync::mpsc::{Receiver, SyncSender, TrySendError, sync_channel};
@@ -8,31 +8,31 @@ use super::event::Event;
 use super::recorder::Recorder;
 use super::results::Results;
 
-/// A row of a record seldom takes more.
+/// Bytes that a row of a record seldom exceeds.
 const BYTES_OF_ROW: usize = 192;
 
-/// Where threads leave blocks of results whose rows others may format: an orbit goes on at once, however long it is.
+/// Where threads leave blocks of results for others to format, so that a long orbit can go on at once.
 pub(super) struct Desk<'a> {
     recorder: Option<Recorder<'a>>,
     drawn: bool,
     state: Mutex<State>,
-    /// Wakes those who wait, for a block or for what else they wait for.
+    /// Wakes waiting threads, whether they wait for a block or for something else.
     news: Condvar,
 }
 
 #[derive(Default)]
 struct State {
-    /// Blocks to be formatted. Each has a thread that waits, and whoever ends to wait takes one.
+    /// Blocks to be formatted. For each there is a waiting thread, and every thread that stops waiting takes one.
     blocks: VecDeque<Block>,
     waiting: usize,
-    /// Threads from which blocks may yet come.
+    /// Number of threads from which blocks may still come.
     busy: usize,
     /// How often results have been taken to be consumed, and how many threads wait for that.
     taken: u64,
     full: usize,
 }
 
-/// Results, and who waits for them with their rows.
+/// Results, and the channel on which they are expected with their rows.
 struct Block {
     results: Results,
     to: SyncSender<Results>,
@@ -55,7 +55,7 @@ impl Drop for Busy<'_> {
 pub(super) struct Consumer<'a>(&'a Desk<'a>);
 
 impl Consumer<'_> {
-    /// Results have been taken: there is room for others.
+    /// Announces that results have been taken, so that there is room for others.
     pub(super) fn has_taken(&self) {
         let mut state = self.0.state();
         state.taken += 1;
@@ -67,30 +67,30 @@ impl Consumer<'_> {
 
 impl Drop for Consumer<'_> {
     fn drop(&mut self) {
-        // whoever waits for room finds that nobody consumes any more
+        // threads that wait for room find that nothing is consumed any more
         self.has_taken();
     }
 }
 
 impl<'a> Desk<'a> {
-    /// For rows of this record, if there is one; whether events are drawn as well.
+    /// A desk for rows of this record, if there is one; `drawn`: events are drawn as well.
     pub(super) fn new(recorder: Option<Recorder<'a>>, drawn: bool) -> Self {
         Desk { recorder, drawn, state: Mutex::default(), news: Condvar::new() }
     }
 
-    /// This thread is at work, until what is returned is dropped.
+    /// Marks this thread as busy until the returned value is dropped.
     pub(super) fn busy(&self) -> Busy<'_> {
         self.state().busy += 1;
         Busy(self)
     }
 
-    /// This thread consumes results. To be dropped only when nothing can be sent to it any more.
+    /// Marks this thread as the consumer of results. The value must be dropped only when nothing can be sent to it any more.
     pub(super) fn consumer(&self) -> Consumer<'_> {
         Consumer(self)
     }
 
-    /// Hands over results by `out`, whose rows are formatted by a thread that waits for such, or by this one. Returns an empty
-    /// place for events; nothing if nobody wants the results any more.
+    /// Sends results through `out`; their rows are formatted by a waiting thread, or by this one. Returns an empty buffer for
+    /// events; `None` if the results are no longer wanted.
     pub(super) fn send(&self, results: Results, out: &SyncSender<Receiver<Results>>) -> Option<Vec<Event>> {
         let (to, mut formatted) = sync_channel(1);
         let block = Block { results, to };
@@ -127,7 +127,7 @@ impl<'a> Desk<'a> {
         }
     }
 
-    /// Waits for a block to be formatted, or until it is enough.
+    /// Waits for a block to be formatted, or until `enough` holds.
     fn wait(&self, enough: impl Fn(&State) -> bool) -> Option<Block> {
         let mut state = self.state();
         state.waiting += 1;
@@ -141,7 +141,7 @@ impl<'a> Desk<'a> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Formats the rows. Returns an empty place for events.
+    /// Formats the rows. Returns an empty buffer for events.
     fn format(&self, Block { mut results, to }: Block) -> Vec<Event> {
         let mut place = vec![];
         if let Some(recorder) = &self.recorder {
@@ -149,13 +149,13 @@ impl<'a> Desk<'a> {
             results.formatted.reserve(results.events.len() * BYTES_OF_ROW);
             results.events.iter().for_each(|event| recorder.write(event, &mut results.formatted));
             if !self.drawn {
-                // nobody else wants them
+                // the events are not needed elsewhere
                 place = core::mem::take(&mut results.events);
                 place.clear();
                 results.ends.iter_mut().for_each(|(before, _)| *before = 0);
             }
         }
-        // without a receiver nobody wants them any more
+        // without a receiver they are no longer wanted
         let _ = to.send(results);
         place
     }

@@ -5,10 +5,10 @@ use billiards::geometry::Error;
 use crate::document::{Diagnostic, Spanned, with_file_meant};
 use crate::scene::Scene;
 
-/// What reads the bytes of a file.
+/// A reader of the bytes of a file.
 pub(super) type Reader<T> = fn(&[u8]) -> Result<T, Error>;
 
-/// What a file holds, by the reader for the ending of its name in small letters; `kinds` says which files there are readers for.
+/// Reads a file with the reader for its lower-case extension; `kinds` says for which files there are readers.
 pub(super) fn read<T>(
     scene: &Scene,
     file: &Spanned<String>,
@@ -18,7 +18,7 @@ pub(super) fn read<T>(
     let complain = |what: String| Box::new(scene.source.diagnostic(file.span, what));
     let path = scene.source.beside(&file.value);
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
-    // first: what nobody can read need not be a file, and may have no end
+    // checked first: something without a reader need not be a file, and may be endless
     let reader = readers.iter().find(|(of, _)| *of == ending).ok_or_else(|| complain(kinds.into()))?.1;
     let bytes = std::fs::read(&path).map_err(|error| {
         let diagnostic = complain(format!("cannot read {}: {error}", path.display()));

@@ -1,4 +1,5 @@
-//! The engine's loop for the command line: two copies of it per kind of walls, bare and watched, for all scenes.
+//! The engine's loop for the command line: two compiled copies per kind of walls, bare and watched, for all
+//! scenes.
 
 use std::ops::ControlFlow;
 
@@ -14,7 +15,7 @@ use super::portraits::{Point, Portraits};
 use super::scale::Scale;
 use super::trail::{PlanarTrail, Trail};
 
-/// So many collisions or so much time, whichever comes first.
+/// A limit of collisions and of time, whichever is reached first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Until {
     pub(crate) collisions: u64,
@@ -28,12 +29,12 @@ impl<T: Timed> Limit<T> for Until {
     }
 }
 
-/// An orbit of which only the time is tracked.
+/// An orbit for which only the time is tracked.
 pub(crate) type Bare<const N: usize, const S: usize> = Orbit<f64, N, S, Conserved<f64, N>, Clock>;
 /// An orbit that is watched.
 pub(crate) type Watched<const N: usize, const S: usize, T> = Orbit<f64, N, S, Conserved<f64, N>, (Clock, T)>;
 
-/// Keeps the energy of an orbit that starts like this, if its law does.
+/// The energy correction for an orbit that starts like this, if its law conserves the energy.
 pub(crate) fn conserved<const N: usize, const S: usize>(
     strict: bool,
     velocity: &[f64; N],
@@ -45,20 +46,20 @@ pub(crate) fn conserved<const N: usize, const S: usize>(
 /// Sees every collision of a watched orbit.
 #[derive(Debug)]
 pub(crate) struct Watch<'a, P> {
-    /// Where collisions go, if they are wanted.
+    /// Where collisions are stored, if they are wanted.
     pub(crate) events: Option<&'a mut Vec<Event>>,
-    /// What counts them, if that is wanted, and by what the orbit is scaled for it.
+    /// The portraits that count them, if wanted, and the scale factor of the orbit for these.
     pub(crate) portraits: Option<(&'a mut P, f64)>,
-    /// Where their points go instead, as long as they are few.
+    /// Where their points are stored instead, as long as they are few.
     pub(crate) points: Option<&'a mut Vec<Point>>,
     /// Number of the orbit.
     pub(crate) orbit: u64,
     /// Collisions before this run.
     pub(crate) before: u64,
     pub(crate) scale: Scale,
-    /// The number that a piece of the table has for the user.
+    /// The user's numbers of the pieces of the table.
     pub(crate) pieces: &'a [u64],
-    /// Where the engine's places are for the user.
+    /// The map from the engine's coordinates to the user's.
     pub(crate) frame: Frame<'a>,
 }
 
@@ -114,17 +115,18 @@ impl<P> Watch<'_, P> {
 
 /// A table's walls and a law, ready to run orbits.
 pub(crate) trait Engine<const N: usize, const S: usize, T: Trail<N, S>>: Bounce<N, S> {
-    /// Runs an orbit that nobody watches.
+    /// Runs an orbit without watching it.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
-    /// Runs orbits that nobody watches, in the lanes of vector registers: the same collisions, bit by bit.
+    /// Runs orbits without watching them, in the lanes of vector registers: bit for bit the same
+    /// collisions.
     fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome>;
     /// The same, counting every collision.
     fn counted(&self, orbits: &mut [Bare<N, S>], until: Until, portraits: &mut T::Portraits) -> Vec<Outcome>;
-    /// Runs an orbit that somebody watches: the same collisions, bit by bit.
+    /// Runs a watched orbit: bit for bit the same collisions.
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome;
 }
 
-/// Runs orbits side by side, seen by an observer. Where no time is up, nobody asks for it.
+/// Runs orbits side by side, seen by an observer. Without a time limit the time is not checked.
 fn side_by_side<B, O, const N: usize, const S: usize>(
     billiard: &B,
     orbits: &mut [Bare<N, S>],
@@ -164,7 +166,7 @@ where
     outcomes
 }
 
-/// Something to be done with an engine, on whatever walls there are: behind a pointer it is compiled once.
+/// A computation with an engine on walls of any type: behind a pointer it is compiled only once.
 pub(crate) struct WithEngine<A>(pub(crate) A);
 
 impl<R, A: FnOnce(&dyn Engine<2, 1, PlanarTrail>) -> R> WithMotion<2, 1> for WithEngine<A> {

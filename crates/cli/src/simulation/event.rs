@@ -1,4 +1,4 @@
-//! What is known of a collision when it is recorded or drawn.
+//! The data of a collision that is recorded or drawn.
 
 /// A collision in the user's units. In the plane only the first two components of vectors count, and the first of the
 /// spin.

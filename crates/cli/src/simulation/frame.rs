@@ -1,18 +1,18 @@
-//! Where the engine's places are for the user.
+//! The map from the engine's coordinates to the user's.
 
 use billiards::geometry::{FundamentalCell, Vector2};
 
-/// By what the engine's places are moved, in its unit of length.
+/// The translation of the engine's positions, in its unit of length.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Frame<'a> {
-    /// Where its origin lies.
+    /// Position of the engine's origin.
     pub(crate) shift: [f64; 3],
     /// On a lattice the cell in which it follows paths, if that is not the unit cell: the user's places lie there.
     pub(crate) cell: Option<&'a FundamentalCell>,
 }
 
 impl Frame<'_> {
-    /// A place, and by how many lattice vectors it has been moved, where it has been moved by so many in the engine's cell.
+    /// The user's position, and by how many lattice vectors it has been moved, from those in the engine's cell.
     pub(crate) fn place<const N: usize>(&self, at: &[f64; N], cells: [f64; 2]) -> ([f64; 3], [f64; 2]) {
         let mut place = [0.0; 3];
         place[..N].copy_from_slice(at);
@@ -21,7 +21,7 @@ impl Frame<'_> {
         ([home.x, home.y, 0.0], [cells[0] + by[0], cells[1] + by[1]])
     }
 
-    /// Where a path goes, moved as the place it comes from.
+    /// The end of a path, moved like the point from which it comes.
     pub(crate) fn beyond<const N: usize>(&self, from: &[f64; N], at: &[f64; N]) -> [f64; 3] {
         let mut place = [0.0; 3];
         place[..N].copy_from_slice(at);

@@ -19,7 +19,7 @@ use crate::whole_file::WholeFile;
 
 /// Most orbits that a picture shows as lines.
 const MOST_PATHS: u64 = 200;
-/// How a stop is called that the user asked for.
+/// The name of a stop requested by the user.
 pub(crate) const INTERRUPTED: &str = "interrupted";
 
 /// Totals of a run.
@@ -47,18 +47,18 @@ pub(crate) struct Kept {
     pub(crate) record: Option<WholeFile>,
 }
 
-/// Takes results in the order of the orbits and keeps what is asked for.
+/// Takes results in the order of the orbits and keeps what the scene asks for.
 pub(crate) struct Harvest<'a> {
     record: Option<RecordFile<'a>>,
     paths: Option<Paths>,
     pub(crate) clouds: Clouds,
-    /// Set once points need no longer be handed on one by one.
+    /// Set once points need no longer be passed on one by one.
     crowded: &'a AtomicBool,
     seen: &'a dyn Seen,
     horizons: &'a Horizons,
     /// Legs shown of each orbit.
     legs: u64,
-    /// Where the orbit at hand is, in lattice cells.
+    /// The lattice cell of the current orbit.
     cell: [f64; 2],
     totals: Totals,
 }
@@ -76,7 +76,8 @@ pub(crate) trait Seen {
 }
 
 impl<'a> Harvest<'a> {
-    /// For a record, if there is one, and for pictures with these needs, of so many orbits.
+    /// A harvest for a record, if there is one, and for pictures with these needs, of a number of
+    /// orbits.
     pub(crate) fn new(
         record: Option<RecordFile<'a>>,
         needs: &[Needs],
@@ -158,7 +159,7 @@ impl<'a> Harvest<'a> {
         }
     }
 
-    /// The lines, the last of which is that of an orbit; none if the orbit is not shown.
+    /// The lines, the last of which is that of the given orbit; `None` if the orbit is not shown.
     fn paths_of<'p>(
         paths: &'p mut Option<Paths>,
         orbit: u64,
@@ -177,7 +178,7 @@ impl<'a> Harvest<'a> {
         totals.orbits += 1;
         totals.collisions += ended.collisions;
         totals.time += ended.time;
-        // an energy that is no number has drifted farther than any
+        // an energy that is NaN counts as the greatest drift
         if ended.drift > totals.drift || ended.drift.is_nan() {
             totals.drift = ended.drift;
         }
@@ -193,7 +194,7 @@ impl<'a> Harvest<'a> {
         }
     }
 
-    /// All that is kept, except for the walls in pictures.
+    /// Everything that is kept, except for the walls in pictures.
     ///
     /// # Errors
     /// The record cannot be written.

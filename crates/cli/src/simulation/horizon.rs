@@ -1,4 +1,4 @@
-//! Up to where the digits of the orbits last.
+//! How long the digits of the orbits last.
 
 use billiards::geometry::{FundamentalCell, Vector2};
 use billiards::{Bend, Bounce, Horizon, Stop};
@@ -11,26 +11,27 @@ use super::trail::Trail;
 use super::words::{plural, short};
 use super::work::BLOCK;
 
-/// Orbits that are looked at: the first so many.
+/// Most orbits that are examined: the first ones.
 const MOST_ORBITS: u64 = 16;
-/// Collisions that are looked at, of all these orbits together: a tenth of a second.
+/// Most collisions that are examined, for all these orbits together: a tenth of a second.
 const MOST_COLLISIONS: u64 = 50_000;
 
-/// How long the digits of orbits last: rounding grows along an orbit, and past its horizon it is one of many.
+/// How long the digits of orbits last: rounding errors grow along an orbit, and past its horizon the computed orbit is only one of many
+/// possible ones.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Horizons {
-    /// Collisions after which the first of the orbits is lost; nothing if all are known as far as they were looked at.
+    /// Number of collisions after which the first of the orbits is lost; `None` if all are known as far as they were examined.
     pub collisions: Option<u64>,
-    /// When that is.
+    /// The time at which that happens.
     pub time: Option<f64>,
     /// The first orbits, one by one.
     pub orbits: Vec<OfOrbit>,
-    /// What errors of places are compared with, in words.
+    /// The unit of position errors, in words.
     #[serde(skip)]
     pub unit: &'static str,
 }
 
-/// Errors on a table that has a size, and on one that has none.
+/// Units of errors on a table that has a size, and on one that has none.
 const UNITS: [&str; 2] = ["the table's size", "the distance from the walls"];
 
 /// The horizon of an orbit.
@@ -38,19 +39,19 @@ const UNITS: [&str; 2] = ["the table's size", "the distance from the walls"];
 pub struct OfOrbit {
     /// Its number.
     pub orbit: u64,
-    /// Collisions whose place is known.
+    /// Number of collisions whose position is known.
     pub collisions: u64,
-    /// When the last of them was.
+    /// Time of the last of them.
     pub time: f64,
-    /// A bound for the error there, in units of the table's size or of the speed. A strip that lies askew, a half-plane or a wedge has no
-    /// size; there, the farthest counts that the orbit has been from a wall that it hit next.
+    /// A bound for the error there, in units of the table's size or of the speed. An oblique strip, a half-plane or a wedge has no size;
+    /// there the unit is the greatest distance that the orbit has had from the wall that it hit next.
     pub error: f64,
-    /// Whether what follows is lost; if not, nothing more was looked at.
+    /// Whether what follows is lost; if not, nothing further was examined.
     pub lost: bool,
 }
 
 impl Horizons {
-    /// Looks at the first orbits, on a table of some size, up to a number of collisions and a time of the user.
+    /// Examines the first orbits, on a table of some size, up to a number of collisions and a time in the user's unit.
     pub(crate) fn of<const N: usize, const S: usize, T: Trail<N, S>>(
         engine: &dyn Engine<N, S, T>,
         walls: &dyn Bend<N>,
@@ -72,7 +73,7 @@ impl Horizons {
                 Horizon::of(billiard, walls, from, size, [collisions, end])
             };
             let mut found = up_to(each);
-            // what is known of an orbit ends where the orbit does; whether there is a collision after the last known one, the engine says
+            // knowledge of an orbit ends where the orbit does; the engine decides whether there is a collision after the last known one
             let next = Until { collisions: found.collisions + u64::from(found.lost), time: end };
             let made = collisions_of(engine, &mut bare(&launch(&start)), next);
             if made < next.collisions {
@@ -87,13 +88,13 @@ impl Horizons {
         Horizons { collisions: first.map(|first| first.collisions), time: first.map(|first| first.time), orbits, unit }
     }
 
-    /// The number of the last collision of an orbit whose place is known, if the orbit goes on and was looked at.
+    /// The number of the last collision of an orbit whose position is known, if the orbit goes on and was examined.
     pub(crate) fn last_known(&self, orbit: u64) -> Option<u64> {
         let found = self.orbits.get(usize::try_from(orbit).ok()?)?;
         found.lost.then_some(found.collisions)
     }
 
-    /// The same in words, of so many orbits.
+    /// The same in words, for this many orbits.
     pub fn in_words(&self, orbits: u64) -> String {
         let looked_at = self.orbits.len() as u64;
         let among = match looked_at {
@@ -124,8 +125,8 @@ impl Horizons {
     }
 }
 
-/// How many collisions an orbit makes until then, run in blocks as it always is: where a particle that a law has slowed down creeps along
-/// a wall, only the engine's own bits tell which collision is the last one.
+/// How many collisions an orbit makes until then, run in blocks as always: where a particle slowed down by a law creeps along a wall,
+/// only the engine's own bits determine which collision is the last one.
 fn collisions_of<const N: usize, const S: usize, T: Trail<N, S>>(
     engine: &dyn Engine<N, S, T>,
     orbit: &mut Bare<N, S>,
@@ -143,7 +144,7 @@ fn collisions_of<const N: usize, const S: usize, T: Trail<N, S>>(
     made
 }
 
-/// An error of more than this part leaves less than a digit.
+/// A relative error of more than this leaves less than a digit.
 const A_DIGIT: f64 = 0.05;
 
 /// The largest of the finite sides of a box; infinite if there is none.

@@ -1,4 +1,4 @@
-//! A few orbits on one thread: one by one where somebody watches them, side by side where not.
+//! A few orbits on one thread: one by one where they are watched, side by side where not.
 
 use std::ops::{ControlFlow, Range};
 use std::sync::atomic::Ordering;
@@ -21,7 +21,7 @@ use crate::picture::{MOST_DOTS, layer};
 pub(super) struct Job<'a, const N: usize, const S: usize, T: Trail<N, S>> {
     pub(super) engine: &'a dyn Engine<N, S, T>,
     pub(super) work: &'a Work<'a>,
-    /// What formats rows of the record, and where the results go.
+    /// The desk that formats rows of the record, and the destination of the results.
     pub(super) desk: &'a Desk<'a>,
     pub(super) out: SyncSender<Receiver<Results>>,
     pub(super) results: Results,
@@ -40,7 +40,7 @@ struct Course {
     drift: EnergyDrift,
 }
 
-/// An orbit that nobody watches any more.
+/// An orbit that is no longer watched.
 pub(super) fn bare<const N: usize, const S: usize, T>(orbit: &Watched<N, S, T>) -> Bare<N, S> {
     let &Orbit { position, velocity, spin, keeper, track: (clock, _) } = orbit;
     Orbit { position, velocity, spin, keeper, track: clock }
@@ -53,7 +53,7 @@ enum Running<const N: usize, const S: usize, T> {
 }
 
 impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
-    /// Runs orbits: side by side where nobody wants to see each of them.
+    /// Runs orbits: side by side where they need not be watched individually.
     pub(super) fn run_all(
         &mut self,
         orbits: Range<u64>,
@@ -123,7 +123,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             }
             if shows_points {
                 shown += outcome.collisions;
-                // an orbit with so many points is a crowd
+                // a single orbit with this many points is a crowd
                 self.work.crowded.fetch_or(shown > MOST_DOTS as u64, Ordering::Relaxed);
             }
             self.send_block()?;
@@ -136,13 +136,13 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         self.send_block()
     }
 
-    /// Hands over the results so far if they are many.
+    /// Passes on the results so far if they are many.
     fn send_block(&mut self) -> ControlFlow<()> {
         let Results { events, points, .. } = &self.results;
         if events.len().max(points.len()) as u64 >= BLOCK { self.send() } else { ControlFlow::Continue(()) }
     }
 
-    /// Runs orbits that nobody watches, from the given one, in blocks as they would be run one by one.
+    /// Runs orbits that are not watched, from the given one, in the same blocks as if they were run one by one.
     fn run_side_by_side(&mut self, first: u64, launches: &[Launch<N, S, T>]) {
         let Work { collisions: most, progress, interrupted, .. } = *self.work;
         let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
@@ -159,7 +159,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             while !going.is_empty() && !interrupted.load(Ordering::Relaxed) {
                 let begun = Instant::now();
                 let block = BLOCK.min(most - n);
-                // until a time is up, there may be any number of collisions, and mostly fewer
+                // up to a time limit there may be any number of collisions, and mostly fewer
                 let together = if end < f64::INFINITY { going.len() } else { batch(block) };
                 for going in going.chunks(together).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
                     let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
@@ -199,8 +199,8 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         }
     }
 
-    /// Orbits from the given one, which end at these times, as they run side by side: all that end at the same time together, and of
-    /// them those that are counted in the same layer of portraits, which then fits into the cache.
+    /// Groups of orbits, from the given one, to run side by side, given the times at which they end: those with the same end
+    /// together, and among them those counted in the same layer of portraits, which then fits into the cache.
     fn in_turn(&self, first: u64, ends: &[f64]) -> Vec<Vec<usize>> {
         let mut all: Vec<usize> = (0..ends.len()).collect();
         all.sort_by(|a, b| ends[*a].total_cmp(&ends[*b]));
@@ -236,7 +236,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         self.results.ends.push((self.results.events.len(), ended));
     }
 
-    /// Hands over the results so far.
+    /// Passes on the results so far.
     pub(super) fn send(&mut self) -> ControlFlow<()> {
         let results = core::mem::take(&mut self.results);
         let Some(place) = self.desk.send(results, &self.out) else { return ControlFlow::Break(()) };
@@ -245,7 +245,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     }
 }
 
-/// Part of an orbit that is done, in [`STEPS`].
+/// The part of an orbit that is done, in [`STEPS`].
 fn progress_of(n: u64, most: u64) -> u64 {
     part(n as f64 / most.max(1) as f64)
 }
@@ -310,14 +310,14 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
-    /// Position and velocity at the end: at the end of time, in the corner that the path runs into, or at the last collision.
+    /// Position and velocity at the end: at the time limit, in the corner that the path runs into, or at the last collision.
     fn end(&self, engine: &dyn Engine<N, S, T>, end: f64, stop: Option<Stop>) -> ([f64; N], [f64; 3]) {
         let at = match stop {
             Some(Stop::Finished) if end.is_finite() => self.position_at(end),
             Some(Stop::Corner) => {
                 let (from, along) = (self.position(), self.velocity());
                 let flight = engine.first_hit(&from, &along).time;
-                // past a corner at which it stands there is no wall
+                // past a corner in which the particle already is, there is no wall
                 let flight = if flight < f64::INFINITY { flight } else { 0.0 };
                 core::array::from_fn(|i| from[i] + along[i] * flight)
             }

@@ -1,4 +1,4 @@
-//! From the laws that scenes name to those that the engine applies.
+//! Converts the laws that scenes name to those that the engine applies.
 
 use billiards::BallLaw;
 use billiards::collision_laws::laws::{NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
@@ -67,7 +67,7 @@ impl PlanarLaw {
         gamma: f64,
     ) -> Result<PlanarLaw, String> {
         let kinds: Vec<Simple> = pieces.into_iter().map(|(kind, piece)| Simple::of(kind, piece)).collect();
-        // it takes milliseconds to find the digits of a law: once for each, not for each piece
+        // computing the digits of a law takes milliseconds, so it is done once for each law, not for each piece
         let mut known: Vec<(Simple, Disk)> = vec![];
         let mut disk = |kind: &Simple| {
             if let Some((_, disk)) = known.iter().find(|(other, _)| other == kind) {
@@ -97,7 +97,7 @@ enum Simple {
 }
 
 impl Simple {
-    /// The contact plane is a line, so rough directions leave no choice but all or nothing.
+    /// The contact plane is a line, so either all of it is rough or nothing.
     fn of(kind: &LawKind, piece: &dyn Piece) -> Simple {
         match kind {
             LawKind::Specular | LawKind::Random { rank: 0, .. } => Simple::Specular,
@@ -197,12 +197,12 @@ impl SpatialLaw {
             laws = laws.with(wall, any(kind)?);
         }
         let law = Custom::ball(laws, gamma).map_err(|error| error.to_string())?;
-        // none of them notices the unit of the slip
+        // none of them depends on the unit of the slip
         Ok(SpatialLaw::Any(Box::new(law.with_scaled_slip())))
     }
 }
 
-/// A law in space by its plain name, if it has one: the engine knows more of those.
+/// A law in space by its plain name, if it has one: the engine treats those specially.
 fn plain(kind: &LawKind) -> &LawKind {
     match kind {
         LawKind::Random { rank: 0, .. } => &LawKind::Specular,
@@ -214,10 +214,10 @@ fn plain(kind: &LawKind) -> &LawKind {
     }
 }
 
-/// A law as the theory has it, for any two bodies.
+/// A law in its general form, for any two bodies.
 ///
 /// # Errors
-/// A parameter is wrong. Whether rough directions are independent in a contact plane is not asked.
+/// A parameter is wrong. Whether rough directions are independent in a contact plane is not checked.
 pub(crate) fn any_law<const N: usize>(kind: &LawKind) -> Result<AnyLaw<N>, collision_laws::Error> {
     Ok(match kind {
         LawKind::Specular => AnyLaw::new(Specular),
@@ -237,8 +237,8 @@ fn space(direction: &[f64]) -> Vector3<f64> {
     Vector3::from_fn(|i, _| direction[i] * factor)
 }
 
-/// Whether a strict law turns no velocity into spin on any of so many walls: a ball that hits them spinning, straight on, leaves straight on.
-/// What goes from spin to velocity goes back too, for the law keeps the energy.
+/// Whether a strict law turns no velocity into spin on any of `walls` walls: a spinning ball that hits them straight on leaves straight on.
+/// That suffices: a law that turns velocity into spin also turns spin into velocity, since it conserves the energy.
 pub(crate) fn keeps_spin<const N: usize, const S: usize>(law: &impl BallLaw<N, S>, walls: usize) -> bool {
     let unit = |i: usize| move |k: usize| if i == k { 1.0 } else { 0.0 };
     let stays_straight = |wall: usize, axis: usize, about: usize| {
@@ -274,7 +274,7 @@ mod tests {
     fn a_disk_is_asked_what_the_engine_asks() {
         let law = Disk::new(&NoSlip, 0.7).unwrap();
         let forwards = PlanarLaw::Uniform(law);
-        // along an axis, a shorter way: to a normal that is not, the two give different answers
+        // the shorter method for normals along an axis: for a normal that is not along one, the two give different answers
         let hit = WallHit { normal: [0.6, 0.8], ..WallHit::never([0.0; 2]) };
         let answer = |ask: &dyn Fn(&mut [f64; 2], &mut [f64; 1])| {
             let (mut velocity, mut spin) = ([0.3, -0.9], [0.5]);

@@ -1,4 +1,4 @@
-//! How pictures look at a table: at one in the plane straight, at one in space from a corner.
+//! How pictures show a table: one in the plane straight on, one in space seen from a corner.
 
 use std::cell::Cell;
 
@@ -48,11 +48,11 @@ const AXES: [[f64; 2]; 3] = [
     [0.573_576_436_351_046, 0.280_166_499_592_640_3],
     [0.0, 0.939_692_620_785_908_4],
 ];
-/// How far a table without end is shown, in units of its height.
+/// How far an infinite table is shown, in units of its height.
 const FARTHEST: f64 = 3.0;
-/// The same where starts are so far apart.
+/// The same where starts are that far apart.
 const FARTHEST_START: f64 = 50.0;
-/// How thin what is shown of it may be, as a share of its largest side.
+/// How thin the shown part may be, as a fraction of its largest side.
 const THINNEST: f64 = 0.5;
 
 fn projected(p: [f64; 3]) -> [f64; 2] {
@@ -86,7 +86,7 @@ impl<'a> Solid<'a> {
         Solid { spatial, starts, bounds: Cell::new(EMPTY), begins: Cell::new(EMPTY), first: Cell::new([0.0; 3]) }
     }
 
-    /// Draws the walls and, for a particle of positive radius, those of its centre; of a table without end the part about the orbits.
+    /// Draws the walls and, for a particle of positive radius, those of its centre; of an infinite table, the part around the orbits.
     pub(crate) fn draw(&self, material: &mut Material) {
         let spatial = self.spatial;
         let radius = spatial.radius;
@@ -97,7 +97,7 @@ impl<'a> Solid<'a> {
         (material.solids, material.outline) = (walls.solids, walls.lines);
         material.radius = radius;
         if radius > 0.0 {
-            // there are such walls: of them the region is built
+            // these walls exist, since the region of centres is built from them
             let centres: Vec<_> = spatial.walls.iter().filter_map(|wall| wall.of_centres(radius).ok()).collect();
             material.guides = wires::of(&centres, shown, &view).lines;
         }
@@ -107,14 +107,14 @@ impl<'a> Solid<'a> {
         }
     }
 
-    /// Opposite corners of what is shown of a box whose sides may lie at infinity: there, as far as orbits and walls go, but not
-    /// much farther than the box is high.
+    /// Opposite corners of the shown part of a box whose sides may lie at infinity: there it extends as far as orbits and walls go,
+    /// but not much farther than the box is high.
     fn part(&self, low: Vector3<f64>, high: Vector3<f64>) -> Bounds {
         let [mut least, mut most] = self.bounds.get();
         for wall in &self.spatial.walls {
             for i in 0..3 {
                 let along = Vector3::from_fn(|k, _| if i == k { 1.0 } else { 0.0 });
-                // a plane has no end
+                // a plane is infinite
                 let end = |sign: f64| wall.spec.farthest(&(along * sign)).map(|point| point[i] + wall.center[i]);
                 least[i] = end(-1.0).map_or(least[i], |end| least[i].min(end));
                 most[i] = end(1.0).map_or(most[i], |end| most[i].max(end));
@@ -124,8 +124,8 @@ impl<'a> Solid<'a> {
     }
 }
 
-/// Opposite corners of what is shown of a box: where it has no end, as far as what was `seen` about the `first` point, and about all
-/// starts if they are not too far apart.
+/// Opposite corners of the shown part of a box: where it is infinite, it extends as far as the points seen around the `first` one,
+/// and around all starts if they are not too far apart.
 fn shown([low, high]: Bounds, [least, most]: Bounds, begins: Bounds, first: [f64; 3]) -> Bounds {
     let size = (0..3).map(|i| high[i] - low[i]).filter(|size| size.is_finite()).fold(0.0, f64::max);
     let reach = if size > 0.0 { FARTHEST * size } else { f64::INFINITY };
@@ -186,13 +186,13 @@ mod tests {
     #[test]
     fn of_a_table_without_end_no_side_is_thin_and_given_ends_stay() {
         let [free, flat] = [f64::INFINITY, 0.25];
-        // a floor, and all that is seen in one plane above it
+        // a floor, and all points seen in one plane above it
         let first = [0.0, flat, 0.0];
         let sides = shown([[-free, -free, -2.0], [free; 3]], [[-3.0, flat, -2.0], [2.0, flat, 1.0]], [first; 2], first);
         let size = [0, 1, 2].map(|i| sides[1][i] - sides[0][i]);
         assert_eq!((sides[0][2], sides[0][0]), (-2.0, -3.5));
         assert!(size[1] > 0.4 * size[0] && sides[0][1] + sides[1][1] == 2.0 * flat, "{sides:?}");
-        // a closed one is all shown
+        // a bounded box is shown completely
         let closed = [[0.0, 0.0, -1.0], [9.0, 0.5, 1.0]];
         assert_eq!(shown(closed, [[1.0; 3], [2.0; 3]], [[1.0; 3]; 2], [1.0; 3]), closed);
     }

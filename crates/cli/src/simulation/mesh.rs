@@ -1,25 +1,25 @@
-//! Triangles in space as lines on a page: where the surface turns away, where it ends, and where it bends.
+//! A surface of triangles in space as lines on a page: where it turns away, where it ends, and where it bends.
 
 use std::collections::HashMap;
 
 use billiards::geometry::Vector3;
 
-/// Up to so many triangles are all told apart; of more, one sees the shape and not the triangles.
+/// Up to this many triangles are shown individually; of more, one sees the shape and not the triangles.
 const FEW: usize = 1000;
-/// Cosines of the angles between two triangles from which on the edge between them is drawn: 1° of few triangles, 30° of many.
+/// Cosines of the angles between two triangles above which the edge between them is drawn: 1° for few triangles, 30° for many.
 const BENT: [f64; 2] = [0.999_847_695_156_391_2, 0.866_025_403_784_438_6];
 
-/// What is seen of a surface of triangles.
+/// The visible part of a surface of triangles.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Seen {
-    /// Closed chains, between which the surface is seen. They are that of all triangles which face the eye, and where the surface is
-    /// open that of the others.
+    /// Closed chains between which the surface is seen: those of all triangles that face the eye and, where the surface is open,
+    /// those of the others.
     pub(super) areas: Vec<Vec<Vec<Vector3<f64>>>>,
     /// Its lines, as chains.
     pub(super) lines: Vec<Vec<Vector3<f64>>>,
 }
 
-/// What is seen of triangles from far away, `towards` the eye.
+/// The visible part of triangles seen from far away; `towards` points to the eye.
 pub(super) fn seen(vertices: &[[f64; 3]], triangles: &[[usize; 3]], towards: &Vector3<f64>) -> Seen {
     let (points, number) = merged(vertices);
     let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len())).map(|t| t.map(|v| number[v]));
@@ -41,7 +41,8 @@ pub(super) fn seen(vertices: &[[f64; 3]], triangles: &[[usize; 3]], towards: &Ve
             if is_border {
                 borders[usize::from(!faces_eye(k))].push([a, b]);
             }
-            // of an edge between two triangles one is enough: that which faces the eye, and so goes round
+            // for an edge between two triangles one side is enough: that of the triangle that faces the eye, so that the chains
+            // go round it
             let is_drawn = match beyond {
                 None => true,
                 Some(_) if is_border => faces_eye(k),
@@ -59,7 +60,7 @@ pub(super) fn seen(vertices: &[[f64; 3]], triangles: &[[usize; 3]], towards: &Ve
     Seen { areas: areas.map(|border| chains(border)).collect(), lines: chains(&lines) }
 }
 
-/// Points without those that are the same, and the number of each of the given ones among them.
+/// The distinct points, and the number of each given point among them.
 fn merged(vertices: &[[f64; 3]]) -> (Vec<Vector3<f64>>, Vec<usize>) {
     let (mut points, mut known) = (vec![], HashMap::new());
     let mut number = |vertex: &[f64; 3]| {
@@ -73,7 +74,7 @@ fn merged(vertices: &[[f64; 3]]) -> (Vec<Vector3<f64>>, Vec<usize>) {
     (points, numbers)
 }
 
-/// Edges as chains, each of which goes on as long as an edge begins where the last one ends.
+/// Edges as chains, each of which continues as long as an edge begins where the last one ends.
 fn walked(edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
     let mut from: HashMap<usize, Vec<usize>> = HashMap::new();
     for (k, edge) in edges.iter().enumerate().rev() {
@@ -104,7 +105,7 @@ mod tests {
 
     const UP: Vector3<f64> = Vector3::new(0.0, 0.0, 1.0);
 
-    /// A ball of so many rings of triangles.
+    /// A ball of `rings` rings of triangles.
     fn ball(rings: usize) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
         let around = 2 * rings;
         let at = |i: usize, j: usize| {
@@ -138,7 +139,7 @@ mod tests {
     #[test]
     fn of_few_triangles_all_edges_that_bend_are_drawn() {
         let vertices = [[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0], [0.5, 0.5, 1.0]];
-        // a pyramid, its floor of two triangles
+        // a pyramid with a floor of two triangles
         let triangles = [[0, 2, 1], [0, 3, 2], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
         let closed = seen(&vertices, &triangles, &UP);
         assert_eq!(closed.lines.iter().map(|line| line.len() - 1).sum::<usize>(), 8);

@@ -8,24 +8,24 @@ use crate::picture::{Leaving, Path};
 #[derive(Debug)]
 pub(crate) struct Paths {
     lattice: Option<Lattice>,
-    /// Lines that are drawn of each orbit, and of the one at hand how many there still may be.
+    /// Most lines drawn for each orbit, and how many are left for the current one.
     most: usize,
     left: usize,
-    /// Whether the orbit at hand is where it is no longer drawn.
+    /// Whether the current orbit has reached the point beyond which it is no longer drawn.
     is_beyond: bool,
     drawn: Vec<Path>,
 }
 
-/// Most lines that one leg is folded into: more of a longer flight would only blacken the picture.
+/// Most lines that one leg is folded into: more lines for a longer flight would only blacken the picture.
 const MOST_FOLDS: usize = 1000;
 
 impl Paths {
-    /// No lines yet, at most so many of each orbit.
+    /// No lines yet; at most this many for each orbit.
     pub(crate) fn new(lattice: Option<Lattice>, most: usize) -> Self {
         Paths { lattice, most, left: 0, is_beyond: false, drawn: vec![] }
     }
 
-    /// Starts the next orbit; the cell that it starts in.
+    /// Starts the next orbit; returns the cell in which it starts.
     pub(crate) fn start(&mut self, at: [f64; 2]) -> [f64; 2] {
         let nowhere = (at.into(), [0.0; 2]);
         let (home, cell) = self.lattice.as_ref().map_or(nowhere, |lattice| lattice.reduce(&at.into()));
@@ -65,7 +65,7 @@ impl Paths {
         self.fly(home.into(), cells);
     }
 
-    /// Leaves for ever in a direction; on a lattice, what is drawn of that stays in the unit cell.
+    /// Leaves for ever in a direction; on a lattice, the drawn part is folded into the unit cell.
     pub(crate) fn escape(&mut self, direction: [f64; 2]) {
         if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond)
             && let Some(&from) = path.chains.last().and_then(|chain| chain.last())
@@ -77,7 +77,7 @@ impl Paths {
         }
     }
 
-    /// Marks where the orbit is as the last place that is known.
+    /// Marks the current point of the orbit as the last known one.
     pub(crate) fn mark_horizon(&mut self) {
         if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond) {
             path.horizon = path.chains.last().and_then(|chain| chain.last()).copied();
@@ -90,8 +90,8 @@ impl Paths {
     }
 }
 
-/// A leg cut at the edges of cells, every part moved into the unit cell; how many parts are drawn, of a longer leg the first ones
-/// and its end.
+/// Cuts a leg at the edges of cells and moves every part into the unit cell; returns how many parts are drawn: for a longer leg,
+/// the first ones and its end.
 fn fold(
     chains: &mut Vec<Vec<[f64; 2]>>,
     lattice: &Lattice,
@@ -113,7 +113,7 @@ fn fold(
             let home = lattice.translation(cell);
             let point = |part: f64| -> [f64; 2] { (from + leg * part - home).into() };
             match chains.last_mut() {
-                // the first part goes on where the orbit is, unless that is an edge of the cell and it leaves there
+                // the first part continues from where the orbit is, unless that is an edge of the cell and the orbit leaves there
                 Some(chain) if begun == 0.0 && cell == [0.0; 2] => chain.push(point(end)),
                 _ => chains.push(vec![point(begun), point(end)]),
             }
@@ -128,7 +128,7 @@ fn fold(
     drawn
 }
 
-/// A leg without end cut at the edges of cells, the first `most` parts of it moved into the unit cell.
+/// An infinite leg, cut at the edges of cells, with its first `most` parts moved into the unit cell.
 fn leaving(lattice: &Lattice, from: Vector2<f64>, direction: Vector2<f64>, most: usize) -> Vec<Leaving> {
     let cuts = cuts(lattice, &from, &direction, f64::INFINITY, most);
     if cuts.is_empty() {
@@ -155,7 +155,7 @@ fn cuts(lattice: &Lattice, from: &Vector2<f64>, leg: &Vector2<f64>, until: f64, 
     for i in (0..lattice.vectors().len()).filter(|i| along[*i] != 0.0) {
         let forwards = along[i] > 0.0;
         let (first, step) = if forwards { (libm::ceil(start[i]), 1.0) } else { (libm::floor(start[i]), -1.0) };
-        // one more than are drawn, and the one at the start if that is on an edge
+        // one more than are drawn, and one for the start if that is on an edge
         let parts = (0..most + 2).map(|k| (first + step * k as f64 - start[i]) / along[i]);
         cuts.extend(parts.take_while(|part| *part <= until));
     }

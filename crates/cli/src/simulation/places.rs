@@ -1,5 +1,5 @@
-//! The points of a phase portrait: where on the boundary a collision is takes longer to find than to collide, so it is noted,
-//! and found for many collisions at a time.
+//! The points of a phase portrait. Finding the place of a collision on the boundary takes longer than the collision itself,
+//! so collisions are noted, and their places are found for many at a time.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use lanes::{Kernel, Lane, Mask, Twin};
 use super::counter::Counter;
 use super::unrolled::Unrolled;
 
-/// So many collisions are noted: some vectors of any width.
+/// Number of collisions noted at a time: several vectors of any width.
 const MOST: usize = 256;
 
 /// Counts the places and tangential velocities of collisions.
@@ -18,20 +18,20 @@ pub(super) struct Places {
     pub(super) counter: Counter,
     pub(super) unrolled: Arc<Unrolled>,
     noted: Box<Collisions>,
-    /// How many of them are there.
+    /// How many are noted.
     count: usize,
 }
 
-/// What is known of some collisions.
+/// The data of noted collisions.
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 struct Collisions {
     point: [[f64; MOST]; 2],
-    /// Unit normals, where these tell more than points do.
+    /// Unit normals, where they determine the place better than points do.
     normal: [[f64; MOST]; 2],
     piece: [f64; MOST],
     tangential: [f64; MOST],
-    /// [`NOBODY`] where there is none.
+    /// The layer of each; [`NOBODY`] where there is none.
     layer: [f64; MOST],
 }
 
@@ -39,14 +39,14 @@ struct Collisions {
 const NOBODY: f64 = -1.0;
 
 impl Places {
-    /// Counted so, on a boundary.
+    /// Places on a boundary, counted by this counter.
     pub(super) fn new(counter: Counter, unrolled: Arc<Unrolled>) -> Self {
         let none = [0.0; MOST];
         let noted = Collisions { point: [none; 2], normal: [none; 2], piece: none, tangential: none, layer: none };
         Places { counter, unrolled, noted: Box::new(noted), count: 0 }
     }
 
-    /// Notes collisions in their layers, where `here`.
+    /// Notes collisions in their layers, in the lanes that are `here`.
     #[inline(always)]
     pub(super) fn note<F: Lane>(&mut self, hit: &WallHit<F, 2>, tangential: F, layer: F, here: F::Mask) {
         if self.count + F::LANES > MOST {
@@ -68,7 +68,7 @@ impl Places {
         self.count += F::LANES;
     }
 
-    /// Finds the places of what is noted, and counts them.
+    /// Finds the places of the noted collisions, and counts them.
     #[inline(never)]
     fn find(&mut self) {
         let Collisions { layer, .. } = &mut *self.noted;
@@ -77,7 +77,7 @@ impl Places {
         lanes::dispatch(Find(self));
     }
 
-    /// All is counted.
+    /// Counts the rest, and returns the counter.
     pub(super) fn counted(mut self) -> Counter {
         self.find();
         self.counter
@@ -92,7 +92,7 @@ impl Kernel for Find<'_> {
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) {
         let Places { counter, unrolled, noted, .. } = self.0;
-        // one angle is a long chain of operations
+        // an angle is a long chain of dependent operations
         let zero = Twin::of(zero);
         for first in (0..MOST).step_by(Twin::<F>::LANES) {
             let of = |numbers: &[f64; MOST]| zero.load(&numbers[first..first + Twin::<F>::LANES]);

@@ -28,7 +28,7 @@ pub(crate) struct Planar {
     /// The drawn piece that each piece of `centres` stands for.
     pub(crate) pieces: Vec<u64>,
     law: PlanarLaw,
-    /// Whether every collision keeps the energy.
+    /// Whether every collision conserves the energy.
     pub(crate) strict: bool,
     starts: Starts<2, 1>,
 }
@@ -53,7 +53,7 @@ impl Planar {
         };
         let strict = law.is_strict();
         let planar = Planar { drawn, centres, pieces, law, strict, starts };
-        // an ensemble that cannot be drawn is found out before anything is written
+        // an ensemble that cannot be drawn is detected before anything is written
         let problem = planar.starts().err();
         match (problem, &planar.starts) {
             (Some(billiards::Error::Table(error)), Starts::Ensemble(ensemble, _)) => {
@@ -93,7 +93,7 @@ impl Planar {
         }))
     }
 
-    /// Where the engine's places are for the user.
+    /// The map from the engine's coordinates to the user's.
     pub(crate) fn frame(&self) -> Frame<'_> {
         Frame { shift: [0.0; 3], cell: self.centres.cell().filter(|cell| !cell.is_unit_cell()) }
     }
@@ -121,7 +121,7 @@ impl Planar {
         }
     }
 
-    /// What makes the counters of at most so many points for these clouds, if there are any.
+    /// A maker of counters of at most `points` points for these clouds, if there are any.
     #[allow(clippy::type_complexity, reason = "a function, boxed")]
     pub(crate) fn portraits(&self, clouds: &Clouds, points: f64) -> Option<Box<dyn Fn() -> PlanarPortraits + Sync>> {
         let unrolled = clouds.reduced.is_some().then(|| Arc::new(Unrolled::of(&self.centres, points)));
@@ -131,7 +131,7 @@ impl Planar {
         })
     }
 
-    /// Up to where the digits of the first orbits last, within a number of collisions and a time.
+    /// How long the digits of the first orbits last, within a number of collisions and a time.
     pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
         let starts = self.starts()?;
         let extent = self.centres.extent();

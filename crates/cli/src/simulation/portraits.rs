@@ -1,7 +1,7 @@
-//! Density portraits: every thread counts its points where they arise, on grids of its own.
+//! Density portraits: every thread counts the points that it computes, on grids of its own.
 //!
-//! As long as there are few points, they are handed on one by one, to be drawn as dots; once they are more than that,
-//! they are counted. Counts are whole numbers, so the portrait does not depend on who counted what.
+//! As long as there are few points, they are passed on one by one, to be drawn as dots; beyond that they are counted.
+//! Counts are whole numbers, so the portrait does not depend on which thread counted what.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use super::places::Places;
 use super::unrolled::Unrolled;
 use crate::picture::{self, Cloud, Reduced};
 
-/// A collision as portraits show it.
+/// A collision as a point of the portraits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Point {
     /// Number of the orbit.
@@ -37,18 +37,18 @@ pub(crate) struct PlanarPortraits {
     orbits: Vec<u64>,
 }
 
-/// What is known of the orbits in the lanes of a vector.
+/// The data of the orbits in the lanes of a vector.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View<F: Lane> {
-    /// Whether there is one.
+    /// Whether there is an orbit.
     here: F::Mask,
-    /// By what velocities are scaled.
+    /// The factor by which velocities are scaled.
     unit: F,
     /// The layers in which they are counted.
     layers: [F; 2],
 }
 
-/// What portraits need of a collision.
+/// What portraits need to know of a collision.
 #[derive(Clone, Copy, Debug)]
 struct Seen<F> {
     /// `v0` and `v·t`, where `t = J ν`.
@@ -78,7 +78,7 @@ fn inverse_speed([v1, v2]: &[f64; 2], w: f64) -> f64 {
 }
 
 impl PlanarPortraits {
-    /// For these clouds, without points.
+    /// Portraits for these clouds, without points.
     pub(crate) fn new(clouds: &Clouds, unrolled: Option<&Arc<Unrolled>>, strict: bool) -> Self {
         let reduced = clouds.reduced.as_ref().map(|reduced| Counter::of(reduced.cloud()));
         PlanarPortraits {
@@ -96,7 +96,7 @@ impl PlanarPortraits {
         [seen.spin * unit, seen.tangential * unit]
     }
 
-    /// Counting begins. The layers of an orbit.
+    /// Begins counting for an orbit, and returns its layers.
     fn layers(&mut self, orbit: u64) -> [f64; 2] {
         let layer = picture::layer(orbit);
         let of = |counter: &mut Counter| counter.begin(layer);
@@ -121,13 +121,13 @@ impl Merge for PlanarPortraits {
 pub(crate) trait Portraits<const N: usize, const S: usize>:
     LaneObserver<N, S, Conserved<f64, N>, Clock> + Merge + Send
 {
-    /// By what an orbit is scaled that goes on like this.
+    /// The scale factor of an orbit with this velocity and spin.
     fn unit(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
-    /// A collision of an orbit with this unit.
+    /// The point for a collision of an orbit with this scale factor.
     fn point(&self, orbit: u64, unit: f64, hit: &WallHit<f64, N>, velocity: &[f64; N], spin: &[f64; S]) -> Point;
     /// Counts a collision.
     fn count(&mut self, point: &Point);
-    /// These orbits are about to run side by side.
+    /// Announces the orbits that are about to run side by side.
     fn side_by_side(&mut self, orbits: impl Iterator<Item = u64>);
 }
 
@@ -209,7 +209,7 @@ impl LaneObserver<2, 1, Conserved<f64, 2>, Clock> for PlanarPortraits {
     }
 }
 
-/// The portraits that are wanted: they show points one by one as long as these are few.
+/// The requested portraits: they show points one by one as long as these are few.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Clouds {
     pub(crate) velocities: Option<Cloud>,
@@ -245,7 +245,7 @@ impl Clouds {
         }
     }
 
-    /// Whether further points need no longer be handed on one by one.
+    /// Whether further points need no longer be passed on one by one.
     pub(crate) fn are_crowded(&self) -> bool {
         let reduced = self.reduced.as_ref().map(Reduced::cloud);
         self.velocities.iter().chain(reduced).all(Cloud::is_crowded)

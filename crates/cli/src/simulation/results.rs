@@ -1,4 +1,4 @@
-//! What comes of orbits, on its way from the threads that run them to the one that keeps it.
+//! Results of orbits, on their way from the threads that run them to the one that keeps them.
 
 use billiards::Stop;
 
@@ -10,15 +10,15 @@ use super::portraits::Point;
 pub(crate) struct Ended {
     /// Number of the orbit.
     pub(crate) orbit: u64,
-    /// Why; nothing if the user interrupted it.
+    /// Why; `None` if the user interrupted it.
     pub(crate) stop: Option<Stop>,
     /// Collisions made.
     pub(crate) collisions: u64,
     /// Time passed.
     pub(crate) time: f64,
-    /// Largest relative deviation of the energy, as states are given out, from that of the start.
+    /// Largest relative deviation of the energy, in reported states, from that of the start.
     pub(crate) drift: f64,
-    /// Position at the end; of an orbit that ends in a corner, there.
+    /// Position at the end; for an orbit that ends in a corner, the corner.
     pub(crate) position: [f64; 3],
     /// Velocity at the end.
     pub(crate) velocity: [f64; 3],
@@ -27,9 +27,9 @@ pub(crate) struct Ended {
 /// Results of consecutive orbits, or of a part of one.
 #[derive(Debug, Default)]
 pub(crate) struct Results {
-    /// Collisions, orbit after orbit, if somebody draws them.
+    /// Collisions, orbit after orbit, if they are drawn.
     pub(crate) events: Vec<Event>,
-    /// The same as so many rows of the record.
+    /// The same, as rows of the record, and their number.
     pub(crate) rows: u64,
     pub(crate) formatted: Vec<u8>,
     /// The same as points of portraits, as long as they are few.

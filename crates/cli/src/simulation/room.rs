@@ -21,7 +21,7 @@ pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<(Vec<Wall>, Vec<
     Ok((walls, names))
 }
 
-/// The room between walls for the centre of the particle, all lengths multiplied by a factor.
+/// The room for the centre of the particle between walls, all lengths multiplied by a factor.
 pub(crate) fn between(scene: &Scene, entries: &[Entry], walls: &[Wall], factor: f64) -> Result<Room, Vec<Diagnostic>> {
     let radius = scene.particle.radius.value;
     let (mut solids, mut wrong) = (vec![], vec![]);
@@ -35,7 +35,7 @@ pub(crate) fn between(scene: &Scene, entries: &[Entry], walls: &[Wall], factor: 
     if wrong.is_empty() { Ok(Room::new(solids)) } else { Err(wrong) }
 }
 
-/// That the particle has no room, and what would have.
+/// The error that the particle does not fit, and the largest that would.
 pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
     let what = format!(
         "a ball of radius {} has no room to move in the table; its radius must be less than {}",
@@ -45,7 +45,8 @@ pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
     scene.source.diagnostic(scene.particle.radius.span, what)
 }
 
-/// That no place for the particle was found between walls with room for a smaller one.
+/// The error that no place for the particle was found between the walls, although a smaller one
+/// would fit.
 pub(crate) fn no_place(scene: &Scene) -> Diagnostic {
     let what = format!(
         "a ball of radius {} has no room to move between the walls: no place so far from all of them was found",
@@ -76,7 +77,7 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diag
     Ok((name, Wall { spec, center, side }))
 }
 
-/// Triangles from a file whose unit is so long.
+/// Triangles from a file whose unit has this length.
 fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<SolidSpec, Box<Diagnostic>> {
     let readers: [(&str, Reader<SolidSpec>); 2] =
         [("stl", import::stl), ("obj", |bytes| import::obj(&String::from_utf8_lossy(bytes)))];

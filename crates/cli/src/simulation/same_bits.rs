@@ -9,7 +9,7 @@ use super::start::Start;
 use super::trail::Trail;
 use super::{Body, Simulation};
 
-/// Orbits that are compared, and collisions of each.
+/// Number of orbits that are compared, and of collisions of each.
 const ORBITS: u64 = 40;
 const COLLISIONS: u64 = 200;
 
@@ -18,13 +18,13 @@ const COLLISIONS: u64 = 200;
 pub struct SameBits {
     /// Orbits.
     pub orbits: u64,
-    /// How many collisions each was to make.
+    /// How many collisions each should make.
     pub each: u64,
     /// Collisions of all of them.
     pub collisions: u64,
 }
 
-/// An orbit that ends otherwise side by side than alone.
+/// An orbit that ends differently side by side than alone.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("orbit {orbit} is another one side by side than alone: {side_by_side} in place of {alone}")]
 pub struct OtherBits {

@@ -1,8 +1,8 @@
 //! Powers of two that bring a scene to a size near one.
 //!
-//! The engine is exact in the scale: multiplying all lengths or all speeds by a power of two changes no digit. So a
-//! scene with lengths of 10¹⁵⁰ runs as one with lengths near 1, in which nothing over- or underflows, and what is
-//! reported is what the user wrote, digit by digit.
+//! The engine scales exactly: multiplying all lengths or all speeds by a power of two changes no digit. So a scene
+//! with lengths of 10¹⁵⁰ runs as one with lengths near 1, in which nothing over- or underflows, and results are
+//! reported in the user's units without any loss of digits.
 
 /// The power of two that brings the largest of some numbers into [1, 2); 1 if all are zero.
 pub(crate) fn to_unity(numbers: impl IntoIterator<Item = f64>) -> f64 {
@@ -14,7 +14,7 @@ pub(crate) fn to_unity(numbers: impl IntoIterator<Item = f64>) -> f64 {
     libm::ldexp(1.0, 1 - exponent)
 }
 
-/// By what lengths and speeds are multiplied while an orbit runs: powers of two.
+/// The powers of two by which lengths and speeds are multiplied while an orbit runs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scale {
     /// Factor of lengths.

@@ -1,4 +1,4 @@
-//! All orbits of a scene, on all threads, with results in the order of the orbits whatever the number of threads.
+//! Runs all orbits of a scene on all threads, with results in the order of the orbits whatever the number of threads.
 
 use std::io;
 use std::ops::Range;
@@ -18,7 +18,7 @@ use super::results::Results;
 use super::trail::Trail;
 use super::work::{Launch, Work};
 
-/// So many blocks of a job wait to be consumed, or to be formatted by other threads.
+/// Number of blocks of a job that may wait to be consumed, or to be formatted by other threads.
 const BLOCKS: usize = 4;
 
 /// Empty portraits.
@@ -34,7 +34,7 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
     consume: &mut dyn FnMut(Results) -> io::Result<()>,
 ) -> io::Result<(Duration, Option<T::Portraits>)> {
     let threads = work.threads.max(1);
-    // threads take jobs in order, and what comes of them is consumed in that order
+    // threads take jobs in order, and their results are consumed in that order
     let (queue, jobs) = sync_channel(4 * threads);
     let jobs_left = Mutex::new(JobsLeft { next: 0, queue: Some(queue) });
     let desk = Desk::new(work.recorder, work.drawn);
@@ -47,14 +47,14 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
                 let Some((orbits, out)) = take(&jobs_left, work) else { break };
                 let results = Results::default();
                 let mut job = Job { engine, work, desk: &desk, out, results, portraits, busy };
-                // a job ends early if nobody wants its results any more
+                // a job ends early if its results are no longer wanted
                 let _ = job.run_all(orbits, launch).is_continue() && job.send().is_continue();
                 (busy, portraits) = (job.busy, job.portraits);
             }
             desk.help_on();
             (busy, portraits)
         };
-        // where the system has no room for so many, fewer do the same
+        // if the system cannot start so many threads, fewer do the same work
         let spawn = |_| Builder::new().spawn_scoped(scope, one);
         let (workers, refused): (Vec<_>, Vec<_>) = (0..threads).map(spawn).partition(Result::is_ok);
         if let (true, Some(Err(error))) = (workers.is_empty(), refused.into_iter().next()) {
@@ -81,13 +81,13 @@ pub(crate) fn run_all<const N: usize, const S: usize, T: Trail<N, S>>(
     })
 }
 
-/// Orbits that no thread has taken yet, and where those that take them say so.
+/// The orbits that no thread has taken yet, and the channel on which threads announce the jobs they take.
 struct JobsLeft {
     next: u64,
     queue: Option<SyncSender<Receiver<Receiver<Results>>>>,
 }
 
-/// Ends the work when a thread ends, be it by a panic: nobody waits for ever.
+/// Ends the work when a thread ends, even by a panic, so that no other waits for ever.
 struct Over<'a>(&'a Mutex<JobsLeft>);
 
 impl Drop for Over<'_> {
@@ -96,7 +96,7 @@ impl Drop for Over<'_> {
     }
 }
 
-/// The next job, and where its results go.
+/// The next job, and the channel for its results.
 fn take(left: &Mutex<JobsLeft>, work: &Work<'_>) -> Option<(Range<u64>, SyncSender<Receiver<Results>>)> {
     let mut left = left.lock().unwrap_or_else(PoisonError::into_inner);
     let JobsLeft { next, queue } = &mut *left;

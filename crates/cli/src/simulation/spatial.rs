@@ -22,7 +22,7 @@ use crate::scene::{self, Arguments, LawKind, Scene, TableShape};
 pub(crate) struct Spatial {
     /// Where centres move, its corner or centre at the origin.
     pub(crate) centres: Space,
-    /// From the engine's origin to the user's: the particle's radius, where the table begins at a corner.
+    /// Shift from the engine's origin to the user's: the particle's radius, where the table begins at a corner.
     pub(crate) shift: Vector3<f64>,
     /// All lengths are multiplied by this power of two.
     pub(crate) factor: f64,
@@ -32,10 +32,10 @@ pub(crate) struct Spatial {
     pub(crate) walls: Vec<Wall>,
     /// What each piece is.
     pub(crate) pieces: Vec<String>,
-    /// The laws that pieces have of their own.
+    /// The laws of pieces that have their own.
     pub(crate) laws: Vec<Option<LawKind>>,
     law: SpatialLaw,
-    /// Whether every collision keeps the energy.
+    /// Whether every collision conserves the energy.
     pub(crate) strict: bool,
     starts: Starts<3, 3>,
 }
@@ -52,7 +52,7 @@ pub(crate) enum Space {
 /// Where a point lies with respect to a region.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Touched {
-    /// How far outside, if it is outside, and of which piece: the one of which most.
+    /// If it lies outside, how far, and beyond which piece (the one beyond which it lies farthest).
     pub(crate) outside: Option<(f64, usize)>,
     /// Normals of the walls on which it lies, into the region.
     pub(crate) normals: Vec<Vector3<f64>>,
@@ -84,7 +84,7 @@ impl Space {
         touched
     }
 
-    /// Whether a path that starts on walls of a room is hit by one at once, as one out of an edge may be though it leaves one face.
+    /// Whether a path that starts on walls of a room hits one at once, as a path from an edge may although it leaves one face.
     fn is_hit_at_once(&self, path: &Line<3>) -> bool {
         let Space::Room(room) = self else { return false };
         let speed = path.velocity.norm();
@@ -183,7 +183,7 @@ impl Spatial {
         self.starts.count()
     }
 
-    /// A box around the walls as drawn, in the scene's unit; infinite where they have no end.
+    /// A box around the walls as drawn, in the scene's unit; infinite where they are.
     pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
         drawn(&self.walls).extent()
     }
@@ -222,7 +222,7 @@ impl Spatial {
         }
     }
 
-    /// Up to where the digits of the first orbits last, within a number of collisions and a time.
+    /// How long the digits of the first orbits last, within a number of collisions and a time.
     pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
         let starts = self.starts()?;
         let [low, high] = self.centres.extent();
@@ -296,7 +296,7 @@ fn checked(
     Ok(start)
 }
 
-/// The walls of a room, whose curvature is felt.
+/// The walls of a room, with their curvature, for error estimates.
 struct FeltRoom<'a> {
     felt: Felt<'a, 3, 3>,
     room: &'a Room,

@@ -30,7 +30,7 @@ pub(crate) struct Start<const N: usize, const S: usize> {
 pub(crate) enum Starts<const N: usize, const S: usize> {
     /// Each start is given.
     Given(Vec<Start<N, S>>),
-    /// They are drawn, with spin or, for points, without.
+    /// Starts drawn at random, with spin or, for points, without.
     Ensemble(Ensemble, Spins),
 }
 
@@ -42,13 +42,13 @@ pub(crate) enum Spins {
 }
 
 impl Spins {
-    /// Those of a particle.
+    /// The spins of a particle.
     pub(crate) fn of(particle: &Particle) -> Spins {
         if particle.gamma_squared.value > 0.0 { Spins::Spinning } else { Spins::Still }
     }
 }
 
-/// Starts of points as those of disks or balls that do not spin.
+/// Starts of points, as those of disks or balls that do not spin.
 pub(crate) struct Still<T>(pub(crate) T);
 
 impl<T: billiards::Starts<N, 0>, const N: usize, const S: usize> billiards::Starts<N, S> for Still<T> {
@@ -67,10 +67,10 @@ impl<const N: usize, const S: usize> Starts<N, S> {
         }
     }
 
-    /// The start of an orbit, by its number, where starts are given; otherwise the ensemble.
+    /// The function from an orbit's number to its start, where starts are given; otherwise the ensemble.
     pub(crate) fn given(&self) -> Result<ByNumber<'_, N, S>, (&Ensemble, Spins)> {
         match self {
-            // orbits are numbered below the number of starts
+            // the numbers of orbits are less than the number of starts
             Starts::Given(starts) => Ok(Box::new(|i| starts[usize::try_from(i).unwrap_or(usize::MAX) % starts.len()])),
             Starts::Ensemble(ensemble, spins) => Err((ensemble, *spins)),
         }
@@ -80,7 +80,7 @@ impl<const N: usize, const S: usize> Starts<N, S> {
 /// The start of an orbit, by its number.
 pub(crate) type ByNumber<'a, const N: usize, const S: usize> = Box<dyn Fn(u64) -> Start<N, S> + Sync + 'a>;
 
-/// That an ensemble cannot be drawn from the walls, and the mend where there is no end of them.
+/// The error that an ensemble cannot be drawn from the walls, with advice where they are infinite.
 pub(crate) fn undrawable(scene: &Scene, ensemble: &Ensemble, error: &geometry::Error) -> Diagnostic {
     let diagnostic = scene.source.diagnostic(ensemble.span, error.to_string());
     match error {
@@ -105,7 +105,7 @@ pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64)
     }
 }
 
-/// The copy of a point where paths are followed on a lattice, and by how many of its vectors it has been moved.
+/// The copy of a point where paths are followed on a lattice, and how many of the lattice vectors it has been moved by.
 pub(crate) fn folded(table: &Table, point: &[f64; 2]) -> ([f64; 2], [f64; 2]) {
     table.cell().map_or((*point, [0.0; 2]), |cell| {
         let (home, by) = cell.home(&Vector2::from(*point));
@@ -113,7 +113,7 @@ pub(crate) fn folded(table: &Table, point: &[f64; 2]) -> ([f64; 2], [f64; 2]) {
     })
 }
 
-/// All starts, or all that is wrong with them.
+/// All starts, or everything that is wrong with them.
 pub(crate) fn all<T>(
     orbits: &[Orbit],
     start: impl Fn(&Orbit) -> Result<T, Box<Diagnostic>>,
@@ -128,7 +128,7 @@ pub(crate) fn all<T>(
     if bad.is_empty() { Ok(good) } else { Err(bad) }
 }
 
-/// A start in a table of centres, of whose pieces each stands for one of the drawn `pieces`, or what is wrong with it.
+/// A start in a table of centres, each piece of which stands for one of the drawn `pieces`; or what is wrong with it.
 pub(crate) fn planar(
     scene: &Scene,
     (table, pieces): (&Table, &[u64]),
@@ -152,7 +152,7 @@ pub(crate) fn planar(
     let piece = pieces[nearest];
     let off = home - landing.point;
     let distance = libm::hypot(off.x, off.y);
-    // a point given on a wall is on it within the rounding of its coordinates and of the wall's
+    // a point given on a wall is on it within the rounding of its coordinates and of those of the wall
     let slack = 16.0 * f64::EPSILON * home.amax().max(landing.point.amax());
     let at = orbit.position.span;
     if distance > slack {
@@ -168,7 +168,7 @@ pub(crate) fn planar(
     Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
 }
 
-/// That a start lies so far beyond where a piece as drawn lets it come.
+/// The error that a start lies this far beyond a drawn piece.
 pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: u64) -> Diagnostic {
     let distance = short(distance);
     let radius = scene.particle.radius.value;
@@ -187,9 +187,11 @@ pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: u64) -> Dia
         .with_help("move the start into the table, at least the particle's radius from all walls")
 }
 
-/// The piece through which a path from a point of the boundary leaves the table, or that it runs along; `nearest` where none is found.
+/// The piece through which a path from a point of the boundary would leave the table, or along which it runs; `nearest` where none is
+/// found.
 ///
-/// At a corner that points out of the table it must lead away from both walls, at one that points into it from either.
+/// At a corner that points out of the table the path must lead away from both walls; at one that points into the table, from at least
+/// one.
 fn in_the_way(
     table: &Table,
     point: &Vector2<f64>,
@@ -203,7 +205,7 @@ fn in_the_way(
     for (number, piece) in table.nearby() {
         let landing = piece.closest(point);
         if near(&landing.point, point) {
-            // a wall without thickness is left on the side to which the path moves
+            // a wall without thickness may be left on the side to which the path moves
             let behind = piece.tips().is_some() && velocity.dot(&landing.normal) < 0.0;
             normals.push((number, if behind { -landing.normal } else { landing.normal }));
             match piece.ends() {

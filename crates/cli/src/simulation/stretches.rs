@@ -1,11 +1,11 @@
-//! Where on segments and arcs collisions are, many at a time.
+//! Arc lengths of collisions on segments and arcs, many at a time.
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use billiards::geometry::{Figure, Piece, Table};
 use lanes::{Lane, Mask};
 
-/// Most pieces that are told apart one after another.
+/// Most pieces, which are tested one after another.
 const MOST: usize = 16;
 
 /// The unrolled boundary of a table of a few segments and arcs.
@@ -20,12 +20,12 @@ pub(super) struct Stretches {
     arcs: Vec<Stretch<7>>,
 }
 
-/// The number of a piece, and numbers that tell where its points are.
+/// The number of a piece, and the coefficients that give the arc length of its points.
 type Stretch<const K: usize> = (f64, [f64; K]);
 
 impl Stretches {
-    /// Those of a table whose pieces begin at these arc lengths, in a picture with so much width per length; `None` if there
-    /// are other pieces, copies of them, or too many.
+    /// The stretches of a table whose pieces begin at these arc lengths, in a picture with `unit` of width per length; `None`
+    /// if there are other pieces, copies of them, or too many.
     pub(super) fn of(table: &Table, offsets: &[f64], unit: f64) -> Option<Self> {
         if table.lattice().is_some() || table.pieces().len() > MOST {
             return None;
@@ -52,17 +52,17 @@ impl Stretches {
         Some(stretches)
     }
 
-    /// Whether a piece is told where a point of it is without a search.
+    /// Whether the arc length of a point of a piece is found without a search.
     pub(super) fn knows(piece: &dyn Piece) -> bool {
         matches!(piece.figure(), Figure::Segment { .. } | Figure::Arc { .. } | Figure::Circle { .. })
     }
 
-    /// Whether unit normals are asked for.
+    /// Whether unit normals are needed.
     pub(super) fn want_normals(&self) -> bool {
         !self.arcs.is_empty()
     }
 
-    /// Where points of these pieces are that have these unit normals.
+    /// The positions of points of these pieces with these unit normals.
     #[inline(always)]
     pub(super) fn at<F: Lane>(&self, point: [F; 2], normal: impl FnOnce() -> [F; 2], piece: F) -> F {
         let zero = piece.same(0.0);
@@ -79,7 +79,7 @@ impl Stretches {
     }
 }
 
-/// The numbers of a piece in each lane, or of another where it is not among these; `None` if there are none.
+/// The coefficients of the piece in each lane, or of another piece where it is not among these; `None` if there are none.
 #[inline(always)]
 fn of_pieces<F: Lane, const K: usize>(stretches: &[Stretch<K>], piece: F) -> Option<[F; K]> {
     let ((_, first), others) = stretches.split_first()?;
@@ -93,7 +93,7 @@ fn of_pieces<F: Lane, const K: usize>(stretches: &[Stretch<K>], piece: F) -> Opt
 /// Numbers in as many lanes as `like` has.
 #[inline(always)]
 fn all<F: Lane, const K: usize>(numbers: &[f64; K], like: F) -> [F; K] {
-    // no closure: a compiler may leave it a function of its own, which is not compiled for the instruction set
+    // not a closure, which the compiler may leave as a separate function that is not compiled for the instruction set
     let mut all = [like; K];
     for i in 0..K {
         all[i] = like.same(numbers[i]);
@@ -101,13 +101,13 @@ fn all<F: Lane, const K: usize>(numbers: &[f64; K], like: F) -> [F; K] {
     all
 }
 
-/// Where on a segment a point is.
+/// The position of a point on a segment.
 #[inline(always)]
 fn on_segment<F: Lane>([slope1, slope2, start]: [F; 3], [x1, x2]: [F; 2]) -> F {
     start + (slope1 * x1 + slope2 * x2)
 }
 
-/// Where on an arc the point with a unit normal is.
+/// The position on an arc of the point with a unit normal.
 #[inline(always)]
 fn on_arc<F: Lane>([cosine1, cosine2, sine1, sine2, radius, sweep, start]: [F; 7], [n1, n2]: [F; 2]) -> F {
     let angle = angle(cosine1 * n1 + cosine2 * n2, sine1 * n1 + sine2 * n2);
@@ -117,7 +117,7 @@ fn on_arc<F: Lane>([cosine1, cosine2, sine1, sine2, radius, sweep, start]: [F; 7
     start + radius * angle
 }
 
-/// `arcsin s / s` in powers of `s²`, for `s² ≤ ½`, by which `arcsin s` is right to 3.2·10⁻⁷: of such polynomials the best.
+/// `arcsin s / s` in powers of `s²`, for `s² ≤ ½`, which gives `arcsin s` to 3.2·10⁻⁷: the best polynomial of this degree.
 const ARC_SINE: [f64; 6] = [
     0.999_994_358_521_305_2,
     0.166_959_262_661_985_8,
@@ -134,7 +134,7 @@ fn angle<F: Lane>(cos: F, sin: F) -> F {
     let (a, b) = (cos.abs(), sin.abs());
     let small = a.min(b);
     let square = small * small;
-    // in pairs, which do not wait for each other
+    // in pairs, which do not depend on each other
     let [c0, c1, c2, c3, c4, c5] = ARC_SINE;
     let pair = |c: f64, d: f64| square * d + c;
     let fourth = square * square;
@@ -200,7 +200,7 @@ mod tests {
                     for turn in [-1e-9, 1e-9] {
                         let turned = [normal.x - turn * normal.y, normal.y + turn * normal.x];
                         let place = stretches.at(point.into(), || turned, number as f64) - offsets[number];
-                        // the angle is right to 3.2·10⁻⁷, times a radius of at most 1
+                        // the angle is accurate to 3.2·10⁻⁷, times a radius of at most 1
                         assert!((place - end).abs() < 1e-6, "{piece:?}: {place} for {end}");
                     }
                 }

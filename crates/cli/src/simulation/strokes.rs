@@ -4,18 +4,19 @@ use billiards::geometry::{Figure, Lattice, Piece, Table, Vector2, enclosed_area}
 
 use crate::picture::{Solid, Stroke};
 
-/// Parts of a curve that is neither straight nor circular; where chords are off it, there are more.
+/// Number of parts of a curve that is neither straight nor circular; there are more where chords deviate from it.
 const PARTS: u32 = 512;
-/// Chords are off a curve by less than this share of its size: in a picture by less than a twentieth of a point.
+/// Chords deviate from a curve by less than this fraction of its size: in a picture, by less than a twentieth of a point.
 const OFF: f64 = 2e-4;
-/// So often a part may be cut into three.
+/// How many times a part may be cut into three.
 const CUTS: u32 = 4;
-/// Points of a piece that are looked at on its way through a cell, and the fewest and the most of all of them.
+/// Number of points of a piece that are sampled on its way through a cell, and the least and the greatest total number.
 const PER_CELL: f64 = 256.0;
 const FEWEST: f64 = 16.0;
 const MOST: f64 = 1e5;
 
-/// The walls of a table, all lengths divided by `factor`. On a lattice, all copies that reach into the unit cell, loops as wholes.
+/// The walls of a table, all lengths divided by `factor`. On a lattice, all copies that reach into the unit cell, whole loops
+/// together.
 pub(crate) fn of(table: &Table, factor: f64) -> Vec<Stroke> {
     let mut seen = vec![vec![]; table.pieces().len()];
     for chain in table.chains() {
@@ -50,7 +51,7 @@ pub(crate) fn solids(table: &Table, factor: f64) -> Vec<Solid> {
         };
         copies(table, chain).iter().map(|by| Solid { edge: edge(by), is_hollow: *area > 0.0 }).collect::<Vec<_>>()
     };
-    // what is larger than all obstacles is around them
+    // loops larger than all obstacles surround them
     loops.iter().skip_while(|(area, _)| *area > 0.0).flat_map(solid).collect()
 }
 
@@ -70,13 +71,14 @@ pub(crate) fn of_cell(lattice: &Lattice, factor: f64) -> Vec<Stroke> {
     }
 }
 
-/// By what pieces are moved together in the copies of them that are seen: where any of them reaches into the unit cell of a lattice.
+/// The translations of visible copies of pieces that move together: those where any of the pieces reaches into the unit cell of a
+/// lattice.
 fn copies(table: &Table, numbers: &[usize]) -> Vec<Vector2<f64>> {
     let pieces = numbers.iter().map(|&number| &table.pieces()[number]);
     let Some(lattice) = table.lattice().filter(|_| pieces.clone().all(|piece| piece.length().is_finite())) else {
         return numbers.first().map_or(vec![], |&number| table.translations(number).collect());
     };
-    // back from every cell in which there are points; the edges of cells are left out
+    // back from every cell that contains points; points on the edges of cells are left out
     let back = |point: Vector2<f64>| lattice.reduce(&point).1.map(|cells| 0.0 - cells);
     let mut cells: Vec<[f64; 2]> = vec![];
     for piece in pieces {
@@ -87,18 +89,18 @@ fn copies(table: &Table, numbers: &[usize]) -> Vec<Vector2<f64>> {
     cells.into_iter().map(|cell| lattice.translation(cell)).collect()
 }
 
-/// Points of a piece, several in every cell that it reaches for some length.
+/// Points of a piece, several in every cell that it crosses for some length.
 fn samples<'a>(piece: &'a dyn Piece, lattice: &Lattice) -> impl Iterator<Item = Vector2<f64>> + use<'a> {
     let length = piece.length();
     let longest = lattice.vectors().iter().map(Vector2::norm).fold(0.0, f64::max);
-    // how far it is through a cell, which may be lean
+    // the distance across a cell, which may be slanted
     let cell = longest.min(lattice.cell_area() / longest);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred thousand")]
     let many = (PER_CELL * length / cell).clamp(FEWEST, MOST) as u32;
     (0..many).map(move |k| piece.point_at(length * (f64::from(k) + 0.5) / f64::from(many)))
 }
 
-/// A piece moved, drawn through [`points`] of it if it is neither straight nor circular.
+/// A translated piece, drawn through its [`points`] if it is neither straight nor circular.
 fn stroke(piece: &dyn Piece, points: &[Vector2<f64>], by: &Vector2<f64>, factor: f64) -> Stroke {
     let out = |p: Vector2<f64>| [(p.x + by.x) / factor, (p.y + by.y) / factor];
     match piece.figure() {
@@ -119,7 +121,7 @@ fn stroke(piece: &dyn Piece, points: &[Vector2<f64>], by: &Vector2<f64>, factor:
 /// A point of a curve, and the arc length there.
 type Place = (f64, Vector2<f64>);
 
-/// Points so near to one another that chords between them cannot be told from the curve; none where no chords are drawn.
+/// Points so close together that chords between them cannot be told from the curve; none where no chords are drawn.
 fn points(piece: &dyn Piece) -> Vec<Vector2<f64>> {
     if piece.figure() != Figure::Other {
         return vec![];
@@ -137,10 +139,10 @@ fn points(piece: &dyn Piece) -> Vec<Vector2<f64>> {
     points
 }
 
-/// Goes on along a curve, straight if the curve is not farther `off` the chord at two places between.
+/// Continues along a curve, by a straight line if the curve is within `off` of the chord at two places in between.
 fn go_on(at: &dyn Fn(f64) -> Place, from: Place, to: Place, off: f64, cuts: u32, points: &mut Vec<Vector2<f64>>) {
     let along = to.1 - from.1;
-    // at no simple share of the way: a wave that is as long as a part is not seen there
+    // not at simple fractions of the way, where a wave as long as a part would not be noticed
     let [a, b] = [0.382, 0.618].map(|part| at(from.0 + part * (to.0 - from.0)));
     let is_off = |(_, point): Place| {
         let way = point - from.1;

@@ -1,4 +1,4 @@
-//! `summary.json`: what was run, and what came of it.
+//! `summary.json`: what was run, and the results.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -10,7 +10,7 @@ use super::harvest::Totals;
 use super::horizon::Horizons;
 use crate::scene::{Limit, Scene, Starts, TableShape};
 
-/// A run in a page. Two runs of the same scene differ at most in the last six.
+/// A run on one page. Two runs of the same scene differ at most in the last six fields.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
     /// The scene's title, if it has one.
@@ -35,10 +35,10 @@ pub struct Summary {
     pub gamma_squared: f64,
     /// Radius of the particle.
     pub radius: f64,
-    /// Collisions after which an orbit ends, if that was asked for.
+    /// Number of collisions after which an orbit ends, if that was requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub collisions_per_orbit: Option<u64>,
-    /// Time after which an orbit ends, if that was asked for.
+    /// Time after which an orbit ends, if that was requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_per_orbit: Option<f64>,
     /// Number of orbits.
@@ -47,14 +47,14 @@ pub struct Summary {
     pub collisions: u64,
     /// Simulated time of all orbits.
     pub time: f64,
-    /// Largest relative deviation of an orbit's energy from that of its start, at the end and every 4096 collisions, as states are
-    /// given out ([`billiards::Orbit::restored`]).
+    /// Largest relative deviation of an orbit's energy from that of its start, at the end and every 4096 collisions, for states as
+    /// they are reported ([`billiards::Orbit::restored`]).
     pub energy_drift: f64,
-    /// Up to where the digits of the orbits last.
+    /// How long the digits of the orbits last.
     pub horizon: Horizons,
     /// How many orbits ended for which reason.
     pub stops: BTreeMap<&'static str, u64>,
-    /// The other files that were written. What else lies in the folder is of an earlier run.
+    /// The other files that were written. Any further files in the folder are from an earlier run.
     pub files: Vec<String>,
     /// Time that the simulation itself took, in seconds.
     pub seconds: f64,
@@ -80,7 +80,7 @@ pub(crate) struct Files {
 }
 
 impl Summary {
-    /// Puts together what is known of a run.
+    /// Collects what is known of a run.
     pub(crate) fn new(
         scene: &Scene,
         orbits: u64,
@@ -148,12 +148,12 @@ impl Summary {
 
     /// The file's content.
     pub fn json(&self) -> String {
-        // A summary has nothing that JSON cannot hold.
+        // A summary contains nothing that JSON cannot represent.
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 }
 
-/// A word as a POSIX shell reads it.
+/// A word quoted for a POSIX shell.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "_@%+=:,./-".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
@@ -163,7 +163,7 @@ fn quoted(word: &str) -> String {
     }
 }
 
-/// Operating system, processor and what it can do.
+/// Operating system, processor and its capabilities.
 pub(crate) fn host() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let (os, arch) = (std::env::consts::OS, std::env::consts::ARCH);

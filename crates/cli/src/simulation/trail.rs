@@ -1,4 +1,4 @@
-//! What is tracked along an orbit that is watched.
+//! What is tracked along a watched orbit.
 
 use billiards::geometry::WallHit;
 use billiards::{Angle, Cell, Track};
@@ -7,7 +7,7 @@ use super::portraits::{PlanarPortraits, Portraits};
 
 /// What a watched orbit tracks besides the time: in the plane x0 and the lattice cell, in space nothing.
 pub(crate) trait Trail<const N: usize, const S: usize>: Track<f64, N, S> + Clone + Send {
-    /// The portraits that there are of such orbits.
+    /// The type of portraits of such orbits.
     type Portraits: Portraits<N, S>;
     /// The spin position x0.
     fn angle(&self) -> f64;

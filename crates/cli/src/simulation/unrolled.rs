@@ -1,4 +1,4 @@
-//! The boundary of a planar table, unrolled: where on it a collision is.
+//! The boundary of a planar table, unrolled: gives the arc length of a collision.
 
 use billiards::geometry::{Landing, Piece, Table, Vector2, walls};
 use lanes::Lane;
@@ -17,29 +17,30 @@ pub(crate) struct Unrolled {
     unit: f64,
     /// All pieces, where they are few segments and arcs.
     stretches: Option<Stretches>,
-    /// Of each piece that can be looked up and would have to search; nothing where there are `stretches`, or few points.
+    /// For each piece that would have to search and can be looked up instead, its bearings; `None` where there are
+    /// `stretches`, or few points.
     bearings: Vec<Option<Bearings>>,
-    /// And by what it is moved in its translates on a lattice.
+    /// And the translations of its translates on a lattice.
     shifts: Vec<Vec<Vector2<f64>>>,
     /// Whether there are walls without thickness.
     thin: bool,
 }
 
-/// From so many points on it is worth while to look them up.
+/// Number of points from which looking them up pays.
 const MANY: f64 = 50_000.0;
 
 /// Most pieces that are looked up: each takes 48 KiB and some milliseconds.
 const MOST_LOOKED_UP: usize = 64;
 
 impl Unrolled {
-    /// The boundary of a table, of finite length, on which at most so many points will be found.
+    /// The boundary of a table, of finite length, on which at most `points` points will be located.
     pub(crate) fn of(table: &Table, points: f64) -> Self {
         let (offsets, unit) = (table.arc_length_offsets(), REDUCED_WIDTH / table.perimeter());
         let alone = table.lattice().is_none();
         let stretches = Stretches::of(table, &offsets, unit);
         let looked_up = stretches.is_none() && points >= MANY && table.pieces().len() <= MOST_LOOKED_UP;
         let pieces = if looked_up { table.pieces() } else { &[] };
-        // a segment or an arc knows where a point of it is, but not which of its copies is hit
+        // a segment or an arc gives the arc length of a point directly, but does not know which of its copies is hit
         let searches = |piece: &&std::sync::Arc<dyn Piece>| !alone || !Stretches::knows(&***piece);
         let bearings = pieces.iter().map(|piece| Some(piece).filter(searches).and_then(|piece| Bearings::of(&**piece)));
         let bearings: Vec<_> = bearings.collect();
@@ -48,13 +49,13 @@ impl Unrolled {
         Unrolled { unit, offsets, table: table.clone(), stretches, bearings, shifts, thin }
     }
 
-    /// Whether unit normals are asked for, since they tell where on an arc a hit is, or on which face of a thin wall.
+    /// Whether unit normals are needed: they determine the place of a hit on an arc, or the face of a thin wall.
     #[inline(always)]
     pub(super) fn wants_normals(&self) -> bool {
         self.stretches.as_ref().map_or(self.thin, Stretches::want_normals)
     }
 
-    /// Where hits are, between 0 and the width of the picture.
+    /// The positions of hits, between 0 and the width of the picture.
     #[inline(always)]
     pub(crate) fn arc_length<F: Lane>(&self, [x, y]: [F; 2], normal: impl FnOnce() -> [F; 2], piece: F) -> F {
         if let Some(stretches) = &self.stretches {

@@ -1,4 +1,4 @@
-//! Walls in space as lines on a page: outlines as seen from far away, edges, and as much of planes as is shown.
+//! Walls in space as lines on a page: outlines as seen from far away, edges, and the visible parts of planes.
 
 use billiards::geometry::parry::{Side, SolidSpec};
 use billiards::geometry::{Error, Vector3};
@@ -6,7 +6,7 @@ use billiards::geometry::{Error, Vector3};
 use super::mesh;
 use crate::picture::{Solid, Stroke};
 
-/// Points of an outline.
+/// Number of points of an outline.
 const POINTS: u32 = 512;
 
 /// A wall in space, in the scene's unit.
@@ -26,7 +26,7 @@ impl Wall {
         Wall { spec: self.spec.scaled(factor), center: self.center.map(|x| x * factor), side: self.side }
     }
 
-    /// The wall of the centre of a ball that moves on the table's side of this one.
+    /// The wall for the centre of a ball that moves on the table's side of this one.
     pub(crate) fn of_centres(&self, radius: f64) -> Result<Wall, Error> {
         let (spec, shift) = self.spec.parallel(self.side, radius)?;
         Ok(Wall { spec, center: [0, 1, 2].map(|i| self.center[i] + shift[i]), side: self.side })
@@ -44,7 +44,7 @@ impl Wall {
     }
 }
 
-/// Where a point of space is on the page, and the two directions of space that run along and up it.
+/// The projection of space onto the page, and the two directions of space that run along the page and up it.
 pub(crate) struct View {
     pub(crate) place: fn([f64; 3]) -> [f64; 2],
     pub(crate) page: [Vector3<f64>; 2],
@@ -59,7 +59,7 @@ pub(crate) struct Wires {
     pub(crate) lines: Vec<Stroke>,
 }
 
-/// The lines of walls; of planes, the part between the others in a box.
+/// The lines of walls; for planes, the part between the others in a box.
 pub(crate) fn of(walls: &[Wall], shown: [[f64; 3]; 2], view: &View) -> Wires {
     let mut wires = Wires::default();
     for wall in walls {
@@ -83,7 +83,7 @@ fn solid(wall: &Wall, view: &View, wires: &mut Wires) {
         }
     };
     if let SolidSpec::TriMesh { vertices, triangles, margin } = &wall.spec {
-        // of what is parallel to triangles nothing is seen
+        // surfaces parallel to triangles are not drawn
         if *margin == 0.0 {
             let mesh = mesh::seen(vertices, triangles, &view.page[0].cross(&view.page[1]));
             mesh.areas.iter().for_each(|area| fill(area.iter().map(|chain| seen(chain)).collect()));
@@ -108,7 +108,7 @@ fn solid(wall: &Wall, view: &View, wires: &mut Wires) {
     }
 }
 
-/// Sine and cosine of so many parts of a turn.
+/// Sine and cosine of `k` parts of a turn.
 fn turned(k: u32) -> (f64, f64) {
     libm::sincos(core::f64::consts::TAU * f64::from(k % POINTS) / f64::from(POINTS))
 }
@@ -125,7 +125,7 @@ fn part(wall: &Wall, walls: &[Wall], [low, high]: [[f64; 3]; 2], view: &View) ->
     let across = normal.cross(&along);
     let mut corners: Vec<Vector3<f64>> =
         [-along - across, along - across, along + across, across - along].map(|d| foot + d).into();
-    // thinner than a line, so that a plane that is a side of the box is all seen
+    // thinner than a line, so that a plane that is a side of the box is seen completely
     let little = 1e-6 * size;
     let axes = (0..3).flat_map(|i| {
         [(1.0, low), (-1.0, high)].map(|(sign, through)| {

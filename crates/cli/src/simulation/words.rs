@@ -1,4 +1,4 @@
-//! Numbers and points as people read them.
+//! Numbers and points in readable form.
 
 use crate::document::spell;
 
@@ -8,7 +8,8 @@ pub(crate) fn short(x: f64) -> String {
     spell(rounded)
 }
 
-/// A point or vector; a coordinate that is nothing beside the others and beside some length, by more than the digits shown, is 0.
+/// A point or vector; a coordinate that is negligible, at the digits shown, beside the others and beside some length is shown as
+/// 0.
 pub(crate) fn point(p: &[f64], beside: f64) -> String {
     let size = p.iter().fold(beside, |m: f64, x| m.max(x.abs()));
     let clean = |x: &f64| if x.abs() < 1e-12 * size { 0.0 } else { *x };

@@ -1,4 +1,4 @@
-//! What is to be done, and how much of it a thread takes on at a time.
+//! The work of a run, and how much of it a thread takes on at a time.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -10,26 +10,26 @@ use super::frame::Frame;
 use super::recorder::Recorder;
 use super::scale::Scale;
 
-/// Collisions between two looks at the clock, the energy and the user.
+/// Collisions between two checks of the clock, the energy and interruption by the user.
 pub(super) const BLOCK: u64 = 4096;
 /// Most orbits that one thread takes on at a time.
 const MOST_TOGETHER: u64 = 1024;
-/// Side by side, one orbit takes as long as all that the lanes hold: three to four times as long as alone.
+/// Side by side, a single orbit takes as long as full lanes: three to four times as long as alone.
 pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
-/// Fewest and most orbits that one thread takes on to run them side by side, where there are as many for each.
+/// Fewest and most orbits that one thread takes on to run them side by side, if there are as many for each thread.
 pub(super) const LEAST_SIDE_BY_SIDE: u64 = 64;
 const MOST_SIDE_BY_SIDE: u64 = 512;
-/// Orbits of so many collisions are shared among threads even where that leaves fewer for each.
+/// Orbits of this many collisions are shared among threads even where that leaves fewer for each.
 const LONG: u64 = 1 << 13;
-/// The same where they are counted for portraits, and their collisions: each layer of a portrait goes through the cache, and
-/// stays there for as long as its orbits run.
+/// Most orbits of a job whose collisions are counted for portraits, and most of these collisions: each layer of a portrait goes
+/// through the cache, and stays there as long as its orbits run.
 const MOST_COUNTED: u64 = 1 << 16;
 const COUNTED: u64 = 1 << 28;
-/// Collisions of all orbits together between two looks at the user.
+/// Collisions of all orbits together between two checks for interruption.
 const GLANCE: u64 = 1 << 18;
 
-/// So many orbits side by side make about as many collisions between two looks at the user, in blocks of this many each: they fill
-/// all seats, again and again.
+/// The number of orbits that, run side by side in blocks of `block` collisions each, make about [`GLANCE`] collisions: enough to
+/// fill all lanes again and again.
 pub(super) fn batch(block: u64) -> usize {
     usize::try_from(GLANCE / block.max(1)).unwrap_or(usize::MAX - SEATS).max(1).next_multiple_of(SEATS)
 }
@@ -55,20 +55,20 @@ pub(crate) struct Work<'a> {
     pub(crate) time: f64,
     /// How much of an orbit is watched.
     pub(crate) watch: Extent,
-    /// What writes watched collisions into the record, and whether they are drawn as well.
+    /// The recorder that writes watched collisions into the record, and whether they are drawn as well.
     pub(crate) recorder: Option<Recorder<'a>>,
     pub(crate) drawn: bool,
     /// Whether collisions are counted for portraits.
     pub(crate) counted: bool,
     /// Whether points of portraits are too many to be shown one by one, and only counted.
     pub(crate) crowded: &'a AtomicBool,
-    /// For the user, what number a piece of the table has.
+    /// The user's numbers of the pieces of the table.
     pub(crate) pieces: &'a [u64],
-    /// Where the engine's places are for the user.
+    /// The map from the engine's coordinates to the user's.
     pub(crate) frame: Frame<'a>,
     /// Number of threads.
     pub(crate) threads: usize,
-    /// Set when the user has had enough.
+    /// Set when the user interrupts the run.
     pub(crate) interrupted: &'a AtomicBool,
     /// Counts work done, [`STEPS`] per orbit.
     pub(crate) progress: &'a AtomicU64,
@@ -77,29 +77,29 @@ pub(crate) struct Work<'a> {
 /// How much of the orbits is watched.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Extent {
-    /// The first so many orbits …
+    /// This many first orbits …
     pub(crate) orbits: u64,
-    /// … for at least so many collisions.
+    /// … for at least this many collisions.
     pub(crate) collisions: u64,
 }
 
 impl Work<'_> {
-    /// Whether nobody watches these orbits: then they run side by side.
+    /// Whether these orbits are not watched: then they run side by side.
     pub(super) fn is_bare(&self, orbits: &Range<u64>) -> bool {
         orbits.start >= self.watched_orbits()
     }
 
-    /// As many points as there may be in a portrait.
+    /// The largest possible number of points in a portrait.
     pub(crate) fn most_points(&self) -> f64 {
         self.orbits as f64 * self.collisions as f64
     }
 
-    /// Whether points of portraits are handed on one by one.
+    /// Whether points of portraits are passed on one by one.
     pub(super) fn shows_points(&self) -> bool {
         self.counted && !self.crowded.load(Ordering::Relaxed)
     }
 
-    /// Fewest orbits that one thread takes on from the given one on.
+    /// Fewest orbits that one thread takes on, starting with the given one.
     fn least_side_by_side(&self, first: u64) -> u64 {
         let threads = self.threads.max(1) as u64;
         if threads == 1 || self.collisions < LONG {
@@ -108,7 +108,7 @@ impl Work<'_> {
             // which run one after another
             1
         } else {
-            // the same for all, and both vectors of a twin full: a job of half as many takes as long
+            // the same number for all, and both vectors of a twin full: a job of half as many takes as long
             self.orbits.div_ceil(threads).next_multiple_of(2 * FEWEST_SIDE_BY_SIDE).min(LEAST_SIDE_BY_SIDE)
         }
     }
@@ -121,9 +121,9 @@ impl Work<'_> {
     pub(super) fn next_job(&self, first: u64) -> Range<u64> {
         let bare = self.is_bare(&(first..first));
         let end = if bare { self.orbits } else { self.watched_orbits().min(self.orbits) };
-        // as long as points are handed on one by one, nobody waits long for those of others
+        // while points are passed on one by one, jobs are small, so that none waits long for another
         let together = if bare && !self.shows_points() {
-            // enough to fill the lanes again and again, and of what is left something for everybody, less and less
+            // enough to fill the lanes again and again; each job takes a share of the remaining orbits, so jobs become smaller
             let share = self.orbits.saturating_sub(first) / (2 * self.threads.max(1) as u64);
             let share = share - share % SEATS as u64;
             let most = if self.counted {
@@ -133,7 +133,7 @@ impl Work<'_> {
             };
             share.clamp(self.least_side_by_side(first), most)
         } else {
-            // so many orbits make a block
+            // the number of orbits that make a block
             (BLOCK / self.collisions.max(1)).clamp(1, MOST_TOGETHER)
         };
         first..end.min(first.saturating_add(together))
@@ -178,7 +178,7 @@ mod tests {
         assert_eq!(jobs(64, long, 2), [32; 2]);
         assert_eq!(jobs(64, long, 8), [16; 4]);
         assert_eq!(jobs(128, long, 2), [64; 2]);
-        // where nothing is gained
+        // no splitting where nothing is gained
         assert_eq!(jobs(64, long, 1), [64]);
         assert_eq!(jobs(64, 100, 2), [64]);
     }

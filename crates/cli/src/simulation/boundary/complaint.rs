@@ -1,11 +1,11 @@
-//! What is wrong with a boundary, in the user's words and units.
+//! Errors of a boundary, in the user's words and units.
 
 use billiards::geometry::{Error, ImplicitRule, ParametricRule, tables};
 
 use crate::document::{Diagnostic, Span};
 use crate::scene::{Arguments, Scene, TableShape};
 
-/// An error whose lengths and names are those of the user.
+/// An error with lengths and names as in the user's file.
 pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
     let back = |x: f64| x / factor;
     match error.clone() {
@@ -58,7 +58,8 @@ fn in_keys(must: &'static str) -> &'static str {
     if must == "another point than a" { "another point than from" } else { must }
 }
 
-/// An error of the geometry as one about the scene, in whose file the pieces stand at these places.
+/// An error of the geometry, expressed as one about the scene; `pieces` are the places of the
+/// pieces in its file.
 pub(super) fn about(scene: &Scene, pieces: &[Span], factor: f64, error: &Error) -> Diagnostic {
     let span = piece_of(error).and_then(|piece| pieces.get(piece)).copied().unwrap_or(scene.table.span);
     with_advice(scene.source.diagnostic(span, in_user_units(error, factor).to_string()), error, &scene.table.shape)
@@ -83,7 +84,7 @@ fn piece_of(error: &Error) -> Option<usize> {
     }
 }
 
-/// Adds how to mend an error of the geometry, where its words do not say so.
+/// Adds advice on how to fix an error of the geometry, where the message does not say so.
 pub(crate) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableShape) -> Diagnostic {
     let advice = match shape {
         TableShape::Named { .. } => about_parameters(error),
@@ -95,7 +96,7 @@ pub(crate) fn with_advice(diagnostic: Diagnostic, error: &Error, shape: &TableSh
     }
 }
 
-/// The mend where the scene says what the pieces are.
+/// Advice where the scene lists the pieces.
 fn about_pieces(error: &Error) -> Option<&'static str> {
     Some(match error {
         Error::ZeroLength => "leave it out, or move one of its ends",
@@ -168,7 +169,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
     })
 }
 
-/// The mend where they follow from the parameters of a built-in table.
+/// Advice where the pieces follow from the parameters of a built-in table.
 fn about_parameters(error: &Error) -> Option<&'static str> {
     Some(match error {
         Error::TooShort { .. } => {

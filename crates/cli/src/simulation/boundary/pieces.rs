@@ -16,7 +16,7 @@ use crate::simulation::drawing::{self, Reader};
 use crate::simulation::scale;
 use crate::simulation::words::short;
 
-/// Pieces of an explicit boundary, as they come.
+/// The pieces of an explicit boundary, collected in order.
 struct Collected<'a> {
     scene: &'a Scene,
     factor: f64,
@@ -119,7 +119,7 @@ impl Collected<'_> {
                 }
                 return Ok(());
             }
-            // the scene's reader lets these stand in space only
+            // the scene's reader accepts these only in space
             Border::Plane { .. } | Border::Shape { .. } | Border::Mesh { .. } => {
                 return Err(Box::new(self.scene.source.diagnostic(entry.span, "this is no planar boundary")));
             }
@@ -129,7 +129,8 @@ impl Collected<'_> {
         Ok(())
     }
 
-    /// What a line of this direction is where the plane is identified along it: as long as the one vector of the lattice.
+    /// The segment that replaces a line of this direction where the plane is identified along it: the single vector of
+    /// the lattice.
     fn once_around(&self, direction: &Vector2<f64>) -> Option<Vector2<f64>> {
         let [vector] = &self.scene.table.lattice[..] else { return None };
         let vector = plane(&vector.value) * self.factor;
@@ -143,7 +144,7 @@ impl Collected<'_> {
                 let formula = Scaled { formula: PolarCurve::new(radius), factor: self.factor };
                 let center = self.at(&center.value);
                 match Polar::new(center, formula.clone(), inside) {
-                    // where it comes to 0, as that of a cardioid, but is not negative anywhere
+                    // the radius reaches 0, as for a cardioid, but is not negative anywhere
                     Err(error @ Error::PolarRadius { certain: false, .. }) => {
                         let points = PolarPoints { center, formula };
                         boxed(curve::ParametricCurve::around(points, [0.0, TAU], inside).map_err(|_| error)?)
@@ -219,9 +220,9 @@ impl Collected<'_> {
         Ok(())
     }
 
-    /// Fails where the loop of the pieces from this one on has the domain on its left elsewhere than the scene says.
+    /// Fails where the loop of the pieces from this one on has the domain on the other side than the scene says.
     fn runs_around(&self, first: usize, domain: Domain, span: Span) -> Result<(), Box<Diagnostic>> {
-        // a wall with two sides has neither inside nor outside, but for rounding
+        // a two-sided wall has neither inside nor outside, up to rounding
         let pieces = || self.pieces[first..].iter().map(|piece| &**piece);
         let area = enclosed_area(pieces());
         let around = pieces().map(Piece::extent).fold(Extent::EMPTY, Extent::union);

@@ -1,4 +1,4 @@
-//! Curves of formulas, scaled.
+//! Scaled curves given by formulas.
 
 use billiards::geometry::Extent;
 use billiards::geometry::shapes::curve::{ImplicitFormula, Interval, ParametricFormula, PolarFormula};
