@@ -2,7 +2,7 @@
 //!
 //! A uniform disk (γ² = 1/2) drops straight onto a floor, spinning. Expected: the contact velocity reverses, energy is kept,
 //! and spin and tangential velocity mix by an angle β with cos β = 1/3, sin β = 2√2/3.
-//! Reference: Cox and Feres, *No-slip billiards in dimension two*, equation (update2).
+//! Reference: Cox and Feres, *No-slip billiards in dimension two*, equation (2.1).
 use billiards::collision_laws::{Contact, Error, Fixed, Pair, bodies::Ball, laws::NoSlip};
 use billiards::geometry::Vector2;
 

@@ -14,7 +14,7 @@ use lanes::{Double, Lane, Mask};
 
 /// The energy is restored after this many collisions.
 ///
-/// A collision changes it by about 1.5·10⁻¹⁶ at random, so that its error is about √16 times that, whatever the number of collisions. The
+/// A collision changes it by about 1.5·10⁻¹⁶, mostly at random, so that between two beats the error is about √16 times that. The
 /// branch taken then is hardly ever predicted: at every 64th collision one orbit would take 2 to 11 % less time, but the invariant of
 /// an ellipse would wander farther than 10⁻¹² in 10⁷ collisions.
 pub const BEAT: u32 = 16;

@@ -47,7 +47,7 @@ impl DiskMap {
 /// A law in the plane that has one [`DiskMap`] for all contacts of a disk with a fixed wall.
 ///
 /// With `c = cos β = (1−γ²)/(1+γ²)` and `s = sin β = 2γ/(1+γ²)` no-slip is `v₀⁺ = −c v₀ + s vₜ`, `vₜ⁺ = s v₀ + c vₜ`.
-/// Source: Cox and Feres, *No-slip billiards in dimension two*, equation (update2), where `γ² = 1/2`.
+/// Source: Cox and Feres, *No-slip billiards in dimension two*, equation (2.1), where `γ² = 1/2`.
 ///
 /// ```
 /// use collision_laws::{DiskLaw, laws::NoSlip};

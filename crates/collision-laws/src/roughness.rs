@@ -8,8 +8,8 @@ const LOST: f64 = 64.0 * f64::EPSILON;
 
 /// A point of the Grassmannian `Gr(k, ν⊥)`: the choice a strict law makes at one contact.
 ///
-/// By \[CFW\] (Theorem 1.1 of Cox and Feres, *No-slip billiards in dimension two*) the strict collision maps at a contact are exactly
-/// these, k = 0 … N−1, whatever the bodies' inertia.
+/// The strict collision maps at a contact are exactly these, k = 0 … N−1, whatever the bodies' inertia: Cox, Feres and Ward
+/// (arXiv:1501.06536), quoted as Theorem 1.1 by Cox and Feres, *No-slip billiards in dimension two*.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Roughness<const N: usize> {
     /// k = 0: only the normal pushes.

@@ -5,7 +5,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-/// Sweeps converge quadratically: from N = 5 random matrices 5 or 6 suffice; the bound only guards against NaN.
+/// Sweeps converge quadratically: 5 or 6 suffice for random matrices of N = 5; the bound only guards against NaN.
 const MOST_SWEEPS: usize = 40;
 
 /// The eigenvalues of a symmetric matrix, and its eigenvectors as the columns of an orthogonal matrix.

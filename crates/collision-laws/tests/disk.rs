@@ -141,7 +141,7 @@ fn balls_turn_by_the_angles_of_the_theory() {
 
 #[test]
 fn no_slip_is_the_papers_update() {
-    // Cox and Feres, equation (update2): v₀⁺ = −v₀/3 + (2√2/3) v·Jν, v⁺ = [(2√2/3) v₀ + (1/3) v·Jν] Jν − (v·ν) ν
+    // Cox and Feres, equation (2.1): v₀⁺ = −v₀/3 + (2√2/3) v·Jν, v⁺ = [(2√2/3) v₀ + (1/3) v·Jν] Jν − (v·ν) ν
     let (third, off) = (1.0 / 3.0, 8.0_f64.sqrt() / 3.0);
     let found = through_the_pair(&NoSlip, 0.5_f64.sqrt(), Vector2::new(0.6, 0.8), [0.25, -0.5, -2.0]);
     let expected = [-0.25 * third - 0.5 * off, 0.25 * off - 0.5 * third, 2.0];

@@ -104,7 +104,7 @@ def offset(vertices, edges, radius):
 
 
 def collide(law, gamma, spin, v, normal):
-    """THEORY, and eq. (update2) of the paper."""
+    """Equation (2.1) of the paper."""
     along, tangent = dot(v, normal), turned(normal)
     if law == "specular":
         return spin, minus(v, times(normal, 2 * along))

@@ -67,8 +67,9 @@ impl<const N: usize, const S: usize> Twin<N, S> {
 struct Path<const N: usize, const S: usize> {
     from: Start<N, S>,
     direction: [f64; N],
-    /// Its displacement from the orbit, as a state, and that of its beginning.
+    /// Its displacement from the orbit, as a state.
     displaced: Start<N, S>,
+    /// The displacement of the place where it begins.
     begins: [f64; N],
 }
 

@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 ///
 /// `v⁺ = v − 2 (v·ν) ν − (2γ/(1+γ²)) q`, `W⁺ = W + (2/(1+γ²)) ν × q`.
 ///
-/// This is the strict law of \[CFW\] for a ball and a fixed wall; the spin about the normal never changes.
+/// This is the strict law of Cox, Feres and Ward (arXiv:1501.06536) for a ball and a fixed wall; the spin about the normal never changes.
 #[derive(Clone, Copy, Debug)]
 pub struct RoughBall {
     gamma: f64,

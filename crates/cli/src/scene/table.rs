@@ -13,7 +13,7 @@ pub struct Table {
     pub span: Span,
     /// What bounds it.
     pub shape: TableShape,
-    /// Translations that identify points of space: none, one (a channel) or as many as the dimension (a flat torus).
+    /// Translations that identify points of space: none, one (a channel) or two (a flat torus).
     pub lattice: Vec<Spanned<Vec<f64>>>,
     /// `laws = { 0 = "specular" }`: laws of single pieces, by their numbers.
     pub laws: Vec<PieceLaw>,

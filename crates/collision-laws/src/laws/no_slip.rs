@@ -11,7 +11,7 @@ use crate::{Contact, DiskLaw, DiskMap, Roughness, StrictLaw};
 /// from a smooth wall. Both are called points; the first has no spin, the second has all its mass at the centre and a rim without
 /// inertia.
 ///
-/// Source: Broomhead and Gutkin (1993); Cox and Feres, *No-slip billiards in dimension two*, equation (update2), for a uniform
+/// Source: Broomhead and Gutkin (1993); Cox and Feres, *No-slip billiards in dimension two*, equation (2.1), for a uniform
 /// disk against a fixed wall.
 ///
 /// ```

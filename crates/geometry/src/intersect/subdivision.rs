@@ -223,10 +223,11 @@ pub(super) fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: 
     }
 }
 
-/// If the curves touch at a crossing, that is, if they may cross again with no more than rounding between them on the way: the distance at
-/// which that other crossing may lie.
+/// If the curves touch at a crossing, that is, if they may cross again with no more than rounding between them on the way: the distance
+/// within which that other crossing lies.
 ///
 /// Curves that cross at an angle with the sine `σ` and bend apart by `κ` cross again after `2σ/κ`, and are up to `σ²/2κ` apart in between.
+/// Twice that distance is allowed for, since curvatures vary.
 fn touching_at(pieces: [&dyn Piece; 2], crossing: &Meeting, tolerance: f64) -> Option<f64> {
     let normals = [0, 1].map(|k| pieces[k].landing_at(crossing.at[k]).normal);
     let bends = pieces.map(|piece| piece.curvature(&crossing.point));
