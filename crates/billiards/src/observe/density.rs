@@ -224,21 +224,12 @@ impl Noted {
         // where the counts begin is read once for all of them
         let Density { few, many, .. } = density;
         let few = few.as_mut_slice();
-        let mut count = |cell: f64| {
-            let cell = number(cell);
+        for cell in &*old {
+            let cell = number(*cell);
             if adds_to(few, cell) {
                 carry(&mut self.full, many, cell);
             }
-        };
-        // four at a time: a loop over single ones costs as much as the counting
-        let (fours, rest) = old.as_chunks();
-        for &[a, b, c, d] in fours {
-            count(a);
-            count(b);
-            count(c);
-            count(d);
         }
-        rest.iter().copied().for_each(count);
         cells.store(old);
         self.oldest = oldest + F::LANES;
     }
