@@ -20,7 +20,7 @@ const MOST_COLLISIONS: u64 = 1_000_000_000_000;
     name = "billiards",
     version,
     max_term_width = 100,
-    after_help = "Exit status: 0 done, 1 a run that failed, 2 bad input."
+    after_help = "Exit status: 0 success, 1 failure, 2 bad input."
 )]
 pub struct Cli {
     /// What to do.
@@ -63,7 +63,7 @@ pub enum Command {
     Run(Run),
     /// Check a scene and describe it: pieces, area, perimeter, where the particle fits, its starts
     Check(Check),
-    /// Explain scene files, contact files and all that is written, in Markdown
+    /// Print a guide to scene files, contact files and output files, in Markdown
     Guide,
     /// List the tables a scene can name, with their parameters
     Tables(Listing),
@@ -81,8 +81,8 @@ pub enum Command {
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
 Writes DIR/summary.json and whatever the scene's [output] asks for. Ctrl-C ends a run cleanly: what is done
-is kept, the summary counts the other orbits as \"interrupted\", and the exit status is 0. Another one, half a second
-later or more, ends it at once with status 130, and nothing is kept.
+is kept, the summary counts the other orbits as \"interrupted\", and the exit status is 0. A second Ctrl-C, at least half
+a second later, ends it at once with status 130, and nothing is kept.
 
 Examples:
   billiards run scenes/hexagon.toml
@@ -92,16 +92,16 @@ pub struct Run {
     /// Scene file (TOML)
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// Law in place of the scene's; pieces with a law of their own keep it
+    /// Collision law that replaces the scene's; pieces with a law of their own keep it
     #[arg(long, value_name = "LAW")]
     pub law: Option<LawKind>,
-    /// Collisions per orbit, in place of the scene's limit
+    /// Collisions per orbit; replaces the scene's limit
     #[arg(short = 'n', long, value_name = "N", value_parser = collisions, allow_negative_numbers = true)]
     pub collisions: Option<u64>,
-    /// Folder for everything that is written [default: out/ and the scene file's name]
+    /// Output folder [default: out/ followed by the scene file's name without its extension]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Threads for many orbits [default: all processors]
+    /// Number of threads that share the orbits [default: one per processor]
     #[arg(long, value_name = "T", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<NonZeroUsize>,
 }
@@ -129,10 +129,10 @@ pub struct Check {
     /// Scene file (TOML)
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
-    /// Law in place of the scene's; pieces with a law of their own keep it
+    /// Collision law that replaces the scene's; pieces with a law of their own keep it
     #[arg(long, value_name = "LAW")]
     pub law: Option<LawKind>,
-    /// Run some orbits too, side by side and one by one: whether they are the same to the last bit
+    /// Also run some orbits both side by side and one by one, and check that they agree to the last bit
     #[arg(long)]
     pub same_bits: bool,
     /// Print JSON
@@ -151,7 +151,7 @@ pub struct Listing {
 /// Arguments of `billiards collide`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-A contact file, in TOML or JSON, of a spinning disk that drops onto a floor:
+Example of a contact file (TOML or JSON), for a spinning disk that drops onto a floor:
 
   dim = 2
   law = \"no-slip\"                     # or rough = [[1, 0]], the rough directions
@@ -161,7 +161,7 @@ A contact file, in TOML or JSON, of a spinning disk that drops onto a floor:
   pre = [{ v = [0, -1], w = 3 }, { v = [0, 0], w = 0 }]
 
 In dimension 3 an inertia is a 3 x 3 tensor and a spin w a vector; in dimension 4 and 5 a body has
-second moments S per unit mass in place of an inertia, and a spin is a skew matrix.")]
+second moments S per unit mass instead of an inertia, and a spin is a skew matrix.")]
 pub struct Collide {
     /// Contact file (TOML or JSON)
     #[arg(value_name = "CONTACT")]
@@ -174,9 +174,9 @@ pub struct Collide {
 /// Arguments of `billiards reproduce`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-Writes DIR/index.html with the pictures beside it, and DIR/claims.json; with --only NAME, DIR/NAME.html in their place,
-with NAME.svg of a figure and NAME.json of a claim. Same bits every time. The exit status is 1 if a measurement disagrees
-with its verdict.
+Writes DIR/index.html with the pictures beside it, and DIR/claims.json; with --only NAME, DIR/NAME.html instead, with
+NAME.svg for a figure and NAME.json for a claim. The output is the same to the last bit every time. The exit status is 1
+if a measurement disagrees with its verdict.
 
 Examples:
   billiards reproduce --out report
@@ -187,10 +187,10 @@ pub struct Reproduce {
     /// Folder for the page, the pictures and claims.json
     #[arg(long, value_name = "DIR", default_value = "report")]
     pub out: PathBuf,
-    /// Smaller samples: under a minute
+    /// Use smaller samples; takes less than a minute
     #[arg(long)]
     pub quick: bool,
-    /// Only the figure and the claim of that name, in files of that name
+    /// Only the figure and the claim of this name, in files of this name
     #[arg(long, value_name = "NAME")]
     pub only: Option<String>,
     /// List the names of figures and claims, and do nothing else
@@ -201,7 +201,7 @@ pub struct Reproduce {
 /// Arguments of `billiards bench`.
 #[derive(Clone, Debug, Args)]
 #[command(after_help = "\
-Writes, with --out, DIR/bench.json and DIR/work-precision.svg, or DIR/stress.json.
+With --out, writes DIR/bench.json and DIR/work-precision.svg, or DIR/stress.json with --stress.
 
 Examples:
   billiards bench
@@ -212,10 +212,10 @@ pub struct Bench {
     /// Print JSON
     #[arg(long)]
     pub json: bool,
-    /// Fewer orbits and pieces, shorter rounds: some ten seconds
+    /// Fewer orbits and pieces, shorter rounds; takes about ten seconds
     #[arg(long)]
     pub quick: bool,
-    /// Only the table, or the case under stress, of that name
+    /// Only the table, or with --stress the case, of this name
     #[arg(long, value_name = "NAME")]
     pub only: Option<String>,
     /// Collision law
@@ -224,7 +224,7 @@ pub struct Bench {
     /// Folder for the numbers and the chart
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Go where programs break instead: thin wedges, cusps, extreme units and masses, a million pieces
+    /// Run the stress cases instead: thin wedges, cusps, extreme units and masses, a million pieces
     #[arg(long)]
     pub stress: bool,
 }

@@ -53,9 +53,9 @@ pub fn preamble(law: Law, effort: Effort, out: &mut dyn Write) -> io::Result<()>
     writeln!(out, "{}; {} collisions of a uniform disk or ball.", crate::simulation::host(), law.name())?;
     writeln!(
         out,
-        "Errors of position and velocity, as parts of half the table's width (of a strip or a slab, all of it) and of the speed: medians of {} orbits after {},\n\
-         {} and {} collisions, against 106 bits. Drifts of the energy, and of what else the table keeps: the largest in 1e5\n\
-         collisions, or in 1e4 or 1e3 where those take too long.",
+        "Errors of position, relative to half the table's width (for a strip or a slab, to the full width), and of velocity, relative to\n\
+         the speed: medians of {} orbits after {}, {} and {} collisions, compared with a computation in 106 bits. Drifts of the energy\n\
+         and of the table's other conserved quantity, if any: the largest in 1e5 collisions (1e4 or 1e3 if 1e5 would take too long).",
         effort.orbits(),
         STOPS[0],
         STOPS[1],

@@ -106,7 +106,7 @@ impl<'a> Exam<'a> {
     /// There are no starts on this table, or no right answers.
     pub fn new(case: &'a Case, law: Law, effort: Effort) -> Result<Self, Box<dyn Error>> {
         let starts = case.starts(effort.orbits())?;
-        let textbook = case.textbook::<DoubleDouble>(law).ok_or("it has walls that no textbook has")?;
+        let textbook = case.textbook::<DoubleDouble>(law).ok_or("the textbook method cannot treat all of its walls")?;
         let follow = |start: &State<f64>| {
             let mut at = start.to(DoubleDouble::of);
             let mut states = vec![];
@@ -245,7 +245,7 @@ impl Score {
             }
         }
         if let Some(k) = (0..2).find(|&k| !(self.errors[k].median <= OUTSIDE)) {
-            all.push(format!("1 % off after {}", STOPS[k]));
+            all.push(format!("more than 1 % off after {}", STOPS[k]));
         }
         all
     }

@@ -33,7 +33,7 @@ fn against_error(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fa
     let tables = bench::tables(arguments.only.as_deref());
     if let (true, Some(only)) = (tables.is_empty(), &arguments.only) {
         if stress::CASES.iter().any(|entry| entry.name == only) {
-            let problem = Diagnostic::of_file("--only", format!("`{only}` is a case under stress"));
+            let problem = Diagnostic::of_file("--only", format!("`{only}` is a stress case"));
             return Err(Failure::Input(vec![problem.with_help("add --stress")]));
         }
         return Err(unknown(only, "table", case::CASES.iter().map(|entry| entry.name)));
@@ -95,7 +95,7 @@ fn under_stress(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fai
     let bad = |report: &&stress::Report| report.result.as_ref().map_or(true, |tally| tally.lost > 0);
     match reports.iter().filter(bad).map(|report| report.name).collect::<Vec<_>>()[..] {
         [] => Ok(reader.heard?),
-        ref names => Err(Failure::Work(format!("something was lost: {}", names.join(", ")))),
+        ref names => Err(Failure::Work(format!("cases that failed or lost something: {}", names.join(", ")))),
     }
 }
 
@@ -168,6 +168,6 @@ fn unknown(name: &str, what: &str, names: impl Iterator<Item = &'static str> + C
     let problem = Diagnostic::of_file("--only", format!("there is no {what} `{name}`"));
     Failure::Input(vec![match spelling::closest(name, names.clone()) {
         Some(near) => problem.with_help(format!("did you mean `{near}`?")),
-        None => problem.with_help(format!("there are: {}", names.collect::<Vec<_>>().join(", "))),
+        None => problem.with_help(format!("known names: {}", names.collect::<Vec<_>>().join(", "))),
     }])
 }

@@ -18,13 +18,13 @@ use super::exact::Plane;
 
 pub(super) const ENTRY: Entry = Entry {
     name: "parry distance",
-    summary: "distance queries alone, as for any parry Shape: a certified march",
+    summary: "a certified march by distance queries alone, as for any parry Shape",
     sizes: |case: &Case, _: Effort| match &case.space {
         Space::Plane(table) if table.extent().is_finite() => vec![None],
         _ => vec![],
     },
     build: |case, law, _| {
-        let Space::Plane(table) = &case.space else { return Err("it is not in the plane".into()) };
+        let Space::Plane(table) = &case.space else { return Err("the table is not planar".into()) };
         let pieces = pieces(&ByDistance(table.clone()), &Isometry2::identity(), Side::Inside)?;
         Ok(Box::new(Plane { table: Table::new(pieces)?, law: law.planar() }))
     },

@@ -12,7 +12,7 @@ use crate::expression::{Expression, ImplicitCurve, PolarCurve};
 
 pub(super) const IMPLICIT: Entry = Entry {
     name: "formula f(x, y) = 0",
-    summary: "the boundary as one equation, cut into polynomial graphs right to rounding",
+    summary: "the boundary as one equation, cut into polynomial graphs accurate to rounding",
     sizes,
     build: |case, law, _| {
         build(case, law, |formulas| {
@@ -25,7 +25,7 @@ pub(super) const IMPLICIT: Entry = Entry {
 
 pub(super) const POLAR: Entry = Entry {
     name: "formula r(t)",
-    summary: "the boundary as a radius in every direction, cut into polynomial graphs right to rounding",
+    summary: "the boundary as a radius for every direction, cut into polynomial graphs accurate to rounding",
     sizes,
     build: |case, law, _| {
         build(case, law, |formulas| {
@@ -44,6 +44,6 @@ fn build(
     law: Law,
     piece: impl Fn(&Formulas) -> Result<Box<dyn Piece>, Box<dyn std::error::Error>>,
 ) -> Built {
-    let formulas = case.formulas.as_ref().ok_or("its boundary is not one formula")?;
+    let formulas = case.formulas.as_ref().ok_or("the boundary is not given by a single formula")?;
     Ok(Box::new(Plane { table: Table::new(vec![piece(formulas)?])?, law: law.planar() }))
 }

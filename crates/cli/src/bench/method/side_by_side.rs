@@ -9,7 +9,7 @@ use billiards::{Collisions, Conserved, EnergyKeeper, Finished, Orbit, Planar, Sp
 
 pub(super) const ENTRY: Entry = Entry {
     name: "exact, side by side",
-    summary: "the same bits, many orbits at a time in vector registers",
+    summary: "the same to the last bit, many orbits at a time in vector registers",
     sizes: always,
     build: |case, law, _| Ok(build(case, law)),
 };

@@ -24,7 +24,7 @@ pub(super) const SINGLE: Entry = Entry {
 };
 
 fn build<R: Real + 'static>(case: &Case, law: Law) -> Built {
-    let textbook = case.textbook::<R>(law).ok_or("it has walls that no textbook has")?;
+    let textbook = case.textbook::<R>(law).ok_or("the textbook method cannot treat all of its walls")?;
     Ok(Box::new(textbook))
 }
 

@@ -13,7 +13,7 @@ use crate::simulation::PlanarLaw;
 
 pub(super) const SMALL: Entry = Entry {
     name: "gamma to 0",
-    summary: "no-slip disks with gamma^2 = 1e-300 ... 1e-24: a specular point, whatever its spin",
+    summary: "no-slip disks with gamma^2 = 1e-300 ... 1e-24: they move like a specular point, whatever their spin",
     run: |effort| {
         on(&[1e-300, 1e-100, 1e-24], effort, |law, start| {
             let specular = after(&Law::Specular.planar(), start, 10);
@@ -26,7 +26,7 @@ pub(super) const SMALL: Entry = Entry {
 
 pub(super) const LARGE: Entry = Entry {
     name: "gamma to infinity",
-    summary: "no-slip disks with gamma^2 = 1e24 ... 1e300: back along the way they came",
+    summary: "no-slip disks with gamma^2 = 1e24 ... 1e300: they go back the way they came",
     run: |effort| {
         on(&[1e24, 1e100, 1e300], effort, |law, start| {
             let states = after(law, start, 10);

@@ -9,13 +9,13 @@ use super::{Entry, Tally, Trial};
 
 pub(super) const WALLS: Entry = Entry {
     name: "starts next to a wall",
-    summary: "every bounded table; points of the walls, moved by -1, 0 or 1 ulp in each coordinate, moving inwards",
+    summary: "starts on the walls of every bounded table, shifted by -1, 0 or 1 ulp in each coordinate, moving inwards",
     run: |effort| on(effort, |table| points_of_walls(table, if effort == Effort::Quick { 3 } else { 16 })),
 };
 
 pub(super) const VERTICES: Entry = Entry {
     name: "starts next to a vertex",
-    summary: "every bounded table with corners; the corners, moved by -1, 0 or 1 ulp in each coordinate, moving inwards",
+    summary: "starts at the corners of every bounded table, shifted by -1, 0 or 1 ulp in each coordinate, moving inwards",
     run: |effort| on(effort, |table| table.corners().to_vec()),
 };
 

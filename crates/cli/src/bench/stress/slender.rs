@@ -11,7 +11,7 @@ use super::{Entry, Tally};
 
 pub(super) const ENTRY: Entry = Entry {
     name: "slender bodies",
-    summary: "moments of inertia 1, 1 and 1e-12 ... 1, and all three 1e-12 ... 1: contact velocity and energy, every k",
+    summary: "moments of inertia 1, 1 and 1e-12 ... 1, and all three 1e-12 ... 1: contact velocity and energy after the collision, for every k",
     run,
 };
 

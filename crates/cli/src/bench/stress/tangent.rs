@@ -15,13 +15,13 @@ pub(super) const GAPS: Entry = Entry {
 
 pub(super) const HORNS: Entry = Entry {
     name: "thin horns",
-    summary: "a moon whose arcs meet at 1e-4 rad",
+    summary: "a moon whose arcs meet at an angle of 1e-4 rad",
     run: |effort| Ok(on(&tables::moon(1.0, 0.5, 0.5 + 1e-8)?, [-0.5, 0.1], effort)),
 };
 
 pub(super) const CUSP: Entry = Entry {
     name: "cusp",
-    summary: "between two circles that touch from inside",
+    summary: "between two circles, one touching the other from inside",
     run: |effort| {
         let outer = Circle::new(Vector2::zeros(), 1.0, true)?;
         let inner = Circle::new(Vector2::new(0.5, 0.0), 0.5, false)?;

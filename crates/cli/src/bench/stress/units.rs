@@ -13,13 +13,13 @@ use crate::simulation::{Control, Simulation};
 
 pub(super) const LENGTHS: Entry = Entry {
     name: "tables of size 1e+-150",
-    summary: "a stadium 2^498 times as large or small: the same record, times that, bit by bit",
+    summary: "a stadium 2^498 times as large or small: the same record, scaled, bit by bit",
     run: |effort| scaled(effort, |factor| [factor, 1.0]),
 };
 
 pub(super) const SPEEDS: Entry = Entry {
     name: "speeds of 1e+-150",
-    summary: "a stadium 2^498 times as fast or slow: the same record, times that, bit by bit",
+    summary: "a stadium 2^498 times as fast or slow: the same record, scaled, bit by bit",
     run: |effort| scaled(effort, |factor| [1.0, factor]),
 };
 

@@ -12,13 +12,13 @@ use crate::simulation::Until;
 
 pub(super) const SPECULAR: Entry = Entry {
     name: "thin specular wedge",
-    summary: "into a wedge of 1e-6 rad and out again: as many collisions as its angle fits into the turn of the path",
+    summary: "into a wedge of 1e-6 rad and out again: as many collisions as wedge angles fit into the turn of the path",
     run: specular,
 };
 
 pub(super) const NO_SLIP: Entry = Entry {
     name: "thin no-slip wedge",
-    summary: "along a wedge of 1e-6 rad: the angular momentum about the apex keeps its size",
+    summary: "along a wedge of 1e-6 rad: the angular momentum about the apex keeps its magnitude",
     run: no_slip,
 };
 
