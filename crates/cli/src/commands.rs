@@ -83,9 +83,9 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
     let what = format!("{}: {error}", path.display());
     let help = match error.kind() {
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
-            "a file stands where a folder should be, or a link that leads nowhere: name another one, --out DIR"
+            "there is a file, or a link that leads nowhere, where a folder should be: name another folder, --out DIR"
         }
-        io::ErrorKind::IsADirectory => "move that folder away, or name another one for the files: --out DIR",
+        io::ErrorKind::IsADirectory => "move that folder away, or name another folder for the files: --out DIR",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
             "name a folder in which you may write: --out DIR"
         }

@@ -124,7 +124,7 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
     let (bodies, before) = (bodies?, before?);
     for (body, motion) in bodies.value.iter().zip(&before.value) {
         if body.free.is_none() && motion.v.iter().chain(&motion.w.value).any(|x| *x != 0.0) {
-            problems.add(before.span, "a fixed body (mass = \"inf\") has the velocity zero");
+            problems.add(before.span, "a fixed body (mass = \"inf\") must have velocity zero");
         }
     }
     Some(ContactFile {
@@ -156,7 +156,7 @@ fn pair<T>(
         }
         Value::List(items) => {
             let help = "write one for body 1 and one for body 2, be it fixed or not";
-            problems.add_with_help(item.span, format!("{what} has two entries, not {}", items.len()), help);
+            problems.add_with_help(item.span, format!("{what} must have two entries, not {}", items.len()), help);
             None
         }
         other => {

@@ -30,7 +30,7 @@ pub const MAX_LEVELS: usize = 100;
 const SMALL: usize = 64;
 
 /// Advice where a number is too large.
-const TOO_LARGE: &str = "doubles end at 1.8e308: make it smaller";
+const TOO_LARGE: &str = "the largest double is 1.8e308: make it smaller";
 
 /// What is wrong with an expression, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -274,11 +274,11 @@ impl Node {
                 (format!("acos of {}, which is outside [-1, 1]", values[a]), "its argument must lie between -1 and 1")
             }
             Self::Unary(Function::Sin | Function::Cos | Function::Tan, a) if values[a].abs() > LARGEST_ANGLE => (
-                format!("the angle {:?}, whose digits do not tell where on the circle it is", values[a]),
+                format!("the angle {:?} is so large that its digits do not determine a point on the circle", values[a]),
                 "angles are in radians: write one between -1e30 and 1e30",
             ),
             Self::Unary(Function::Tan, _) => (
-                "tan of an odd multiple of pi/2, which has none".into(),
+                "tan of an odd multiple of pi/2, where it is undefined".into(),
                 "its argument must not be an odd multiple of pi/2",
             ),
             Self::Binary(Operation::Divide, _, b) if values[b] == 0.0 => {

@@ -101,7 +101,7 @@ impl Scene {
 
 fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Option<Scene> {
     if let Some((key, _)) = root.others().find(|(key, _)| key.value == "contact_point") {
-        let what = "a scene has no contact point: this file is of one collision";
+        let what = "a scene has no contact point: this file describes a single collision";
         problems.add_with_help(key.span, what, "compute it: billiards collide CONTACT");
         return None;
     }

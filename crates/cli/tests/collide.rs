@@ -215,7 +215,7 @@ fn spins_beyond_space_are_told_by_their_entries() {
     let (_, out, err) = collide_text("entries", &contact.to_string(), &[]);
     assert!(out.contains("(1, 0, 0, 0, 0, 2)"), "{out}{err}");
     assert!(
-        out.contains("rows and columns 21, 31, 32, 41, 42, 43 of the matrix; 21 turns axis 1 towards axis 2"),
+        out.contains("entries 21, 31, 32, 41, 42, 43 (row, column) of the matrix; 21 turns axis 1 towards axis 2"),
         "{out}"
     );
     let (_, out, _) = collide_text("entries", &contact.to_string(), &["--json"]);
@@ -322,7 +322,7 @@ fn each_mistake_has_status_2_and_its_own_message() {
         ("dim", TOML, "dim = 2", "dim = 6", "2:7: error: 6 is not a whole number from 2 to 5"),
         ("scene", TOML, "dim = 2", "[table]", "2:2: error: a contact has no table: this file is a scene"),
         ("dim as well", TOML, "dim = 2", "dim = 2.5", "2:7: error: 2.5 is not a whole number from 2 to 5"),
-        ("three", TOML, "w = 0 }]", "w = 0 }, { v = [0, 0], w = 0 }]", "pre has two entries, not 3"),
+        ("three", TOML, "w = 0 }]", "w = 0 }, { v = [0, 0], w = 0 }]", "pre must have two entries, not 3"),
         (
             "unsymmetric",
             SPATIAL,

@@ -170,7 +170,7 @@ fn the_largest_disk_of_a_lattice_lies_in_the_unit_cell() {
         ),
     ] {
         let told = checked(name, &format!("law = \"specular\"\n[table]\n{table}{start}"));
-        let center = told.split("there about (").nth(1).unwrap().split(')').next().unwrap();
+        let center = told.split("centred near (").nth(1).unwrap().split(')').next().unwrap();
         let [x, y] = {
             let mut numbers = center.split(", ").map(|x| x.parse::<f64>().unwrap());
             [(); 2].map(|()| numbers.next().unwrap())

@@ -34,7 +34,7 @@ pub fn run(arguments: &args::Check, out: &mut impl Write) -> Result<(), Failure>
     if let Some(SameBits { orbits, each, collisions }) = same_bits {
         writeln!(
             out,
-            "  same bits   of {orbits} orbits side by side and one by one, {collisions} collisions, {each} of each at most"
+            "  same bits   of {orbits} orbits run side by side and one by one: {collisions} collisions in all, at most {each} per orbit"
         )?;
     }
     Ok(())
@@ -75,7 +75,7 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if !plane && scene.radius > 0.0 && !walls.parts.is_empty() {
         writeln!(
             out,
-            "  particle    a ball of radius {}; this is the region in which its centre moves",
+            "  particle    a ball of radius {}; volume and surface are of the region in which its centre moves",
             spell(scene.radius)
         )?;
     }
@@ -87,7 +87,7 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if let Some((radius, center)) = scene.largest_disk {
         writeln!(
             out,
-            "  fits        a disk of radius up to {}, there about {}",
+            "  fits        a disk of radius up to {}, centred near {}",
             measure(Some(radius)),
             point(&center, radius)
         )?;

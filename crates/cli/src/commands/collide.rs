@@ -122,7 +122,7 @@ fn collide<const N: usize>(file: &ContactFile) -> Result<Outcome, Vec<Diagnostic
     if outcome.is_finite() {
         return Ok(outcome);
     }
-    let what = "masses, lengths and speeds are of so different sizes that the result is not a finite number";
+    let what = "masses, lengths and speeds differ so much in size that the result is not a finite number";
     Err(vec![file.source.diagnostic(file.bodies.span, what)])
 }
 
@@ -157,12 +157,14 @@ fn mend(error: &Error) -> Option<&'static str> {
         Error::NoNormal => "write the direction from body 2 towards body 1",
         Error::InertiaNotSymmetric { .. } => "write the same number in row i, column j as in row j, column i",
         Error::InertiaNotPositive { .. } | Error::SecondMomentsOfLowRank => {
-            "the mass of a body resists turning in every plane: a rod in space needs some thickness"
+            "a body must resist turning in every plane: a rod in space needs some thickness"
         }
         Error::SecondMomentsNotPositive { .. } => {
-            "all eigenvalues of S are 0 or more: are its off-diagonal entries too large?"
+            "all eigenvalues of S must be 0 or more: are its off-diagonal entries too large?"
         }
-        Error::SpinNotSkew { .. } => "write 0 on the diagonal, and in row j, column i minus what row i, column j has",
+        Error::SpinNotSkew { .. } => {
+            "write 0 on the diagonal, and in row j, column i the negative of the entry in row i, column j"
+        }
         Error::RoughDirectionAlongNormal { .. } => "leave it out, or write one that is not along the normal",
         Error::DependentRoughDirections { .. } => "leave it out: it adds nothing to the ones before it",
         _ => return None,
@@ -378,7 +380,7 @@ impl Outcome {
         let entries: Vec<_> = (1..=self.dimension).flat_map(|i| (1..i).map(move |j| format!("{i}{j}"))).collect();
         let entries = entries.join(", ");
         format!(
-            "\n  spins and angular momenta: rows and columns {entries} of the matrix; 21 turns axis 1 towards axis 2"
+            "\n  spins and angular momenta: entries {entries} (row, column) of the matrix; 21 turns axis 1 towards axis 2"
         )
     }
 }

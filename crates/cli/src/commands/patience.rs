@@ -15,7 +15,7 @@ const GLANCE: Duration = Duration::from_millis(100);
 /// Does work whose progress is unknown, and shows on a terminal what is being done.
 pub(super) fn with_spinner<R>(what: &str, work: impl FnOnce() -> R) -> R {
     let spinner = || {
-        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed} passed");
+        let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed} elapsed");
         let style = style.unwrap_or_else(|_| ProgressStyle::default_spinner());
         ProgressBar::new_spinner().with_style(style).with_message(what.to_owned())
     };

@@ -174,7 +174,7 @@ fn progress_bar(jobs: usize) -> ProgressBar {
         return ProgressBar::hidden();
     }
     let style =
-        ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} passed  {msg}; Ctrl-C keeps what is done");
+        ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} elapsed  {msg}; Ctrl-C keeps what is done");
     ProgressBar::new(jobs as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 

@@ -210,8 +210,8 @@ pub fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
     }
     let x = number(item, problems)?.value;
     if matches!(item.value, Value::Text(_)) && x >= TOO_LONG {
-        let help = "write its digits: what a formula gives is rounded to 53 bits";
-        problems.add_with_help(item.span, "a formula gives a seed below 2^53", help);
+        let help = "write its digits: the value of a formula is rounded to 53 bits";
+        problems.add_with_help(item.span, "a seed given by a formula must be below 2^53", help);
         return None;
     }
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within range: just checked")]

@@ -266,7 +266,7 @@ mod tests {
             let error = value(text).expect_err(text);
             assert_eq!(error.column, column, "{text}");
             assert!(
-                error.what.ends_with("whose digits do not tell where on the circle it is"),
+                error.what.ends_with("its digits do not determine a point on the circle"),
                 "{text}: {}",
                 error.what
             );
@@ -285,6 +285,6 @@ mod tests {
     #[test]
     fn there_is_no_tangent_of_a_right_angle() {
         let error = value("1 + tan(pi/2)").expect_err("no number");
-        assert_eq!((error.column, error.what.as_str()), (5, "tan of an odd multiple of pi/2, which has none"));
+        assert_eq!((error.column, error.what.as_str()), (5, "tan of an odd multiple of pi/2, where it is undefined"));
     }
 }

@@ -135,7 +135,7 @@ fn introduction(page: &mut String, figures: &[Drawn], claims: &[Measured], effor
          collision is a half-turn of the velocity. Rotation is counted counter-clockwise, ν is the unit normal into the table, \
          t = Jν with J(x, y) = (−y, x), and v₀, vₜ, vₙ are the components of the velocity after a collision. Unless said otherwise the \
          disk is uniform, γ² = 1/2, and |ẋ| = 1.</p>\n\
-         <p>Every picture and every number here was computed when this page was made, the same to the last bit every time.",
+         <p>Every picture and every number here was computed when this page was made; they are the same to the last bit every time.",
         env!("CARGO_PKG_VERSION")
     )?;
     if !claims.is_empty() {

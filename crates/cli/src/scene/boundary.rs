@@ -257,7 +257,7 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
     let wall_in = |dimension| keys.iter().find(|key| kinds(dimension).contains(&&key.value[..]));
     if let (None, Some(key)) = (wall_in(dimension), wall_in(other)) {
         let what = format!("a \"{}\" is a wall of tables in {other} dimensions", key.value);
-        problems.add_with_help(key.span, what, format!("say dimension = {other} in [table]"));
+        problems.add_with_help(key.span, what, format!("set dimension = {other} in [table]"));
         return None;
     }
     let found = section.one_of(kinds(dimension), example, problems);

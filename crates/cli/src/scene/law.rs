@@ -54,7 +54,7 @@ pub const LAWS: &[LawModel] = &[
     LawModel {
         name: "specular",
         example: "law = \"specular\"",
-        summary: "the normal velocity reverses, spin and tangential velocity stay (k = 0)",
+        summary: "the normal velocity reverses, spin and tangential velocity do not change (k = 0)",
     },
     LawModel {
         name: "no-slip",
@@ -69,12 +69,12 @@ pub const LAWS: &[LawModel] = &[
     LawModel {
         name: "random",
         example: "law = { name = \"random\", rank = 1, seed = 0 }",
-        summary: "k = rank rough directions, uniformly random from place to place: the seed and the contact point decide",
+        summary: "k = rank rough directions, uniformly random, as a function of the seed and the contact point",
     },
     LawModel {
         name: "restitution",
         example: "law = { name = \"restitution\", normal = 0.9, tangential = 0 }",
-        summary: "loses energy: the part of u that impulses along n make -> -normal of it, the rest -> -tangential of it (balls: u.n, tangential u)",
+        summary: "loses energy: of the contact velocity, the part that an impulse along the normal produces (for a ball, the normal part) is multiplied by -normal, the rest by -tangential",
     },
 ];
 
@@ -108,14 +108,14 @@ impl std::str::FromStr for LawKind {
                 Some(law) => {
                     let in_the_plane = if name == "rough" { " (in the plane rough = [[1, 0]])" } else { "" };
                     Err(format!(
-                        "this law has parameters: write {}{in_the_plane} in place of the scene's law; `billiards guide` tells more",
+                        "this law has parameters: write {}{in_the_plane} in place of the scene's law; see `billiards guide`",
                         law.example
                     ))
                 }
                 None => Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
                     Some(near) => format!("unknown law; did you mean \"{near}\"?"),
-                    None => "unknown law; specular and no-slip have no parameters, and `billiards laws` lists those that stand in a \
-                             scene"
+                    None => "unknown law; write specular or no-slip, which have no parameters; `billiards laws` lists all laws that a \
+                             scene can name"
                         .into(),
                 }),
             },

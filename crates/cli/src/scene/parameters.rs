@@ -197,7 +197,7 @@ pub(super) fn model(
         problems.add_with_help(
             item.span,
             format!("the {what} \"{word}\" is {n}-dimensional"),
-            format!("say dimension = {n} in [table]"),
+            format!("set dimension = {n} in [table]"),
         );
         return None;
     }

@@ -44,13 +44,13 @@ pub const SHAPES: &[Model] = &[
     shape(
         "trimesh",
         2,
-        "triangles; its walls are the edges of one triangle only",
+        "triangles; its walls are the edges that belong to one triangle only",
         &[CENTER2, ANGLE, points(3), TRIANGLES],
     ),
     shape(
         "heightfield",
         2,
-        "a graph over -size_1/2 < x < size_1/2, heights in units of size_2; its ends need rays, other pieces or a lattice",
+        "a graph over -size_1/2 < x < size_1/2, heights in units of size_2; at its ends it must be continued by rays, other pieces or a lattice",
         &[
             CENTER2,
             ANGLE,

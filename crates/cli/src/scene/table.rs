@@ -79,7 +79,7 @@ pub(super) fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
         2 => Some(2),
         3 => Some(3),
         _ => {
-            problems.add(item.span, "the dimension is 2 or 3");
+            problems.add(item.span, "the dimension must be 2 or 3");
             None
         }
     }

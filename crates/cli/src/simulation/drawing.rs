@@ -25,7 +25,7 @@ pub(super) fn read<T>(
         Box::new(with_file_meant(*diagnostic, &error, &path))
     })?;
     reader(&bytes).map_err(|error| {
-        let what = if error == Error::Empty { "nothing in it is a wall".into() } else { error.to_string() };
+        let what = if error == Error::Empty { "it contains no walls".into() } else { error.to_string() };
         complain(format!("{}: {what}", path.display()))
     })
 }

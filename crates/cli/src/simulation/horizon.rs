@@ -106,22 +106,22 @@ impl Horizons {
         };
         let lost = self.orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions);
         if let Some(OfOrbit { orbit, collisions, time, .. }) = lost {
-            let first = if among.is_empty() { String::new() } else { format!(", the first{among} that is lost") };
+            let first = if among.is_empty() { String::new() } else { format!(", the first{among} to be lost") };
             let collisions = plural(*collisions, "collision");
             return format!(
-                "of orbit {orbit} last {collisions} (t = {}){first}; beyond, it is one of many",
+                "of orbit {orbit} last for {collisions} (t = {}){first}; what follows is one of many possible orbits",
                 short(*time)
             );
         }
         let worst = self.orbits.iter().reduce(|a, b| if b.error > a.error { b } else { a });
         let Some(OfOrbit { orbit, collisions, error, .. }) = worst else { return "none".into() };
         let after = format!("after {}", plural(*collisions, "collision"));
-        let of = if among.is_empty() { String::new() } else { format!("; the worst{among}, orbit {orbit}") };
+        let of = if among.is_empty() { String::new() } else { format!(" (orbit {orbit}, the worst{among})") };
         if *error > A_DIGIT {
             return format!("all but gone {after}{of}");
         }
         let error = if *error == 0.0 { "0".into() } else { format!("{error:.0e}") };
-        format!("right to {error} of {} {after}{of}", self.unit)
+        format!("accurate to {error} of {} {after}{of}", self.unit)
     }
 }
 
@@ -179,19 +179,19 @@ mod tests {
         let wedge = of(&[(7, 6e-14, false), (0, 0.0, false)]);
         assert_eq!(
             wedge.in_words(2),
-            "right to 6e-14 of the table's size after 7 collisions; the worst of 2 orbits, orbit 0"
+            "accurate to 6e-14 of the table's size after 7 collisions (orbit 0, the worst of 2 orbits)"
         );
-        assert!(wedge.in_words(5000).ends_with("the worst of the first 2 of 5000 orbits, orbit 0"));
-        assert_eq!(of(&[(1, 0.0, false)]).in_words(1), "right to 0 of the table's size after 1 collision");
+        assert!(wedge.in_words(5000).ends_with("(orbit 0, the worst of the first 2 of 5000 orbits)"));
+        assert_eq!(of(&[(1, 0.0, false)]).in_words(1), "accurate to 0 of the table's size after 1 collision");
         assert_eq!(of(&[(40, 0.4, false)]).in_words(1), "all but gone after 40 collisions");
         let lost = of(&[(9, 0.1, false), (30, 0.1, true), (1, 0.2, true)]);
         assert_eq!(
             lost.in_words(3),
-            "of orbit 2 last 1 collision (t = 2.5), the first of 3 orbits that is lost; beyond, it is one of many"
+            "of orbit 2 last for 1 collision (t = 2.5), the first of 3 orbits to be lost; what follows is one of many possible orbits"
         );
         assert_eq!(
             of(&[(9, 0.1, true)]).in_words(1),
-            "of orbit 0 last 9 collisions (t = 2.5); beyond, it is one of many"
+            "of orbit 0 last for 9 collisions (t = 2.5); what follows is one of many possible orbits"
         );
     }
 }

@@ -49,7 +49,7 @@ pub(crate) fn too_large(scene: &Scene, largest: f64) -> Diagnostic {
 /// would fit.
 pub(crate) fn no_place(scene: &Scene) -> Diagnostic {
     let what = format!(
-        "a ball of radius {} has no room to move between the walls: no place so far from all of them was found",
+        "a ball of radius {} has no room to move between the walls: no point that far from all of them was found",
         spell(scene.particle.radius.value)
     );
     let diagnostic = scene.source.diagnostic(scene.particle.radius.span, what);
@@ -81,7 +81,7 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diag
 fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<SolidSpec, Box<Diagnostic>> {
     let readers: [(&str, Reader<SolidSpec>); 2] =
         [("stl", import::stl), ("obj", |bytes| import::obj(&String::from_utf8_lossy(bytes)))];
-    let mesh = drawing::read(scene, file, "a mesh is read from a file .stl or .obj", &readers)?;
+    let mesh = drawing::read(scene, file, "a mesh is read from a .stl or .obj file", &readers)?;
     let mesh = mesh.scaled(unit);
     let largest = match &mesh {
         SolidSpec::TriMesh { vertices, .. } => vertices.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())),

@@ -26,7 +26,7 @@ pub struct SameBits {
 
 /// An orbit that ends differently side by side than alone.
 #[derive(Clone, Debug, thiserror::Error)]
-#[error("orbit {orbit} is another one side by side than alone: {side_by_side} in place of {alone}")]
+#[error("orbit {orbit} run side by side differs from the same orbit run alone: {side_by_side} instead of {alone}")]
 pub struct OtherBits {
     orbit: u64,
     side_by_side: String,

@@ -153,7 +153,7 @@ impl Spatial {
         };
         if let Starts::Ensemble(ensemble, _) = &starts {
             if ensemble.sample.value == "grid" {
-                let what = "in space, the sample is \"canonical\"";
+                let what = "in space, the sample must be \"canonical\"";
                 return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
             }
             if let Space::Room(room) = &centres {

@@ -138,13 +138,11 @@ pub(crate) fn planar(
     let mut start: Start<2, 1> = scaled(orbit, length);
     (start.position, start.cell) = folded(table, &start.position);
     if let Some(away) = start.cell.into_iter().find(|cell| cell.abs() > Lattice::FARTHEST_CELL) {
-        let what = format!(
-            "the start lies {:.0e} cells of the lattice away, where cells can no longer be counted",
-            away.abs()
-        );
+        let what =
+            format!("the start lies {:.0e} cells of the lattice away, too far for cells to be counted", away.abs());
         let diagnostic = scene.source.diagnostic(orbit.position.span, what);
         return Err(Box::new(
-            diagnostic.with_help("start in the copy of that place next to the origin: all others are the same"),
+            diagnostic.with_help("start at the copy of that point next to the origin: all copies are equivalent"),
         ));
     }
     let home = Vector2::from(start.position);
@@ -175,7 +173,7 @@ pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: u64) -> Dia
     let particle = if scene.dimension == 2 { "disk" } else { "ball" };
     let what = if radius > 0.0 {
         format!(
-            "a {particle} of radius {} does not fit there: its centre would be {distance} beyond where piece {piece} lets it be",
+            "a {particle} of radius {} does not fit there: its centre would be {distance} beyond the limit set by piece {piece}",
             spell(radius)
         )
     } else {

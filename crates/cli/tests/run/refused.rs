@@ -64,7 +64,7 @@ fn a_file_without_walls_is_told_to_have_none() {
         let scene = format!("law = \"specular\"\ntable = {{ {table} }}\n{orbit}\nrun = {{ collisions = 1 }}\n");
         let output = folder.run(&scene, &[]);
         let told = String::from_utf8(output.stderr).unwrap();
-        assert!(told.contains(&format!("{file}: nothing in it is a wall")), "{told}");
+        assert!(told.contains(&format!("{file}: it contains no walls")), "{told}");
         assert_eq!(output.status.code(), Some(2));
     }
 }
@@ -325,7 +325,11 @@ fn a_folder_that_cannot_be_written_is_a_failure() {
     let output = folder.run(SQUARE, &[]);
     assert_eq!(output.status.code(), Some(1));
     let text = String::from_utf8(output.stderr).unwrap();
-    assert!(text.starts_with("error: out:") && text.contains("help: a file stands where a folder should be"), "{text}");
+    assert!(
+        text.starts_with("error: out:")
+            && text.contains("help: there is a file, or a link that leads nowhere, where a folder should be"),
+        "{text}"
+    );
     assert_eq!(folder.read("out"), "a file where a folder should be");
 }
 
@@ -422,7 +426,7 @@ fn a_start_at_a_wall_is_told_its_number_as_drawn() {
     let folder = Folder::new("as-drawn");
     for (x, message) in [
         ("0.125", "the disk touches piece 5 and does not move into the table"),
-        ("0.1", "its centre would be 0.025 beyond where piece 5 lets it be"),
+        ("0.1", "its centre would be 0.025 beyond the limit set by piece 5"),
     ] {
         let scene = format!(
             "law = \"specular\"\ntable = {{ name = \"pocket\" }}\nparticle = {{ radius = 0.125 }}\n\

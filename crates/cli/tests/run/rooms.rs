@@ -165,7 +165,7 @@ fn triangles_come_from_a_file() {
     refused("huge.obj", "line 2: \"1e200\" is no coordinate");
     refused("pyramid.obj\", unit = \"1e149", "the largest coordinate of pyramid.obj is 2e151");
     refused("none.obj", "cannot read");
-    refused("scene.toml", "a mesh is read from a file .stl or .obj");
+    refused("scene.toml", "a mesh is read from a .stl or .obj file");
     refused("broken.obj", "line 9: ");
     refused("short.stl", "neither the text nor the binary form of STL");
 }
@@ -186,7 +186,7 @@ fn the_volume_in_which_a_centre_moves_is_told_as_that() {
     let (point, ball) = (told(""), told("[particle]\nradius = 0.1\n"));
     // 4π/3, and 0.9³ of it
     assert!(point.contains("volume      4.18879\n") && !point.contains("centre moves"), "{point}");
-    let of_centre = "a ball of radius 0.1; this is the region in which its centre moves";
+    let of_centre = "a ball of radius 0.1; volume and surface are of the region in which its centre moves";
     assert!(ball.contains("volume      3.05363\n") && ball.contains(of_centre), "{ball}");
 }
 
@@ -207,7 +207,7 @@ fn rooms_that_cannot_be_filled_are_refused() {
             "a ball of radius 1.5 has no room to move in the table; its radius must be less than 1.5",
         ),
         (1.2, "", "", "9:10", "a ball of radius 1.2 has no room to move between the walls"),
-        (0.0, "seed = 3", "sample = \"grid\"", "13:10", "in space, the sample is \"canonical\""),
+        (0.0, "seed = 3", "sample = \"grid\"", "13:10", "in space, the sample must be \"canonical\""),
     ] {
         let scene = can(radius).replacen(this, instead, 1);
         let output = folder.run(&scene, &[]);
@@ -287,7 +287,7 @@ fn a_start_outside_is_told_of_which_piece_and_by_how_much() {
         (
             0.25,
             "[0.5, 0, 0]",
-            "a ball of radius 0.25 does not fit there: its centre would be 0.25 beyond where piece 1 lets it be",
+            "a ball of radius 0.25 does not fit there: its centre would be 0.25 beyond the limit set by piece 1",
         ),
     ] {
         let scene =

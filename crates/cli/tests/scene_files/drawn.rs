@@ -50,7 +50,7 @@ fn curves_by_their_points_are_told_what_they_must_do() {
         (
             "x = \"cos(t-sin(2*t)/2)\", y = \"sin(t-sin(2*t)/2)\"",
             "x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3); this fails near t = ",
-            "take a parameter that does so as well",
+            "take a parameter that does not stand still",
         ),
         ("x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(1-sin(t-1)^2)\"", "this fails near t = ", "write kinks with abs"),
         (
@@ -142,7 +142,11 @@ fn a_polygon_that_crosses_itself_is_told_where_with_a_rounding_too() {
 #[test]
 fn a_heightfield_is_said_to_need_pieces_at_its_ends_and_has_enough_with_them() {
     let model = SHAPES.iter().find(|model| model.name == "heightfield").unwrap();
-    assert!(model.summary.starts_with("a graph") && model.summary.contains("its ends need rays"), "{}", model.summary);
+    assert!(
+        model.summary.starts_with("a graph") && model.summary.contains("at its ends it must be continued by rays"),
+        "{}",
+        model.summary
+    );
     let field = "[[table.boundary]]\nshape = { name = \"heightfield\", heights = [0, 0.5, 0], size = [2, 1] }\n";
     let (what, help) = drawn_wrong(field);
     assert!(what.starts_with("the boundary is open") && help.contains("with a ray"), "{what}; {help}");
@@ -206,6 +210,6 @@ fn what_nobody_can_read_is_refused_before_it_is_read() {
         let text = format!("law = \"specular\"\n{table}[[orbit]]\nposition = {start}\n[run]\ncollisions = 1\n");
         let scene = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap();
         let errors = Simulation::new(scene).unwrap_err();
-        assert!(errors[0].what.contains(" is read from a file ."), "{errors:?}");
+        assert!(errors[0].what.contains(" is read from a ."), "{errors:?}");
     }
 }

@@ -16,8 +16,8 @@ fn mistakes_of_few_words_are_told_the_mend() {
         (NAMED, "sqrt(2)/4", "sqrt(2)/0", "the divisor must not be 0"),
         (NAMED, "sqrt(2)/4", "sqrt(-1)", "its argument must not be negative"),
         (NAMED, "sqrt(2)/4", "ln(0)", "its argument must be positive"),
-        (NAMED, "sqrt(2)/4", "exp(1000)", "doubles end at 1.8e308"),
-        (NAMED, "sqrt(2)/4", "1e999", "doubles end at 1.8e308"),
+        (NAMED, "sqrt(2)/4", "exp(1000)", "the largest double is 1.8e308"),
+        (NAMED, "sqrt(2)/4", "1e999", "the largest double is 1.8e308"),
         (NAMED, "collisions = 1000", "", "collisions = 1000"),
         (NAMED, "inertia = \"uniform-disk\"", "", "inertia = \"uniform-disk\""),
         (NAMED, "\"csv\"", "true", "known: csv, jsonl, npy"),
@@ -38,9 +38,9 @@ fn mistakes_of_few_words_are_told_the_mend() {
         (NAMED, "sqrt(2)/4", "sqroot(2)", "known: sqrt, abs"),
         (NAMED, "sqrt(2)/4", "two", "atan2, pi"),
         (BOUNDARY, "1+0.2*cos(5*t)", "1+0.2*cos(5*x)", "atan2, pi, t"),
-        (BOUNDARY, "circle =", "sphere =", "say dimension = 3 in [table]"),
-        (BOUNDARY, "circle =", "mesh =", "say dimension = 3 in [table]"),
-        (SPATIAL, "name = \"box\"", "boundary = [{ circle = {} }]", "say dimension = 2 in [table]"),
+        (BOUNDARY, "circle =", "sphere =", "set dimension = 3 in [table]"),
+        (BOUNDARY, "circle =", "mesh =", "set dimension = 3 in [table]"),
+        (SPATIAL, "name = \"box\"", "boundary = [{ circle = {} }]", "set dimension = 2 in [table]"),
     ] {
         assert!(valid.contains(old), "{old}");
         let source = Source::new("x.toml", &valid.replacen(old, new, 1));
@@ -66,7 +66,10 @@ fn a_single_entry_is_told_its_brackets() {
 #[test]
 fn a_contact_file_in_place_of_a_scene_is_told_its_command() {
     let contact = "dim = 2\nlaw = \"no-slip\"\ncontact_point = [0, 0]\nnormal = [0, 1]\nbodies = []\npre = []\n";
-    assert_eq!(parse(contact).unwrap_err(), ["3:1: a scene has no contact point: this file is of one collision"]);
+    assert_eq!(
+        parse(contact).unwrap_err(),
+        ["3:1: a scene has no contact point: this file describes a single collision"]
+    );
     assert_eq!(help_with(contact, "dim", "dim"), "compute it: billiards collide CONTACT");
 }
 

@@ -102,8 +102,8 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::ZeroLength => "leave it out, or move one of its ends",
         Error::TooShort { .. } => "leave it out, make it longer, or move it nearer to the origin",
         Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
-        Error::ManyCells { .. } => "make the piece smaller, or the vectors longer and more unlike",
-        Error::FarFromCell { .. } => "give the copy of it that lies next to the origin: all others are the same",
+        Error::ManyCells { .. } => "make the piece smaller, or the vectors longer and less nearly parallel",
+        Error::FarFromCell { .. } => "write the copy of it that lies next to the origin: all copies are equivalent",
         Error::OffCircle { .. } => "put the center on the perpendicular bisector of the two ends",
         Error::Crossing { first, second, .. } if first == second => {
             "it crosses its own translate in the next cell of the lattice: make it smaller, or the cell larger"
@@ -113,19 +113,19 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::CrossedOutline { .. } => "list its corners in order around it: sides may touch but not cross",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::PolarRadius { .. } => {
-            "put its center where all of the curve is seen from; through its center a curve goes only in a cusp, as \
-             1 + cos(t) does, or between petals, as abs(cos(2*t))"
+            "put its center where the whole curve can be seen from; a curve may pass through its center only in a cusp, as \
+             1 + cos(t) does, or between petals, as abs(cos(2*t)) does"
         }
-        Error::Winding => "take fewer waves, as in cos(500*t) for cos(50000*t)",
+        Error::Winding => "take fewer waves, as in cos(500*t) instead of cos(50000*t)",
         Error::PolarJump { .. } => {
-            "take a formula without jumps: atan(tan(t)), atan2 and quotients by what comes to 0 have some"
+            "take a formula without jumps: atan(tan(t)), atan2 and quotients whose divisor becomes 0 have some"
         }
         Error::Inverted => "change the sign of the formula, whichever side of the curve the table is on",
         Error::Open { .. } => {
-            "close the loop, or continue it to infinity with a ray; a straight wall that ends nowhere is a line"
+            "close the loop, or continue it to infinity with a ray; a straight wall without ends is a line"
         }
         Error::OneSided { .. } => {
-            "give the wall its other side, a chain that leads back; with one vector of the lattice only, the table has no end there"
+            "add the other side of the wall, a chain that leads back; or give one lattice vector only, so that the table is unbounded there"
         }
         Error::Spike { .. } => {
             "leave the stretch out, or let it lead into the table, where it is a wall without thickness"
@@ -139,10 +139,10 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Curve { must: ImplicitRule::Alone, .. } => "draw the box `within` closer around one of them",
         Error::Curve { .. } => "an implicit formula has no kinks; a formula of t may have them, written with abs",
         Error::Parametrised { must: ParametricRule::Closed, .. } => {
-            "let \"over\" run once around the curve; from 0 to 2*pi, unless it is written"
+            "let \"over\" run once around the curve; without it, t runs from 0 to 2*pi"
         }
         Error::Parametrised { must: ParametricRule::Moving, .. } => {
-            "where the curve goes on, take a parameter that does so as well, as t for t^3"
+            "take a parameter that does not stand still on the way, as t instead of t^3"
         }
         Error::Parametrised { must: ParametricRule::FiniteRate, .. } => {
             "where it is vertical, let both x and y depend on t, as cos(t) and sin(t) do for y = sqrt(1-x^2), or \
@@ -152,13 +152,13 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and keep the curvature bounded"
         }
         Error::RoughPiece { .. } => {
-            "take radius = 0, or write kinks with abs in a formula of t, as in abs(sin(t)): its powers below 2 have slopes or \
-             curvatures without bound, and an implicit formula has no kinks"
+            "take radius = 0, or write kinks with abs in a formula of t, as in abs(sin(t)): its powers below 2 have unbounded \
+             slopes or curvatures, and an implicit formula has no kinks"
         }
-        Error::Bend { .. } => "take another radius, or a formula with a curvature that has a bound",
+        Error::Bend { .. } => "take another radius, or a formula with bounded curvature",
         Error::PolarKink { .. } => {
-            "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and beside them nothing else that is \
-             rough"
+            "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and let the curve be \
+             smooth otherwise"
         }
         Error::PolarSlope { .. } => "write kinks with abs, as in abs(sin(t)) for sqrt(1-cos(t)^2)",
         Error::Orientation { .. } => {

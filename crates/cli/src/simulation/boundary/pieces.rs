@@ -193,7 +193,7 @@ impl Collected<'_> {
                 let gap = (end - start).norm() / self.factor;
                 let what = format!("the loop is open: its last edge ends {} away from its first vertex", short(gap));
                 return Err(Box::new(
-                    self.scene.source.diagnostic(to.span, what).with_help("let the last edge end where \"from\" is"),
+                    self.scene.source.diagnostic(to.span, what).with_help("let the last edge end at \"from\""),
                 ));
             }
             let pieces: Result<Vec<Box<dyn Piece>>, Error> = match &edge.path {
@@ -239,7 +239,7 @@ impl Collected<'_> {
 
     /// Loops from a drawing or a map.
     fn outline(&self, file: &Spanned<String>) -> Result<Vec<Box<dyn Piece>>, Box<Diagnostic>> {
-        let kinds = "an outline is read from a file .svg, .json or .geojson";
+        let kinds = "an outline is read from a .svg, .json or .geojson file";
         let svg: Reader<Vec<Box<dyn Piece>>> = |bytes| import::svg(&String::from_utf8_lossy(bytes), import::TOLERANCE);
         let geojson: Reader<Vec<Box<dyn Piece>>> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
         drawing::read(self.scene, file, kinds, &[("svg", svg), ("json", geojson), ("geojson", geojson)])
