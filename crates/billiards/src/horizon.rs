@@ -122,7 +122,7 @@ impl Horizon {
     /// Any law will do, even one that varies from place to place: it is differentiated with respect to velocity, spin, normal and place.
     /// If the curvature of the walls is not known, `walls` is [`Felt`].
     ///
-    /// An orbit that [`run`](crate::run) ends sooner, as [grazing](crate::Stop::Grazing) or [stalled](crate::Stop::Stalled), is followed
+    /// An orbit that [`run`](crate::run()) ends sooner, as [grazing](crate::Stop::Grazing) or [stalled](crate::Stop::Stalled), is followed
     /// beyond its end: where that may be, give as the limit the number of collisions that it makes.
     pub fn of<const N: usize, const S: usize>(
         billiard: &dyn Bounce<N, S>,

@@ -5,7 +5,7 @@
 //!
 //! * [`Orbit`]: position, velocity, as many components of spin as the law needs, what keeps the energy
 //!   ([`Conserved`] or [`Free`]), and what is tracked along the path ([`Clock`], [`Angle`], [`Cell`], or nothing).
-//! * [`Billiard`]: walls and a law; [`run`] is the loop, [`run_side_by_side`] the same for many orbits in the lanes of
+//! * [`Billiard`]: walls and a law; [`run()`] is the loop, [`run_side_by_side`] the same for many orbits in the lanes of
 //!   vector registers, with the same bits. [`Planar`] and [`Spatial`] choose the fastest walls for a table;
 //!   [`WithMotion`] is for your own loops on these.
 //! * [`laws`]: laws of [`collision_laws`] as the loop applies them; [`laws::Custom`] runs any of them, yours included.

@@ -27,7 +27,7 @@ pub struct Finished<const N: usize, const S: usize, K, T> {
 /// Runs every orbit up to a limit, as many side by side as this CPU has lanes, and hands over each one as it
 /// ends (in no particular order). The observer sees all collisions; `()` costs nothing.
 ///
-/// An orbit ends as it would in [`run`](crate::run), in the same state to the last bit; its lane goes to the next one at once, so that
+/// An orbit ends as it would in [`run`](crate::run()), in the same state to the last bit; its lane goes to the next one at once, so that
 /// neither an early end nor a long run holds up the others.
 pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, L, O>(
     billiard: &B,

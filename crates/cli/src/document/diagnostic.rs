@@ -154,7 +154,7 @@ impl Problems {
         self.found.push((span, self.source.diagnostic(span, what).with_help(help)));
     }
 
-    /// Records that these keys may stand in this place: "under [run]".
+    /// Records that these keys may stand in this place: `under [run]`.
     pub(crate) fn learn(&mut self, place: impl Into<String>, keys: &[&str]) {
         self.homes.push((place.into(), keys.iter().map(|&key| key.into()).collect()));
     }

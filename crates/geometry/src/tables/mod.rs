@@ -1,6 +1,6 @@
 //! Named tables: the classical billiards, each in one file.
 //!
-//! Each has a constructor, such as [`stadium`], and an [`Entry`] by which scene files find it. To add one, write a
+//! Each has a constructor, such as [`stadium`](fn@stadium), and an [`Entry`] by which scene files find it. To add one, write a
 //! file beside the others, and add its `mod` line and its line in [`all`].
 //!
 //! Besides the errors that each constructor lists, all of them return [`Error::Length`](crate::Error::Length) for lengths that are not
