@@ -351,7 +351,7 @@ fn each_mistake_has_status_2_and_its_own_message() {
             SPATIAL,
             "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]\n[[bodies",
             "[[1, 0, 0], [0, 1, 0], [0, 0, 1e-17]]\n[[bodies",
-            "9:11: error: the principal moments of inertia go from 1e-17 to 1.0: the smallest is lost in rounding",
+            "9:11: error: the principal moments of inertia range from 1e-17 to 1.0: the smallest is lost in rounding",
         ),
         ("many", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [0, 1, 0], [1, 1, 0]]", "3 rough directions are too many"),
         ("dependent", SPATIAL, "[[1, 0, 0]]", "[[1, 0, 0], [2, 0, 5]]", "3:21: error: rough direction 1 depends"),
@@ -364,7 +364,7 @@ fn each_mistake_has_status_2_and_its_own_message() {
             "\"random\"",
             "help: write { name = \"random\", rank = 1, seed = 0 } in place of",
         ),
-        ("slim", TOML, "\"1/2\"", "1e-20", "body 1 turns too easily for its arm"),
+        ("slim", TOML, "\"1/2\"", "1e-20", "body 1 has too little inertia for its lever arm"),
         (
             "slim mended",
             TOML,

@@ -13,7 +13,9 @@ pub enum Error {
         value: f64,
     },
     /// A quantity below 2.3e-308, where numbers have fewer digits.
-    #[error("{quantity} is {value:?}, so small that digits are lost: other units of mass or length make it larger")]
+    #[error(
+        "{quantity} is {value:?}, so small that it loses digits: choose units of mass or length in which it is larger"
+    )]
     TooSmall {
         /// Which quantity, in words.
         quantity: &'static str,
@@ -21,7 +23,9 @@ pub enum Error {
         value: f64,
     },
     /// A quantity beyond 1.8e308, the largest number.
-    #[error("{quantity} is beyond the range of numbers: other units of mass or length make it smaller")]
+    #[error(
+        "{quantity} is beyond the range of floating-point numbers: choose units of mass or length in which it is smaller"
+    )]
     TooLarge {
         /// Which quantity, in words.
         quantity: &'static str,
@@ -44,20 +48,20 @@ pub enum Error {
         defect: f64,
     },
     /// An inertia that lets the body spin for free in some plane.
-    #[error("the inertia is not positive: {smallest:?} in one plane of rotation")]
+    #[error("the inertia is not positive: the moment in one plane of rotation is {smallest:?}")]
     InertiaNotPositive {
         /// The smallest principal moment of inertia about a 2-plane.
         smallest: f64,
     },
     /// Second moments of a rank below N−1, with which the body spins for free in some plane.
     #[error(
-        "S, the second moments, has too low a rank: it is zero along two axes, so that nothing resists turning in their plane"
+        "S, the second moments, has too low a rank: it is zero along two axes, so the body has no inertia for rotation in their plane"
     )]
     SecondMomentsOfLowRank,
     /// An inertia that lets the body spin all but for free in some plane: to working precision its moment there is zero.
     #[error(
-        "the principal moments of inertia go from {smallest:?} to {largest:?}: the smallest is lost in rounding unless it is more than \
-         2.2e-16 of the largest; a thicker body has more"
+        "the principal moments of inertia range from {smallest:?} to {largest:?}: the smallest is lost in rounding unless it is more \
+         than 2.2e-16 times the largest; make the body thicker"
     )]
     InertiaLost {
         /// The smallest principal moment of inertia about a 2-plane.
@@ -67,7 +71,7 @@ pub enum Error {
     },
     /// Second moments that no distribution of mass has.
     #[error(
-        "the second moments are not positive: {smallest:?} along one axis, where every part of a body counts with a square"
+        "the second moments are not positive: {smallest:?} along one axis, though each is an integral of squares over the body"
     )]
     SecondMomentsNotPositive {
         /// The smallest eigenvalue.
@@ -84,7 +88,7 @@ pub enum Error {
         dimension: usize,
     },
     /// An angular velocity matrix that is not skew.
-    #[error("the spin is not skew: an entry and its mirror image add up to {defect:?}")]
+    #[error("the spin is not skew-symmetric: an entry and its mirror image add up to {defect:?}")]
     SpinNotSkew {
         /// Largest `|Ωᵢⱼ + Ωⱼᵢ|`.
         defect: f64,
@@ -108,13 +112,13 @@ pub enum Error {
         most: usize,
     },
     /// A rough direction that is the normal, or zero, up to rounding.
-    #[error("rough direction {index} is along the normal, or zero: it has no part in the contact plane")]
+    #[error("rough direction {index} is along the normal or zero: it has no component in the contact plane")]
     RoughDirectionAlongNormal {
         /// Its position in the list, from 0.
         index: usize,
     },
     /// A rough direction that the earlier ones and the normal span already.
-    #[error("rough direction {index} depends on the ones before it")]
+    #[error("rough direction {index} depends linearly on the normal and the ones before it")]
     DependentRoughDirections {
         /// Its position in the list, from 0.
         index: usize,
@@ -140,8 +144,8 @@ pub enum Error {
     },
     /// A Delassus operator that rounding has made singular, on the directions in which the law pushes.
     #[error(
-        "the inverse contact mass is singular to working precision: body {body} turns too easily for its arm, or is too heavy \
-         to move or cannot move in a direction in which the law pushes"
+        "the inverse contact mass is singular to working precision: body {body} has too little inertia for its lever arm, or is \
+         too heavy to move, or cannot move in a direction in which the law pushes"
     )]
     SingularDelassus {
         /// Whose inverse contact mass is the larger: 1 or 2.
