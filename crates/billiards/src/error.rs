@@ -37,7 +37,7 @@ pub enum Error {
     },
     /// A law for a disk that does not come from an impulse at the contact.
     #[error(
-        "the law is no impulse at the contact of a disk with γ = {gamma:?}: with each change of the tangential velocity the scaled spin must change by −1/γ times that, which {map:?} does not do"
+        "the law does not come from an impulse at the contact of a disk with γ = {gamma:?}: the scaled spin must change by −1/γ times the change of the tangential velocity, which it does not under {map:?}"
     )]
     NoContactImpulse {
         /// What the law does to the disk.
@@ -87,7 +87,7 @@ pub enum Error {
     },
     /// Tangential velocities that leave nothing for the normal one.
     #[error(
-        "(v0, v·t) = ({v0:?}, {vt:?}) does not lie inside the disk of radius {speed:?}, the speed: nothing is left to leave the wall with"
+        "(v0, v·t) = ({v0:?}, {vt:?}) does not lie inside the disk whose radius is the speed, {speed:?}: no normal velocity is left to leave the wall with"
     )]
     Tangential {
         /// Scaled spin.
@@ -99,7 +99,7 @@ pub enum Error {
     },
     /// A law that has no time reversal, because it is not an involution.
     #[error(
-        "the law is no involution: applied twice it changes the velocity by {defect:e} of the speed, so nothing leads back"
+        "the law is not an involution: applied twice it changes the velocity by {defect:e} times the speed, so it has no time reversal"
     )]
     Irreversible {
         /// By how much, as a fraction of the speed.

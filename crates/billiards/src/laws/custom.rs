@@ -98,8 +98,7 @@ impl<L, const N: usize> Custom<L, N> {
     pub fn with_mass(self, mass: f64) -> Result<Self, Error> {
         let ball = Custom { mass, ..self };
         if ball.delassus().is_singular() {
-            let must =
-                "positive, and neither so small nor so large that 1/m or (1 + 1/γ²)/m leaves the range of numbers";
+            let must = "positive, and such that 1/m and (1 + 1/γ²)/m neither overflow nor underflow";
             return Err(Error::Ball { quantity: "mass", must, value: mass });
         }
         Ok(ball)
