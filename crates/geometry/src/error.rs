@@ -77,23 +77,25 @@ pub enum Error {
         certain: bool,
     },
     /// A formula for a radius without a derivative in some direction.
-    #[error("r(φ) has no slope near φ = {angle:.4}: at a kink, its derivative must be one of the two slopes")]
+    #[error(
+        "r(φ) has no derivative near φ = {angle:.4}: at a kink, its derivative must be one of the two one-sided slopes"
+    )]
     PolarSlope {
         /// About where, in radians.
         angle: f64,
     },
     /// A formula for a radius with a kink that the bounds on its second derivative cannot separate from its surroundings.
-    #[error("r(φ) has a kink near φ = {angle:.4} that cannot be told from what is around it")]
+    #[error("r(φ) has a kink near φ = {angle:.4} that cannot be separated from its surroundings")]
     PolarKink {
         /// About where, in radians.
         angle: f64,
     },
     /// A formula with too many oscillations for the first hit to be found in reasonable time.
-    #[error("the curve winds to and fro thousands of times, more often than can be tabulated")]
+    #[error("the curve oscillates thousands of times, more often than can be tabulated")]
     Winding,
     /// A formula for which no zero was found in its box.
     #[error(
-        "no curve was found in the box of the formula: on none of its lines does it change sign, and in the middle it is {:?}", six_digits(*value)
+        "no curve was found in the box of the formula: the formula changes sign on none of the lines searched, and in the middle of the box it is {:?}", six_digits(*value)
     )]
     NoCurve {
         /// The value of the formula in the middle of its box.
@@ -118,7 +120,7 @@ pub enum Error {
         at: [f64; 2],
     },
     /// A piece with such a kink, or with unbounded curvature: where a disk can go around it is not known.
-    #[error("piece {piece} has a kink near {} that a disk cannot be followed around", about(at))]
+    #[error("piece {piece} has a kink near {} around which the path of a disk cannot be computed", about(at))]
     RoughPiece {
         /// The piece.
         piece: usize,
@@ -142,7 +144,7 @@ pub enum Error {
         parameter: f64,
     },
     /// Sides that do not bound a convex (and, where required, centrally symmetric) polygon.
-    #[error("the sides do not bound a convex polygon of the kind asked for")]
+    #[error("the sides do not bound a convex polygon of the required kind")]
     NotConvex,
     /// A boundary that starts or ends at a point where nothing joins it.
     #[error("the boundary is open: piece {piece} {}", into_nowhere(*starts, *gap))]
@@ -174,7 +176,7 @@ pub enum Error {
     },
     /// A wall around a flat torus without another one that leads back.
     #[error(
-        "the wall that begins with piece {piece} leads around the torus with the table on its left, which the other way around lies on its right"
+        "the wall that begins with piece {piece} leads around the torus with the table on its left, but since no other wall leads back, the table also lies on its right"
     )]
     OneSided {
         /// The piece.
@@ -223,14 +225,16 @@ pub enum Error {
         at: [f64; 2],
     },
     /// An infinite piece on a lattice, where its translates would fill the plane.
-    #[error("piece {piece} is infinite: on a lattice, only lines along a single lattice vector may be")]
+    #[error(
+        "piece {piece} is infinite: this is possible only for a line along the vector of a lattice with a single vector"
+    )]
     InfiniteOnLattice {
         /// The piece.
         piece: usize,
     },
     /// Pieces so large compared with the cell of a lattice that there would be millions of translates.
     #[error(
-        "piece {piece} reaches over {cells:e} cells of the lattice: its vectors are short beside the piece, or nearly parallel"
+        "piece {piece} extends over {cells:e} cells of the lattice: the lattice vectors are short compared with the piece, or nearly parallel"
     )]
     ManyCells {
         /// The piece.
@@ -240,7 +244,7 @@ pub enum Error {
     },
     /// A piece so far from the unit cell of a lattice that rounded coordinates there cannot tell one cell from the next.
     #[error(
-        "piece {piece} lies {cells:.0e} cells of the lattice away, where coordinates are rounded to parts of a cell"
+        "piece {piece} lies {cells:.0e} cells of the lattice away from the unit cell, where coordinates are rounded to fractions of a cell"
     )]
     FarFromCell {
         /// The piece.
@@ -270,7 +274,7 @@ pub enum Error {
     },
     /// A radius at which the topology of the region of centres changes, so that rounding would decide about it.
     #[error(
-        "a disk of radius {} just touches several walls at once near {}; a radius a little smaller or greater decides whether it passes",
+        "a disk of radius {} just touches several walls at once near {}: rounding would decide whether it passes; choose a slightly smaller or larger radius",
         short(*radius),
         about(at)
     )]
@@ -319,14 +323,14 @@ pub enum Error {
         must: &'static str,
     },
     /// Infinite walls or an infinite table on which something is to be distributed uniformly.
-    #[error("{what} is infinite: nothing is uniform on it")]
+    #[error("{what} is infinite: there is no uniform distribution on it")]
     Unbounded {
         /// The length or area, in words.
         what: &'static str,
     },
     /// Walls that together do not bound a table.
     #[error(
-        "nothing is left of the walls, or too little to draw from: no point of one was found on the table's side of all others"
+        "nothing is left of the walls, or too little to draw points from: no point of a wall was found that lies on the table's side of all others"
     )]
     Vanished,
     /// A parameter that a named table does not have.
@@ -369,9 +373,9 @@ pub enum Error {
 fn into_nowhere(starts: bool, gap: f64) -> String {
     match (starts, gap.is_finite()) {
         (true, true) => format!("starts {gap:?} away from the nearest end of another piece"),
-        (true, false) => "starts where nothing comes before it".into(),
+        (true, false) => "starts where no other piece ends".into(),
         (false, true) => format!("ends {gap:?} away from the nearest start of another piece"),
-        (false, false) => "ends where nothing comes after it".into(),
+        (false, false) => "ends where no other piece starts".into(),
     }
 }
 

@@ -317,10 +317,10 @@ fn an_open_outline_is_closed_where_it_is_filled_and_refused_elsewhere() {
 fn mistakes_are_named_with_line_and_element() {
     let (place, what) = problem("<g>\n<path d='M0 0L1'/></g>");
     assert_eq!(place, "line 3, <path>");
-    assert!(what.contains("a number is wanted") && what.contains("the end"), "{what}");
+    assert!(what.contains("expected a number") && what.contains("the end"), "{what}");
     for (body, words) in [
         ("<path d='L1 1'/>", "must start with M"),
-        ("<path d='M0 0X'/>", "a path command is wanted at character 5"),
+        ("<path d='M0 0X'/>", "expected a path command at character 5"),
         ("<path d='M0 0A1 1 0 2 0 1 1'/>", "flag"),
         ("<path d='M0 0L1e999 0'/>", "a number"),
         ("<path d='M0 0L1 1'/>", "encloses no area"),
@@ -415,7 +415,7 @@ fn a_key_that_a_map_has_twice_is_named_with_its_place() {
         match import::geojson(&text) {
             Err(Error::Import { place, problem }) => {
                 assert!(place.starts_with(&format!("line {line}, column ")), "{place}");
-                assert_eq!(problem, format!("the key {key:?} is there twice: keep one of them"));
+                assert_eq!(problem, format!("the key {key:?} occurs twice: keep one of them"));
             }
             other => panic!("{text}: {other:?}"),
         }
@@ -543,13 +543,13 @@ fn obj_statements_are_read_as_they_are_written() {
     for (statement, words) in [
         ("f 1 2", "at least three corners, not 2"),
         ("f 1 2 5", "there is no vertex 5: the file has 4"),
-        ("f 1 2 0", "\"0\" is no corner"),
-        ("f 1 2 -5", "\"-5\" is no corner"),
-        ("f 1 2 x", "\"x\" is no corner"),
-        ("f 1 3 2 4", "do not go round a simple polygon"),
-        ("f 1 1 1 1", "do not go round a simple polygon"),
-        ("v 1e200 0 0", "\"1e200\" is no coordinate"),
-        ("v 1 nan 0", "\"nan\" is no coordinate"),
+        ("f 1 2 0", "\"0\" is not a corner"),
+        ("f 1 2 -5", "\"-5\" is not a corner"),
+        ("f 1 2 x", "\"x\" is not a corner"),
+        ("f 1 3 2 4", "do not form a simple polygon"),
+        ("f 1 1 1 1", "do not form a simple polygon"),
+        ("v 1e200 0 0", "\"1e200\" is not a coordinate"),
+        ("v 1 nan 0", "\"nan\" is not a coordinate"),
         ("v 1 1", "three coordinates, not 2"),
         ("surf 0 1 0 1 1 2 3 4", "curved surfaces are not read"),
     ] {
@@ -600,12 +600,12 @@ fn stl_is_read_to_its_end_or_refused() {
     refused(&few, "the file", "5 facets are announced");
     few[80] = 4;
     few[84 + 12..84 + 16].copy_from_slice(&f32::NAN.to_le_bytes());
-    refused(&few, "the file", "facet 0 is no finite number");
+    refused(&few, "the file", "facet 0 is not a finite number");
     let text = solid(&facets);
     refused(text.split("endsolid").next().unwrap().as_bytes(), "the file", "ends before \"endsolid\"");
     refused(text.replacen("VERTEX 0 0", "VERTEX 0", 1).as_bytes(), "line 4", "three finite numbers");
-    refused(text.replacen("endloop", "VERTEX 0 0 0", 1).as_bytes(), "line 7", "\"endloop\" is wanted");
-    refused(format!("{text}rest").as_bytes(), &format!("line {}", text.lines().count() + 1), "\"solid\" is wanted");
+    refused(text.replacen("endloop", "VERTEX 0 0 0", 1).as_bytes(), "line 7", "expected \"endloop\"");
+    refused(format!("{text}rest").as_bytes(), &format!("line {}", text.lines().count() + 1), "expected \"solid\"");
     assert!(matches!(import::stl(b"solid a\nendsolid\n"), Err(Error::Empty)));
 }
 

@@ -88,7 +88,7 @@ fn a_surface_that_is_none_says_what_is_wrong_with_it() {
     let twice = [&triangles[..], &[[triangles[3][1], triangles[3][2], triangles[3][0]]]].concat();
     assert_eq!(
         problem(vertices.clone(), twice),
-        "triangle mesh: triangle 12, counted from 0, stands there twice: remove one of the two"
+        "triangle mesh: triangle 12, counted from 0, occurs twice: remove one of the two"
     );
     // cubes that touch along an edge
     let SolidSpec::TriMesh { vertices: two, triangles: of_both, .. } = together(vec![cube(0.0, 1.0), cube(0.0, 1.0)])
@@ -97,11 +97,11 @@ fn a_surface_that_is_none_says_what_is_wrong_with_it() {
     };
     let moved = |(k, [x, y, z]): (usize, [f64; 3])| if k < 8 { [x, y, z] } else { [x + 2.0, y + 2.0, z] };
     let touching = problem(two.into_iter().enumerate().map(moved).collect(), of_both);
-    assert!(touching.contains("an edge on which more than two triangles stand"), "{touching}");
+    assert!(touching.contains("an edge that belongs to more than two triangles"), "{touching}");
     let mut mixed = triangles;
     mixed[0].swap(0, 1);
     let mixed = problem(vertices, mixed);
-    assert!(mixed.contains("turn one of them round"), "{mixed}");
+    assert!(mixed.contains("reverse one of them"), "{mixed}");
     // a Möbius strip
     let strip: Vec<[f64; 3]> = (0..16)
         .map(|k| {

@@ -162,12 +162,12 @@ fn triangles_come_from_a_file() {
     std::fs::write(folder.0.join("broken.obj"), obj.replace("f 2 3 5", "f 2 3 six")).unwrap();
     std::fs::write(folder.0.join("short.stl"), [1; 200]).unwrap();
     std::fs::write(folder.0.join("huge.obj"), obj.replace("v 0 0 0", "v 0 0 1e200")).unwrap();
-    refused("huge.obj", "line 2: \"1e200\" is no coordinate");
+    refused("huge.obj", "line 2: \"1e200\" is not a coordinate");
     refused("pyramid.obj\", unit = \"1e149", "the largest coordinate of pyramid.obj is 2e151");
     refused("none.obj", "cannot read");
     refused("scene.toml", "a mesh is read from a .stl or .obj file");
     refused("broken.obj", "line 9: ");
-    refused("short.stl", "neither the text nor the binary form of STL");
+    refused("short.stl", "valid STL neither as text nor as binary");
 }
 
 #[test]
@@ -197,7 +197,7 @@ fn rooms_that_cannot_be_filled_are_refused() {
     let shape = "shape = { name = \"cylinder\", radius = 2, height = 3, center = [5, 0, -1], domain = \"inside\" }";
     let sphere = "sphere = { center = [5.5, 0, -1], radius = 0.5, domain = \"outside\" }";
     for (radius, this, instead, place, what) in [
-        (0.0, shape, tilted, "11:1", "the area of the walls is infinite: nothing is uniform on it"),
+        (0.0, shape, tilted, "11:1", "the area of the walls is infinite: there is no uniform distribution on it"),
         (0.0, sphere, "sphere = { center = [0, 0, 0], radius = 0.5 }", "11:1", "nothing is left of the walls"),
         (
             1.5,

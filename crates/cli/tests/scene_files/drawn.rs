@@ -49,13 +49,13 @@ fn curves_by_their_points_are_told_what_they_must_do() {
         ("x = \"cos(t)\", y = \"sin(t)\", over = [0, 3]", "this fails near t = 3.0", "run once around"),
         (
             "x = \"cos(t-sin(2*t)/2)\", y = \"sin(t-sin(2*t)/2)\"",
-            "x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3); this fails near t = ",
+            "x' and y' both 0, except at the tip of a cusp like that of (t^2, t^3); this fails near t = ",
             "take a parameter that does not stand still",
         ),
         ("x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(1-sin(t-1)^2)\"", "this fails near t = ", "write kinks with abs"),
         (
             "x = \"cos(t)\", y = \"sin(t)+0.1*sqrt(abs(sin(t-1)))\"",
-            "run at a finite rate; this fails near t = 1.0",
+            "have finite derivatives x' and y'; this fails near t = 1.0",
             "where it is vertical",
         ),
         ("x = \"cos(t)\", y = \"sin(2*t)\"", "crosses itself near", "change its formula"),
@@ -72,7 +72,7 @@ fn curves_by_their_points_are_told_what_they_must_do() {
         ),
         (
             "{ line_to = [1, 1] }, { x = \"t\", y = \"1+sqrt(1-t^2)\", over = [1, -1] }",
-            "must run at a finite rate; this fails near t = -1.0",
+            "must have finite derivatives x' and y'; this fails near t = -1.0",
             "as cos(t) and sin(t) do",
         ),
         ("{ x = \"t\", y = \"t^2\", over = [-1, 1] }, { line_to = [-1, 2] }", "its last edge ends 1 away", "\"from\""),

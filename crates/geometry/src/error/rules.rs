@@ -47,12 +47,12 @@ impl fmt::Display for ParametricRule {
         f.write_str(match self {
             ParametricRule::Closed => "come back to where it starts",
             ParametricRule::Finite => "be finite",
-            ParametricRule::FiniteRate => "run at a finite rate",
+            ParametricRule::FiniteRate => "have finite derivatives x' and y'",
             ParametricRule::Moving => {
-                "not stand still, with x' and y' both 0, but at the tip of a cusp like that of (t^2, t^3)"
+                "not stand still, with x' and y' both 0, except at the tip of a cusp like that of (t^2, t^3)"
             }
             ParametricRule::FewKinks => {
-                "be smooth but for some kinks, and bend nowhere within less than a thousandth of its range"
+                "be smooth except at some kinks, with no bend confined to less than a thousandth of its range"
             }
             ParametricRule::Smooth => "be smooth",
         })

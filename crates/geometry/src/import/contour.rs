@@ -185,7 +185,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         // a self-crossing is reported later, with its location, when the table is validated
         if flat && (far || crosses_itself(contour.pieces(false)?).is_none()) {
             let problem = if far {
-                "the outline is so far from the origin that its coordinates are rounded to less than its size: move it nearer"
+                "the outline is so far from the origin that its shape is lost in the rounding of its coordinates: move it nearer"
             } else {
                 "the outline encloses no area"
             };

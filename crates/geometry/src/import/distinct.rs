@@ -57,7 +57,7 @@ impl<'de> Visitor<'de> for AnyValue {
         let mut map = Map::new();
         while let Some(key) = entries.next_key::<String>()? {
             if map.contains_key(&key) {
-                return Err(A::Error::custom(format_args!("the key {key:?} is there twice: keep one of them")));
+                return Err(A::Error::custom(format_args!("the key {key:?} occurs twice: keep one of them")));
             }
             let Distinct(value) = entries.next_value()?;
             map.insert(key, value);

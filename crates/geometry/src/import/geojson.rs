@@ -89,7 +89,7 @@ fn polygon(rings: &[Value], place: &str, contours: &mut Vec<Contour>) -> Result<
             corners.push(Vector2::new(x, y));
         }
         in_range(corners.iter().flatten(), &place)?;
-        let Some((&start, rest)) = corners.split_first() else { return fail(&place, "a ring must have positions") };
+        let Some((&start, rest)) = corners.split_first() else { return fail(&place, "a ring must not be empty") };
         if corners.last() != Some(&start) {
             let problem = "a ring must end where it begins: repeat its first position at its end";
             return fail(&place, problem);

@@ -33,7 +33,7 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
                 faces.push((line, corners.map_err(located)?));
             }
             Some((&("surf" | "bsp" | "bzp" | "cdc" | "cdp"), _)) => {
-                return Err(located("curved surfaces are not read: let the modelling program write faces".into()));
+                return Err(located("curved surfaces are not read: export them as polygonal faces".into()));
             }
             _ => {}
         }
@@ -52,7 +52,7 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
         }
         let places: Vec<_> = corners.iter().map(|&k| points[k]).collect();
         let Some(cut) = ears::triangles(&places) else {
-            let problem = "the corners of this face do not go round a simple polygon: cut it into triangles";
+            let problem = "the corners of this face do not form a simple polygon: cut it into triangles";
             return Err(located(problem.into()));
         };
         for triangle in cut {
@@ -97,7 +97,7 @@ fn point(numbers: &[&str]) -> Result<Vector3<f64>, String> {
     for (x, text) in point.iter_mut().zip(numbers) {
         match text.parse::<f64>() {
             Ok(value) if value.abs() <= 1e150 => *x = value,
-            _ => return Err(format!("{text:?} is no coordinate: write a number between -1e150 and 1e150")),
+            _ => return Err(format!("{text:?} is not a coordinate: write a number between -1e150 and 1e150")),
         }
     }
     Ok(point)
@@ -112,6 +112,8 @@ fn corner(word: &str, count: usize) -> Result<usize, String> {
         _ => None,
     };
     vertex.ok_or_else(|| {
-        format!("{word:?} is no corner: write the number of a vertex, from 1, or back from the last one, from -1")
+        format!(
+            "{word:?} is not a corner: write the number of a vertex: 1, 2, … from the first, or -1, -2, … from the last"
+        )
     })
 }

@@ -63,7 +63,7 @@ fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Vec<Facet>, Error> {
     let fail = |problem: String| Error::Import { place: "the file".into(), problem };
     if bytes.len() as u64 != size {
         let problem = format!(
-            "it is neither the text nor the binary form of STL to its end: {count} facets are announced, which take {size} bytes; it has {}",
+            "it is valid STL neither as text nor as binary: {count} facets are announced, which take {size} bytes; it has {}",
             bytes.len()
         );
         return Err(fail(problem));
@@ -75,7 +75,7 @@ fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Vec<Facet>, Error> {
         let is_finite = corners.as_flattened().iter().all(|x| x.is_finite());
         is_finite
             .then_some(corners)
-            .ok_or_else(|| fail(format!("a coordinate of facet {k} is no finite number: export it again")))
+            .ok_or_else(|| fail(format!("a coordinate of facet {k} is not a finite number: export the file again")))
     };
     bytes[HEADER..].chunks_exact(FACET).enumerate().map(facet).collect()
 }
@@ -97,7 +97,7 @@ fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
         }
         if is_closed || !is(LINES[step]) {
             let wanted = if is_closed { "solid" } else { LINES[step] };
-            return Err(fail(format!("{wanted:?} is wanted, where {first:?} is")));
+            return Err(fail(format!("expected {wanted:?}, found {first:?}")));
         }
         if is("vertex") {
             let coordinates = numbers.iter().map(|text| text.parse::<f64>().ok().filter(|x| x.is_finite()));
@@ -114,7 +114,7 @@ fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
         }
     }
     if !is_closed {
-        let problem = "the text ends before \"endsolid\": export it again";
+        let problem = "the text ends before \"endsolid\": export the file again";
         return Err(Error::Import { place: "the file".into(), problem: problem.into() });
     }
     Ok(facets)

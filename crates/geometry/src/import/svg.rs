@@ -53,11 +53,12 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
             continue;
         }
         if let Some(property) = style::placing(&node) {
-            let problem = format!("{property:?} is read from an attribute only, not from a style: write it as one");
+            let problem =
+                format!("{property:?} is read from an attribute only, not from a style: write it as an attribute");
             return Err(place(&node).fail(problem));
         }
         if node.has_attribute("transform-origin") {
-            return Err(place(&node).fail("a transform-origin is not read: write its translations into the transform"));
+            return Err(place(&node).fail("a transform-origin is not read: include its translations in the transform"));
         }
         let is_visible = match style::value(&node, "visibility").as_deref() {
             None | Some("inherit") => is_visible,
@@ -138,7 +139,7 @@ fn nested(node: &Node) -> Result<Affine, Error> {
         return Ok(Affine::IDENTITY);
     }
     if node.attribute("viewBox").is_some() {
-        return Err(place(node).fail("a drawing within a drawing may be moved but not have a viewBox"));
+        return Err(place(node).fail("a nested drawing may be moved but must not have a viewBox"));
     }
     Ok(Affine::translation(length(node, "x", 0.0)?, length(node, "y", 0.0)?))
 }

@@ -47,7 +47,7 @@ impl DistancePiece {
         };
         let [min, max] = distance.extent();
         if min.iter().zip(&max).any(|(low, high)| low.is_nan() || high.is_nan() || low > high) {
-            return Err(Error::Shape { shape: "shape", why: "its box is empty or not a number" });
+            return Err(Error::Shape { shape: "shape", why: "its bounding box is empty or not a number" });
         }
         Ok(DistancePiece { distance, traced: OnceLock::new() })
     }

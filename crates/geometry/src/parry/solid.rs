@@ -139,7 +139,7 @@ impl Solid {
             Body::Mesh(mesh, distance) => Parallel::new(mesh, distance, margin).map(Body::Parallel),
             _ => Err(unsupported(
                 "solid",
-                "a ball is kept off surfaces of triangles; around other shapes, use SolidSpec::parallel",
+                "kept_off is for surfaces of triangles only; around other shapes, use SolidSpec::parallel",
             )),
         };
         let members = members.into_iter().map(parallel).collect::<Result<_, _>>()?;

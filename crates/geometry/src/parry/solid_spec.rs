@@ -135,7 +135,7 @@ impl SolidSpec {
                 let numbers = triangles.iter().map(|[a, b, c]| Some([number(*a)?, number(*b)?, number(*c)?]));
                 let numbers: Vec<[u32; 3]> = numbers
                     .collect::<Option<_>>()
-                    .ok_or_else(|| wrong("triangles", "numbers of vertices, counted from 0"))?;
+                    .ok_or_else(|| wrong("triangles", "vertex numbers, counted from 0"))?;
                 let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
                 let solid = placed(&mesh.map_err(|_| wrong("triangles", "a list of at least one triangle"))?)?;
                 if *margin == 0.0 { Ok(solid) } else { solid.kept_off(positive("margin", *margin)?) }

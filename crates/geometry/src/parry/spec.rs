@@ -271,7 +271,7 @@ impl ShapeSpec {
                 for (i, triangle) in triangles.iter().enumerate() {
                     let known = |&v: &usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
                     let [Some(a), Some(b), Some(c)] = [0, 1, 2].map(|k| known(&triangle[k])) else {
-                        return Err(at.wrong(&format!("triangles[{i}]"), "three numbers of vertices, counted from 0"));
+                        return Err(at.wrong(&format!("triangles[{i}]"), "three vertex numbers, counted from 0"));
                     };
                     numbers.push([a, b, c]);
                 }

@@ -26,7 +26,7 @@ pub fn channel(length: f64, height: f64, sagitta: f64) -> Result<Table, Error> {
     positive("length", length)?;
     positive("height", height)?;
     within("sagitta", sagitta, 2.0 * sagitta.abs() < length, "between minus and plus half of length")?;
-    within("sagitta", sagitta, 2.0 * sagitta < height, "less than half of height: the channel is open")?;
+    within("sagitta", sagitta, 2.0 * sagitta < height, "less than half of height (so that the channel is open)")?;
     let flat = sagitta != 0.0 && sagitta.abs() < FLATTEST * length;
     within(
         "sagitta",

@@ -16,7 +16,7 @@ pub fn flower(petals: usize, petal_radius: f64, side: f64) -> Result<Table, Erro
     let n = number_of("petals", petals, 2, "between 2 and 1000000")?;
     let radius = positive("petal_radius", petal_radius)?;
     let half = 0.5 * positive("side", side)?;
-    within("petal_radius", radius, radius >= half, "at least half of side, so that a petal spans it")?;
+    within("petal_radius", radius, radius >= half, "at least half of side (so that a petal spans it)")?;
     let [cos, sin] = root_of_unity(1, 2 * n);
     let center = half * (cos / sin) - ((radius - half) * (radius + half)).sqrt();
     let corner = |k: usize| on_circumcircle(2 * k + 2 * n - 1, n, side);

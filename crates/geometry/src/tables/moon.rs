@@ -17,7 +17,12 @@ pub fn moon(radius: f64, bite_radius: f64, bite_distance: f64) -> Result<Table, 
     let b = positive("bite_radius", bite_radius)?;
     let d = positive("bite_distance", bite_distance)?;
     let crosses = (r - b).abs() < d && d < r + b;
-    within("bite_distance", d, crosses, "between |radius - bite_radius| and radius + bite_radius: the circles cross")?;
+    within(
+        "bite_distance",
+        d,
+        crosses,
+        "between |radius - bite_radius| and radius + bite_radius (so that the circles cross)",
+    )?;
     let x = 0.5 * (d + (r - b) * ((r + b) / d));
     let y = ((r - x) * (r + x)).sqrt();
     let (upper, lower) = (Vector2::new(x, y), Vector2::new(x, -y));

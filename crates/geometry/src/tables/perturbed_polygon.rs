@@ -22,7 +22,7 @@ pub fn perturbed_polygon(n: usize, side: f64, amount: f64) -> Result<Table, Erro
         "amount",
         amount,
         apart && amount.is_finite(),
-        "finite and more than -0.452/tan(pi/sides): bumps stay apart",
+        "finite and more than -0.452/tan(pi/sides) (so that bumps stay apart)",
     )?;
     let vertex = |k: usize| on_circumcircle(2 * k, n, side);
     let bent = |k: usize| -> Result<Box<dyn Piece>, Error> {
@@ -33,7 +33,7 @@ pub fn perturbed_polygon(n: usize, side: f64, amount: f64) -> Result<Table, Erro
 
 pub(super) const ENTRY: Entry = Entry {
     name: "perturbed-polygon",
-    summary: "a regular polygon whose sides are bent by smooth bumps, amount times the side high",
+    summary: "a regular polygon whose sides are bent by smooth bumps, whose height is amount times the side",
     parameters: &[
         Parameter::count("sides", 3, 5.0),
         Parameter::length("side", 1.0),

@@ -17,7 +17,7 @@ pub fn pocket(size: [f64; 2], pocket_radius: f64, pocket_depth: f64) -> Result<T
     let [a, b, c, d] = rectangle::corners(size)?;
     let r = positive("pocket_radius", pocket_radius)?;
     let depth = positive("pocket_depth", pocket_depth)?;
-    within("pocket_depth", depth, depth < 2.0 * r, "less than twice pocket_radius: the pocket is open")?;
+    within("pocket_depth", depth, depth < 2.0 * r, "less than twice pocket_radius (so that the pocket is open)")?;
     let half = (depth * (2.0 * r - depth)).sqrt();
     let v = Vector2::new;
     let middle = 0.5 * c.x;

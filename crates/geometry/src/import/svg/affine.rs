@@ -86,7 +86,7 @@ pub(super) fn parse(text: &str) -> Result<Affine, String> {
             }
             ("skewX", &[angle]) => Affine([1.0, 0.0, tan(angle), 1.0, 0.0, 0.0]),
             ("skewY", &[angle]) => Affine([1.0, tan(angle), 0.0, 1.0, 0.0, 0.0]),
-            _ => return Err(format!("transform: {name}({inside}) is none")),
+            _ => return Err(format!("transform: {name}({inside}) is not a known transformation")),
         };
         all = all.after(&next);
         rest = after.trim_start_matches(|c: char| c.is_whitespace() || c == ',');

@@ -39,7 +39,7 @@ impl<'a> Scanner<'a> {
     fn fail(&self, wanted: &str) -> String {
         let found: String = self.text.get(self.at..).unwrap_or("").chars().take(12).collect();
         let found = if found.is_empty() { "the end".into() } else { format!("{found:?}") };
-        format!("{wanted} is wanted at character {}, where {found} is", self.at + 1)
+        format!("expected {wanted} at character {}, found {found}", self.at + 1)
     }
 
     /// A finite number; it ends where no further character can belong to it.

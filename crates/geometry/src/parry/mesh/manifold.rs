@@ -13,7 +13,7 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
         [0, 1, 2].map(|i| t[(first + i) % 3])
     };
     if let Some(k) = triangles.iter().position(|t| !found.insert(least_first(t))) {
-        return named(k, "stands there twice: remove one of the two");
+        return named(k, "occurs twice: remove one of the two");
     }
     let mut on_edge: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
     for (k, t) in triangles.iter().enumerate() {
@@ -25,16 +25,16 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
     if let Some(&k) = crowded.min() {
         return named(
             k,
-            "has an edge on which more than two triangles stand: unite the parts that touch there, or move them apart; \
-             a wall drawn there and back needs another diagonal on its way back",
+            "has an edge that belongs to more than two triangles: unite the parts that touch there, or move them apart; \
+             a wall drawn from both sides needs a different diagonal on its back",
         );
     }
     if has_one_side(triangles, &on_edge) {
-        return named(number, "is of a surface that has only one side");
+        return named(number, "belongs to a surface that has only one side");
     }
     Error::Shape {
         shape: "triangle mesh",
-        why: "two triangles run along one edge in the same direction: turn one of them round",
+        why: "two triangles run along one edge in the same direction: reverse one of them",
     }
 }
 

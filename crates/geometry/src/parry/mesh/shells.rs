@@ -72,11 +72,11 @@ impl Mesh {
                     let problem = match (volume > 0.0, outwards * around) {
                         (true, 0) | (false, 1) => continue,
                         (false, 0) => {
-                            "is of a part of the surface that is inside out: turn all triangles of that part round"
+                            "belongs to a part of the surface that is inside out: reverse all triangles of that part"
                         }
                         _ => {
-                            "is of a part of the surface that reaches into another one: unite the two, or, where it bounds a cavity, \
-                             turn its triangles round"
+                            "belongs to a part of the surface that reaches into another one: unite the two, or, where it bounds a \
+                             cavity, reverse its triangles"
                         }
                     };
                     return Err(Error::Triangle { triangle: numbers[k], problem });

@@ -60,7 +60,7 @@ pub(super) fn split(
         if left == 0 {
             return Err(Error::Triangle {
                 triangle: k,
-                problem: "has no area, nor have others around it: remove them",
+                problem: "has no area, and neither do others around it: remove them",
             });
         }
         left -= 1;

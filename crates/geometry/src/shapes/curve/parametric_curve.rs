@@ -374,7 +374,7 @@ fn looked_at<F: ParametricFormula>(
 ) -> Result<(Arc<InTurns<F>>, Vec<Interval>), Error> {
     let length = end - start;
     if !(length > 0.0 && length.is_finite()) {
-        return Err(Error::Parameter { name: "range", must: "run from a number to a greater one", value: length });
+        return Err(Error::Parameter { name: "range", must: "of positive and finite length", value: length });
     }
     // if the range is one turn, parameters stay exactly as they are
     let rate = if length == 2.0 * PI { 1.0 } else { length / (2.0 * PI) };
