@@ -10,7 +10,7 @@ fn main() -> ExitCode {
     let effort = if full { Effort::Full } else { Effort::Quick };
     let unknown: Vec<_> = names.iter().filter(|name| claims::find(name).is_none()).collect();
     if !unknown.is_empty() {
-        eprintln!("there is no claim of the name {unknown:?}");
+        eprintln!("there is no claim named {unknown:?}");
         return ExitCode::from(2);
     }
     let asked = |claim: &&Claim| names.is_empty() || names.iter().any(|name| name == claim.name);

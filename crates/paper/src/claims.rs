@@ -108,18 +108,18 @@ pub const UNMEASURED: &[Unmeasured] = &[
     Unmeasured {
         place: "Section 1",
         statement: "Generic polygons, with angles that are irrational multiples of π, are ergodic for standard billiards.",
-        reason: "Not of no-slip billiards, and loose: Kerckhoff, Masur and Smillie prove it for a dense Gδ set of polygons, not for each with \
-                 such angles. No finite orbit could tell.",
+        reason: "Not about no-slip billiards, and stated loosely: Kerckhoff, Masur and Smillie prove it for a dense Gδ set of polygons, not for \
+                 each with such angles. No finite orbit could decide it.",
     },
     Unmeasured {
         place: "Section 3.2, Figure 18",
-        statement: "Most orbits of isosceles triangles, as of polygons, appear as closed curves around periodic points, as many as the period; there \
+        statement: "In isosceles triangles, as in polygons, most orbits appear as closed curves around periodic points, as many as the period; there \
                     may be no ergodic component of positive measure.",
         reason: "An impression from pictures: see the figure isosceles. That no polygon is ergodic is the claim corner-components.",
     },
     Unmeasured {
         place: "Section 3.3, Figure 20",
-        statement: "The no-slip moon does not appear to be ergodic; orbits of the mushroom and of the moon linger along segments before they go to apparently \
+        statement: "The no-slip moon does not appear to be ergodic; orbits of the mushroom and of the moon linger along segments before they enter apparently \
                     chaotic regions.",
         reason: "An impression without a number to compare: see the figure portraits. The bounded part in the mushroom's stem is in the claim \
                  parallel-sides.",

@@ -13,9 +13,9 @@ use core::f64::consts::TAU;
 pub(super) const CLAIM: Claim = Claim {
     name: "circle-caustics",
     place: "Proposition 3.1, eqs. (3.1) and (3.2)",
-    statement: "In a circle of radius r the vertex angle is the same at each collision, and the flights touch two concentric circles in turn, \
-                each in its middle, of radii r₁ = ẋ₁/√(ẋ₁² + ẋ₂²) and r₂ = y/√(y² + ẋ₂²), y = (2√2/3) ẋ₀ + (1/3) ẋ₁, the velocity being \
-                in the frame of the tangent and the radius.",
+    statement: "In a circle of radius r the vertex angle is the same at each collision, and the flights, each at its midpoint, touch two \
+                concentric circles in turn, of radii r₁ = ẋ₁/√(ẋ₁² + ẋ₂²) and r₂ = y/√(y² + ẋ₂²), y = (2√2/3) ẋ₀ + (1/3) ẋ₁, with the \
+                velocity in the frame of the tangent and the radius.",
     verdict: Verdict::HoldsCorrected(
         "The radii are r times the absolute values; the formulas are for r = 1 and may be negative.",
     ),
@@ -64,7 +64,7 @@ fn measure(effort: Effort) -> Measurement {
         Quantity::residual("spread of a caustic's radius / r", worst(spread), rounding),
         Quantity::residual("caustics / r against |r₁|, |r₂|, four values of γ", worst(formula), rounding),
         Quantity::residual("spread of the cosine of the vertex angle", worst(vertex), rounding),
-        Quantity::residual("tangency off the middle of the flight / r", worst(middle), rounding),
+        Quantity::residual("distance of the tangency from the midpoint of the flight / r", worst(middle), rounding),
         Quantity::at_least(
             "orbits for which a formula without | | is negative",
             negative as f64,

@@ -57,7 +57,7 @@ fn measure(effort: Effort) -> Measurement {
         Quantity::residual("ẋ₀ = γẋ₁: change of the spin in 200 collisions", worst(spin), rounding),
         Quantity::residual("ẋ₀ = −ẋ₁/γ: spread of the caustic's radius", worst(one), rounding),
         Quantity::residual("ẋ₀ = −ẋ₁/γ: spin over its first value, against ±1 in turn", worst(turned), rounding),
-        Quantity::residual("ẋ₀ = −ẋ₁/γ: off after 198 collisions, x₀ included", worst(back), rounding),
+        Quantity::residual("ẋ₀ = −ẋ₁/γ: deviation after 198 collisions, x₀ included", worst(back), rounding),
     ]
     .into()
 }

@@ -18,7 +18,7 @@ pub(super) const CLAIM: Claim = Claim {
                 orbits.",
     verdict: Verdict::Holds,
     general_gamma: Some(
-        "With ẋ₀ = γ ẋ₁. The orbits of period 2k in general: θ₁ + θ₂ a multiple of π/k, tan θᵢ = τᵢ/ẋ₂, a curve of velocities.",
+        "With ẋ₀ = γ ẋ₁. In general, the orbits of period 2k have θ₁ + θ₂ a multiple of π/k, with tan θᵢ = τᵢ/ẋ₂: a curve of velocities.",
     ),
     measure,
 };
@@ -59,11 +59,11 @@ fn measure(effort: Effort) -> Measurement {
     // up to 14 collisions of some ten roundings, with normal velocities of 0.05 or more to divide by
     let rounding = 14.0 * 16.0 * f64::EPSILON / 0.05;
     [
-        Quantity::residual("n-gons, n = 3 … 12: off after n collisions", worst(closed), rounding),
-        Quantity::at_least("n-gons: nearest return before", early.min, 2.0 * libm::sin(PI / 12.0), rounding),
+        Quantity::residual("n-gons, n = 3 … 12: deviation after n collisions", worst(closed), rounding),
+        Quantity::at_least("n-gons: nearest return before that", early.min, 2.0 * libm::sin(PI / 12.0), rounding),
         Quantity::residual("n-gons: length of a side against 2 sin(π/n)", worst(sides), rounding),
-        Quantity::residual("θ₁ + θ₂ = πm/k, random θ₁: off after 2k collisions", worst(families), rounding),
-        Quantity::at_least("θ₁ + θ₂ = πm/k, random θ₁: nearest return before", families_early.min, 0.5, 0.0),
+        Quantity::residual("θ₁ + θ₂ = πm/k, random θ₁: deviation after 2k collisions", worst(families), rounding),
+        Quantity::at_least("θ₁ + θ₂ = πm/k, random θ₁: nearest return before that", families_early.min, 0.5, 0.0),
     ]
     .into()
 }

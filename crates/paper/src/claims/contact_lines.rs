@@ -16,7 +16,7 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "Seen along x₂, all contact points of an orbit with one wall of a strip lie on a line; the lines of the two walls have the \
                 slopes dx₁/dx₀ = √2 and −√2.",
     verdict: Verdict::Holds,
-    general_gamma: Some("The slopes are ±1/γ, so that the lines cross under the angle β about the x₁ axis."),
+    general_gamma: Some("The slopes are ±1/γ, so the lines cross at the angle β, bisected by the x₁ axis."),
     measure,
 };
 
@@ -52,13 +52,13 @@ fn measure(effort: Effort) -> Measurement {
             Quantity::equal(label("slope on the lower wall, greatest"), slopes[0].max, slope, slope * 4.0 * rounding),
             Quantity::equal(label("slope on the upper wall, least"), slopes[1].min, -slope, slope * 4.0 * rounding),
             Quantity::equal(label("slope on the upper wall, greatest"), slopes[1].max, -slope, slope * 4.0 * rounding),
-            Quantity::residual(label("contact points off their line, over ℓ"), worst(off), rounding),
+            Quantity::residual(label("distance of contact points from their line, over ℓ"), worst(off), rounding),
         ]);
         if gamma_squared == UNIFORM {
             // the angle between the lines that the x₁ axis halves
             let angle = 2.0 * libm::atan2(1.0, slopes[0].max);
             quantities.push(Quantity::equal(
-                "angle of the lines about the x₁ axis",
+                "angle between the lines, bisected by the x₁ axis",
                 angle,
                 beta(UNIFORM),
                 4.0 * rounding,

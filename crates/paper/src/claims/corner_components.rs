@@ -14,9 +14,9 @@ pub(super) const CLAIM: Claim = Claim {
     place: "Section 1",
     statement: "No-slip billiards on polygons appear never to be ergodic.",
     verdict: Verdict::HoldsCorrected(
-        "They never are, and that is proved: every polygon has a corner of less than π, and near its tip the orbits with non-escape velocities never leave the two sides. \
-         For by the invariant I = l (v·ν) an orbit whose velocity is within r < ρ of the axis stays within the distance I/sin(ρ−r) of the corner: an \
-         invariant set of positive measure, near every such corner.",
+        "They never are, and this can be proved: every polygon has a corner of less than π, and near its tip the orbits with non-escape velocities never leave its \
+         two sides. Because I = l (v·ν) is invariant, an orbit whose velocity is within r < ρ of the axis stays within the distance I/sin(ρ−r) of the \
+         corner. Such orbits form an invariant set of positive measure near every such corner.",
     ),
     general_gamma: Some("For every γ > 0."),
     measure,
@@ -106,7 +106,7 @@ fn measure(effort: Effort) -> Measurement {
             corners.iter().map(|corner| corner.left).sum(),
             0,
         ),
-        Quantity::at_most("distance from the corner over the bound I/sin(ρ−r), greatest", reach, 1.0, rounding),
+        Quantity::at_most("greatest distance from the corner over the bound I/sin(ρ−r)", reach, 1.0, rounding),
     ]
     .into()
 }

@@ -15,9 +15,9 @@ pub(super) const CLAIM: Claim = Claim {
     place: "Proposition 3.2",
     statement: "All orbits of the equilateral triangle that meet no vertex are periodic, with period two, three, four or six.",
     verdict: Verdict::HoldsCorrected(
-        "In the reduced phase space. The spin position x₀ does not return: every orbit of a sample drifts. By the canonical measure 35 % have period 4 \
-         (sides 1212) and 65 % period 6 (123123 or 121323), and 37 % and 63 % if starts on a side have directions uniform in the half space; 3 is the centre line of a band 123123 and 2 the axis of a corner, of \
-         measure zero. The reason: the collision maps of the three sides are half-turns about orthogonal axes, with C₁C₂C₃ = 1, and form Klein's four-group.",
+        "It holds in the reduced phase space. The spin position x₀ does not return: every orbit of a sample drifts. In the canonical measure 35 % have \
+         period 4 (sides 1212) and 65 % period 6 (123123 or 121323); 37 % and 63 % if starts on a side have directions uniform in the half space. \
+         Period 3 occurs only on the centre line of a band 123123 and period 2 only on the axis of a corner, which have measure zero. The reason: the collision maps of the three sides are half-turns about orthogonal axes, with C₁C₂C₃ = 1, and form Klein's four-group.",
     ),
     general_gamma: Some("For other γ the axes are not orthogonal, and there is no such periodicity."),
     measure,
@@ -107,10 +107,14 @@ fn measure(effort: Effort) -> Measurement {
             of_uniform.0,
             given,
         ),
-        Quantity::residual("off after 60 collisions, times least (v·ν)² and planar speed", worst(closed), rounding),
+        Quantity::residual(
+            "deviation after 60 collisions, times least (v·ν)² and planar speed",
+            worst(closed),
+            rounding,
+        ),
         Quantity::count("orbits whose spin position drifts", drifting, orbits),
         Quantity::residual(
-            format!("centre lines of {} bands 123123: off after 3 collisions, times the same", bands.len()),
+            format!("centre lines of {} bands 123123: deviation after 3 collisions, times the same", bands.len()),
             worst(bands),
             rounding,
         ),
@@ -120,7 +124,7 @@ fn measure(effort: Effort) -> Measurement {
     let axis = State { x: [0.0, 0.25 * libm::sqrt(3.0), 0.25], v: [spin, 0.5, -0.5 * libm::sqrt(3.0)] };
     let orbit = bounces(&no_slip(tables::equilateral(1.0), UNIFORM), axis, 3);
     let off = apart(&orbit[0], &orbit[2]);
-    quantities.push(Quantity::residual("axis of a corner: off after 2 collisions", off, 16.0 * f64::EPSILON));
+    quantities.push(Quantity::residual("axis of a corner: deviation after 2 collisions", off, 16.0 * f64::EPSILON));
     let some = effort.of(1000, 10_000);
     for gamma_squared in [0.3, 0.6, 1.0] {
         let triangle = no_slip(tables::equilateral(1.0), gamma_squared);
@@ -128,7 +132,7 @@ fn measure(effort: Effort) -> Measurement {
             let start = canonical_start(&triangle, &mut Stream::new(242, *sample));
             reduced_period(&bounces(&triangle, start, 61), 60) > 0
         };
-        let label = format!("γ² = {gamma_squared}: orbits of {some} with a period up to 60");
+        let label = format!("γ² = {gamma_squared}: orbits with a period up to 60, of {some}");
         quantities.push(Quantity::count(label, (0..some).filter(has_period).count(), 0));
     }
     quantities.into()

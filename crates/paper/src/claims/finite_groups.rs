@@ -82,7 +82,7 @@ fn measure(effort: Effort) -> Measurement {
         most = velocities(&orbit).max(most);
     }
     quantities.push(Quantity::at_most(
-        format!("square, γ = 1: different velocities, to the last bit, in 5000 collisions, most of {orbits} orbits"),
+        format!("square, γ = 1: most distinct velocities (bit for bit) in 5000 collisions, over {orbits} orbits"),
         most as f64,
         24.0,
         0.0,

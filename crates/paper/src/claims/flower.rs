@@ -13,10 +13,10 @@ use core::ops::ControlFlow;
 pub(super) const CLAIM: Claim = Claim {
     name: "flower",
     place: "Section 3.3",
-    statement: "The no-slip flower fails to be ergodic by Remark 2, and pocket billiards do by it and by their parallel sides.",
+    statement: "By Remark 2 the no-slip flower is not ergodic, and by this remark and their parallel sides neither are pocket billiards.",
     verdict: Verdict::False(
-        "Remark 2 does not hold, so it shows nothing of the flower: the orbits still on a petal after N hits are a share C/N, with the constant of the claim arc-survival. \
-         Pocket billiards are not ergodic by their parallel sides alone: see parallel-sides.",
+        "Remark 2 does not hold, so it shows nothing about the flower: the share of orbits still on a petal after N hits is C/N, with the constant of the claim arc-survival. \
+         For pocket billiards the parallel sides alone prevent ergodicity: see parallel-sides.",
     ),
     general_gamma: Some("For every γ (derived, not measured)."),
     measure,

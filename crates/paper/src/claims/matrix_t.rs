@@ -9,13 +9,13 @@ pub(super) const CLAIM: Claim = Claim {
     name: "matrix-t",
     place: "eq. (2.2)",
     statement: "At a wall whose upward normal is in the direction of x₂ the velocity (ẋ₀, ẋ₁, ẋ₂) is multiplied by the matrix T with the \
-                entries ∓1/3 on the diagonal and +2√2/3 beside it, and −1.",
+                entries ∓1/3 on the diagonal and +2√2/3 off it, and −1.",
     verdict: Verdict::HoldsCorrected(
-        "For that normal equation (2.1) gives −2√2/3 beside the diagonal. T belongs to the normal (0, −1), or to x₀ counted clockwise. \
-         What follows in the paper is consistent with T; against equation (2.1) the slopes dx₁/dx₀ and the spin of the wedge's axis \
+        "For that normal equation (2.1) gives −2√2/3 off the diagonal. T belongs to the normal (0, −1), or to x₀ counted clockwise. \
+         What follows in the paper is consistent with T; compared with equation (2.1) the slopes dx₁/dx₀ and the spin of the wedge's axis \
          change sign.",
     ),
-    general_gamma: Some("∓(1−γ²)/(1+γ²) on the diagonal and 2γ/(1+γ²) beside it."),
+    general_gamma: Some("∓(1−γ²)/(1+γ²) on the diagonal and 2γ/(1+γ²) off it."),
     measure,
 };
 

@@ -44,7 +44,7 @@ fn measure(effort: Effort) -> Measurement {
             0.0,
         ),
         Quantity::at_least(
-            format!("any other 2 cos(2πp/q), q ≤ {most}, from the nearest integer"),
+            format!("least distance of any other 2 cos(2πp/q), q ≤ {most}, from an integer"),
             nearest.min,
             apart * apart,
             0.0,

@@ -19,8 +19,8 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "On the unit sphere of velocities there are two antipodal regions of velocities that do not escape; the area of each falls as θ \
                 grows, from 2π as θ → 0 to 0 as θ → π/2.",
     verdict: Verdict::HoldsCorrected(
-        "It goes to 0 as θ → π, but it falls only away from the periodic angles, where it is larger than near by: 2π/3 at π/3, \
-         against 1.9647 at θ = 1 and 1.8403 for the caps near π/3. At π/2 it is 2π(1 − √3/2) = 0.842, for then cos ρ = √3/2. Away from periodic θ each region is the cap of radius ρ \
+        "It goes to 0 as θ → π, but it falls only away from the periodic angles, where it is larger than at angles nearby: 2π/3 at π/3, \
+         against 1.9647 at θ = 1 and 1.8403 for the caps near π/3. At π/2 it is 2π(1 − √3/2) = 0.842, since cos ρ = √3/2 there. Away from periodic θ each region is the cap of radius ρ \
          about the axis, with cos ρ = sin(θ/2)·√(3/(1 + 2 sin²(θ/2))).",
     ),
     general_gamma: Some("cos ρ = sin(θ/2)·√((1+γ²)/(γ² + sin²(θ/2))); 2π and 0 are the limits for every γ."),
@@ -80,8 +80,8 @@ fn measure(effort: Effort) -> Measurement {
     let noise = quantities[7].bound;
     let cap = |theta: f64| non_escape_area(theta, UNIFORM, None);
     quantities.extend([
-        Quantity::count("falls from each of seven angles that are not periodic to the next", falls, 6),
-        Quantity::at_least("area of one region at π/3, above the caps near by", at_third, cap(FRAC_PI_3), -noise),
+        Quantity::count("decreases from each of seven non-periodic angles to the next", falls, 6),
+        Quantity::at_least("area of one region at π/3, above the caps nearby", at_third, cap(FRAC_PI_3), -noise),
         Quantity::at_least("area of one region at π/3, above the cap at θ = 1", at_third, cap(1.0), -noise),
     ]);
     quantities.push(Quantity::differs("area of one region at π/2, against the paper's 0", at_right_angle, 0.0, 0.5));

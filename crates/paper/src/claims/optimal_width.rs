@@ -17,7 +17,7 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "The bound of Proposition 2.1 is optimal: orbits that are not vertical come as close to it as one likes. An orbit that reaches \
                 it on one side turns back on itself there, and never reaches it on the other side.",
     verdict: Verdict::HoldsCorrected(
-        "It holds with the right bound: √3·ℓ in place of √(3/2)·ℓ, √3/2·ℓ from the middle to either side.",
+        "It holds with the correct bound: √3·ℓ in place of √(3/2)·ℓ, that is √3/2·ℓ from the middle to either side.",
     ),
     general_gamma: Some(
         "ℓ/(2 sin(β/2)) from the middle; reached on both sides if and only if β/π = p/q in lowest terms with p odd.",

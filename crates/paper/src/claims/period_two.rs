@@ -11,7 +11,7 @@ use nalgebra::{DVector, dvector};
 pub(super) const CLAIM: Claim = Claim {
     name: "period-two-stability",
     place: "beyond the paper",
-    statement: "Of the orbit perpendicular to two equal arcs of radius R at the distance d, a half map (one collision, and the symmetry that exchanges the arcs) has \
+    statement: "For the orbit perpendicular to two equal arcs of radius R at the distance d, the half map (one collision, and the symmetry that exchanges the arcs) has \
                 the eigenvalues 1, μ, 1/μ with (μ + 1/μ)/2 = cos β ± cos²(β/2) d/R, plus for dispersing arcs, minus for focusing ones. It is elliptic if \
                 and only if d/R < 2γ² for dispersing arcs (uniform disk: d < R), and d < 2R for focusing ones.",
     verdict: Verdict::Holds,

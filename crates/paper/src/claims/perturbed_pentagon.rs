@@ -12,7 +12,7 @@ use billiards::geometry::tables;
 pub(super) const CLAIM: Claim = Claim {
     name: "perturbed-pentagon",
     place: "Figure 21",
-    statement: "Small C² perturbations of the regular pentagon keep the structure of its phase portrait: parts of positive measure where the motion is regular.",
+    statement: "Small C² perturbations of the regular pentagon keep the structure of its phase portrait, with parts of positive measure where the motion is regular.",
     verdict: Verdict::Holds,
     general_gamma: None,
     measure,
@@ -42,7 +42,9 @@ fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(400, 4000), effort.of(500, 2000));
     let share = |billiard: &Billiard| regular(billiard, orbits, collisions);
     let label = |what: &str| {
-        format!("{what}: share of orbits that part no faster than linearly in {collisions} hits and as many more")
+        format!(
+            "{what}: share of orbits whose neighbours part no faster than linearly in {collisions} hits and as many more"
+        )
     };
     let unperturbed = share(&no_slip(tables::polygon(5, 1.0), UNIFORM));
     let mut quantities = vec![Quantity::at_least(label("pentagon"), unperturbed, 0.5, 0.0)];

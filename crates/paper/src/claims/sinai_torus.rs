@@ -14,7 +14,7 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "A disk on a flat torus, a dispersing table, has a bounded component of positive measure.",
     verdict: Verdict::HoldsCorrected(
         "Near the period-two orbit between a disk and its translate it exists if and only if that orbit is elliptic, gap/R < 2γ²: for the uniform disk and \
-         the unit torus R > 1/3. For smaller disks orbits near by leave exponentially fast. (Measured; that elliptic orbits are surrounded by \
+         the unit torus R > 1/3. For smaller disks nearby orbits leave exponentially fast. (Measured; that elliptic orbits are surrounded by \
          invariant surfaces is what one expects of reversible, measure-preserving maps.)",
     ),
     general_gamma: Some("R > 1/(2 + 2γ²)."),

@@ -17,8 +17,8 @@ pub(super) const CLAIM: Claim = Claim {
                 and lie in an astroid.",
     verdict: Verdict::HoldsCorrected(
         "The curve that the flights touch is a parallel curve of an astroid, at the distance (ℓ/2) cot β from it: its support function \
-         about the crossing of the lines is h(φ) = ℓ/(2 sin β)·(cos 2φ + cos β). A ladder envelops an astroid where the lines are \
-         perpendicular; contact lines are so only for γ = 1. No point of a flight is farther from the crossing than ℓ/sin β.",
+         about the crossing of the lines is h(φ) = ℓ/(2 sin β)·(cos 2φ + cos β). A ladder envelops an astroid if the lines are \
+         perpendicular, which contact lines are only for γ = 1. No point of a flight is farther from the crossing than ℓ/sin β.",
     ),
     general_gamma: Some("As corrected, with the angle β between the lines; for γ = 1 it is an astroid."),
     measure,

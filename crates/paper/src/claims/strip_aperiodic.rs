@@ -15,7 +15,7 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "The strip has no periodic orbits but the vertical ones without spin, of period two, since S turns by \
                 α = arccos(7/9), which is no rational multiple of π.",
     verdict: Verdict::HoldsCorrected(
-        "α = arccos(−7/9) = 141.06°, which is 2β; the proof needs the sign changed and nothing else.",
+        "α = arccos(−7/9) = 141.06°, which is 2β; the proof needs no other change than this sign.",
     ),
     general_gamma: Some("Orbits are periodic exactly if β/π is rational: see the claim strip-of-period-six."),
     measure,

@@ -44,13 +44,13 @@ fn measure(effort: Effort) -> Measurement {
         // in places as far out as ℓ√(1+γ²)/γ, with ℓ up to 3.2 and γ down to tan(π/14) = 0.23
         let rounding = 15.0 * rounding(50.0 * period as f64);
         quantities.push(Quantity::residual(
-            format!("β = {p}π/{q}: off after 50 periods of {period}"),
+            format!("β = {p}π/{q}: deviation after 50 periods of {period}"),
             worst(closed),
             rounding,
         ));
         // by the least turn of a velocity of 0.14 or more along the wall
         quantities.push(Quantity::at_least(
-            format!("β = {p}π/{q}: nearest return before"),
+            format!("β = {p}π/{q}: nearest return before that"),
             early.min,
             0.14 * libm::sin(PI / f64::from(q)),
             0.0,

@@ -17,8 +17,8 @@ pub(super) const CLAIM: Claim = Claim {
                 ℓ = √(1/ẋ₂² − 1) is the length of a flight seen along x₂.",
     verdict: Verdict::HoldsCorrected(
         "Orbits are bounded, but the width is √3·ℓ: the supremum of the width of every orbit that is neither vertical nor \
-         horizontal. √(3/2)·ℓ is the width in the spin direction x₀ (the cosine and the sine of β/2 have changed places). The flights \
-         slide with their ends on two lines that cross at a point O under the angle β about the x₁ axis, so that |x₁ − O| ≤ \
+         horizontal. √(3/2)·ℓ is the width in the spin direction x₀ (the cosine and the sine of β/2 are interchanged). The flights \
+         slide with their ends on two lines that cross at a point O at the angle β, bisected by the x₁ axis, so that |x₁ − O| ≤ \
          ℓ/(2 sin(β/2)), and they come as close to that as one likes.",
     ),
     general_gamma: Some("Width ℓ·√(1+γ²)/γ in x₁ and ℓ·√(1+γ²) in x₀; if β/π is rational these are bounds."),

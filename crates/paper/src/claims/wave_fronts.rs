@@ -14,11 +14,11 @@ use core::f64::consts::{PI, TAU};
 pub(super) const CLAIM: Claim = Claim {
     name: "wave-fronts",
     place: "Section 3.3, Figure 19",
-    statement: "In channels with curved walls, convex or concave, fronts of no-slip disks grow too, but a greater curvature is needed for a comparable growth after as \
-                many collisions.",
+    statement: "In channels with curved walls, convex or concave, fronts of no-slip disks grow too, but a greater curvature is needed for comparable growth after the \
+                same number of collisions.",
     verdict: Verdict::Holds,
     general_gamma: Some(
-        "As γ → 0 the growth becomes the smooth disk's, but not always more and more: between convex walls of sagitta 0.05 fronts grow less for γ² = 0.05 than for 1/2.",
+        "As γ → 0 the growth tends to that of the smooth disk, but not always monotonically: between convex walls of sagitta 0.05 fronts grow less for γ² = 0.05 than for 1/2.",
     ),
     measure,
 };

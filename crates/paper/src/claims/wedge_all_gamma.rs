@@ -14,8 +14,8 @@ use nalgebra::{Matrix3, Vector3};
 pub(super) const CLAIM: Claim = Claim {
     name: "wedge-all-gamma",
     place: "beyond the paper",
-    statement: "Folded along its bisector the wedge has one hit, H = M C, which turns the velocity by −2δ about b ∝ (sin(θ/2)/γ, 1, 0), cos δ = cos(θ/2)/√(1+γ²). So |v·b| and \
-                I = l (v·ν) are kept; with δ = πp/q in lowest terms the period is q or 2q, as q is even or odd, and x₀ returns for odd q only. A right angle with γ = 1 \
+    statement: "Folded along its bisector the wedge has a single collision map, H = M C, which turns the velocity by −2δ about b ∝ (sin(θ/2)/γ, 1, 0), cos δ = cos(θ/2)/√(1+γ²). So |v·b| and \
+                I = l (v·ν) are kept; with δ = πp/q in lowest terms the period is q for even q and 2q for odd q, and x₀ returns for odd q only. A right angle with γ = 1 \
                 has period 6, θ = arccos γ² has period 4.",
     verdict: Verdict::Holds,
     general_gamma: Some("As stated."),

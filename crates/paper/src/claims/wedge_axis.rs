@@ -15,9 +15,9 @@ pub(super) const CLAIM: Claim = Claim {
     place: "Proposition 2.5, eq. (2.4)",
     statement: "An orbit in the wedge of angle θ has period two if and only if ẋ₀/ẋ₁ = −√2 sin(θ/2) and ẋ₂ = 0.",
     verdict: Verdict::HoldsCorrected(
-        "True with the matrix T, that is, with x₀ clockwise; with equation (2.1) the sign is plus.",
+        "True with the matrix T, that is, with x₀ counted clockwise; with equation (2.1) the sign is plus.",
     ),
-    general_gamma: Some("ẋ₀/ẋ₁ = sin(θ/2)/γ, counter-clockwise."),
+    general_gamma: Some("ẋ₀/ẋ₁ = sin(θ/2)/γ, with x₀ counted counter-clockwise."),
     measure,
 };
 
@@ -68,7 +68,7 @@ fn measure(effort: Effort) -> Measurement {
             0.0,
         ),
         Quantity::residual(
-            "orbit on the axis, off after 200 collisions, x₀ included, times cos³(θ/2)",
+            "orbit on the axis: deviation after 200 collisions, x₀ included, times cos³(θ/2)",
             worst(closed),
             // some ten roundings in each of five coordinates per collision
             200.0 * 50.0 * f64::EPSILON,

@@ -15,7 +15,7 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "The wedge angles for which all bounded orbits are periodic are dense in (0, π).",
     verdict: Verdict::Holds,
     general_gamma: Some(
-        "Holds for every γ > 0: δ is a continuous, increasing function of θ, and δ ∈ πℚ are those angles (derived; measured for γ² = 1/2).",
+        "Holds for every γ > 0: δ is a continuous, increasing function of θ, and these angles are those with δ ∈ πℚ (derived; measured for γ² = 1/2).",
     ),
     measure,
 };

@@ -54,7 +54,7 @@ fn measure(effort: Effort) -> Measurement {
         Quantity::residual(label, worst(invariant), 16.0 * f64::EPSILON * collisions as f64),
         // l = I/(v·ν) magnifies the rounding of a velocity by 1/(v·ν)²
         Quantity::residual(
-            "period-8 wedge: off in (x₁, x₂, v) after 10 periods, times least (v·ν)²",
+            "period-8 wedge: deviation in (x₁, x₂, v) after 10 periods, times least (v·ν)²",
             worst(places),
             80.0 * 16.0 * f64::EPSILON,
         ),
