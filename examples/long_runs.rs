@@ -27,11 +27,11 @@ fn main() -> Result<(), Error> {
     for (name, law, gamma) in phase::laws() {
         for part in [turns, 4096] {
             let error = phase::error(law, gamma, turns, part)?;
-            println!("circle, {name:<8}, angle after {turns} collisions, {part} at a time   {error:.1e}");
+            println!("circle, {name:<8}, error of the angle after {turns} collisions, {part} at a time   {error:.1e}");
             assert!(error <= 1e-16 * turns as f64 + 1e-15 * (turns / part) as f64, "{name}");
         }
     }
-    println!("rms drift of what is conserved, over 32 orbits, up to {count} collisions");
+    println!("rms drift of conserved quantities in {count} collisions, over 32 orbits");
     for case in long::cases()? {
         let drifts = long::drifts(&case, 32, &checkpoints);
         let (last, exponent) = (drifts[drifts.len() - 1], long::exponent(&checkpoints, &drifts));
@@ -47,7 +47,7 @@ fn main() -> Result<(), Error> {
         assert!(drift < 1e-14 && restored <= 4e-16, "{name}");
     }
     let error = long::unfolding_error(100_000)?;
-    println!("unit square, position at t = 1e5, of 64 orbits           {error:.1e}");
+    println!("unit square, error of the position at t = 1e5, 64 orbits   {error:.1e}");
     assert!(error <= 1e-10);
     Ok(())
 }
