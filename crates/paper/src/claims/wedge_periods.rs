@@ -15,9 +15,10 @@ pub(super) const CLAIM: Claim = Claim {
     statement: "For every n ≥ 2 there is a wedge angle for which all bounded orbits, degenerate ones excepted, have period 2n: the one \
                 for which S turns by α = π/n. Period 4 occurs at π/3, period 8 at 2.16598, period 10 at 0.2709.",
     verdict: Verdict::HoldsCorrected(
-        "The angle must be α = 2πm/n with m coprime to n (α = π/n gives period 4n); with m = 1, θ = arccos(1/2 − (3/2) cos(π/n)), which agrees \
-         with the captions: 0.2709 has α = 6π/5. And 2n is the period in the reduced phase space: with δ = πp/q in lowest terms, \
-         cos δ = cos(θ/2)/√(3/2), the spin position x₀ returns if and only if q is odd (for m = 1: if n is), and drifts in each period otherwise.",
+        "The angle must be α = 2πm/n with m coprime to n (α = π/n gives period 4n): θ = arccos(1/2 − (3/2) cos(πm/n)), which agrees \
+         with the captions, m = 1 for π/3 and 2.16598, and m = 3, n = 5 for 0.2709. And 2n is the period in the reduced phase \
+         space: with δ = πp/q in lowest terms, cos δ = cos(θ/2)/√(3/2), the spin position x₀ returns if and only if q is odd (for \
+         m = 1: if n is), and drifts in each period otherwise.",
     ),
     general_gamma: Some(
         "With δ = πp/q in lowest terms the period is q (q even) or 2q (q odd), and x₀ returns if and only if q is odd.",
