@@ -1,7 +1,7 @@
 //! Any observer, for orbits that run side by side.
 use super::{Collision, LaneObserver, Observer};
 use crate::{energy::Keeping, in_lanes::InLanes, merge::Merge, orbit::Orbit, track::Tracking};
-use core::ops::ControlFlow;
+use core::{marker::PhantomData, ops::ControlFlow};
 use geometry::WallHit;
 use lanes::{Lane, MOST_LANES, Mask};
 use std::collections::BTreeMap;
@@ -33,24 +33,46 @@ use std::collections::BTreeMap;
 /// assert!(time.is_some_and(|time| time.count == 10_000 && (time.mean - 1.0).abs() < 0.1)); // 4A/P = 1
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
+///
+/// What does not merge itself, as it tells something of one orbit, is asked for that at the end:
+///
+/// ```
+/// use billiards::{Canonical, Collisions, Conserved, Orbit, Planar, Starts, laws::Disk};
+/// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::{EachOrbit, Period}};
+///
+/// // in an equilateral triangle every orbit of a uniform disk has period 4 or 6, or a divisor of them
+/// let triangle = Planar { table: tables::equilateral(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
+/// let canonical = Canonical::new(&triangle.table, 1.0, 1)?;
+/// let period = |_, _: &Orbit<f64, 2, 1, Conserved<f64, 2>>| Period::new(1e-11, 1.0);
+/// let mut periods = EachOrbit::asked(period, |_, seen: Period| vec![seen.found().map(|found| found.period)]);
+/// triangle.run_side_by_side(&mut (0..100).map(|i| canonical.start(i).orbit(())), &Collisions(50), &mut periods, &mut |_| {});
+/// let periods = periods.merged().ok_or("there were orbits")?;
+/// assert_eq!(periods.len(), 100);
+/// assert!(periods.iter().flatten().all(|period| 12 % period == 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
-pub struct EachOrbit<O, M> {
+pub struct EachOrbit<O, M, R = O, A = fn(u64, O) -> R> {
     make: M,
+    ask: A,
+    /// It watches by observers of this type.
+    by: PhantomData<fn() -> O>,
     /// How many orbits there were in earlier runs, and how many have begun in all.
     earlier: u64,
     begun: u64,
     /// What was seen of the orbits before number `next`, counted through all runs.
-    merged: Option<O>,
+    merged: Option<R>,
     next: u64,
     /// What was seen of later ones that have ended already.
-    ahead: BTreeMap<u64, O>,
+    ahead: BTreeMap<u64, R>,
 }
 
 /// The observer of the orbit in one lane.
 #[derive(Debug)]
 pub struct Seat<O> {
     observer: O,
-    /// The number of the orbit, counted through all runs.
+    /// The number of the orbit in its run, and counted through all runs.
+    index: u64,
     number: u64,
     collisions: u64,
     /// Whether it has seen enough.
@@ -60,32 +82,41 @@ pub struct Seat<O> {
 impl<O: Merge, M> EachOrbit<O, M> {
     /// The observer of orbit number `index` of a run is `make(index, orbit)`, called when that begins.
     pub fn new(make: M) -> Self {
-        EachOrbit { make, earlier: 0, begun: 0, merged: None, next: 0, ahead: BTreeMap::new() }
+        EachOrbit::asked(make, |_, observer| observer)
+    }
+}
+
+impl<O, M, R: Merge, A: FnMut(u64, O) -> R> EachOrbit<O, M, R, A> {
+    /// The same, where `ask(index, observer)` is what is merged, called when the orbit has ended.
+    pub fn asked(make: M, ask: A) -> Self {
+        EachOrbit { make, ask, by: PhantomData, earlier: 0, begun: 0, merged: None, next: 0, ahead: BTreeMap::new() }
     }
 
     /// What was seen of all orbits; `None` if there was none.
-    pub fn merged(self) -> Option<O> {
+    pub fn merged(self) -> Option<R> {
         self.merged
     }
 
     /// An orbit has ended.
     fn take(&mut self, seat: Option<Seat<O>>) {
-        let Some(Seat { observer, number, .. }) = seat else { return };
-        self.ahead.insert(number, observer);
-        while let Some(observer) = self.ahead.remove(&self.next) {
+        let Some(Seat { observer, index, number, .. }) = seat else { return };
+        self.ahead.insert(number, (self.ask)(index, observer));
+        while let Some(seen) = self.ahead.remove(&self.next) {
             self.merged = Some(match self.merged.take() {
-                Some(merged) => merged.merge(observer),
-                None => observer,
+                Some(merged) => merged.merge(seen),
+                None => seen,
             });
             self.next += 1;
         }
     }
 }
 
-impl<O, M, K, T, const N: usize, const S: usize> LaneObserver<N, S, K, T> for EachOrbit<O, M>
+impl<O, M, R, A, K, T, const N: usize, const S: usize> LaneObserver<N, S, K, T> for EachOrbit<O, M, R, A>
 where
-    O: Observer<N, S, K, T> + Merge,
+    O: Observer<N, S, K, T>,
     M: FnMut(u64, &Orbit<f64, N, S, K, T>) -> O,
+    R: Merge,
+    A: FnMut(u64, O) -> R,
     K: Keeping<N, S>,
     T: Tracking<N, S>,
 {
@@ -102,7 +133,7 @@ where
         self.begun = self.begun.max(number + 1);
         for (_, seat) in view.iter_mut().enumerate().take(F::LANES).filter(|(lane, _)| here.at(*lane)) {
             let observer = (self.make)(index, orbit);
-            let before = seat.replace(Seat { observer, number, collisions: 0, done: false });
+            let before = seat.replace(Seat { observer, index, number, collisions: 0, done: false });
             self.take(before);
         }
     }

@@ -74,7 +74,7 @@ pub const LAWS: &[LawModel] = &[
     LawModel {
         name: "restitution",
         example: "law = { name = \"restitution\", normal = 0.9, tangential = 0 }",
-        summary: "loses energy: of the contact velocity, the part that an impulse along the normal produces (for a ball, the normal part) is multiplied by -normal, the rest by -tangential",
+        summary: "loses energy: -normal and -tangential times the normal and tangential contact velocity (of a ball; see the guide)",
     },
 ];
 
