@@ -2,7 +2,7 @@
 use billiards::observe::{Density, EachOrbit, LaneObserver, VelocityPortrait, Watch};
 use billiards::{
     Angle, BallLaw, Billiard, Canonical, Cell, Clock, Collision, Collisions, Conserved, Finished, Motion, Orbit,
-    Planar, Rolling, Start, Starts, Stop, Timed, Turned,
+    Planar, Rolling, Start, Starts, Stop, Time, Timed, Turned,
     laws::{Disk, PerPiece},
     run, run_side_by_side,
 };
@@ -444,6 +444,25 @@ fn what_is_seen_of_each_orbit_in_two_runs_is_merged_in_their_order() {
     let [once, twice] = [once, twice].map(|(_, seen)| seen.merged().unwrap());
     assert_eq!(once.points().len(), starts.len() * 20);
     assert!(once.points() == twice.points());
+}
+
+#[test]
+fn each_orbit_is_asked_at_its_end_by_its_number_in_the_run() {
+    let table = tables::mushroom(1.0, 0.5, 0.75).unwrap();
+    let billiard = Billiard { walls: &pieces(&table), law: &Disk::new(&Specular, 1.0).unwrap() };
+    let starts = starts(&table, 50);
+    let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
+    let mut asked =
+        EachOrbit::asked(portrait, |index, seen: VelocityPortrait<Vec<_>>| vec![(index, seen.points().len())]);
+    for part in [&starts[..20], &starts[20..]] {
+        // up to a time: the orbits take unlike numbers of collisions, and end in another order than they began
+        run_side_by_side(&billiard, &mut part.iter().map(orbit), &Time(30.0), &mut asked, &mut |_| {});
+    }
+    let asked = asked.merged().unwrap();
+    let alone = starts.iter().map(|start| run(&billiard, &mut orbit(start), &Time(30.0), &mut ()).collisions as usize);
+    let numbers = (0..20).chain(0..starts.len() as u64 - 20);
+    assert_eq!(asked, numbers.zip(alone).collect::<Vec<_>>());
+    assert!(asked.iter().any(|(_, collisions)| *collisions != asked[0].1));
 }
 
 type Tracks = (Clock, (Angle, Cell));
