@@ -196,7 +196,13 @@ fn list<'a>(item: &'a document::Item, what: &str, problems: &mut Problems) -> Op
         other => {
             let written = problems.source().slice(item.span);
             let is_short = written.chars().count() <= 60 && !written.contains('\n');
-            let help = if is_short { format!("write [{written}]") } else { "put it in brackets, [ and ]".into() };
+            let help = match what {
+                section if section.starts_with("[[") => {
+                    format!("write a section {section}, with its keys on the lines below")
+                }
+                _ if is_short => format!("write [{written}]"),
+                _ => "put it in brackets, [ and ]".into(),
+            };
             problems.add_with_help(item.span, format!("{what} must be an array, found {}", other.kind()), help);
             None
         }

@@ -59,6 +59,8 @@ fn a_single_entry_is_told_its_brackets() {
     let table = "[table]\nname = \"stadium\"\nhalf_length = 1\nradius = \"2/2\"";
     let entry = "[table.boundary]\ncircle = { center = [0, 0], radius = 1 }";
     assert_eq!(help_with(NAMED, table, entry), "write [[table.boundary]]");
+    let name = "[table]\nboundary = \"stadium\"";
+    assert_eq!(help_with(NAMED, table, name), "write [[table.boundary]], and its keys on the lines below");
     let long = format!("table = {{ boundary = {{ circle = {{ center = [0, 0], radius = 1{} }} }} }}", " ".repeat(60));
     assert_eq!(help_with(SQUARE, "table = { name = \"square\" }", &long), "put it in brackets, [ and ]");
 }
