@@ -1,6 +1,6 @@
 //! Counts of very many points on a grid.
 use crate::merge::Merge;
-use lanes::{Lane, Mask, WHOLE};
+use lanes::{Lane, MOST_LANES, Mask, WHOLE};
 
 /// How many of the points fell into each cell of a grid over a window of the plane, in one layer or several.
 ///
@@ -207,16 +207,18 @@ pub struct Noted {
     /// Where the oldest of them are.
     oldest: usize,
     /// Cells with another 256 points, which lie far apart: many of them are fetched at the same time.
-    full: Vec<usize>,
+    full: [usize; MOST_FULL],
+    /// How many there are.
+    filled: usize,
 }
 
 impl Noted {
     /// No cells of this density yet.
     pub fn new(density: &Density) -> Self {
-        Noted { cells: [density.nobody; MOST_NOTED], oldest: 0, full: Vec::with_capacity(MOST_FULL) }
+        Noted { cells: [density.nobody; MOST_NOTED], oldest: 0, full: [0; MOST_FULL], filled: 0 }
     }
 
-    /// Notes the [`cells`](Density::cells) of points of this density, and counts as many earlier ones.
+    /// Notes the [`cells`](Density::cells) of points of this density, and counts as many others.
     #[inline(always)]
     pub fn note<F: Lane>(&mut self, density: &mut Density, cells: F) {
         let oldest = if self.oldest + F::LANES > MOST_NOTED { 0 } else { self.oldest };
@@ -224,30 +226,35 @@ impl Noted {
         // where the counts begin is read once for all of them
         let Density { few, many, .. } = density;
         let few = few.as_mut_slice();
+        let (full, mut filled) = (&mut self.full, self.filled);
         for cell in &*old {
             let cell = number(*cell);
+            // seldom, and never foreseen: no call is made here, before which all that flies would leave its registers
             if adds_to(few, cell) {
-                carry(&mut self.full, many, cell);
+                full[filled % MOST_FULL] = cell;
+                filled += 1;
             }
         }
         cells.store(old);
-        self.oldest = oldest + F::LANES;
+        (self.oldest, self.filled) = (oldest + F::LANES, filled);
+        if filled > MOST_FULL - MOST_LANES {
+            self.carry(many);
+        }
     }
 
     /// Counts what is noted.
     pub fn count(&mut self, density: &mut Density) {
         density.count(&self.cells);
-        self.full.drain(..).for_each(|cell| density.many[cell] += 256);
+        self.carry(&mut density.many);
         self.cells = [density.nobody; MOST_NOTED];
     }
-}
 
-#[cold]
-#[inline(never)]
-fn carry(full: &mut Vec<usize>, many: &mut [u64], cell: usize) {
-    full.push(cell);
-    if full.len() == MOST_FULL {
-        full.drain(..).for_each(|cell| many[cell] += 256);
+    /// Carries the full cells over.
+    #[cold]
+    #[inline(never)]
+    fn carry(&mut self, many: &mut [u64]) {
+        self.full[..self.filled].iter().for_each(|cell| many[*cell] += 256);
+        self.filled = 0;
     }
 }
 
