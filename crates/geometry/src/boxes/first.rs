@@ -6,7 +6,7 @@ use lanes::{Kernel, Lane, Mask};
 /// A path prepared for box tests.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slab<const N: usize> {
-    /// The start of the path, moved back by the margin for the sides through which it enters, and forward for those through
+    /// The start of the path, moved forward by the margin for the sides through which it enters, and back for those through
     /// which it leaves.
     enter: [f64; N],
     leave: [f64; N],
@@ -30,7 +30,7 @@ impl<const N: usize> Slab<N> {
         let margin = 64.0 * f64::EPSILON * (path.point.amax() + size);
         let down: [bool; N] = core::array::from_fn(|i| path.velocity[i] < 0.0);
         let start = |margin: f64| core::array::from_fn(|i| path.point[i] + if down[i] { -margin } else { margin });
-        // makes −0 to 0, and avoids 0·∞, which would be NaN
+        // turns −0 into 0, and avoids 0·∞, which would be NaN
         let inverse = core::array::from_fn(|i| (1.0 / (path.velocity[i] + 0.0)).clamp(-f64::MAX, f64::MAX));
         Slab { enter: start(margin), leave: start(-margin), inverse, down }
     }
