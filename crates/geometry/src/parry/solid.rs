@@ -28,7 +28,7 @@ use parallel::Parallel;
 use parry3d_f64::shape::{ConvexPolyhedron, Shape, SharedShape, TypedShape};
 use rounded::Rounded;
 
-/// From this many sizes away the side is taken from a point beside the boundary: coordinates resolve only a millionth of its size.
+/// From this many sizes away the side is taken from a point beside the boundary: coordinates resolve its size only to a millionth.
 const FAR: f64 = 1e9;
 
 /// The table inside or outside of a shape in space.
@@ -116,8 +116,8 @@ impl Solid {
     /// The table for the centre of a ball of radius `margin` \[L\] in this one: all points farther than that from the triangles of
     /// meshes, height fields and voxels. (For other shapes see [`SolidSpec::parallel`](super::SolidSpec::parallel).)
     ///
-    /// A ball that touches triangles on both sides of a concave edge at once is in a corner. Behind an open mesh there is no table, but
-    /// its triangles also keep off a ball that comes round its rim.
+    /// A ball that touches triangles on both sides of an edge at once, where the table is bent like the inside of a corner, is in a
+    /// corner. Behind an open mesh there is no table, but its triangles also keep off a ball that comes round its rim.
     ///
     /// # Errors
     /// [`Error::Shape`] for other shapes, [`Error::Parameter`] unless the margin is positive and finite.

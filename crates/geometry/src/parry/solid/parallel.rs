@@ -97,7 +97,7 @@ impl Parallel {
         (point, normal, corner)
     }
 
-    /// The convex body that it bounds, if it does and has few faces.
+    /// The convex body with the table inside that it bounds, if it does and has few faces.
     pub(super) fn body(&self) -> Option<ConvexBody> {
         self.mesh.body(self.margin)
     }
