@@ -23,7 +23,7 @@ impl<const N: usize> Line<N> {
     /// The position as a rounded value and its rounding error.
     ///
     /// A rounded position lies off the path by half an ulp, and so meets a wall too early or too late by that divided by the sine of
-    /// the angle between them.
+    /// the angle between path and wall.
     pub(crate) fn at_exactly(&self, t: f64) -> [SVector<f64, N>; 2] {
         let mut rest = SVector::zeros();
         let rounded = SVector::from_fn(|i, _| {

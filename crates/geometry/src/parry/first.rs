@@ -11,8 +11,8 @@ pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Op
 /// The sooner of two hits; for equal times the one with the lower number.
 pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
     /// Normals that differ by less than this belong to walls that continue one another. Where a wall with the radius `r` is tangent to
-    /// another, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`, which covers radii from 10⁻⁵
-    /// of the size on.
+    /// another, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: the bound covers radii from
+    /// 10⁻⁵ of the size on.
     const SMOOTH: f64 = 1e-5;
     let b_is_first = b.time < a.time || (b.time == a.time && b.piece < a.piece);
     let [first, second] = if b_is_first { [b, a] } else { [a, b] };

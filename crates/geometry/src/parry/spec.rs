@@ -339,7 +339,7 @@ impl Fields<'_> {
             let turn = cross((before / size).into(), (after / size).into());
             left |= turn > 0.0;
             right |= turn < 0.0;
-            // the edges of a convex polygon turn to the right once and to the left once
+            // around a convex polygon, x rises once and falls once
             reversals += usize::from(
                 (before.x > 0.0 || (before.x == 0.0 && before.y > 0.0))
                     != (after.x > 0.0 || (after.x == 0.0 && after.y > 0.0)),

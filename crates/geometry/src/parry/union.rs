@@ -249,7 +249,7 @@ fn outgoing(figure: &Figure, direction: Vector2<f64>) -> Vector2<f64> {
     if let Figure::Ray { left: false, .. } = figure { -direction } else { direction }
 }
 
-/// A point well inside a part between two cuts.
+/// A point well inside a part that was cut at `cuts`.
 fn middle(figure: &Figure, cuts: &[Vector2<f64>], size: f64) -> Result<Vector2<f64>, Error> {
     let piece = piece_of(figure)?;
     Ok(match figure {
