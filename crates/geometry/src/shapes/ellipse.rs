@@ -252,7 +252,7 @@ impl Ellipse {
             let bend = (a - b) * sin * ((a + b) * cos / rate);
             [off, rate - 0.5 * bend * (off / rate)]
         };
-        // the error after a step is at most its third power times the square of this ratio
+        // the error after a step is at most the third power of the step divided by the square of this ratio
         let enough = 4e-6 * (a / b).min(b / a);
         rising_root_near(self.guess(s), along, [0.0, FRAC_PI_2], enough)
     }

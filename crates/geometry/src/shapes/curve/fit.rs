@@ -17,7 +17,7 @@ const AGREE: f64 = 8.0 * f64::EPSILON;
 /// Factors by which the error of a rough curve may be larger; the least that suffices is taken.
 const ROUGH: [f64; 5] = [4.0, 8.0, 16.0, 64.0, 256.0];
 
-/// Factor by which the residual of the polynomials may be larger, apart from noise.
+/// Greatest factor by which the residual of the polynomials may be larger, apart from noise.
 const LEFT: f64 = 16.0;
 
 /// Size that terms of higher degree may have where the residual of the inclines is all noise, in units of its root mean square.

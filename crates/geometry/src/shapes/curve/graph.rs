@@ -257,8 +257,8 @@ impl<F: Lane> Local<F> {
         [a, u, b - height, rise - incline * rate, -bend * (rate * rate)]
     }
 
-    /// Whether the contribution of the third derivative to a step of Euler's method, a sixth of it times the third power of the step
-    /// divided by the slope, is less than `error` half lengths of the chord.
+    /// Whether what a step of Euler's method neglects, a sixth of the third derivative times the third power of the step divided by the
+    /// slope, is less than `error` half lengths of the chord.
     #[inline(always)]
     fn is_near(&self, dt: F, rate: F, slope: F, error: f64) -> F::Mask {
         let step = (dt * rate).abs();
@@ -301,7 +301,8 @@ impl<F: Lane> Local<F> {
         let newton = -g * steep;
         let curved = newton * bend * steep * 0.5;
         let dt = newton - newton * curved;
-        // the contribution of the second derivative to this step is less than twice the square of its relative size, times the step
+        // what this step neglects of the second derivative is less than twice the square of `curved`, the relative size of its
+        // contribution, times the step
         let near = self.is_near(dt, rate, slope, SMALL) & (curved * curved * (dt * rate).abs()).lt(zero.same(SMALL));
         let mut last = [a, u, slope, bend, dt, slope];
         t = near.select(t + dt, t);

@@ -209,7 +209,7 @@ impl<F: ImplicitFormula> Implicit<F> {
     }
 
     /// Whether nothing can hide between points of the curve: around none of its graphs can the second derivatives be far greater than at
-    /// points of the graph.
+    /// points of the curve.
     fn is_calm(&self, graphs: &[Graph]) -> bool {
         let bend = self.vertices.iter().fold(0.0_f64, |m, p| {
             let [fx, fy] = self.formula.gradient((*p).into());

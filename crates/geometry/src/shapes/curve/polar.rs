@@ -147,8 +147,8 @@ impl<F: PolarFormula> Polar<F> {
         }
         let greatest = jets.iter().fold(0.0_f64, |m, [r, ..]| m.max(r.high));
         let [start, end] = [0.0, 2.0 * PI].map(|angle| formula.jet(angle)[0]);
-        // the angle 2π is rounded, and formulas may multiply it; a visible jump is not rounding, nor is one larger than the effect of a
-        // rounded angle where the slope is unbounded
+        // the angle 2π is rounded, and formulas may multiply it; not rounding is a jump that is visible and, where the slope is unbounded,
+        // also larger than the effect of a rounded angle
         let rounding = 1e-9 * greatest;
         let [before, _, _] = formula.jet(2.0 * PI - SEAM);
         if (start - end).abs() > rounding.max(2.0 * (end - before).abs()) || end.is_nan() {
