@@ -72,7 +72,7 @@ fn split<F: Lane>(of: &[F; 3], axis: &[F; 3]) -> (F, [F; 3]) {
 }
 
 impl Walls<3> for Cylinder {
-    /// The ends of an oblique cylinder have a normal of rounded length.
+    /// The ends of a cylinder that does not lie along a coordinate axis have a normal of rounded length.
     fn rounds_normals(&self) -> bool {
         self.axis.iter().all(|a| a.abs() != 1.0)
     }

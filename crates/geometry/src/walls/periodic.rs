@@ -77,7 +77,7 @@ impl<W> Periodic<W> {
                 let parts = [0, 1].map(|i| across[i] * corner[i]);
                 let at: f64 = parts.iter().filter(|part| !part.is_nan()).sum();
                 let rounding = slack(parts.into_iter().filter(|part| part.is_finite()));
-                // ∞ − ∞ from an infinite oblique box
+                // ∞ − ∞, for an infinite box in a slanted channel
                 let at = if at.is_nan() { [-f64::INFINITY, f64::INFINITY] } else { [at - rounding, at + rounding] };
                 range = [range[0].min(at[0]), range[1].max(at[1])];
             }
