@@ -23,7 +23,8 @@ impl Lattice {
     /// The lattice spanned by one or two vectors \[L\].
     ///
     /// # Errors
-    /// [`Error::Lattice`] unless they are finite and independent, [`Error::Length`] unless each has a coordinate between 10⁻¹⁵⁰ and 10¹⁵⁰.
+    /// [`Error::Lattice`] unless they are finite and independent, [`Error::Length`] unless the greatest coordinate of each is between
+    /// 10⁻¹⁵⁰ and 10¹⁵⁰.
     pub fn new(vectors: &[Vector2<f64>]) -> Result<Lattice, Error> {
         let mut sizes = vectors.iter().filter(|vector| is_finite(vector)).map(Vector2::amax).filter(|size| *size > 0.0);
         sizes.try_for_each(|size| has_square("the greatest coordinate of a lattice vector", size))?;

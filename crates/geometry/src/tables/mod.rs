@@ -3,8 +3,8 @@
 //! Each has a constructor, such as [`stadium`](fn@stadium), and an [`Entry`] by which scene files find it. To add one, write a
 //! file beside the others, and add its `mod` line and its line in [`all`].
 //!
-//! Besides the errors that each constructor lists, all of them return [`Error::Length`](crate::Error::Length) for lengths that are not
-//! between 10⁻¹⁵⁰ and 10¹⁵⁰.
+//! Besides the errors that each constructor lists, those of planar tables return [`Error::Length`](crate::Error::Length) if the
+//! greatest coordinate of the boundary, or that of a lattice vector, is not between 10⁻¹⁵⁰ and 10¹⁵⁰.
 mod ball;
 mod channel;
 mod circle;
