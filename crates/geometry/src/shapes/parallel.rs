@@ -261,7 +261,7 @@ impl Parametric for Parallel {
         let n = self.node(s);
         [n.point, Vector2::new(n.normal.y, -n.normal.x) * n.stretch]
     }
-    /// They do for ellipses, where it matters: near the tip of a flat one the parameter loses most digits.
+    /// Point and derivative do so on ellipses, where it matters: near the tip of a flat one the parameter loses most digits.
     fn is_consistent(&self) -> bool {
         matches!(self.base.shape(), Some(Shape::Ellipse(_) | Shape::EllipticArc(_)))
     }
