@@ -32,10 +32,10 @@ const NOISE: f64 = 16.0;
 /// so after n collisions, and this shows at the next hit.
 const MEETING: usize = 8;
 
-/// They have met if they are apart, in time as well, by no more than this fraction of the jump, nor than this many times the root of the
-/// error times the jump: a specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. A larger
-/// distance is no proof: in polygons with rational angles there are few directions, and one place in 64 is nearer than the first limit by
-/// chance.
+/// They have met if they are apart, in time as well, by no more than two fractions of the jump: the first of these, and the second times
+/// the root of the relative error. A specular twin that grazes a disk of radius R where the orbit does not is turned by `2 √(2 e/R)`. A
+/// larger distance is no proof: in polygons with rational angles there are few directions, and one place in 64 is nearer than the first
+/// limit by chance.
 const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
 
 /// A larger jump, in units of the table's size or of the speed, means another collision, of which nothing is known: less than a digit is
