@@ -233,7 +233,7 @@ struct Derivative<'a, const N: usize, const S: usize> {
     normal: [f64; N],
     /// The largest of the numbers that define the place of the hit \[L\].
     length: f64,
-    /// How far the place of the hit is moved, times [`PLACE`] \[L\].
+    /// Times [`PLACE`], how far the place of the hit is moved \[L\].
     nearby: f64,
     /// Unit vectors along the wall, and the derivatives of the normal along them \[L⁻¹\].
     bends: Vec<[[f64; N]; 2]>,
@@ -245,7 +245,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         let length = norm(&at.position).max(norm(&hit.point)).max(flight);
         let normal = hit.unit_normal();
         let bends = along(&normal).into_iter().map(|t| [t, walls.bend(hit, flight, &t)]).collect();
-        // a length between the flight, over which a law may change, and the rounding of the coordinates
+        // times `PLACE`, a length between the flight, over which a law may change, and the rounding of the coordinates
         let nearby = libm::sqrt(length * flight.max(f64::EPSILON * length));
         Derivative { billiard, before: *at, hit: *hit, normal, length: length.max(walls.size(hit)), nearby, bends }
     }
