@@ -60,7 +60,7 @@ impl Restitution {
         self.tangential > -1.0
     }
 
-    /// The weights of the no-slip map and of the specular map whose weighted sum is the law, before the loss in the normal.
+    /// The weights of the no-slip impulse and of the specular impulse in the impulse of the law, which is their weighted sum.
     fn shares(&self) -> (f64, f64) {
         (0.5 * (1.0 + self.tangential), 0.5 * (self.normal - self.tangential))
     }
