@@ -22,7 +22,7 @@ pub(super) const CLAIM: Claim = Claim {
     measure,
 };
 
-/// What orbits do at a corner that start where the invariant keeps them there.
+/// What orbits do that start where the invariant keeps them at a corner.
 struct Corner {
     /// How many leave its two sides.
     left: usize,
