@@ -31,7 +31,7 @@ fn main() -> Result<(), Error> {
             assert!(error <= 1e-16 * turns as f64 + 1e-15 * (turns / part) as f64, "{name}");
         }
     }
-    println!("rms drift of conserved quantities in {count} collisions, over 32 orbits");
+    println!("rms drift of conserved quantities in up to {count} collisions, over 32 orbits");
     for case in long::cases()? {
         let drifts = long::drifts(&case, 32, &checkpoints);
         let (last, exponent) = (drifts[drifts.len() - 1], long::exponent(&checkpoints, &drifts));
