@@ -34,13 +34,13 @@ use std::collections::BTreeMap;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
-/// What does not merge itself, as it tells something of one orbit, is asked for that at the end:
+/// An observer that does not merge, as it tells something of one orbit, is asked for that when its orbit has ended:
 ///
 /// ```
 /// use billiards::{Canonical, Collisions, Conserved, Orbit, Planar, Starts, laws::Disk};
 /// use billiards::{collision_laws::laws::NoSlip, geometry::tables, observe::{EachOrbit, Period}};
 ///
-/// // in an equilateral triangle every orbit of a uniform disk has period 4 or 6, or a divisor of them
+/// // in an equilateral triangle every orbit of a uniform disk that meets no vertex has period 4 or 6, or a divisor of them
 /// let triangle = Planar { table: tables::equilateral(1.0)?, law: Disk::new(&NoSlip, 0.5_f64.sqrt())? };
 /// let canonical = Canonical::new(&triangle.table, 1.0, 1)?;
 /// let period = |_, _: &Orbit<f64, 2, 1, Conserved<f64, 2>>| Period::new(1e-11, 1.0);
