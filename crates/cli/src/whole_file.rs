@@ -156,7 +156,7 @@ fn forget(files: &mut Vec<PathBuf>, temporary: &Path) {
     }
 }
 
-/// The fixed parts of the names of temporary files for this name; a process number and a serial number come between them.
+/// The beginning of the names of temporary files for this name; a process number, a serial number and [`PARTIAL`] follow.
 fn hidden(name: &OsStr) -> OsString {
     let mut hidden = OsString::from(".");
     hidden.push(name);

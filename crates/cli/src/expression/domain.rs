@@ -16,7 +16,7 @@ impl Expression {
     /// A part of a formula in one variable that has no real value somewhere in `range`, such as the root of a negative number: what
     /// is wrong, and about the value of the variable.
     ///
-    /// A reported part is certain, and every part is found whose argument leaves the domain of its function by more than rounding.
+    /// A reported part is certain, and one is reported wherever an argument leaves the domain of its function by more than rounding.
     pub fn unreal(&self, range: Interval) -> Option<(Error, f64)> {
         let mut values = vec![Interval::ENTIRE; self.nodes.len()];
         let at = |k: u32| range.low + (range.high - range.low) * (f64::from(k) / f64::from(PARTS));

@@ -93,7 +93,7 @@ fn copies(table: &Table, numbers: &[usize]) -> Vec<Vector2<f64>> {
 fn samples<'a>(piece: &'a dyn Piece, lattice: &Lattice) -> impl Iterator<Item = Vector2<f64>> + use<'a> {
     let length = piece.length();
     let longest = lattice.vectors().iter().map(Vector2::norm).fold(0.0, f64::max);
-    // the distance across a cell, which may be slanted
+    // the distance across a cell, which may be thin
     let cell = longest.min(lattice.cell_area() / longest);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most a hundred thousand")]
     let many = (PER_CELL * length / cell).clamp(FEWEST, MOST) as u32;
