@@ -453,13 +453,13 @@ fn each_orbit_is_asked_at_its_end_by_its_number_in_the_run() {
     let starts = starts(&table, 50);
     let orbit = |start: &Start<2, 1>| -> Disks { start.orbit(Clock::new(0.0)) };
     let mut asked =
-        EachOrbit::asked(portrait, |index, seen: VelocityPortrait<Vec<_>>| vec![(index, seen.points().len())]);
+        EachOrbit::asked(portrait, |index, seen: VelocityPortrait<Vec<_>>| vec![(index, seen.points().len() as u64)]);
     for part in [&starts[..20], &starts[20..]] {
         // up to a time: the orbits take unlike numbers of collisions, and end in another order than they began
         run_side_by_side(&billiard, &mut part.iter().map(orbit), &Time(30.0), &mut asked, &mut |_| {});
     }
     let asked = asked.merged().unwrap();
-    let alone = starts.iter().map(|start| run(&billiard, &mut orbit(start), &Time(30.0), &mut ()).collisions as usize);
+    let alone = starts.iter().map(|start| run(&billiard, &mut orbit(start), &Time(30.0), &mut ()).collisions);
     let numbers = (0..20).chain(0..starts.len() as u64 - 20);
     assert_eq!(asked, numbers.zip(alone).collect::<Vec<_>>());
     assert!(asked.iter().any(|(_, collisions)| *collisions != asked[0].1));
