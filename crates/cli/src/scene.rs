@@ -196,10 +196,9 @@ fn list<'a>(item: &'a document::Item, what: &str, problems: &mut Problems) -> Op
         other => {
             let written = problems.source().slice(item.span);
             let is_short = written.chars().count() <= 60 && !written.contains('\n');
+            let is_section = what.starts_with("[[") && !matches!(other, Value::Table(_));
             let help = match what {
-                section if section.starts_with("[[") => {
-                    format!("write a section {section}, with its keys on the lines below")
-                }
+                section if is_section => format!("write {section}, and its keys on the lines below"),
                 _ if is_short => format!("write [{written}]"),
                 _ => "put it in brackets, [ and ]".into(),
             };
