@@ -62,7 +62,8 @@ impl Places {
                 n.store(&mut ns[these.clone()]);
             }
         }
-        hit.piece.store(&mut pieces[these.clone()]);
+        // where nobody is, there may be no piece
+        here.select(hit.piece, layer.same(0.0)).store(&mut pieces[these.clone()]);
         tangential.store(&mut tangentials[these.clone()]);
         here.select(layer, layer.same(NOBODY)).store(&mut layers[these]);
         self.count += F::LANES;

@@ -1,27 +1,24 @@
 //! Arc lengths of collisions on segments and arcs, many at a time.
 
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use billiards::geometry::{Figure, Piece, Table};
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, Rows};
 
-/// Most pieces, which are tested one after another.
+/// Most pieces: as many as are looked up in two vectors.
 const MOST: usize = 16;
 
 /// The unrolled boundary of a table of a few segments and arcs.
 ///
-/// The point `x` of a segment is at `start + slope·x`. The point of an arc with the unit normal `ν` is at `start + radius θ`,
-/// where `(cos θ, sin θ) = (cosine·ν, sine·ν)` and `0 ≤ θ ≤ sweep`.
+/// The point `x` with the unit normal `ν` is at `start + slope·x + radius θ`, where `θ` is the angle from `middle` to `ν`. On a segment the
+/// radius is 0; on an arc the slope is 0, and `|θ|` is at most `half`.
 #[derive(Clone, Debug)]
 pub(super) struct Stretches {
-    /// `slope` and `start`.
-    segments: Vec<Stretch<3>>,
-    /// `cosine`, `sine`, `radius`, `sweep` and `start`.
-    arcs: Vec<Stretch<7>>,
+    /// For each piece `slope`, `start` and `half`.
+    places: Rows,
+    /// `middle`, and the radius, negative where the angle falls along the piece; `None` if all pieces are segments.
+    turns: Option<Rows>,
 }
-
-/// The number of a piece, and the coefficients that give the arc length of its points.
-type Stretch<const K: usize> = (f64, [f64; K]);
 
 impl Stretches {
     /// The stretches of a table whose pieces begin at these arc lengths, in a picture with `unit` of width per length; `None`
@@ -30,26 +27,25 @@ impl Stretches {
         if table.lattice().is_some() || table.pieces().len() > MOST {
             return None;
         }
-        let mut stretches = Stretches { segments: vec![], arcs: vec![] };
-        for (number, (piece, offset)) in table.pieces().iter().zip(offsets).enumerate() {
-            let (number, start) = (number as f64, offset * unit);
+        let (mut places, mut turns) = (vec![], vec![]);
+        for (piece, offset) in table.pieces().iter().zip(offsets) {
             match piece.figure() {
                 Figure::Segment { ends: [a, b] } => {
                     let slope = (b - a).normalize() * unit;
-                    stretches.segments.push((number, [slope.x, slope.y, start - slope.dot(&a)]));
+                    places.push([slope.x, slope.y, offset * unit - slope.dot(&a), 0.0]);
+                    turns.push([1.0, 0.0, 0.0, 0.0]);
                 }
                 Figure::Arc { radius, inside, .. } | Figure::Circle { radius, inside, .. } => {
-                    let (first, turn) = (piece.landing_at(0.0).normal, if inside { 1.0 } else { -1.0 });
-                    let [cosine, sine] = [[first.x, first.y], [-turn * first.y, turn * first.x]];
-                    let sweep = piece.length() / radius;
-                    stretches
-                        .arcs
-                        .push((number, [cosine[0], cosine[1], sine[0], sine[1], radius * unit, sweep, start]));
+                    let half = 0.5 * piece.length();
+                    let middle = piece.landing_at(half).normal;
+                    places.push([0.0, 0.0, (offset + half) * unit, half / radius]);
+                    turns.push([middle.x, middle.y, if inside { radius * unit } else { -radius * unit }, 0.0]);
                 }
                 _ => return None,
             }
         }
-        Some(stretches)
+        let has_arcs = turns.iter().any(|[.., radius, _]| *radius != 0.0);
+        Some(Stretches { places: Rows::new(places), turns: has_arcs.then(|| Rows::new(turns)) })
     }
 
     /// Whether the arc length of a point of a piece is found without a search.
@@ -59,62 +55,19 @@ impl Stretches {
 
     /// Whether unit normals are needed.
     pub(super) fn want_normals(&self) -> bool {
-        !self.arcs.is_empty()
+        self.turns.is_some()
     }
 
     /// The positions of points of these pieces with these unit normals.
     #[inline(always)]
-    pub(super) fn at<F: Lane>(&self, point: [F; 2], normal: impl FnOnce() -> [F; 2], piece: F) -> F {
-        let zero = piece.same(0.0);
-        let on_segment = match of_pieces(&self.segments, piece) {
-            Some(segment) => on_segment(segment, point),
-            None => zero,
-        };
-        let Some(arc) = of_pieces(&self.arcs, piece) else { return on_segment };
-        let mut on_arcs = zero.never();
-        for (number, _) in &self.arcs {
-            on_arcs = on_arcs | (zero.same(number - 0.5).lt(piece) & piece.lt(zero.same(number + 0.5)));
-        }
-        on_arcs.select(on_arc(arc, normal()), on_segment)
+    pub(super) fn at<F: Lane>(&self, [x1, x2]: [F; 2], normal: impl FnOnce() -> [F; 2], piece: F) -> F {
+        let [slope1, slope2, start, half] = self.places.at(piece);
+        let along = start + (slope1 * x1 + slope2 * x2);
+        let Some(turns) = &self.turns else { return along };
+        let ([m1, m2, radius, _], [n1, n2]) = (turns.at(piece), normal());
+        // rounding may take a point beyond the ends
+        along + radius * angle(m1 * n1 + m2 * n2, m1 * n2 - m2 * n1, half)
     }
-}
-
-/// The coefficients of the piece in each lane, or of another piece where it is not among these; `None` if there are none.
-#[inline(always)]
-fn of_pieces<F: Lane, const K: usize>(stretches: &[Stretch<K>], piece: F) -> Option<[F; K]> {
-    let ((_, first), others) = stretches.split_first()?;
-    let mut numbers = all(first, piece);
-    for (number, other) in others {
-        numbers = piece.same(number - 0.5).lt(piece).choose(all(other, piece), numbers);
-    }
-    Some(numbers)
-}
-
-/// Numbers in as many lanes as `like` has.
-#[inline(always)]
-fn all<F: Lane, const K: usize>(numbers: &[f64; K], like: F) -> [F; K] {
-    // not a closure, which the compiler may leave as a separate function that is not compiled for the instruction set
-    let mut all = [like; K];
-    for i in 0..K {
-        all[i] = like.same(numbers[i]);
-    }
-    all
-}
-
-/// The position of a point on a segment.
-#[inline(always)]
-fn on_segment<F: Lane>([slope1, slope2, start]: [F; 3], [x1, x2]: [F; 2]) -> F {
-    start + (slope1 * x1 + slope2 * x2)
-}
-
-/// The position on an arc of the point with a unit normal.
-#[inline(always)]
-fn on_arc<F: Lane>([cosine1, cosine2, sine1, sine2, radius, sweep, start]: [F; 7], [n1, n2]: [F; 2]) -> F {
-    let angle = angle(cosine1 * n1 + cosine2 * n2, sine1 * n1 + sine2 * n2);
-    // rounding may take a point beyond the ends
-    let before = (sweep * 0.5 + PI).lt(angle);
-    let angle = before.select(angle.same(0.0), angle.min(sweep));
-    start + radius * angle
 }
 
 /// `arcsin s / s` in powers of `s²`, for `s² ≤ ½`, which gives `arcsin s` to 3.2·10⁻⁷: the best polynomial of this degree.
@@ -127,10 +80,9 @@ const ARC_SINE: [f64; 6] = [
     0.111_127_077_703_793_47,
 ];
 
-/// The angle of the unit vector `(cos, sin)` in [0, 2π], to 3.2·10⁻⁷: a thousandth of a pixel.
+/// The angle of the unit vector `(cos, sin)` in [−π, π], to 3.2·10⁻⁷, a thousandth of a pixel; of at most this size.
 #[inline(always)]
-fn angle<F: Lane>(cos: F, sin: F) -> F {
-    let zero = cos.same(0.0);
+fn angle<F: Lane>(cos: F, sin: F, most: F) -> F {
     let (a, b) = (cos.abs(), sin.abs());
     let small = a.min(b);
     let square = small * small;
@@ -140,8 +92,8 @@ fn angle<F: Lane>(cos: F, sin: F) -> F {
     let fourth = square * square;
     let angle = small * (pair(c0, c1) + fourth * (pair(c2, c3) + fourth * pair(c4, c5)));
     let angle = a.lt(b).select(-angle + FRAC_PI_2, angle);
-    let angle = cos.lt(zero).select(-angle + PI, angle);
-    sin.lt(zero).select(-angle + TAU, angle)
+    let angle = cos.lt(cos.same(0.0)).select(-angle + PI, angle);
+    angle.min(most).copysign(sin)
 }
 
 #[cfg(test)]
@@ -153,9 +105,10 @@ mod tests {
     #[test]
     fn angles_are_right_to_a_thousandth_of_a_pixel() {
         for k in 0..10_000 {
-            let turn = f64::from(k) * 6.283e-4;
+            let turn = f64::from(k - 5000) * 6.283e-4;
             let (sin, cos) = libm::sincos(turn);
-            assert!((angle(cos, sin) - turn).abs() < 3.3e-7, "{turn}");
+            assert!((angle(cos, sin, PI) - turn).abs() < 3.3e-7, "{turn}");
+            assert!((angle(cos, sin, 1.0) - turn.clamp(-1.0, 1.0)).abs() < 3.3e-7, "{turn}");
         }
     }
 
@@ -172,7 +125,6 @@ mod tests {
         for table in tables.map(Result::unwrap) {
             let (offsets, unit) = (table.arc_length_offsets(), REDUCED_WIDTH / table.perimeter());
             let stretches = Stretches::of(&table, &offsets, unit).unwrap();
-            assert_eq!(stretches.segments.len() + stretches.arcs.len(), table.pieces().len());
             for (number, piece) in table.pieces().iter().enumerate() {
                 for k in 0..=100 {
                     let landing = piece.landing_at(piece.length() * f64::from(k) * 0.01);
