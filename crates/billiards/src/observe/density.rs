@@ -229,7 +229,7 @@ impl Noted {
         let (full, mut filled) = (&mut self.full, self.filled);
         for cell in &*old {
             let cell = number(*cell);
-            // seldom, and never foreseen: no call is made here, before which all that flies would leave its registers
+            // rare, and never predicted: no call is made here, for which all vectors would have to leave their registers
             if adds_to(few, cell) {
                 full[filled % MOST_FULL] = cell;
                 filled += 1;
