@@ -46,9 +46,9 @@ use std::collections::BTreeMap;
 /// let period = |_, _: &Orbit<f64, 2, 1, Conserved<f64, 2>>| Period::new(1e-11, 1.0);
 /// let mut periods = EachOrbit::asked(period, |_, seen: Period| vec![seen.found().map(|found| found.period)]);
 /// triangle.run_side_by_side(&mut (0..100).map(|i| canonical.start(i).orbit(())), &Collisions(50), &mut periods, &mut |_| {});
-/// let periods = periods.merged().ok_or("there were orbits")?;
+/// let periods: Vec<Option<u64>> = periods.merged().unwrap_or_default();
 /// assert_eq!(periods.len(), 100);
-/// assert!(periods.iter().flatten().all(|period| 12 % period == 0));
+/// assert!(periods.iter().all(|period| period.is_some_and(|period| 12 % period == 0)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug)]
