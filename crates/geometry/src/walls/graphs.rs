@@ -9,6 +9,7 @@ use crate::{
     plane::slack,
     shapes::curve::{Graph, Local, Meeting, Ray, Row, at_least, grazes, turn},
 };
+use core::hint::select_unpredictable;
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin, stored};
 use nalgebra::Vector2;
 
@@ -113,30 +114,30 @@ impl All {
     }
 
     /// Of eight consecutive graphs, without those that lie far behind the start of a path: bit masks of those that it certainly crosses
-    /// outwards and of those that it may cross outwards; and lower bounds of the distances to them times `|v|`.
+    /// outwards and of those that it may cross outwards; `ways` gets lower bounds of the distances to them times `|v|`.
     #[inline(always)]
-    fn eight<F: Lane>(&self, x: [F; 2], v: [F; 2], first: usize) -> ([u64; 2], [f64; WIDTH]) {
+    fn eight<F: Lane>(&self, x: [F; 2], v: [F; 2], group: u32, ways: &mut [f64]) -> [u64; 2] {
         let zero = x[0].same(0.0);
         let speed = at_least(v);
-        let [ends_x, ends_y] = &self.ends;
+        let first = group as usize;
+        let [ends_x, ends_y] = self.ends.each_ref().map(|ends| &ends[first..=first + WIDTH]);
+        let [nears, reaches] = [&self.near, &self.reach].map(|all| &all[first..first + WIDTH]);
         let (mut starts, mut ends, mut grazed, mut behind) = (0, 0, 0, 0);
-        let mut ways = [0.0; WIDTH];
         let mut k = 0;
         while k < WIDTH {
-            let at = first + k;
-            let from = [x[0] - zero.load(&ends_x[at..]), x[1] - zero.load(&ends_y[at..])];
+            let from = [x[0] - zero.load(&ends_x[k..]), x[1] - zero.load(&ends_y[k..])];
             let start = v[1] * from[0] - v[0] * from[1];
-            let end = turn(x, v, [zero.load(&ends_x[at + 1..]), zero.load(&ends_y[at + 1..])]);
-            let (back, reach) = (from[0] * v[0] + from[1] * v[1], zero.load(&self.reach[at..]) * speed);
+            let end = turn(x, v, [zero.load(&ends_x[k + 1..]), zero.load(&ends_y[k + 1..])]);
+            let (back, reach) = (from[0] * v[0] + from[1] * v[1], zero.load(&reaches[k..]) * speed);
             starts |= zero.lt(start).bits() << k;
             ends |= zero.lt(end).bits() << k;
-            grazed |= grazes([start, end], zero.load(&self.near[at..]), speed).bits() << k;
+            grazed |= grazes([start, end], zero.load(&nears[k..]), speed).bits() << k;
             behind |= reach.lt(back).bits() << k;
             (-back - reach).store(&mut ways[k..]);
             k += F::LANES;
         }
         let through = !starts & ends & !behind;
-        ([through, through | (grazed & !(starts & !ends) & !behind)], ways)
+        [through, through | (grazed & !(starts & !ends) & !behind)]
     }
 
     /// The graph that a path crosses among at most `MOST` consecutive ones of which it crosses exactly one: the first that ends to its
@@ -144,8 +145,7 @@ impl All {
     #[inline(always)]
     fn of_run<const MOST: usize, F: Lane>(&self, zero: F, x: [f64; 2], v: [f64; 2], first: usize) -> usize {
         let (x, v) = ([zero.same(x[0]), zero.same(x[1])], [zero.same(v[0]), zero.same(v[1])]);
-        let ends_x = &self.ends[0][first + 1..][..MOST];
-        let ends_y = &self.ends[1][first + 1..][..MOST];
+        let [ends_x, ends_y] = self.ends.each_ref().map(|ends| &ends[first + 1..first + 1 + MOST]);
         // the last one certainly does
         let (mut left, mut k) = (1 << (MOST - 1), 0);
         while k < MOST {
@@ -164,23 +164,28 @@ impl All {
         // the bits of eight groups fit in one number, so what a path may cross in them is examined in one loop, whose end is predicted
         // more often than the ends of eight loops
         for groups in groups.chunks(WIDTH) {
-            let (mut through, mut maybe, mut ways) = (0, 0, [[0.0; WIDTH]; WIDTH]);
+            let (mut through, mut maybe, mut ways) = (0, 0, [0.0; WIDTH * WIDTH]);
             for (g, group) in groups.iter().enumerate() {
-                let masks;
-                (masks, ways[g]) = self.eight(x, v, *group as usize);
+                let masks = self.eight(x, v, *group, &mut ways[WIDTH * g..][..WIDTH]);
                 through |= masks[0] << (WIDTH * g);
                 maybe |= masks[1] << (WIDTH * g);
             }
+            // mostly one or two, between which nothing branches
             while maybe != 0 {
                 let k = maybe.trailing_zeros() as usize;
-                maybe &= maybe - 1;
-                let way = ways[k / WIDTH][k % WIDTH];
-                if way < pick.way {
-                    let others = pick.way;
+                let rest = maybe & (maybe - 1);
+                let alone = rest == 0;
+                let l = select_unpredictable(alone, k, rest.trailing_zeros() as usize % 64);
+                maybe = rest & rest.wrapping_sub(1);
+                let [a, b] = [ways[k], select_unpredictable(alone, f64::INFINITY, ways[l])];
+                let other = b < a;
+                let (k, near, far) = (select_unpredictable(other, l, k), b.min(a), b.max(a));
+                if near < pick.way {
+                    let others = pick.way.min(far);
                     let graph = groups[k / WIDTH] as usize + k % WIDTH;
-                    pick = Pick { graph, through: through >> k & 1 == 1, way, others };
+                    pick = Pick { graph, through: through >> k & 1 == 1, way: near, others };
                 } else {
-                    pick.others = pick.others.min(way);
+                    pick.others = pick.others.min(near);
                 }
             }
         }
@@ -201,7 +206,8 @@ impl All {
         let mut best = None;
         for group in groups {
             let first = *group as usize;
-            let ([through, mut maybe], ways) = self.eight(x, v, first);
+            let mut ways = [0.0; WIDTH];
+            let [through, mut maybe] = self.eight(x, v, *group, &mut ways);
             while maybe != 0 {
                 let k = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
@@ -337,12 +343,16 @@ impl All {
         let mut cells = [Cell::NONE; MOST_LANES];
         let mut graph = [0; MOST_LANES];
         let (mut open, mut long) = (0_u64, 0_u64);
+        // in a loop of its own: cells are in the second cache, and more of them are under way if nothing else comes between
         for lane in 0..F::LANES {
-            let (cell, at) = (self.lines.cell(numbers[lane]), from + lane);
+            let cell = self.lines.cell(numbers[lane]);
             cells[lane] = cell;
-            graph[lane] = self.of_run::<SHORT_RUN, _>(narrow, [x[0][at], x[1][at]], [v[0][at], v[1][at]], cell.first());
             open |= u64::from(cell.is_open()) << lane;
             long |= u64::from(cell.is_long()) << lane;
+        }
+        for lane in 0..F::LANES {
+            let (first, at) = (cells[lane].first(), from + lane);
+            graph[lane] = self.of_run::<SHORT_RUN, _>(narrow, [x[0][at], x[1][at]], [v[0][at], v[1][at]], first);
         }
         long &= !open;
         while long != 0 {

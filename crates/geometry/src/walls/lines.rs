@@ -5,10 +5,12 @@ use crate::{
     shapes::curve::Graph,
 };
 use lanes::{Lane, Mask, WHOLE};
+use std::collections::HashMap;
 
 /// Numbers of cells, by direction in a quadrant and by distance.
 const DIRECTIONS: usize = 64;
 const DISTANCES: usize = 128;
+const CELLS: usize = 4 * DIRECTIONS * DISTANCES;
 
 /// Most graphs of a run, and of a short run, which is searched in one step.
 pub(super) const LONG_RUN: usize = 2 * SHORT_RUN;
@@ -125,6 +127,7 @@ impl Lines {
         };
         let stretches: Vec<Stretch> = graphs.iter().map(stretch).collect();
         let mut lines = Lines { middle, scale, cells: vec![], groups: vec![] };
+        let mut known = HashMap::new();
         let mut column: Vec<Vec<usize>> = vec![vec![]; DISTANCES];
         for number in 0..4 * DIRECTIONS {
             let directions = [direction(number, -MARGIN), direction(number, 1.0 + MARGIN)];
@@ -137,7 +140,7 @@ impl Lines {
             for (distance, met) in column.iter_mut().enumerate() {
                 let met: Vec<&Stretch> = met.drain(..).map(|k| &stretches[k]).collect();
                 let run = lines.run(&met, directions, distance);
-                let cell = run.unwrap_or_else(|| lines.add_groups(&met, width));
+                let cell = run.unwrap_or_else(|| lines.add_groups(&met, width, &mut known));
                 lines.cells.push(cell);
             }
         }
@@ -174,18 +177,23 @@ impl Lines {
 
     /// The cell of all other lines.
     #[allow(clippy::cast_possible_truncation, reason = "graphs are numbered by 32 bits")]
-    fn add_groups(&mut self, met: &[&Stretch], width: usize) -> Cell {
-        let at = self.groups.len();
-        self.groups.push(0);
+    fn add_groups(&mut self, met: &[&Stretch], width: usize, known: &mut HashMap<Vec<u32>, u32>) -> Cell {
+        let mut groups: Vec<u32> = vec![0];
         let mut next = 0;
         for stretch in met {
             if next <= stretch.place {
-                self.groups.push(stretch.place as u32);
-                self.groups[at] += 1;
+                groups.push(stretch.place as u32);
+                groups[0] += 1;
                 next = stretch.place + width;
             }
         }
-        Cell(Cell::GROUPS | at as u32)
+        // neighbouring cells mostly have the same groups: kept once, they take less of the cache
+        let at = known.entry(groups).or_insert_with_key(|groups| {
+            let at = self.groups.len() as u32;
+            self.groups.extend_from_slice(groups);
+            at
+        });
+        Cell(Cell::GROUPS | *at)
     }
 
     /// The distance of lines with this direction through a point, in cells.
@@ -193,7 +201,7 @@ impl Lines {
         cross([p[0] - self.middle[0], p[1] - self.middle[1]], d) * self.scale + 0.5 * DISTANCES as f64
     }
 
-    /// The numbers of the cells of lines.
+    /// The numbers of the cells of lines, to which [`WHOLE`] is added.
     #[inline(always)]
     pub(super) fn number<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> F {
         let [zero, one] = [x[0].same(0.0), x[0].same(1.0)];
@@ -203,15 +211,15 @@ impl Lines {
         // runs from 0 to 4 once around
         let along = v[0] * inverse;
         let turned = v[1].lt(zero).select(along + 3.0, one - along);
-        floor(turned * DIRECTIONS as f64, 4 * DIRECTIONS - 1) * DISTANCES as f64 + distance
+        floor(turned * DIRECTIONS as f64, 4 * DIRECTIONS - 1) * DISTANCES as f64 + distance + WHOLE
     }
 
-    /// The cell with a number.
+    /// The cell with a [`number`](Lines::number).
     #[inline(always)]
     pub(super) fn cell(&self, number: f64) -> Cell {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a small integer")]
-        let number = number as usize;
-        self.cells[number]
+        #[allow(clippy::cast_possible_truncation, reason = "the last bits are meant")]
+        let number = number.to_bits() as usize;
+        self.cells[number % CELLS]
     }
 
     /// The groups in an open cell.
