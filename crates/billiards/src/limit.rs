@@ -24,7 +24,7 @@ pub trait LaneLimit<const N: usize, const S: usize, T: Tracking<N, S>>: Limit<T>
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Collisions(pub u64);
 
-/// A time \[T\] since the start, as a [`Clock`](crate::Clock) tracks it. The run ends at the last collision before that time;
+/// A time \[T\] since the start, as a [`Clock`](crate::Clock) tracks it. The run ends at the last collision up to that time;
 /// [`position_at`](crate::Orbit::position_at) tells the rest of the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Time(pub f64);

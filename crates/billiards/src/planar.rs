@@ -78,6 +78,10 @@ impl<L: BallLaw<2, 1>> Planar<L> {
     /// Runs an orbit on the fastest walls that the table has. It must start in the table, as [`Planar::orbit`] ensures. On a lattice
     /// it is first brought into the [cell](Table::cell) in which paths are followed, which its tracks see as a flight of zero time.
     ///
+    /// Run in parts, an orbit has the bits that it has in a single run; but in a circle and in a strip, where each run finds the frame of
+    /// the wall anew ([`Rolling`](crate::Rolling)), only up to rounding. A [`Billiard`](crate::Billiard) on a
+    /// [`Sphere`](geometry::walls::Sphere) or a [`Slab`](geometry::walls::Slab) has the same bits there, too, and takes longer.
+    ///
     /// ```
     /// use billiards::{Clock, Collisions, Conserved, Orbit, Planar, Stop, laws::Disk};
     /// use billiards::{collision_laws::laws::NoSlip, geometry::tables};

@@ -60,6 +60,7 @@ where
         // copies of our own, to which nothing else points: they live in registers for as long as no observer looks at them
         let (mut orbit, mut carried) = (at.clone(), start);
         let orbit = &mut orbit;
+        orbit.track.begin(true);
         let slow = billiard.slow(&orbit.velocity, &orbit.spin);
         let mut n = 0;
         // consecutive flights of zero length, and the number of the last one

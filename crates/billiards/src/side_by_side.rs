@@ -164,6 +164,7 @@ where
                     here[lane] = true;
                     self.billiard.restart(&mut group.carried, mask(&here), &mut orbit);
                     self.seat(group, lane, &orbit);
+                    group.orbit.track.begin(mask(&here));
                     self.observer.begin(&mut group.view, mask(&here), index, &orbit);
                 }
                 (Some(wait), orbit) => {

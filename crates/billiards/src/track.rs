@@ -1,13 +1,16 @@
 //! What grows along a path: time, spin position, the cell of a lattice. Where nothing is tracked, the track is `()`.
 use crate::in_lanes::InLanes;
 use geometry::{Lattice, Vector2, WallHit};
-use lanes::{Double, Lane, MOST_LANES};
+use lanes::{Double, Lane, MOST_LANES, Mask};
 use std::sync::Arc;
 
 /// Something that each flight from one collision to the next adds to.
 pub trait Track<F: Lane, const N: usize, const S: usize> {
     /// A flight with this velocity and spin from `from` to the hit.
     fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
+    /// In these lanes a run begins: what was tracked so far may be put in order, so that its value stays.
+    #[inline(always)]
+    fn begin(&mut self, _lanes: F::Mask) {}
     /// Whether it looks at position, velocity and spin.
     #[inline(always)]
     fn looks(&self) -> bool {
@@ -70,6 +73,11 @@ impl<F: Lane, const N: usize, const S: usize, A: Track<F, N, S>, B: Track<F, N, 
         self.1.fly(from, velocity, spin, hit);
     }
     #[inline(always)]
+    fn begin(&mut self, lanes: F::Mask) {
+        self.0.begin(lanes);
+        self.1.begin(lanes);
+    }
+    #[inline(always)]
     fn looks(&self) -> bool {
         self.0.looks() || self.1.looks()
     }
@@ -86,7 +94,8 @@ impl<const N: usize, const S: usize, A: Tracking<N, S>, B: Tracking<N, S>> Track
     type In<F: Lane> = (A::In<F>, B::In<F>);
 }
 
-/// The time since the start \[T\], as a compensated sum: its error does not grow with the number of collisions.
+/// The time since the start \[T\], as a compensated sum. Over flights that are all alike, the worst case, its error after `n` of them in
+/// one run is `½ + (n/10⁹)²/2` units in the last place; in runs of up to 10⁸ each it is ½, however many these are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock<F = f64>(pub Double<F>);
 
@@ -101,6 +110,13 @@ impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Clock<F> {
     #[inline(always)]
     fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], hit: &WallHit<F, N>) {
         self.0.gather(hit.time);
+    }
+    #[inline(always)]
+    fn begin(&mut self, lanes: F::Mask) {
+        // the same sum in parts that do not overlap: what rounding takes from the small one depends on its size
+        let mut sum = self.0;
+        sum.add(sum.low.same(0.0));
+        self.0 = Double { high: lanes.select(sum.high, self.0.high), low: lanes.select(sum.low, self.0.low) };
     }
     #[inline(always)]
     fn looks(&self) -> bool {

@@ -1,13 +1,14 @@
 //! Orbits side by side end where their time is up, as each does alone.
 use billiards::{
-    Billiard, Canonical, Clock, Collisions, Conserved, Finished, LaneLimit, Motion, Orbit, Outcome, Rolling, Start,
-    Starts, Stop, Time, Timed, laws::Disk, run, run_side_by_side,
+    Billiard, Canonical, Clock, Collisions, Conserved, Finished, LaneLimit, Motion, Orbit, Outcome, Planar, Rolling,
+    Start, Starts, Stop, Time, Timed, laws::Disk, run, run_side_by_side,
 };
 use collision_laws::laws::{NoSlip, Specular};
 use geometry::{
     Table, tables,
     walls::{Cuboid, Pieces, Sphere, Wedge},
 };
+use lanes::Double;
 
 type Disks = Orbit<f64, 2, 1, Conserved<f64, 2>, Clock>;
 type Ended = Finished<2, 1, Conserved<f64, 2>, Clock>;
@@ -83,4 +84,19 @@ fn what_hits_nothing_any_more_is_finished_where_time_is_limited_and_has_escaped_
     for (time, stop) in [(f64::INFINITY, Stop::Escaped), (100.0, Stop::Finished)] {
         assert!(ends(&billiard, &all, &Time(time)).iter().all(|f| f.outcome.stop == stop), "{time}");
     }
+}
+
+#[test]
+fn a_run_begins_with_a_clock_whose_parts_do_not_overlap() {
+    let table = tables::square(1.0).unwrap();
+    let billiard = Planar { table, law: Specular };
+    // as 10⁹ flights that are all alike leave it
+    let late = Clock(Double { high: 1e9, low: 0.375 });
+    let start = Disks::new([0.5, 0.5], [0.0, 1.0], [0.0], late);
+    let mut alone = start;
+    billiard.run(&mut alone, &Collisions(2), &mut ());
+    assert_eq!(alone.track.0, Double { high: 1e9 + 1.875, low: 0.0 });
+    let mut beside = vec![];
+    billiard.run_side_by_side(&mut [start; 40].into_iter(), &Collisions(2), &mut (), &mut |ended| beside.push(ended));
+    assert!(beside.iter().all(|ended| ended.orbit.track == alone.track));
 }

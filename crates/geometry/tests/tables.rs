@@ -571,7 +571,9 @@ fn tables_whose_squares_are_no_numbers_are_refused() {
         assert!(matches!(error, Error::Length { .. }), "{error}");
         assert!(error.to_string().ends_with(&format!("between 1e-150 and 1e150, not {size:?}")), "{error}");
         let [x, y] = [Vector2::new(size, 0.0), Vector2::new(0.0, size)];
-        for error in [tables::ball(size).err(), Lattice::new(&[x]).err(), Lattice::new(&[y, x]).err()] {
+        let capsule = walls::Capsule::new(Vector2::zeros(), 1.0, size, [0; 4]).err();
+        let can = walls::Cylinder::new(Vector3::zeros(), Vector3::x(), size, 1.0, 0).err();
+        for error in [tables::ball(size).err(), capsule, can, Lattice::new(&[x]).err(), Lattice::new(&[y, x]).err()] {
             assert!(matches!(error, Some(Error::Length { .. })), "{error:?}");
         }
     }

@@ -49,7 +49,7 @@ impl<F> FirstReturn<F> {
         FirstReturn { is_in, collisions: 0, time: Double::new(0.0), found: None }
     }
 
-    /// When the orbit entered the set, if it did.
+    /// When the orbit entered the set for the first time, if it did.
     pub fn found(&self) -> Option<Entry> {
         self.found
     }
@@ -70,7 +70,7 @@ where
         self.collisions += 1;
         self.time.add(c.hit.time);
         if (self.is_in)(c) {
-            self.found = Some(Entry { collisions: self.collisions, time: self.time.value() });
+            self.found.get_or_insert(Entry { collisions: self.collisions, time: self.time.value() });
             return ControlFlow::Break(());
         }
         ControlFlow::Continue(())

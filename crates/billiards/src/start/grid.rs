@@ -57,7 +57,7 @@ fn about_as_many<const D: usize>(count: u64, root: f64) -> [u64; D] {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 2³²")]
     let mut cells = [root as u64; D];
     for i in 0..D {
-        if cells.iter().product::<u64>() < count {
+        if cells.iter().map(|n| u128::from(*n)).product::<u128>() < u128::from(count) {
             cells[i] += 1;
         }
     }

@@ -6,6 +6,9 @@ use nalgebra::{DVector, SMatrix, SVector};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
 /// Which random velocities to try: the same for the same seed, on every machine.
+///
+/// A defect is found only if one of the samples shows it. For a law with one formula 16 are plenty; a law that switches between several,
+/// such as no-slip here and specular there, needs some hundred, so that pairs of velocities lie on both sides of every switch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Samples {
     /// How many.

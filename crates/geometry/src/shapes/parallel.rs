@@ -499,7 +499,7 @@ mod tests {
                     let at = parallel.landing(&path, time);
                     assert!((at.point - path.at(time)).norm() < 1e-14);
                     assert!(at.normal.dot(&path.velocity) < 0.0);
-                    assert!((base.closest(&at.point).point - at.point).norm() - 0.375 < 1e-15);
+                    assert!(((base.closest(&at.point).point - at.point).norm() - 0.375).abs() < 1e-15);
                 }
             }
             assert!(hits > 20);

@@ -1,6 +1,9 @@
 //! The capsule: all points within `r` of a segment. As a table, the stadium.
 use super::{WallHit, Walls, center::Center};
-use crate::{Error, plane::finite};
+use crate::{
+    Error,
+    plane::{finite, has_square},
+};
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
 
@@ -23,7 +26,8 @@ impl Capsule {
     /// The stadium about `center`; pieces: lower side, right cap, upper side, left cap.
     ///
     /// # Errors
-    /// [`Error::Parameter`] or [`Error::Radius`] for sizes that are not positive and finite, or a centre that is not finite.
+    /// [`Error::Parameter`] or [`Error::Radius`] for sizes that are not positive and finite, or a centre that is not finite;
+    /// [`Error::Length`] unless the radius is between 10⁻¹⁵⁰ and 10¹⁵⁰.
     pub fn new(center: Vector2<f64>, half_length: f64, radius: f64, pieces: [usize; 4]) -> Result<Self, Error> {
         finite("center", &center)?;
         if !(half_length > 0.0 && half_length.is_finite()) {
@@ -32,6 +36,7 @@ impl Capsule {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
+        has_square("the radius", radius)?;
         let square = radius * radius;
         Ok(Capsule {
             center: Center::new(center.into()),

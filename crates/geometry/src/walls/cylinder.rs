@@ -1,6 +1,9 @@
 //! The inside of a cylinder with flat ends.
 use super::{CORNER, WallHit, Walls, sooner};
-use crate::{Error, plane::finite};
+use crate::{
+    Error,
+    plane::{finite, has_square},
+};
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
 
@@ -25,8 +28,9 @@ impl Cylinder {
     /// The cylinder about `center` \[L\] along a unit vector, with a positive radius \[L\] and height `2 h` \[L\].
     ///
     /// # Errors
-    /// [`Error::Radius`] or [`Error::Parameter`] unless radius and half the height are positive and finite and the centre finite, [`Error::ZeroLength`] for
-    /// an axis whose length is not 1 within 8 ulp.
+    /// [`Error::Radius`] or [`Error::Parameter`] unless radius and half the height are positive and finite and the centre finite,
+    /// [`Error::Length`] unless the radius is between 10⁻¹⁵⁰ and 10¹⁵⁰, [`Error::ZeroLength`] for an axis whose length is not 1 within
+    /// 8 ulp.
     pub fn new(
         center: Vector3<f64>,
         axis: Vector3<f64>,
@@ -38,6 +42,7 @@ impl Cylinder {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
+        has_square("the radius", radius)?;
         if !(half_height > 0.0 && half_height.is_finite()) {
             return Err(Error::Parameter { name: "height", must: "positive and finite", value: 2.0 * half_height });
         }
