@@ -1,7 +1,7 @@
 //! What the observers see, against closed forms.
 use billiards::{
-    Angle, Canonical, CanonicalSpatial, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Grid, Merge, Orbit,
-    Planar, Starts, Stop, Time,
+    Angle, Canonical, CanonicalSpatial, Cell, Clock, Collision, Collisions, Conserved, Ensemble, Error, Grid, Merge,
+    Orbit, Planar, Starts, Stop, Time,
     laws::{Disk, Specular},
     observe::{
         Density, EnergyDrift, FirstReturn, FreePath, Invariant, Nearest, Period, PlanarRow, Record, ReducedPortrait,
@@ -105,6 +105,9 @@ fn a_period_and_a_first_return_are_counted_over_several_runs() {
         square.run(&mut diamond, &Collisions(first), &mut floor);
         square.run(&mut diamond, &Collisions(9), &mut floor);
         assert_eq!(floor.found().map(|entry| (entry.collisions, entry.time)), Some((3, 1.5)), "after {first}");
+        // it goes on to the next entry, which is not the first
+        assert_eq!(square.run(&mut diamond, &Collisions(9), &mut floor).stop, Stop::Observer);
+        assert_eq!(floor.found().map(|entry| entry.collisions), Some(3), "after {first}");
 
         let mut diamond = orbit([0.0, 0.5], [1.0, 1.0], 0.0);
         let mut period = Period::new(1e-12, 1.0);
@@ -392,6 +395,9 @@ fn a_grid_of_points_has_one_start_in_every_cell_of_place_and_tangential_velocity
     }
     let places: std::collections::HashSet<_> = cells.iter().map(|(place, _)| *place).collect();
     assert_eq!((cells.len(), places.len()), (55, 8));
+    for too_many in [u64::MAX, u64::MAX - 1, 1 << 63] {
+        assert!(matches!(Grid::of_points(&table, 2.0, too_many), Err(Error::Grid)), "{too_many}");
+    }
 }
 
 #[test]
