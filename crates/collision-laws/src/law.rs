@@ -19,21 +19,15 @@ pub trait CollisionLaw<const N: usize> {
     /// [`check`](crate::check) applies the law to any velocity, including the results of the law.
     fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N>;
 
-    /// The impulse that is still missing if the law was to lead from `u_minus` to a contact velocity `u*` but `u_plus` came out.
+    /// The law at `contact` as a sum of reflections, `p = Σ w reflect(R, u)`: the weight `w` and the rough directions `R` of each. Empty
+    /// for a law that is no such sum, or does not say so.
     ///
-    /// Rounding causes such a difference if `K` is ill-conditioned, as for a body that hardly resists turning: the impulse is then off by
-    /// the condition number times 10⁻¹⁶. [`Pair::collide`](crate::Pair::collide) computes `u_plus` from the bodies' velocities, not by
-    /// `K`, and adds the missing impulse until it no longer shrinks. A law that knows its `u*` returns the solution of `K p = u* − u⁺`,
-    /// half of what [`reflect`] makes of `u⁺ − u*`; for any other nothing is missing.
+    /// If `K` is ill-conditioned, as for a body that hardly resists turning, an [`impulse`](Self::impulse) that is found by `K` is off by
+    /// the condition number times 10⁻¹⁶. What a reflection must do to the bodies' velocities is known without `K`, so
+    /// [`Pair::collide`](crate::Pair::collide) finds it to all digits.
     #[inline]
-    fn missing_impulse(
-        &self,
-        _: &Contact<N>,
-        _: &Delassus<N>,
-        _u_minus: &SVector<f64, N>,
-        _u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        SVector::zeros()
+    fn reflections(&self, _: &Contact<N>) -> Vec<(f64, Roughness<N>)> {
+        Vec::new()
     }
 
     /// The directions, besides the normal, in which the law may push at `contact`: all of them unless it says otherwise.
@@ -70,14 +64,8 @@ impl<const N: usize, L: StrictLaw<N> + ?Sized> CollisionLaw<N> for L {
     }
 
     #[inline]
-    fn missing_impulse(
-        &self,
-        contact: &Contact<N>,
-        delassus: &Delassus<N>,
-        u_minus: &SVector<f64, N>,
-        u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        self.impulse(contact, delassus, &(u_plus + u_minus)) * 0.5
+    fn reflections(&self, contact: &Contact<N>) -> Vec<(f64, Roughness<N>)> {
+        vec![(1.0, self.roughness(contact))]
     }
 
     #[inline]

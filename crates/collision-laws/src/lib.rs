@@ -52,6 +52,7 @@ mod body;
 pub mod check;
 mod classify;
 mod contact;
+mod contact_map;
 mod delassus;
 mod error;
 mod law;

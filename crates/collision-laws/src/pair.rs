@@ -1,6 +1,9 @@
 //! Two bodies in contact, and the collision map `C_q`. A wall is a body like any other, so this is the only code path.
 
-use crate::{Body, CollisionLaw, Contact, Delassus, Error, TangentSpace, TangentVector};
+use crate::{
+    Body, CollisionLaw, Contact, Delassus, Error, Roughness, TangentSpace, TangentVector, contact_map::ContactMap,
+    reflect,
+};
 use nalgebra::{DMatrix, DVector, SVector};
 
 /// The sum of the absolute values of all entries: unlike the length it takes no squares, which would vanish or overflow in some units.
@@ -84,8 +87,15 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     /// The Delassus operator `K = J G⁻¹ Jᵀ`.
     #[inline]
     pub fn delassus(&self) -> Delassus<N> {
+        let [first, second] = self.operators();
+        first.plus(&second, &self.contact.normal)
+    }
+
+    /// The Delassus operators of the two bodies.
+    #[inline]
+    fn operators(&self) -> [Delassus<N>; 2] {
         let normal = &self.contact.normal;
-        self.first.delassus(&self.arms[0], normal).plus(&self.second.delassus(&self.arms[1], normal), normal)
+        [self.first.delassus(&self.arms[0], normal), self.second.delassus(&self.arms[1], normal)]
     }
 
     /// The kinetic-energy metric `⟨v, w⟩` of the pair.
@@ -102,10 +112,11 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
 
     /// The collision: the law applied to the contact velocity, whatever its direction.
     ///
-    /// The result is accurate to a few roundings of the contact, bodies and velocities. That may be less than all digits: if a law does
-    /// not push in the whole contact plane, turning the normal by ε turns the impulse by as much, and changes the spin of a body with
-    /// moment `I` by `ε m r²/I` where the contact is nearly below its centre. A [`Ball`](crate::bodies::Ball) may lose as much with every
-    /// law that turns it.
+    /// The result is accurate to a few roundings of the contact, bodies and velocities, however long the arms are and however little the
+    /// bodies resist turning, for every law that is a sum of [reflections](CollisionLaw::reflections); the impulse of another law is off by
+    /// the condition number of `K` times 10⁻¹⁶. A few roundings may be less than all digits: if a law does not push in the whole contact
+    /// plane, turning the normal by ε turns the impulse by as much, and changes the spin of a body with moment `I` by `ε m r²/I` where the
+    /// contact is nearly below its centre. A [`Ball`](crate::bodies::Ball) may lose as much with every law that turns it.
     #[inline]
     pub fn collide<L: CollisionLaw<N> + ?Sized>(
         &self,
@@ -113,36 +124,53 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
         v: &Velocities<A, B, N>,
     ) -> Collision<Velocities<A, B, N>, N> {
         let u_minus = self.contact_velocity(v);
-        let delassus = self.delassus();
-        let impulse = law.impulse(&self.contact, &delassus, &u_minus);
-        let mut collision = Collision { velocities: self.apply_impulse(&impulse, v), impulse, u_minus };
-        if !delassus.is_well_conditioned() {
-            self.complete(law, &delassus, &mut collision);
+        let operators = self.operators();
+        let delassus = operators[0].plus(&operators[1], &self.contact.normal);
+        if !delassus.is_well_conditioned(&operators) {
+            let reflections = law.reflections(&self.contact);
+            if !reflections.is_empty() {
+                let (velocities, impulse) = self.reflect_in_turn(&reflections, &delassus, v);
+                return Collision { velocities, impulse, u_minus };
+            }
         }
-        collision
+        let impulse = law.impulse(&self.contact, &delassus, &u_minus);
+        Collision { velocities: self.apply_impulse(&impulse, v), impulse, u_minus }
     }
 
-    /// Adds the impulse that is [missing](CollisionLaw::missing_impulse), as long as it shrinks.
-    fn complete<L: CollisionLaw<N> + ?Sized>(
+    /// The velocities after a sum of reflections of `v`, and the impulse, whatever the condition of `K`.
+    ///
+    /// One with weight `w` leads from `a` to the `b` for which `J (b − a + 2 w v)` vanishes along the normal and the rough directions.
+    /// What is left of it is computed from the velocities, without `K`; `K` finds the impulse that is still missing.
+    fn reflect_in_turn(
         &self,
-        law: &L,
+        reflections: &[(f64, Roughness<N>)],
         delassus: &Delassus<N>,
-        collision: &mut Collision<Velocities<A, B, N>, N>,
-    ) {
-        let mut last = f64::INFINITY;
-        loop {
-            let u_plus = self.contact_velocity(&collision.velocities);
-            let missing = law.missing_impulse(&self.contact, delassus, &collision.u_minus, &u_plus);
-            let size = size_of(&missing);
-            // Each step leaves at most half of it, until the rounding of the contact velocity is reached. The rounding of the impulse is
-            // no measure: a body that hardly resists turning responds to far smaller impulses. NaN is never added.
-            if size == 0.0 || !(size < 0.5 * last) {
-                return;
+        v: &Velocities<A, B, N>,
+    ) -> (Velocities<A, B, N>, SVector<f64, N>) {
+        let (contact_map, before) = (ContactMap::of(self), self.coordinates(v));
+        let (mut velocities, mut impulse) = (*v, SVector::zeros());
+        for (weight, roughness) in reflections {
+            let aim = &before * (2.0 * weight) - self.coordinates(&velocities);
+            let missing = |velocities: &Velocities<A, B, N>| {
+                let left = contact_map.times(&(self.coordinates(velocities) + &aim));
+                reflect(roughness, &self.contact, delassus, &left) * 0.5
+            };
+            let mut push = missing(&velocities);
+            let mut last = f64::INFINITY;
+            loop {
+                velocities = self.apply_impulse(&push, &velocities);
+                impulse += push;
+                push = missing(&velocities);
+                let size = size_of(&push);
+                // Each step leaves at most half of it, until the rounding of the velocities is reached. The rounding of the impulse is no
+                // measure: a body that hardly resists turning responds to far smaller impulses. NaN is never added.
+                if size == 0.0 || !(size < 0.5 * last) {
+                    break;
+                }
+                last = size;
             }
-            collision.velocities = self.apply_impulse(&missing, &collision.velocities);
-            collision.impulse += missing;
-            last = size;
         }
+        (velocities, impulse)
     }
 
     /// The collision, if there is one: the same as [`collide`](Self::collide) for bodies that can move and do approach.
@@ -171,7 +199,7 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     /// The body, 1 or 2, whose touching point yields more to an impulse.
     fn easier_to_move(&self) -> usize {
         let normal = &self.contact.normal;
-        let [first, second] = [self.first.delassus(&self.arms[0], normal), self.second.delassus(&self.arms[1], normal)];
+        let [first, second] = self.operators();
         if second.to_matrix(normal).amax() > first.to_matrix(normal).amax() { 2 } else { 1 }
     }
 
@@ -180,11 +208,8 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     pub fn collision_map<L: CollisionLaw<N> + ?Sized>(&self, law: &L) -> DMatrix<f64> {
         let size = self.degrees_of_freedom();
         let mut map = DMatrix::zeros(size, size);
-        for j in 0..size {
-            let mut unit = DVector::zeros(size);
-            unit[j] = 1.0;
-            let image = self.collide(law, &self.velocities(unit.as_slice())).velocities;
-            map.set_column(j, &self.coordinates(&image));
+        for (j, unit) in self.basis().enumerate() {
+            map.set_column(j, &self.coordinates(&self.collide(law, &unit).velocities));
         }
         map
     }
@@ -192,6 +217,13 @@ impl<A: Body<N>, B: Body<N>, const N: usize> Pair<A, B, N> {
     /// The tangent space `T_qM`: coordinates, metric and the subspaces that the axioms speak of.
     pub fn tangent_space(&self) -> TangentSpace<N> {
         TangentSpace::new(self)
+    }
+
+    /// The velocities with one coordinate 1 and the others 0, in order.
+    pub(crate) fn basis(&self) -> impl Iterator<Item = Velocities<A, B, N>> {
+        let size = self.degrees_of_freedom();
+        (0..size)
+            .map(move |i| self.velocities(DVector::from_fn(size, |j, _| if i == j { 1.0 } else { 0.0 }).as_slice()))
     }
 
     /// The dimension of `T_qM`.

@@ -30,13 +30,7 @@ pub struct TangentSpace<const N: usize> {
 impl<const N: usize> TangentSpace<N> {
     pub(crate) fn new<A: Body<N>, B: Body<N>>(pair: &Pair<A, B, N>) -> Self {
         let size = pair.degrees_of_freedom();
-        let basis: Vec<_> = (0..size)
-            .map(|i| {
-                let mut x = vec![0.0; size];
-                x[i] = 1.0;
-                pair.velocities(&x)
-            })
-            .collect();
+        let basis: Vec<_> = pair.basis().collect();
         let metric = gram(pair, &basis);
         let (rough_to, rough_from) = unit_coordinates(&metric);
         // a second time: inner products along the axes of space have lost what is small beside the largest moment of a slender body

@@ -55,14 +55,8 @@ impl<const N: usize, P: Deref<Target: CollisionLaw<N>>> CollisionLaw<N> for Thro
     }
 
     #[inline]
-    fn missing_impulse(
-        &self,
-        contact: &Contact<N>,
-        delassus: &Delassus<N>,
-        u_minus: &SVector<f64, N>,
-        u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        self.0.missing_impulse(contact, delassus, u_minus, u_plus)
+    fn reflections(&self, contact: &Contact<N>) -> Vec<(f64, Roughness<N>)> {
+        self.0.reflections(contact)
     }
 
     #[inline]

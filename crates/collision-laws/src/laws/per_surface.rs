@@ -56,14 +56,8 @@ impl<const N: usize, L: CollisionLaw<N>> CollisionLaw<N> for PerSurface<L> {
     }
 
     #[inline]
-    fn missing_impulse(
-        &self,
-        contact: &Contact<N>,
-        delassus: &Delassus<N>,
-        u_minus: &SVector<f64, N>,
-        u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        self.on(contact.surface).missing_impulse(contact, delassus, u_minus, u_plus)
+    fn reflections(&self, contact: &Contact<N>) -> Vec<(f64, Roughness<N>)> {
+        self.on(contact.surface).reflections(contact)
     }
 
     #[inline]

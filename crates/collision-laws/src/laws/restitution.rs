@@ -78,21 +78,12 @@ impl<const N: usize> CollisionLaw<N> for Restitution {
     }
 
     #[inline]
-    fn missing_impulse(
-        &self,
-        contact: &Contact<N>,
-        delassus: &Delassus<N>,
-        u_minus: &SVector<f64, N>,
-        u_plus: &SVector<f64, N>,
-    ) -> SVector<f64, N> {
-        let nu = contact.normal.as_ref();
+    fn reflections(&self, _: &Contact<N>) -> Vec<(f64, Roughness<N>)> {
+        let (rough, smooth) = self.shares();
         if !self.pushes_tangentially() {
-            return reflect(&Roughness::Smooth, contact, delassus, &(u_plus + u_minus * self.normal)) * 0.5;
+            return vec![(smooth, Roughness::Smooth)];
         }
-        let pushed = delassus.apply(&contact.normal, nu); // K ν, so that K p₀ = K ν (ν·u)/(ν·K ν)
-        let along = pushed * (nu.dot(u_minus) / nu.dot(&pushed));
-        let excess = u_plus + u_minus * self.tangential + along * (self.normal - self.tangential);
-        reflect(&Roughness::Rough, contact, delassus, &excess) * 0.5
+        vec![(rough, Roughness::Rough), (smooth, Roughness::Smooth)]
     }
 
     #[inline]
@@ -124,11 +115,24 @@ impl DiskLaw for Restitution {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::{Matrix2, Vector2};
 
     #[test]
     fn the_coefficients_are_those_that_were_given() {
         let law = Restitution::new(0.75, -0.5).unwrap();
         assert_eq!([law.normal(), law.tangential()], [0.75, -0.5]);
+    }
+
+    #[test]
+    fn the_impulse_is_the_sum_of_the_reflections_that_the_law_names() {
+        let contact = Contact::new([0.0; 2].into(), [0.6, 0.8].into(), 0).unwrap();
+        let (k, u) = (Delassus::Dense(Matrix2::new(2.0, 0.5, 0.5, 1.5)), Vector2::new(0.3, -1.2));
+        for (normal, tangential) in [(0.75, -0.5), (0.5, -1.0), (1.0, 1.0)] {
+            let law = Restitution::new(normal, tangential).unwrap();
+            let parts = CollisionLaw::<2>::reflections(&law, &contact);
+            let sum: Vector2<f64> = parts.iter().map(|(weight, of)| reflect(of, &contact, &k, &u) * *weight).sum();
+            assert_eq!(sum, law.impulse(&contact, &k, &u), "{normal}, {tangential}");
+        }
     }
 
     #[test]
