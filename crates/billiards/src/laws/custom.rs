@@ -56,6 +56,8 @@ pub struct Custom<L, const N: usize> {
     centre: f64,
     /// The weight of a scaled spin in the slip: 1/γ times that.
     rim: f64,
+    /// The eigenvalues of the Delassus operator of the slip, along the normal and on the wall.
+    yields: [f64; 2],
     /// Whether the law is strict at every contact.
     strict: bool,
 }
@@ -88,7 +90,7 @@ impl<L, const N: usize> Custom<L, N> {
         let gamma = checked_gamma(gamma)?;
         let (centre, rim) = if gamma < LEAST_GAMMA { (gamma, 1.0) } else { (1.0, 1.0 / gamma) };
         let strict = law.is_strict();
-        Ok(Custom { law, mass: 1.0, radius: 0.0, gamma, centre, rim, strict })
+        Ok(Custom { law, mass: 1.0, radius: 0.0, gamma, centre, rim, yields: yields(1.0, centre, rim), strict })
     }
 
     /// The same for a ball of mass `mass` \[M\]: impulses are that much larger.
@@ -96,7 +98,7 @@ impl<L, const N: usize> Custom<L, N> {
     /// # Errors
     /// [`Error::Ball`] unless it is positive, and the inverse contact mass `1/m` and `(1 + 1/γ²)/m` in the range of numbers.
     pub fn with_mass(self, mass: f64) -> Result<Self, Error> {
-        let ball = Custom { mass, ..self };
+        let ball = Custom { mass, yields: yields(mass, self.centre, self.rim), ..self };
         if ball.delassus().is_singular() {
             let must = "positive, and such that 1/m and (1 + 1/γ²)/m neither overflow nor underflow";
             return Err(Error::Ball { quantity: "mass", must, value: mass });
@@ -119,14 +121,18 @@ impl<L, const N: usize> Custom<L, N> {
     /// works with the tangential parts of `γ u` and `p/γ`, and is accurate to rounding for any γ, not to `ε/γ` of the speed.
     #[must_use]
     pub fn with_scaled_slip(self) -> Self {
-        if self.gamma < 1.0 { Custom { centre: self.gamma, rim: 1.0, ..self } } else { self }
+        if self.gamma >= 1.0 {
+            return self;
+        }
+        let (centre, rim) = (self.gamma, 1.0);
+        Custom { centre, rim, yields: yields(self.mass, centre, rim), ..self }
     }
 
     /// The Delassus operator, of the slip along the wall.
     #[inline(always)]
     fn delassus(&self) -> Delassus<N> {
-        let slip = (self.centre * self.centre + self.rim * self.rim) / self.mass;
-        Delassus::Isotropic { normal: 1.0 / self.mass, tangent: slip }
+        let [normal, tangent] = self.yields;
+        Delassus::Isotropic { normal, tangent }
     }
 
     /// The changes of velocity and of slip by a collision in one lane, `p/m` split along the normal and the wall, at a
@@ -154,6 +160,12 @@ impl<L, const N: usize> Custom<L, N> {
         let grip = p - push;
         Kick { normal, velocity: push + grip * self.centre, rim: grip * self.rim }
     }
+}
+
+/// The inverse contact mass of a ball along the normal, and along the wall for a slip in which velocities of the centre and scaled spins
+/// have these weights.
+fn yields(mass: f64, centre: f64, rim: f64) -> [f64; 2] {
+    [1.0 / mass, (centre * centre + rim * rim) / mass]
 }
 
 /// Where the collisions are, lane by lane.
