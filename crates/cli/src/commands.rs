@@ -87,7 +87,7 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
         }
         io::ErrorKind::IsADirectory => "move that folder away, or name another folder for the files: --out DIR",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
-            "name a folder in which you may write: --out DIR"
+            "name a folder in which you may write and replace files: --out DIR"
         }
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
             "make room there, or name a folder elsewhere: --out DIR"

@@ -1,5 +1,7 @@
 //! Files that appear whole or not at all, and together.
 
+mod lock;
+
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
@@ -7,10 +9,16 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
+use std::time::Duration;
+
+use lock::lock;
 
 /// A long file is flushed to disk in portions of this many bytes, each while the next one is being written. Otherwise the disk idles
 /// until the system's write cache is full, or the file is finished.
 const PORTION: usize = 1 << 24;
+
+/// Naming files takes milliseconds: who holds the lock of a folder for longer than this does something else.
+const PATIENCE: Duration = Duration::from_secs(3);
 
 /// The temporary files that exist.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -78,13 +86,10 @@ impl WholeFile {
     pub fn create(path: &Path) -> io::Result<Self> {
         let name =
             path.file_name().ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not the name of a file"))?;
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let folder = folder_of(path);
         fs::create_dir_all(folder)?;
-        if path.is_dir() {
-            // renaming would only fail after all the work
-            let what = format!("{} is a folder, not a file", name.display());
-            return Err(io::Error::new(io::ErrorKind::IsADirectory, what));
-        }
+        // found only when it is to be replaced, it would cost all the work
+        refuse_folder(path)?;
         sweep(folder, name);
         let (temporary, file) = temporary(folder, name)?;
         let mut whole =
@@ -111,15 +116,30 @@ impl WholeFile {
         Ok(file)
     }
 
-    /// Flushes files to disk and then gives them their names, in this order; if one cannot be written, nothing is left of any.
+    /// Flushes the files of one folder to disk and then gives them their names, in this order. If one cannot be written or named,
+    /// nothing is left of any, and the earlier files are in their places.
     ///
     /// # Errors
-    /// One cannot be written or renamed.
+    /// One cannot be written, or cannot replace the file of its name.
     pub fn finish(mut files: Vec<Self>) -> io::Result<()> {
         files.iter_mut().try_for_each(Self::settle)?;
-        // the lock is held to the end, so that the program is not ended between two names
+        // so that files of several processes are not mixed
+        let _locked = files.first().and_then(|file| lock(folder_of(&file.path), PATIENCE));
+        // the list is locked to the end, so that the program is not ended between two names
         let mut temporary = temporary_files();
-        let named = files.iter_mut().try_for_each(|file| file.rename(&mut temporary));
+        let mut earlier = Vec::with_capacity(files.len());
+        let named = files.iter_mut().try_for_each(|file| {
+            earlier.push(file.rename(&mut temporary)?);
+            Ok(())
+        });
+        for (file, earlier) in files.iter().zip(earlier) {
+            let _ = match (&named, earlier) {
+                (Ok(()), Some(earlier)) => fs::remove_file(earlier),
+                (Ok(()), None) => Ok(()),
+                (Err(_), Some(earlier)) => fs::rename(earlier, &file.path),
+                (Err(_), None) => fs::remove_file(&file.path),
+            };
+        }
         // a file without its name is dropped, which takes it off the list
         drop(temporary);
         named
@@ -133,14 +153,30 @@ impl WholeFile {
         written.and_then(|file| carried.and_then(|()| file.sync_all()))
     }
 
-    /// Gives the file its own name, after which it is no longer temporary.
-    fn rename(&mut self, files: &mut Vec<PathBuf>) -> io::Result<()> {
-        if let Some(temporary) = &self.temporary {
-            fs::rename(temporary, &self.path)?;
-            forget(files, temporary);
-            self.temporary = None;
+    /// Gives the file its own name, after which it is no longer temporary. Returns where the earlier file of that name is kept, if
+    /// there was one.
+    fn rename(&mut self, files: &mut Vec<PathBuf>) -> io::Result<Option<PathBuf>> {
+        let Some(temporary) = &self.temporary else { return Ok(None) };
+        refuse_folder(&self.path)?;
+        let aside = temporary.with_extension(EARLIER);
+        let misplaced = |error: io::Error| {
+            let name = self.path.file_name().unwrap_or_default().display();
+            io::Error::new(error.kind(), format!("{name} cannot be put in its place: {error}"))
+        };
+        let earlier = match fs::rename(&self.path, &aside) {
+            Ok(()) => Some(aside),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(misplaced(error)),
+        };
+        if let Err(error) = fs::rename(temporary, &self.path) {
+            if let Some(earlier) = earlier {
+                let _ = fs::rename(earlier, &self.path);
+            }
+            return Err(misplaced(error));
         }
-        Ok(())
+        forget(files, temporary);
+        self.temporary = None;
+        Ok(earlier)
     }
 
     fn inner(&mut self) -> io::Result<&mut BufWriter<File>> {
@@ -156,7 +192,21 @@ fn forget(files: &mut Vec<PathBuf>, temporary: &Path) {
     }
 }
 
-/// The beginning of the names of temporary files for this name; a process number, a serial number and [`PARTIAL`] follow.
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// A folder is never replaced by a file.
+fn refuse_folder(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        let what = format!("{} is a folder, not a file", path.file_name().unwrap_or_default().display());
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, what));
+    }
+    Ok(())
+}
+
+/// The beginning of the names of hidden files for this name; a process number, a serial number, a dot and [`PARTIAL`] or
+/// [`EARLIER`] follow.
 fn hidden(name: &OsStr) -> OsString {
     let mut hidden = OsString::from(".");
     hidden.push(name);
@@ -164,25 +214,36 @@ fn hidden(name: &OsStr) -> OsString {
     hidden
 }
 
-const PARTIAL: &str = ".partial";
+/// Ends the names of temporary files.
+const PARTIAL: &str = "partial";
+/// Ends the names under which earlier files are kept until all the files that replace them have their names.
+const EARLIER: &str = "earlier";
 
-/// Removes what killed programs have left of a file of this name. Files that are still being written are locked; where there are no
-/// locks, all stays.
+/// Removes what killed programs have left of a file of this name, or puts it back where the file itself is missing. Files that are
+/// still being written are locked, and so is the folder while files are replaced; where there are no locks, all stays.
 fn sweep(folder: &Path, name: &OsStr) {
     let hidden = hidden(name);
+    let ending = |file: &OsStr| {
+        let rest = file.as_encoded_bytes().strip_prefix(hidden.as_encoded_bytes())?;
+        let (numbers, ending) = str::from_utf8(rest).ok()?.split_once('.')?;
+        let (process, number) = numbers.split_once('-')?;
+        let _: (u32, u64) = (process.parse().ok()?, number.parse().ok()?);
+        [PARTIAL, EARLIER].into_iter().find(|known| *known == ending)
+    };
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let between = |name: &OsStr| {
-            let rest = name.as_encoded_bytes().strip_prefix(hidden.as_encoded_bytes())?;
-            let (process, number) = str::from_utf8(rest.strip_suffix(PARTIAL.as_bytes())?).ok()?.split_once('-')?;
-            Some((process.parse::<u32>().ok()?, number.parse::<u64>().ok()?))
-        };
-        if between(&entry.file_name()).is_some()
+        let (left, ending) = (entry.path(), ending(&entry.file_name()));
+        // a failure to remove it does not prevent writing
+        if ending == Some(PARTIAL)
             && entry.file_type().is_ok_and(|kind| kind.is_file())
-            && let Ok(file) = File::options().write(true).open(entry.path())
+            && let Ok(file) = File::options().write(true).open(&left)
             && file.try_lock().is_ok()
         {
-            // a failure to remove it does not prevent writing
-            let _ = fs::remove_file(entry.path());
+            let _ = fs::remove_file(left);
+        } else if ending == Some(EARLIER)
+            && let Some(_locked) = lock(folder, Duration::ZERO)
+        {
+            let path = folder.join(name);
+            let _ = if path.exists() { fs::remove_file(left) } else { fs::rename(left, path) };
         }
     }
 }
@@ -195,7 +256,7 @@ fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
     let mut files = temporary_files();
     loop {
         let mut hidden = hidden(name);
-        hidden.push(format!("{process}-{number}{PARTIAL}"));
+        hidden.push(format!("{process}-{number}.{PARTIAL}"));
         let path = folder.join(hidden);
         match File::create_new(&path) {
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
@@ -309,6 +370,69 @@ mod tests {
             assert_eq!(fs::read(&first).unwrap(), b"old");
         }
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn where_one_file_cannot_be_put_in_its_place_all_are_the_earlier_ones() {
+        let folder = std::env::temp_dir().join(format!("billiards-back-{}", std::process::id()));
+        let [none, old, blocked] = ["none.txt", "old.txt", "blocked.txt"].map(|name| folder.join(name));
+        let new = || [&none, &old, &blocked].map(|path| WholeFile::with(path, b"new").unwrap()).into();
+        let files: Vec<WholeFile> = new();
+        fs::write(&old, b"old").unwrap();
+        // since the files were begun
+        fs::create_dir(&blocked).unwrap();
+        fs::write(blocked.join("x"), b"kept").unwrap();
+        let error = WholeFile::finish(files).unwrap_err();
+        assert_eq!(error.to_string(), "blocked.txt is a folder, not a file");
+        assert!(!none.exists());
+        assert_eq!(fs::read(&old).unwrap(), b"old");
+        assert_eq!(fs::read(blocked.join("x")).unwrap(), b"kept");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
+        fs::remove_dir_all(&blocked).unwrap();
+        WholeFile::finish(new()).unwrap();
+        assert_eq!([&none, &old, &blocked].map(|path| fs::read(path).unwrap()), [b"new"; 3]);
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 3);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn the_file_that_cannot_be_put_in_its_place_is_named_and_the_earlier_one_is_kept() {
+        let folder = std::env::temp_dir().join(format!("billiards-refused-{}", std::process::id()));
+        let [first, second] = ["a.txt", "b.txt"].map(|name| folder.join(name));
+        fs::create_dir_all(&folder).unwrap();
+        for path in [&first, &second] {
+            fs::write(path, b"old").unwrap();
+        }
+        let files: Vec<WholeFile> = [&first, &second].map(|path| WholeFile::with(path, b"new").unwrap()).into();
+        // its temporary file is gone
+        fs::remove_file(files[1].temporary.as_ref().unwrap()).unwrap();
+        let error = WholeFile::finish(files).unwrap_err();
+        assert!(error.to_string().starts_with("b.txt cannot be put in its place: "), "{error}");
+        assert_eq!([&first, &second].map(|path| fs::read(path).unwrap()), [b"old"; 2]);
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn an_earlier_file_that_a_killed_program_has_set_aside_is_put_back_where_it_is_missing() {
+        let folder = std::env::temp_dir().join(format!("billiards-aside-{}", std::process::id()));
+        let path = folder.join("x.txt");
+        fs::create_dir_all(&folder).unwrap();
+        let aside = |content: &str| fs::write(folder.join(".x.txt.4000000-0.earlier"), content).unwrap();
+        aside("earlier");
+        // while another process replaces files, they stay
+        if let Some(locked) = lock(&folder, Duration::ZERO) {
+            WholeFile::probe(&path).unwrap();
+            assert!(!path.exists());
+            drop(locked);
+            WholeFile::probe(&path).unwrap();
+            assert_eq!(fs::read(&path).unwrap(), b"earlier");
+            aside("still earlier");
+            WholeFile::probe(&path).unwrap();
+            assert_eq!(fs::read(&path).unwrap(), b"earlier");
+            assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        }
         fs::remove_dir_all(folder).unwrap();
     }
 

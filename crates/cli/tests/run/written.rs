@@ -331,6 +331,36 @@ fn a_run_that_cannot_write_all_its_files_leaves_those_of_an_earlier_one() {
     assert_eq!(fs::read_dir(folder.0.join("out")).unwrap().count(), names.len());
 }
 
+/// Otherwise the files of two runs could be mixed.
+#[cfg(unix)]
+#[test]
+fn a_run_names_its_files_when_no_other_process_does_in_the_folder() {
+    let folder = Folder::new("in-turn");
+    fs::write(folder.0.join("scene.toml"), SQUARE).unwrap();
+    fs::create_dir(folder.0.join("out")).unwrap();
+    let locked = fs::File::open(folder.0.join("out")).unwrap();
+    locked.lock().unwrap();
+    let started = || {
+        std::process::Command::new(assert_cmd::cargo::cargo_bin("billiards"))
+            .current_dir(&folder.0)
+            .args(["run", "scene.toml", "--out", "out"])
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap()
+    };
+    let summary = folder.0.join("out/summary.json");
+    let mut run = started();
+    std::thread::sleep(std::time::Duration::from_secs(1));
+    assert!(!summary.exists());
+    locked.unlock().unwrap();
+    assert!(run.wait().unwrap().success() && summary.exists());
+    // and it does not wait for ever
+    locked.lock().unwrap();
+    fs::remove_file(&summary).unwrap();
+    assert!(started().wait().unwrap().success() && summary.exists());
+    assert_eq!(fs::read_dir(folder.0.join("out")).unwrap().count(), 2);
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn where_the_record_cannot_be_written_all_threads_end() {
