@@ -92,6 +92,9 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
             "make room there, or name a folder elsewhere: --out DIR"
         }
+        io::ErrorKind::FileTooLarge => {
+            "files there may not be so long: raise the limit (ulimit -f), or name a folder on another file system: --out DIR"
+        }
         _ => return Failure::Work(what),
     };
     Failure::Work(format!("{what}\nhelp: {help}"))

@@ -8,6 +8,8 @@ use billiards_cli::commands::{Failure, bench, check, collide, guide, laws, repro
 use billiards_cli::document::Source;
 
 fn main() -> ExitCode {
+    #[cfg(unix)]
+    survive_long_files();
     let out = &mut io::stdout().lock();
     let done = Cli::read()
         .map_err(Failure::from)
@@ -21,6 +23,14 @@ fn main() -> ExitCode {
             ExitCode::from(failure.status())
         }
     }
+}
+
+/// Where a file grows beyond the limit on its size, writing fails as on a full disk and does not end the process.
+#[cfg(unix)]
+fn survive_long_files() {
+    use nix::sys::signal::{SigSet, Signal};
+    // threads begun from here on block it, too; a failure to block it prevents nothing
+    let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
 }
 
 fn execute(command: Command, out: &mut impl Write) -> Result<(), Failure> {
