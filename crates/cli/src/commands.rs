@@ -72,9 +72,22 @@ impl From<Box<Diagnostic>> for Failure {
     }
 }
 
+/// The failure of standard output: other files have failures of their own, with their paths.
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
-        if error.kind() == io::ErrorKind::BrokenPipe { Self::Closed } else { Self::Work(error.to_string()) }
+        if error.kind() == io::ErrorKind::BrokenPipe {
+            Self::Closed
+        } else {
+            Self::Work(format!("standard output cannot be written: {error}"))
+        }
+    }
+}
+
+/// The failure of standard output after all files in a folder have been written.
+fn untold(folder: &Path, error: io::Error) -> Failure {
+    match Failure::from(error) {
+        Failure::Work(what) => Failure::Work(format!("{what}\nhelp: the files in {} are complete", folder.display())),
+        other => other,
     }
 }
 
@@ -95,6 +108,8 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
         io::ErrorKind::FileTooLarge => {
             "files there may not be so long: raise the limit (ulimit -f), or name a folder on another file system: --out DIR"
         }
+        io::ErrorKind::InvalidFilename => "name a folder with a shorter name: --out DIR",
+        io::ErrorKind::NotFound => "no folder can be made there, or it is gone: name another one, --out DIR",
         _ => return Failure::Work(what),
     };
     Failure::Work(format!("{what}\nhelp: {help}"))

@@ -88,7 +88,11 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
         told = writeln!(out, "{}: {figures}, {claims}{missing}", page.display());
     }
     let wrong: Vec<String> = failed.iter().cloned().chain(measured.iter().filter_map(disagreement)).collect();
-    if wrong.is_empty() { Ok(told?) } else { Err(Failure::Work(wrong.join("\nerror: "))) }
+    if wrong.is_empty() {
+        told.map_err(|error| super::untold(&arguments.out, error))
+    } else {
+        Err(Failure::Work(wrong.join("\nerror: ")))
+    }
 }
 
 /// What disagrees with a claim's verdict, if anything does.

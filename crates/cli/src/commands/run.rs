@@ -40,7 +40,7 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     };
     let done = patience::with_bar(|| progress_bar(steps), update, || simulation.run(&folder, &control))
         .map_err(|error| super::unwritable(&folder, &error))?;
-    Ok(report(&simulation, &done, &folder, out)?)
+    report(&simulation, &done, &folder, out).map_err(|error| super::untold(&folder, error))
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {

@@ -51,6 +51,23 @@ fn a_folder_in_place_of_a_file_is_told_before_the_work() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_cannot_be_made_is_told_with_a_mend() {
+    let folder = Folder::new("no-folder");
+    fs::write(folder.0.join("scene.toml"), SQUARE).unwrap();
+    let long = "x".repeat(300);
+    for (out, mend) in [(&*long, "a shorter name"), ("/proc/x", "name another one, --out DIR")] {
+        let mut command = Command::cargo_bin("billiards").unwrap();
+        let output = command.current_dir(&folder.0).args(["run", "scene.toml", "--out", out]).output().unwrap();
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(
+            output.status.code() == Some(1) && told.lines().nth(1).is_some_and(|help| help.contains(mend)),
+            "{told}"
+        );
+    }
+}
+
 #[test]
 fn a_file_without_walls_is_told_to_have_none() {
     let folder = Folder::new("no-walls");

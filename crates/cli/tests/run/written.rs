@@ -363,6 +363,28 @@ fn a_run_names_its_files_when_no_other_process_does_in_the_folder() {
 
 #[cfg(target_os = "linux")]
 #[test]
+fn where_standard_output_is_full_that_is_said_and_that_the_files_are_complete() {
+    let folder = Folder::new("full-output");
+    fs::write(folder.0.join("scene.toml"), SQUARE).unwrap();
+    for (arguments, complete) in [
+        (&["run", "scene.toml", "--out", "out"][..], "\nhelp: the files in out are complete"),
+        (&["check", "scene.toml"], ""),
+        (&["guide"], ""),
+        (&["tables"], ""),
+        (&["--help"], ""),
+    ] {
+        let full = fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin("billiards"));
+        let output = command.current_dir(&folder.0).args(arguments).stdout(full).output().unwrap();
+        let told = String::from_utf8(output.stderr).unwrap();
+        let full = "error: standard output cannot be written: No space left on device (os error 28)";
+        assert_eq!((output.status.code(), told), (Some(1), format!("{full}{complete}\n")), "{arguments:?}");
+    }
+    assert!(folder.0.join("out/summary.json").exists() && folder.0.join("out/collisions.csv").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
 fn where_the_record_cannot_be_written_all_threads_end() {
     let folder = Folder::new("threads-end");
     let scene = "law = \"no-slip\"\ntable = { name = \"stadium\" }\nensemble = { count = 8 }\n\
