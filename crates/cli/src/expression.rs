@@ -364,6 +364,9 @@ mod tests {
         assert_eq!(error("()").0, 2);
         let help = |text: &str| value(text).unwrap_err().help;
         assert_eq!(help("sqr(2)").as_deref(), Some("did you mean \"sqrt\"?"));
+        for text in ["nan", "NaN", "inf", "-Inf", "Infinity"] {
+            assert_eq!(help(text).as_deref(), Some("write a finite number"), "{text}");
+        }
         assert_eq!(help("max(2, 1)").as_deref(), Some("write (x+y+abs(x-y))/2"));
     }
 

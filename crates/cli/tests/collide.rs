@@ -155,6 +155,20 @@ fn a_dropped_spinning_disk_is_sent_sideways() {
 }
 
 #[test]
+fn the_largest_defect_is_told_as_it_is() {
+    let contact = "dim = 3\nrough = [[1, 2, -3]]\ncontact_point = [0, 0, 0]\nnormal = [0, 0, 1]\nbodies = [\
+        { mass = 1, position = [0, 0.2, 1], inertia = [[0.4, 0, 0], [0, 0.4, 0], [0, 0, 0.4]] }, \
+        { mass = 3, position = [0.1, 0.3, -2], S = [[1, 0, 0], [0, 2, 0], [0, 0, 3]] }]\n\
+        pre = [{ v = [0.3, 1, -1], w = [0.3, 1, 2] }, { v = [0, 0, 1], w = [0, 0.1, 0] }]\n";
+    let (_, json, _) = collide_text("defects", contact, &["--json"]);
+    let (_, text, _) = collide_text("defects-table", contact, &[]);
+    let found: Value = serde_json::from_str(&json).unwrap();
+    let defects = found["defects"].as_object().unwrap().iter().map(|(name, x)| (name, x.as_f64().unwrap()));
+    let (name, largest) = defects.max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap();
+    assert!(largest > 0.0 && text.contains(&format!("the largest defect is {largest:.1e} ({name})")), "{json}{text}");
+}
+
+#[test]
 fn a_body_that_stays_where_it_is_has_infinite_mass_however_that_is_written() {
     let expected = collide_text("fixed", TOML, &["--json"]);
     for (k, mass) in ["inf", "\"infinity\""].iter().enumerate() {

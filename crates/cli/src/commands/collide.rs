@@ -350,9 +350,10 @@ impl Outcome {
             }
         }
         writeln!(out, "\n{:<width$}{}", "impulse on body 1", shown(&self.impulse), width = widths[0])?;
-        let worst = self.defects.iter().map(|d| d.1).fold(0.0, f64::max);
+        let worst = self.defects.iter().max_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, x)| *x > 0.0);
         let verdict = if self.broken.is_empty() {
-            format!("yes, every axiom holds to {worst:.0e}")
+            let largest = worst.map(|(name, x)| format!("; the largest defect is {x:.1e} ({name})"));
+            format!("yes, every axiom holds{}", largest.unwrap_or_default())
         } else {
             let broken: Vec<_> = self.broken.iter().map(|(name, x)| format!("{name} (by {x:.1e})")).collect();
             format!("no, it breaks: {}", broken.join(", "))

@@ -208,7 +208,7 @@ impl<'a> Parser<'a> {
         }
         let known = Function::ALL.iter().map(|f| f.0).chain(["atan2", "pi"]).chain(self.variables.iter().copied());
         let error = Error::new(column, format!("unknown name \"{name}\""));
-        if let Some((_, here)) = FROM_ELSEWHERE.iter().find(|other| other.0 == name) {
+        if let Some((_, here)) = FROM_ELSEWHERE.iter().find(|other| other.0.eq_ignore_ascii_case(name)) {
             return Err(error.with_help(format!("write {here}")));
         }
         Err(match spelling::closest(name, known.clone()) {
@@ -304,7 +304,7 @@ impl<'a> Parser<'a> {
 }
 
 /// Spellings from other languages, with the ones used here.
-const FROM_ELSEWHERE: [(&str, &str); 20] = [
+const FROM_ELSEWHERE: [(&str, &str); 23] = [
     ("e", "exp(1)"),
     ("log", "ln(x)"),
     ("log10", "ln(x)/ln(10)"),
@@ -325,6 +325,9 @@ const FROM_ELSEWHERE: [(&str, &str); 20] = [
     ("asinh", "ln(x+sqrt(x^2+1))"),
     ("acosh", "ln(x+sqrt(x^2-1))"),
     ("atanh", "ln((1+x)/(1-x))/2"),
+    ("nan", "a finite number"),
+    ("inf", "a finite number"),
+    ("infinity", "a finite number"),
 ];
 
 /// Precedence of the unary minus: above products, below powers.

@@ -166,7 +166,7 @@ fn length(node: &Node, name: &str, or: f64) -> Result<f64, Error> {
     };
     match number.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value * scale),
-        _ => Err(place(node).fail(format!("{name}=\"{text}\" must be a number"))),
+        _ => Err(place(node).fail(format!("{name}=\"{text}\" must be a number between -1e150 and 1e150"))),
     }
 }
 

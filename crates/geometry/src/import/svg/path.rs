@@ -58,13 +58,13 @@ impl<'a> Scanner<'a> {
                 end += 1 + sign + exponent;
             }
         }
-        let value = core::str::from_utf8(&text[..end]).ok().and_then(|s| s.parse::<f64>().ok());
-        match value.filter(|x| x.is_finite()) {
-            Some(value) => {
+        match core::str::from_utf8(&text[..end]).ok().and_then(|s| s.parse::<f64>().ok()) {
+            Some(value) if value.is_finite() => {
                 self.at += end;
                 self.skip();
                 Ok(value)
             }
+            Some(_) => Err(self.fail("a number between -1e150 and 1e150")),
             None => Err(self.fail("a number")),
         }
     }
