@@ -8,6 +8,7 @@ use clap::error::{ContextKind, ContextValue};
 use clap::{Args, CommandFactory, Parser, Subcommand};
 
 use crate::bench::law::Law;
+use crate::document::STANDARD_INPUT;
 use crate::scene::LawKind;
 use crate::spelling::closest;
 
@@ -89,7 +90,7 @@ Examples:
   billiards run scenes/hexagon.toml --law specular --out out/hexagon-specular
   billiards run scenes/stadium.toml -n 1e6")]
 pub struct Run {
-    /// Scene file (TOML)
+    /// Scene file (TOML), or - for standard input
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
     /// Collision law that replaces the scene's; pieces with a law of their own keep it
@@ -107,10 +108,10 @@ pub struct Run {
 }
 
 impl Run {
-    /// The folder for everything that is written; none where the scene file's name is not one for a folder.
+    /// The folder for everything that is written; none where the scene has no name, or not one for a folder.
     pub fn folder(&self) -> Option<PathBuf> {
         let named = || {
-            let stem = self.scene.file_stem()?;
+            let stem = self.scene.file_stem().filter(|_| self.scene != Path::new(STANDARD_INPUT))?;
             // `..toml` and `...toml`: the stems are this folder and the one above
             let is_name = matches!(Path::new(stem).components().next(), Some(Component::Normal(_)));
             is_name.then(|| Path::new("out").join(stem))
@@ -126,7 +127,7 @@ Examples:
   billiards check scenes/mushroom.toml
   billiards check scenes/mushroom.toml --same-bits")]
 pub struct Check {
-    /// Scene file (TOML)
+    /// Scene file (TOML), or - for standard input
     #[arg(value_name = "SCENE")]
     pub scene: PathBuf,
     /// Collision law that replaces the scene's; pieces with a law of their own keep it
@@ -163,7 +164,7 @@ Example of a contact file (TOML or JSON), for a spinning disk that drops onto a 
 In dimension 3 an inertia is a 3 x 3 tensor and a spin w a vector; in dimension 4 and 5 a body has
 second moments S per unit mass instead of an inertia, and a spin is a skew matrix.")]
 pub struct Collide {
-    /// Contact file (TOML or JSON)
+    /// Contact file (TOML or JSON), or - for standard input
     #[arg(value_name = "CONTACT")]
     pub contact: PathBuf,
     /// Print JSON, every number to the last digit
@@ -309,11 +310,16 @@ mod tests {
             (Some(PathBuf::from("y")), Some(LawKind::NoSlip), Some(1000))
         );
     }
+
     #[test]
-    fn a_scene_named_as_the_folder_above_has_no_folder() {
-        for (scene, folder) in
-            [("...toml", None), ("..toml", None), (".toml", Some("out/.toml")), ("....toml", Some("out/..."))]
-        {
+    fn a_scene_without_a_name_or_named_as_the_folder_above_has_no_folder() {
+        for (scene, folder) in [
+            ("-", None),
+            ("...toml", None),
+            ("..toml", None),
+            (".toml", Some("out/.toml")),
+            ("....toml", Some("out/...")),
+        ] {
             let run = Cli::parse_from(["billiards", "run", scene]);
             let Command::Run(run) = run.command else { panic!("{run:?}") };
             assert_eq!(run.folder(), folder.map(PathBuf::from), "{scene}");

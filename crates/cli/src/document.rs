@@ -19,7 +19,7 @@ pub use number::{
     spell, vector, whole,
 };
 pub use section::Section;
-pub use source::{Source, Span, Spanned};
+pub use source::{STANDARD_INPUT, Source, Span, Spanned};
 pub use toml::parse as parse_toml;
 
 /// A value with its place in the source.

@@ -23,7 +23,7 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let request = Request { law: arguments.law.clone(), collisions: arguments.collisions, needs_limit: true };
     let source = Source::read(&arguments.scene)?;
     let folder = arguments.folder().ok_or_else(|| {
-        let what = "the results would go to a folder in out/ named after this file, but no folder can have that name";
+        let what = "the results would go to a folder in out/ named after the scene file, but no folder can be named after this";
         Box::new(Diagnostic::of_file(source.name(), what).with_help("name a folder: --out DIR"))
     })?;
     let simulation = patience::with_spinner("reading and checking the scene", || {

@@ -11,6 +11,9 @@ use super::{Diagnostic, with_file_meant};
 /// are.
 const LONGEST: u64 = 1 << 30;
 
+/// Stands for standard input in place of a path.
+pub const STANDARD_INPUT: &str = "-";
+
 /// The text of an input file under the name the user gave. Cheap to clone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
@@ -26,13 +29,19 @@ impl Source {
         Self { name: name.into(), path: Path::new(name).into(), text: text.into() }
     }
 
-    /// Reads a file.
+    /// Reads a file, or standard input where the path is `-`; files beside that are those of the current folder.
     ///
     /// # Errors
     /// The file cannot be read, is longer than a gibibyte, or is not UTF-8.
     pub fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
-        let name = path.display().to_string();
-        let bytes = up_to(LONGEST, path).map_err(|error| {
+        let is_standard = path == Path::new(STANDARD_INPUT);
+        let name = if is_standard { "standard input".into() } else { path.display().to_string() };
+        let bytes = if is_standard {
+            up_to(LONGEST, io::stdin())
+        } else {
+            File::open(path).and_then(|file| up_to(LONGEST, file))
+        };
+        let bytes = bytes.map_err(|error| {
             let diagnostic = Diagnostic::of_file(&name, format!("cannot read it: {error}"));
             Box::new(with_file_meant(diagnostic, &error, path))
         })?;
@@ -81,10 +90,10 @@ impl Source {
     }
 }
 
-/// The content of a file, if it is not longer than this.
-fn up_to(longest: u64, path: &Path) -> io::Result<Vec<u8>> {
+/// All that can be read, if it is not longer than this.
+fn up_to(longest: u64, from: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = vec![];
-    if File::open(path)?.take(longest + 1).read_to_end(&mut bytes)? as u64 > longest {
+    if from.take(longest + 1).read_to_end(&mut bytes)? as u64 > longest {
         return Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {longest} bytes")));
     }
     Ok(bytes)
@@ -147,7 +156,7 @@ mod tests {
     fn a_file_is_read_whole_or_found_too_long() {
         let path = std::env::temp_dir().join(format!("billiards-source-{}", std::process::id()));
         std::fs::write(&path, b"four").unwrap();
-        let [long, short] = [4, 3].map(|longest| up_to(longest, &path));
+        let [long, short] = [4, 3].map(|longest| up_to(longest, File::open(&path).unwrap()));
         std::fs::remove_file(&path).unwrap();
         assert_eq!(long.unwrap(), b"four");
         assert_eq!(short.unwrap_err().to_string(), "it is longer than 3 bytes");
@@ -156,6 +165,6 @@ mod tests {
     #[test]
     #[cfg(unix)]
     fn a_file_without_end_is_too_long() {
-        assert!(up_to(1000, Path::new("/dev/zero")).is_err());
+        assert!(up_to(1000, File::open("/dev/zero").unwrap()).is_err());
     }
 }

@@ -383,6 +383,27 @@ fn where_standard_output_is_full_that_is_said_and_that_the_files_are_complete() 
     assert!(folder.0.join("out/summary.json").exists() && folder.0.join("out/collisions.csv").exists());
 }
 
+#[test]
+fn a_scene_can_come_from_standard_input() {
+    let folder = Folder::new("standard-input");
+    fs::write(folder.0.join("room.svg"), "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0H1V1H0Z'/></svg>")
+        .unwrap();
+    let scene = "law = \"specular\"\ntable = { boundary = [{ outline = \"room.svg\" }] }\nrun = { collisions = 5 }\n\
+                 orbit = [{ position = [0.5, -0.5], velocity = [1, 0.5] }]\n";
+    let given = |scene: &str, arguments: &[&str]| {
+        let mut command = Command::cargo_bin("billiards").unwrap();
+        let output = command.current_dir(&folder.0).args(arguments).write_stdin(scene).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    assert_eq!(given(scene, &["run", "-", "--out", "out"]), (Some(0), String::new()));
+    assert_eq!(folder.summary("out")["collisions"], 5);
+    assert_eq!(given(scene, &["check", "-"]), (Some(0), String::new()));
+    let (status, told) = given(scene, &["run", "-"]);
+    assert!(status == Some(2) && told.starts_with("standard input: error: ") && told.contains("--out DIR"), "{told}");
+    let (status, told) = given(&scene.replace("specular", "specula"), &["run", "-", "--out", "out"]);
+    assert!(status == Some(2) && told.starts_with("standard input:1:7: error: "), "{told}");
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn where_the_record_cannot_be_written_all_threads_end() {
