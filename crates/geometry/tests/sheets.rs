@@ -3,8 +3,8 @@
 mod random;
 
 use geometry::{
-    Boundary, Line, Vector3,
-    parry::{Room, Side, SolidSpec},
+    Boundary, Line, Surface, Vector3,
+    parry::{Room, Side, Solid, SolidSpec},
 };
 use random::Random;
 
@@ -219,4 +219,75 @@ fn sheets_in_general_position_are_walls_on_both_sides() {
         }
     }
     assert!(corners < 10, "{corners}");
+}
+
+/// A large ball around a wall, with the centre of a particle of some radius between.
+fn in_a_ball(wall: &SolidSpec, radius: f64) -> Room {
+    let around = SolidSpec::Ball { radius: 4.0 - radius }.solid([0.0; 3], Side::Inside).unwrap();
+    Room::new(vec![around, kept_off(wall, Side::Outside, radius)])
+}
+fn kept_off(wall: &SolidSpec, side: Side, radius: f64) -> Solid {
+    if radius == 0.0 {
+        return wall.solid([0.0; 3], side).unwrap();
+    }
+    wall.parallel(side, radius).unwrap().0.solid([0.0; 3], side).unwrap()
+}
+
+/// Whether a point with its normal belongs to a part of a boundary.
+type IsPart<'a> = &'a dyn Fn(&Vector3<f64>, &Vector3<f64>) -> bool;
+
+/// The numbers of random points of a boundary in some parts of it.
+fn drawn<const N: usize>(room: &Room, parts: [IsPart; N]) -> [f64; N] {
+    let (surface, mut random) = (room.surface().unwrap(), Random(17));
+    let mut counts = [0.0; N];
+    for _ in 0..40_000 {
+        let (point, normal) = surface.random_point(&mut || random.unit());
+        for (count, part) in counts.iter_mut().zip(parts) {
+            *count += f64::from(u8::from(part(&point, &normal)));
+        }
+    }
+    counts
+}
+/// Whether two counts of random points differ by less than five standard deviations.
+fn alike(a: f64, b: f64) -> bool {
+    a > 200.0 && b > 200.0 && (a - b) * (a - b) < 25.0 * (a + b)
+}
+
+#[test]
+fn the_two_faces_of_a_sheet_are_drawn_equally_often() {
+    for (about_middle, radius) in [(false, 0.0), (true, 0.0), (false, 0.125), (true, 0.125)] {
+        let room = in_a_ball(&together(&[sheet(-1.0, 1.0, about_middle)]), radius);
+        let [left, right] = drawn(
+            &room,
+            [&|p, n| n.x == -1.0 && (p.x - (0.5 - radius)).abs() < 1e-12, &|p, n| {
+                n.x == 1.0 && (p.x - (0.5 + radius)).abs() < 1e-12
+            }],
+        );
+        assert!(alike(left, right), "{about_middle} {radius}: {left} and {right}");
+        let area = 4.0 * std::f64::consts::PI * (4.0 - radius) * (4.0 - radius);
+        let rims = std::f64::consts::PI * radius * (8.0 + 4.0 * radius);
+        let expected = 40_000.0 * 8.0 / (area + 8.0 + rims);
+        assert!((left + right - expected).abs() < 5.0 * expected.sqrt(), "{left} and {right}, expected {expected}");
+    }
+}
+
+#[test]
+fn both_sides_of_a_wall_between_two_rooms_of_one_mesh_are_drawn() {
+    // the triangles of either may come first
+    let [one, other] = [cuboid([0.5, 0.25, 0.0], [1.5, 1.25, 1.0]), cuboid([-0.5, 0.0, 0.0], [0.5, 1.0, 1.0])];
+    for parts in [[one.clone(), other.clone()], [other, one]] {
+        for radius in [0.0, 0.125] {
+            let room = Room::new(vec![kept_off(&together(&parts), Side::Inside, radius)]);
+            let [left, right] = drawn(
+                &room,
+                [&|p, n| n.x == -1.0 && (p.x - (0.5 - radius)).abs() < 1e-12, &|p, n| {
+                    n.x == 1.0 && (p.x - (0.5 + radius)).abs() < 1e-12
+                }],
+            );
+            // of twelve equal sides
+            for side in [left, right] {
+                assert!((side - 40_000.0 / 12.0).abs() < 5.0 * (40_000.0_f64 / 12.0).sqrt(), "{radius}: {side}");
+            }
+        }
+    }
 }

@@ -113,7 +113,8 @@ impl Parallel {
     }
 
     /// A random point of a part and the unit normal there, if the point is on the surface: nearer to no other triangle, and not
-    /// behind the mesh. A point that belongs to several triangles counts for the first.
+    /// behind the mesh. A point that belongs to several triangles counts for the first of them. A triangle seen from behind is not one:
+    /// it only coincides with the one in front.
     pub(super) fn draw(
         &self,
         stratum: &Stratum,
@@ -124,7 +125,11 @@ impl Parallel {
             return None;
         }
         let mut first = stratum.triangle;
-        self.touched(&point, |other, _| first = first.min(other));
+        self.touched(&point, |other, its| {
+            if its != -self.mesh.normals[other] {
+                first = first.min(other);
+            }
+        });
         (first == stratum.triangle).then_some((point, normal))
     }
 
