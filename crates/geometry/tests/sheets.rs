@@ -291,3 +291,73 @@ fn both_sides_of_a_wall_between_two_rooms_of_one_mesh_are_drawn() {
         }
     }
 }
+
+type Motion<'a> = &'a dyn Fn(Vector3<f64>) -> Vector3<f64>;
+
+/// Two boxes that touch at x = 0 on a part of their sides, and a fin that reaches into the left one.
+fn touching(place: impl Fn(Vector3<f64>) -> Vector3<f64>) -> SolidSpec {
+    let fin = [[-1.5, -0.25, 0.0], [-0.5, -0.25, 0.0], [-0.5, 0.5, 0.0], [-1.5, 0.5, 0.0]];
+    let fin = (fin.into(), vec![[0, 1, 2], [0, 2, 3], [3, 2, 1], [3, 1, 0]]);
+    let parts = together(&[cuboid([-1.0; 3], [0.0, 1.0, 1.0]), cuboid([0.0, -0.5, -0.5], [1.0, 1.5, 0.5]), fin]);
+    let SolidSpec::TriMesh { vertices, triangles, margin } = parts else { panic!() };
+    SolidSpec::TriMesh { vertices: vertices.into_iter().map(|p| place(p.into()).into()).collect(), triangles, margin }
+}
+
+#[test]
+fn nothing_is_drawn_where_two_parts_of_a_mesh_hide_one_another() {
+    // as they are, and turned twice
+    let about = |[i, j]: [usize; 2], mut p: Vector3<f64>, sine: f64| {
+        (p[i], p[j]) = (0.8 * p[i] - sine * p[j], sine * p[i] + 0.8 * p[j]);
+        p
+    };
+    let turned = |p: Vector3<f64>| about([1, 2], about([0, 1], p, 0.6), 0.6);
+    let back = |p: Vector3<f64>| about([0, 1], about([1, 2], p, -0.6), -0.6);
+    let as_is = |p: Vector3<f64>| p;
+    for [there, back] in [[&as_is as Motion, &as_is], [&turned, &back]] {
+        let room = in_a_ball(&touching(there), 0.0);
+        let on = |x: f64| x.abs() < 1e-12;
+        let between = |p: &Vector3<f64>| on(p.x) && p.y > -0.5 && p.y < 1.0 && p.z.abs() < 0.5;
+        let [hidden, left, right, buried, upper, lower] = drawn(
+            &room,
+            [
+                &|p, _| between(&back(*p)),
+                &|p, n| on(back(*p).x) && back(*n).x > 0.99,
+                &|p, n| on(back(*p).x) && back(*n).x < -0.99,
+                &|p, _| on(back(*p).z) && back(*p).x > -1.0 && back(*p).x < 0.0 && back(*p).y.abs() < 1.0,
+                &|p, n| on(back(*p).z) && back(*p).x < -1.0 && back(*n).z > 0.99,
+                &|p, n| on(back(*p).z) && back(*p).x < -1.0 && back(*n).z < -0.99,
+            ],
+        );
+        assert_eq!([hidden, buried], [0.0; 2]);
+        let area = 64.0 * std::f64::consts::PI + (16.0 - 1.5) + (10.0 - 1.5) + 0.75;
+        for (count, part) in [(left, 4.0 - 1.5), (right, 2.0 - 1.5), (upper, 0.375), (lower, 0.375)] {
+            let expected = 40_000.0 * part / area;
+            assert!((count - expected).abs() < 5.0 * expected.sqrt(), "{count} for {expected}");
+        }
+    }
+}
+
+#[test]
+fn a_point_where_parts_of_a_mesh_touch_is_not_on_the_side_of_either() {
+    let solid = touching(|p| p).solid([0.0; 3], Side::Outside).unwrap();
+    for [x, y, z] in [
+        [0.0, 0.25, 0.125],
+        [0.0, 0.5, 0.0],
+        [-0.0, -0.4, 0.3],
+        [1e-16, 0.3, 0.2],
+        [-1e-16, 0.3, 0.2],
+        [-0.75, 0.1, 0.0],
+    ] {
+        let seen = solid.closest(&Vector3::new(x, y, z));
+        assert!(seen.distance <= 0.0 && seen.distance >= -1e-15, "{x} {y} {z}: {seen:?}");
+        assert_eq!(seen.normal, Vector3::zeros(), "{x} {y} {z}: {seen:?}");
+    }
+    // beside the places where they touch, and on the fin outside of them
+    for ([x, y, z], axis) in
+        [([0.0, -0.75, 0.1], Vector3::x()), ([0.0, 1.25, 0.1], -Vector3::x()), ([-1.25, 0.1, 0.0], Vector3::z())]
+    {
+        let seen = solid.closest(&Vector3::new(x, y, z));
+        assert_eq!(seen.normal.cross(&axis), Vector3::zeros(), "{seen:?}");
+        assert_eq!(seen.normal.norm(), 1.0, "{seen:?}");
+    }
+}

@@ -1,5 +1,6 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
 mod convex;
+mod exposed;
 mod manifold;
 mod shells;
 mod side;

@@ -77,7 +77,8 @@ pub struct Closest {
     pub distance: f64,
     /// The closest point of the boundary \[L\].
     pub point: Vector3<f64>,
-    /// Unit normal there, into the table.
+    /// Unit normal there, into the table. It is 0 for a point of a mesh on triangles between which there is no table: where two of its
+    /// parts touch.
     pub normal: Vector3<f64>,
 }
 

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 const BAND: f64 = 2.5;
 
 /// Unit normals that differ by less than this, or are opposite to within this, belong to one wall.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
 /// The two-sided triangles and a tree of their boxes.
 #[derive(Clone)]

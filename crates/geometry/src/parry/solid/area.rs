@@ -117,7 +117,11 @@ impl Trials<'_> {
             Kind::Disk { about, radius } => (about.point + in_disk(&about.normal, uniform) * *radius, about.normal),
             Kind::Triangles { mesh, sums, .. } => {
                 let k = pick(sums, uniform);
-                (mesh.land(k, &mesh.random_point(k, uniform)).0, mesh.normals[k])
+                let (point, _) = mesh.land(k, &mesh.random_point(k, uniform));
+                if !mesh.is_exposed(k, &point) {
+                    return None;
+                }
+                (point, mesh.normals[k])
             }
             Kind::Strata { parallel, strata, sums, .. } => parallel.draw(&strata[pick(sums, uniform)], uniform)?,
         };
