@@ -361,3 +361,23 @@ fn a_point_where_parts_of_a_mesh_touch_is_not_on_the_side_of_either() {
         assert_eq!(seen.normal.norm(), 1.0, "{seen:?}");
     }
 }
+
+#[test]
+fn above_a_face_of_a_mesh_the_normal_is_exactly_that_of_the_face() {
+    let cube = together(&[cuboid([-1.0; 3], [1.0; 3])]);
+    let sheet = together(&[sheet(-1.0, 1.0, false)]);
+    let mut random = Random(19);
+    for radius in [0.0, 0.125] {
+        let [cube, sheet] = [&cube, &sheet].map(|wall| kept_off(wall, Side::Outside, radius));
+        for _ in 0..1000 {
+            let height = if random.unit() < 0.5 { radius } else { random.between(0.0, 0.5) };
+            let mut point = Vector3::from_fn(|_, _| random.between(-0.99, 0.99));
+            point.x = 0.5 - height;
+            assert_eq!(sheet.closest(&point).normal.map(f64::abs), Vector3::x(), "{radius} {height}");
+            let axis = random.below(3);
+            point = Vector3::from_fn(|_, _| random.between(-0.99, 0.99));
+            point[axis] = -1.0 - height;
+            assert_eq!(cube.closest(&point).normal, -Vector3::ith(axis, 1.0), "{radius} {height}");
+        }
+    }
+}

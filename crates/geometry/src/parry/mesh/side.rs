@@ -1,14 +1,10 @@
 //! On which side of a mesh a point lies.
-use super::{Mesh, winding::Surface};
+use super::{Mesh, two_sided::SAME, winding::Surface};
 use crate::plane::slack;
 use nalgebra::Vector3;
 
 /// A foot found by parry lies on its triangle to within this fraction of the size.
 pub(super) const FOUND: f64 = 1e-12;
-
-/// Closer to the boundary than this fraction of the size, the difference of a point and its foot has lost more than three
-/// digits.
-const CLEAR: f64 = 1e-3;
 
 impl Mesh {
     pub(super) fn surface(&self) -> Surface<'_> {
@@ -41,20 +37,40 @@ impl Mesh {
                 (nearest, height) = (Some(k), this);
             }
         });
-        let Some(k) = nearest else {
-            if hidden {
-                return (foot, Vector3::zeros(), -size);
+        let (normal, distance) = match nearest {
+            None if hidden => return (foot, Vector3::zeros(), -size),
+            None => {
+                if !self.closed || size == 0.0 || self.is_in_table(point, &normal) == (distance > 0.0) {
+                    (normal, distance)
+                } else {
+                    (if is_on_it { normal } else { away / size.copysign(-distance) }, -distance)
+                }
             }
-            if !self.closed || size == 0.0 || self.is_in_table(point, &normal) == (distance > 0.0) {
-                return (foot, normal, distance);
+            Some(k) => {
+                let in_table = if self.closed { self.is_in_table(point, &self.normals[k]) } else { height >= 0.0 };
+                let distance = if in_table { size } else { -size };
+                (if is_on_it { self.normals[k] } else { away / size.copysign(distance) }, distance)
             }
-            return (foot, if is_on_it { normal } else { away / size.copysign(-distance) }, -distance);
         };
-        let in_table = if self.closed { self.is_in_table(point, &self.normals[k]) } else { height >= 0.0 };
-        let distance = if in_table { size } else { -size };
-        let on_face = in_table && size <= CLEAR * self.size && height >= size - rounding;
-        let normal = if on_face || is_on_it { self.normals[k] } else { away / size.copysign(distance) };
-        (foot, normal, distance)
+        let of_face = self.normal_of_face(&foot, &away, rounding);
+        (foot, of_face.map_or(normal, |face| face * 1.0_f64.copysign(face.dot(&normal))), distance)
+    }
+
+    /// The normal of the face straight above or below which a point lies, not beside an edge: exact, unlike the direction from the foot
+    /// to the point.
+    fn normal_of_face(&self, foot: &Vector3<f64>, away: &Vector3<f64>, rounding: f64) -> Option<Vector3<f64>> {
+        let reach = FOUND * self.size;
+        let (mut face, mut edge) = (None, false);
+        self.tree.search(
+            |e| e.distance(foot) <= 2.0 * reach,
+            |k| {
+                if !edge && self.has_on_it(k, foot, reach) {
+                    let normal = *face.get_or_insert(self.normals[k]);
+                    edge = normal.cross(&self.normals[k]).norm() > SAME;
+                }
+            },
+        );
+        face.filter(|normal| !edge && (away - normal * normal.dot(away)).norm() <= rounding)
     }
 
     /// Whether a point beside a triangle with this normal lies in the table of a closed surface.
