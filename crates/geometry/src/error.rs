@@ -322,6 +322,14 @@ pub enum Error {
         /// What it must be.
         must: &'static str,
     },
+    /// An open surface in space that ends inside the room that other walls enclose.
+    #[error(
+        "piece {piece} is an open surface that ends inside the room: orbits come round its rim to the space behind it, where none starts, so the distribution of their starts does not last"
+    )]
+    Rim {
+        /// The piece.
+        piece: usize,
+    },
     /// Infinite walls or an infinite table on which something is to be distributed uniformly.
     #[error("{what} is infinite: there is no uniform distribution on it")]
     Unbounded {

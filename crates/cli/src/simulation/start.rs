@@ -87,6 +87,10 @@ pub(crate) fn undrawable(scene: &Scene, ensemble: &Ensemble, error: &geometry::E
         geometry::Error::Unbounded { .. } => {
             diagnostic.with_help("give the starts one by one: [[orbit]] with position and velocity")
         }
+        geometry::Error::Rim { .. } => diagnostic.with_help(
+            "let it reach the other walls, give it a thickness (a flat one may instead be drawn from both sides, with other diagonals on \
+             its back), or give the starts one by one: [[orbit]] with position and velocity",
+        ),
         _ => diagnostic,
     }
 }

@@ -148,11 +148,17 @@ fn triangles_come_from_a_file() {
     }
     // without its last face
     std::fs::write(folder.0.join("open.obj"), obj.rsplit_once("f 4").unwrap().0).unwrap();
-    std::fs::write(folder.0.join("open.toml"), around("mesh = { file = \"open.obj\", unit = 0.01 }")).unwrap();
+    let open = around("mesh = { file = \"open.obj\", unit = 0.01 }");
+    let orbit = "[[orbit]]\nposition = [0, 0, -3]\nvelocity = [1, 0, 0]\n";
+    std::fs::write(folder.0.join("open.toml"), open.replace("[ensemble]\ncount = 20\nseed = 3\n", orbit)).unwrap();
     let mut check = Command::cargo_bin("billiards").unwrap();
     let told = check.current_dir(&folder.0).args(["check", "open.toml"]).output().unwrap();
     let told = String::from_utf8(told.stdout).unwrap();
     assert!(told.contains("1  open.obj          open along 3 edges\n") && told.contains("0  cuboid\n"), "{told}");
+    let output = folder.run(&open, &[]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    assert!(told.contains("scene.toml:11:1") && told.contains("piece 1 is an open surface that ends inside the room"));
     let refused = |file: &str, what: &str| {
         let output = folder.run(&around(&format!("mesh = {{ file = \"{file}\" }}")), &[]);
         let told = String::from_utf8_lossy(&output.stderr);
@@ -168,6 +174,46 @@ fn triangles_come_from_a_file() {
     refused("scene.toml", "a mesh is read from a .stl or .obj file");
     refused("broken.obj", "line 9: ");
     refused("short.stl", "valid STL neither as text nor as binary");
+}
+
+#[test]
+fn a_start_between_parts_of_a_mesh_or_along_its_face_is_refused() {
+    let folder = Folder::new("touching");
+    // two cubes of edge 1 that share a part of a side
+    let corners = |low: [f64; 3]| (0..8).map(move |k| [0, 1, 2].map(|i| low[i] + f64::from(k >> i & 1)));
+    let points: Vec<[f64; 3]> = corners([0.0; 3]).chain(corners([1.0, 0.25, 0.25])).collect();
+    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let cube = |first: usize| {
+        sides.iter().flat_map(move |[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]].map(|t| t.map(|k| k + first)))
+    };
+    let triangles: Vec<[usize; 3]> = cube(0).chain(cube(8)).collect();
+    let refused = |radius: f64, position: [f64; 3], velocity: [f64; 3]| {
+        let scene = format!(
+            "law = \"no-slip\"\n[table]\ndimension = 3\n[[table.boundary]]\n\
+             sphere = {{ center = [1, 0.5, 0.5], radius = 4 }}\n[[table.boundary]]\n\
+             shape = {{ name = \"trimesh\", points = {points:?}, triangles = {triangles:?} }}\n\
+             [particle]\nradius = {radius}\ninertia = \"uniform-ball\"\n\
+             [[orbit]]\nposition = {position:?}\nvelocity = {velocity:?}\n[run]\ncollisions = 2\n"
+        );
+        let output = folder.run(&scene, &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.success() || told.contains("the start lies on a wall and does not move into the table"),
+            "{told}"
+        );
+        !output.status.success()
+    };
+    for velocity in [[1.0, 0.1, 0.1], [-1.0, 0.1, 0.1]] {
+        assert!(refused(0.0, [1.0, 0.65, 0.6], velocity));
+    }
+    assert!(!refused(0.0, [1.0, 0.125, 0.125], [1.0, 0.1, 0.1]) && refused(0.0, [1.0, 0.125, 0.125], [-1.0, 0.1, 0.1]));
+    for radius in [0.0, 0.125] {
+        for [y, z] in [[0.07, 0.49], [0.3, 0.2], [0.65, 0.41], [0.88, 0.6]] {
+            for [vy, vz] in [[-0.32, 0.29], [0.3, 0.4], [-1.1, -0.7], [0.0, 1.0]] {
+                assert!(refused(radius, [-radius, y, z], [0.0, vy, vz]), "{radius} {y} {z} {vy} {vz}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 mod convex;
 mod exposed;
 mod manifold;
+mod rim;
 mod shells;
 mod side;
 mod slivers;
@@ -15,6 +16,7 @@ use crate::{
     walls::CORNER,
 };
 use nalgebra::Vector3;
+pub(crate) use rim::OnRim;
 use std::collections::{HashMap, HashSet};
 use two_sided::Sheets;
 

@@ -1,5 +1,6 @@
 //! A region of space bounded by several solids.
 mod fastest;
+mod rim;
 
 use super::{
     Side, Solid,
@@ -58,7 +59,7 @@ impl Room {
     /// A box around the room: least and greatest coordinates. A box around the boundary where the room is not known to be bounded;
     /// infinite where the boundary is.
     pub fn extent(&self) -> [Vector3<f64>; 2] {
-        let room = self.container();
+        let room = container(self.solids.iter());
         if room.iter().all(is_finite) {
             return room;
         }
@@ -72,9 +73,10 @@ impl Room {
     ///
     /// # Errors
     /// [`Error::Unbounded`] where the boundary has an infinite area, [`Error::Empty`] where there is none, [`Error::Vanished`] where
-    /// none of it is found, [`Error::Shape`] for shapes known by their distance only.
+    /// none of it is found, [`Error::Rim`] where orbits in an enclosed room come round the rim of an open surface, [`Error::Shape`] for
+    /// shapes known by their distance only.
     pub fn surface(&self) -> Result<RoomSurface<'_>, Error> {
-        let bound = Bound::of(self.container());
+        let bound = Bound::of(container(self.solids.iter()));
         let mut parts = vec![];
         for (number, solid) in self.solids.iter().enumerate() {
             parts.extend(solid.trials(bound)?.into_iter().map(|trials| Part { number, trials, up_to: 0.0 }));
@@ -88,27 +90,30 @@ impl Room {
         if parts.is_empty() {
             return Err(Error::Empty);
         }
+        if let Some(piece) = self.open_inside() {
+            return Err(Error::Rim { piece });
+        }
         let surface = RoomSurface { room: self, parts };
         // where this many trials find nothing, a start would take milliseconds, or forever
         let mut uniform = random::uniform(1);
         let found = sum > 0.0 && (0..MOST_TRIALS).any(|_| surface.trial(&mut uniform).is_some());
         if found { Ok(surface) } else { Err(Error::Vanished) }
     }
+}
 
-    /// A box around the room; infinite where the room is not known to be bounded.
-    fn container(&self) -> [Vector3<f64>; 2] {
-        let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
-        let inner = self.solids.iter().filter(|solid| solid.side() == Side::Inside);
-        let [low, high] = inner.map(Solid::extent).fold(all, |[low, high], [a, b]| [low.sup(&a), high.inf(&b)]);
-        if is_finite(&low) && is_finite(&high) { [low, high] } else { between(&self.planes()) }
-    }
+/// A box around the room between solids; infinite where the room is not known to be bounded.
+fn container<'a>(solids: impl Iterator<Item = &'a Solid> + Clone) -> [Vector3<f64>; 2] {
+    let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
+    let inner = solids.clone().filter(|solid| solid.side() == Side::Inside);
+    let [low, high] = inner.map(Solid::extent).fold(all, |[low, high], [a, b]| [low.sup(&a), high.inf(&b)]);
+    if is_finite(&low) && is_finite(&high) { [low, high] } else { between(&planes(solids)) }
+}
 
-    /// The sides of its planes.
-    fn planes(&self) -> Vec<Half> {
-        let planes = self.solids.iter().filter(|solid| solid.extent().iter().flatten().any(|x| x.is_infinite()));
-        let foot = planes.map(|solid| solid.closest(&Vector3::zeros()));
-        foot.map(|foot| (foot.normal, foot.normal.dot(&foot.point))).collect()
-    }
+/// The sides of the planes among solids.
+fn planes<'a>(solids: impl Iterator<Item = &'a Solid>) -> Vec<Half> {
+    let planes = solids.filter(|solid| solid.extent().iter().flatten().any(|x| x.is_infinite()));
+    let foot = planes.map(|solid| solid.closest(&Vector3::zeros()));
+    foot.map(|foot| (foot.normal, foot.normal.dot(&foot.point))).collect()
 }
 
 /// The box around the boundary of a solid.

@@ -4,6 +4,7 @@ pub(super) mod bound;
 mod convex;
 mod field;
 mod parallel;
+mod rim;
 mod rounded;
 mod strata;
 

@@ -133,6 +133,19 @@ impl Parallel {
         (first == stratum.triangle).then_some((point, normal))
     }
 
+    pub(super) fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    pub(super) fn margin(&self) -> f64 {
+        self.margin
+    }
+
+    /// Whether a point lies no nearer to any triangle than the margin, on whichever side.
+    pub(super) fn is_clear(&self, point: &Vector3<f64>) -> bool {
+        self.distance.probe(point).distance.abs() >= self.margin - self.slack
+    }
+
     pub(super) fn closest(&self, point: &Vector3<f64>) -> Closest {
         let (foot, normal, distance) = self.mesh.beside(point, self.distance.closest(point));
         Closest { distance: distance - self.margin, point: foot + normal * self.margin, normal }
