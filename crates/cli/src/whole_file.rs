@@ -163,14 +163,21 @@ impl WholeFile {
             let name = self.path.file_name().unwrap_or_default().display();
             io::Error::new(error.kind(), format!("{name} cannot be put in its place: {error}"))
         };
-        let earlier = match fs::rename(&self.path, &aside) {
+        // a second name, so that the file is there at every moment; where there are none, its only one
+        let kept = match fs::hard_link(&self.path, &aside) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => fs::rename(&self.path, &aside),
+            kept => kept,
+        };
+        let earlier = match kept {
             Ok(()) => Some(aside),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return Err(misplaced(error)),
         };
         if let Err(error) = fs::rename(temporary, &self.path) {
             if let Some(earlier) = earlier {
-                let _ = fs::rename(earlier, &self.path);
+                let _ = fs::rename(&earlier, &self.path);
+                // of two names of one file that removes none
+                let _ = fs::remove_file(&earlier);
             }
             return Err(misplaced(error));
         }
