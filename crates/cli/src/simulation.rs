@@ -3,6 +3,7 @@
 mod bearings;
 mod boundary;
 mod counter;
+mod departure;
 mod describe;
 mod desk;
 mod drawing;
@@ -25,6 +26,7 @@ mod room;
 mod same_bits;
 mod scale;
 mod schedule;
+mod sectors;
 mod spatial;
 mod start;
 mod stretches;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Error, Table, Vector2};
-use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit};
+use billiards::geometry::{Error, Table, Vector2, WallHit};
+use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit, Track as _};
 
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Watched, WithEngine, conserved};
@@ -89,7 +89,8 @@ impl Planar {
         Ok(Box::new(move |i| {
             let start = drawn.start(i);
             let home = start::folded(&self.centres, &start.position);
-            Start { position: home.0, velocity: start.velocity, spin: start.spin, angle: 0.0, cell: home.1, scale }
+            let (position, cell) = home;
+            Start { position, velocity: start.velocity, spin: start.spin, angle: 0.0, cell, departure: 0.0, scale }
         }))
     }
 
@@ -112,13 +113,20 @@ impl Planar {
             cell
         });
         let trail = PlanarTrail { angle: Angle::new(start.angle), cell };
-        Orbit {
+        let mut orbit = Orbit {
             position: start.position,
             velocity: start.velocity,
             spin: start.spin,
             keeper: conserved(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), trail),
+        };
+        if start.departure > 0.0 {
+            let point = [0, 1].map(|i| start.position[i] + start.departure * start.velocity[i]);
+            let away = WallHit { time: start.departure, ..WallHit::never(point) };
+            orbit.track.fly(&start.position, &start.velocity, &start.spin, &away);
+            orbit.position = point;
         }
+        orbit
     }
 
     /// A maker of counters of at most `points` points for these clouds, if there are any.

@@ -207,7 +207,7 @@ impl Spatial {
         Ok(Box::new(move |i| {
             let start = drawn.start(i);
             let (position, velocity, spin) = (start.position, start.velocity, start.spin);
-            Start { position, velocity, spin, angle: 0.0, cell: [0.0; 2], scale }
+            Start { position, velocity, spin, angle: 0.0, cell: [0.0; 2], departure: 0.0, scale }
         }))
     }
 

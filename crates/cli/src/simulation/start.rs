@@ -1,11 +1,13 @@
 //! Starts of orbits, checked against the table.
 
-use billiards::geometry::{self, Lattice, Table, Vector2};
+use billiards::geometry::{self, Lattice, Line, Table, Vector2};
 
 use crate::document::{Diagnostic, Span, spell};
 use crate::scene::{Ensemble, Orbit, Particle, Scene};
 
+use super::departure::time_to_leave;
 use super::scale::{Scale, to_unity};
+use super::sectors::{self, Ray};
 use super::words::short;
 
 /// A start, scaled to the size of the engine.
@@ -21,6 +23,8 @@ pub(crate) struct Start<const N: usize, const S: usize> {
     pub(crate) angle: f64,
     /// The cell of the start.
     pub(crate) cell: [f64; 2],
+    /// When the engine takes over \[T\]: in a corner, once the path has left it; otherwise at once, at time 0.
+    pub(crate) departure: f64,
     /// How it is scaled.
     pub(crate) scale: Scale,
 }
@@ -105,6 +109,7 @@ pub(crate) fn scaled<const N: usize, const S: usize>(orbit: &Orbit, length: f64)
         spin: core::array::from_fn(|i| of(&orbit.spin.value, i) * speed),
         angle: orbit.angle.value * length,
         cell: [0.0; 2],
+        departure: 0.0,
         scale: Scale { length, speed },
     }
 }
@@ -151,7 +156,6 @@ pub(crate) fn planar(
     }
     let home = Vector2::from(start.position);
     let (nearest, landing) = table.closest(&home);
-    let piece = pieces[nearest];
     let off = home - landing.point;
     let distance = libm::hypot(off.x, off.y);
     // a point given on a wall is on it within the rounding of its coordinates and of those of the wall
@@ -161,13 +165,32 @@ pub(crate) fn planar(
         if off.dot(&landing.normal) > 0.0 {
             return Ok(start);
         }
-        return Err(Box::new(outside(scene, at, distance / length, piece)));
+        return Err(Box::new(outside(scene, at, distance / length, pieces[nearest])));
     }
-    let Some(wall) = in_the_way(table, &home, &Vector2::from(start.velocity), slack, nearest) else { return Ok(start) };
-    let piece = pieces[wall];
     let touch = if scene.particle.radius.value > 0.0 { "the disk touches" } else { "the start lies on" };
-    let what = format!("{touch} piece {piece} and does not move into the table");
-    Err(Box::new(scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall")))
+    let refused = |what: String, help: &str| Err(Box::new(scene.source.diagnostic(at, what).with_help(help)));
+    let path = Line { point: home, velocity: Vector2::from(start.velocity) };
+    let rays = rays(table, &path, 2.0 * slack);
+    if let Some(piece) = sectors::in_the_way(&rays) {
+        let what = format!("{touch} piece {} and does not move into the table", pieces[piece]);
+        return refused(what, "turn the velocity, or start farther from the wall");
+    }
+    if !sectors::may_be_hit_at_once(&rays) {
+        return Ok(start);
+    }
+    let Some(departure) = time_to_leave(table, path, slack) else {
+        let what = format!("{touch} piece {}, and rounding hides whether it gets away from there", pieces[nearest]);
+        return refused(what, "move the start a little along its velocity, or turn the velocity");
+    };
+    Ok(departing(table, start, departure))
+}
+
+/// The same start, from which the engine takes over at this time; on a lattice in the cell where the path is then.
+fn departing(table: &Table, start: Start<2, 1>, departure: f64) -> Start<2, 1> {
+    let (position, velocity) = (Vector2::from(start.position), Vector2::from(start.velocity));
+    let (_, by) = folded(table, &(position + velocity * departure).into());
+    let shift = table.lattice().map_or(Vector2::zeros(), |lattice| lattice.translation(by));
+    Start { position: (position - shift).into(), cell: [0, 1].map(|i| start.cell[i] + by[i]), departure, ..start }
 }
 
 /// The error that a start lies this far beyond a drawn piece.
@@ -189,39 +212,9 @@ pub(crate) fn outside(scene: &Scene, at: Span, distance: f64, piece: u64) -> Dia
         .with_help("move the start into the table, at least the particle's radius from all walls")
 }
 
-/// The piece through which a path from a point of the boundary would leave the table, or along which it runs; `nearest` where none is
-/// found.
-///
-/// At a corner that points out of the table the path must lead away from both walls; at one that points into the table, from at least
-/// one.
-fn in_the_way(
-    table: &Table,
-    point: &Vector2<f64>,
-    velocity: &Vector2<f64>,
-    slack: f64,
-    nearest: usize,
-) -> Option<usize> {
-    let near = |a: &Vector2<f64>, b: &Vector2<f64>| libm::hypot(a.x - b.x, a.y - b.y) <= 2.0 * slack;
-    let mut normals = vec![];
-    let (mut ending, mut starting) = (None, None);
-    for (number, piece) in table.nearby() {
-        let landing = piece.closest(point);
-        if near(&landing.point, point) {
-            // a wall without thickness may be left on the side to which the path moves
-            let behind = piece.tips().is_some() && velocity.dot(&landing.normal) < 0.0;
-            normals.push((number, if behind { -landing.normal } else { landing.normal }));
-            match piece.ends() {
-                Some([_, b]) if near(&b, point) => ending = Some(landing.normal),
-                Some([a, _]) if near(&a, point) => starting = Some(landing.normal),
-                _ => {}
-            }
-        }
-    }
-    let stops = |(number, normal): &(usize, Vector2<f64>)| (!(velocity.dot(normal) > 0.0)).then_some(*number);
-    match (&normals[..], ending, starting) {
-        // the boundary turns right there, with the table on its left
-        ([a, b], Some(before), Some(after)) if before.perp(&after) < 0.0 => stops(a).and(stops(b)),
-        ([], ..) => Some(nearest),
-        _ => normals.iter().find_map(stops),
-    }
+/// The walls at the start of a path; points that are no farther apart than `rounding` \[L\] are the same.
+fn rays(table: &Table, path: &Line<2>, rounding: f64) -> Vec<Ray> {
+    let is_there = |other: &Vector2<f64>| libm::hypot(other.x - path.point.x, other.y - path.point.y) <= rounding;
+    let here = table.nearby().filter(|(_, piece)| is_there(&piece.closest(&path.point).point));
+    here.flat_map(|piece| sectors::rays(piece, &path.point, &path.velocity, is_there)).collect()
 }

@@ -6,6 +6,7 @@ mod rooms;
 mod same;
 mod scale;
 mod shown;
+mod starts;
 mod tables;
 mod written;
 

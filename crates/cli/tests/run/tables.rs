@@ -280,7 +280,12 @@ fn a_start_on_a_wall_is_accepted_if_it_moves_inwards() {
     folder.done(&start("[1, 0]", "[-0.5, 0.25]"), &[]);
     assert!(refused("[1, 0]", "[0.5, 0.25]").contains("does not move into the table"));
     folder.done(&start("[0.25, 0]", "[0.5, 0.25]"), &[]);
-    folder.done(&start("[0.25, 0]", "[-0.5, -0.25]"), &[]);
+    // whichever of the two walls the path passes
+    for (position, velocity, side) in [("[0.25, 0]", "[-0.5, -0.125]", -1.0), ("[-0.25, 0]", "[0.5, -0.125]", 1.0)] {
+        assert_eq!(folder.done(&start(position, velocity), &[])["stops"]["finished"], 2, "{position}");
+        let hit = &folder.rows()[0];
+        assert_eq!([hit[2], hit[5], hit[6]], [1.0, 0.25 * side, -0.125], "{position}");
+    }
     assert!(refused("[0.25, 0]", "[0.5, -0.25]").contains("does not move into the table"));
     // the wall is named through which it would leave
     let corner = |velocity: &str| {
