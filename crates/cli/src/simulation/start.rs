@@ -145,6 +145,7 @@ pub(crate) fn planar(
     length: f64,
 ) -> Result<Start<2, 1>, Box<Diagnostic>> {
     let mut start: Start<2, 1> = scaled(orbit, length);
+    let given = Vector2::from(start.position);
     (start.position, start.cell) = folded(table, &start.position);
     if let Some(away) = start.cell.into_iter().find(|cell| cell.abs() > Lattice::FARTHEST_CELL) {
         let what =
@@ -158,8 +159,12 @@ pub(crate) fn planar(
     let (nearest, landing) = table.closest(&home);
     let off = home - landing.point;
     let distance = libm::hypot(off.x, off.y);
-    // a point given on a wall is on it within the rounding of its coordinates and of those of the wall
-    let slack = 16.0 * f64::EPSILON * home.amax().max(landing.point.amax());
+    // a point given on a wall is on it within the rounding of its coordinates and of the numbers that define the wall; in the unit cell of
+    // a lattice, from which it was brought home, coordinates may be larger
+    let unit_cell = table.lattice().map_or(0.0, |lattice| lattice.vectors().iter().map(Vector2::amax).sum());
+    let as_given = given.amax().min(unit_cell);
+    let sizes = [as_given, home.amax(), landing.point.amax(), table.size_of(nearest, &landing.point)];
+    let slack = 16.0 * f64::EPSILON * sizes.into_iter().fold(0.0, f64::max);
     let at = orbit.position.span;
     if distance > slack {
         if off.dot(&landing.normal) > 0.0 {

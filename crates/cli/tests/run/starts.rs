@@ -171,6 +171,44 @@ fn a_start_on_a_wall_with_two_sides_moves_to_either_side_however_it_is_drawn() {
 }
 
 #[test]
+fn an_orbit_goes_on_from_every_row_of_its_record() {
+    let folder = Folder::new("go-on");
+    let tilted = polygon(&["[-0.1, -0.3]", "[0.7, 2.1]", "[-3, 1]"]);
+    let shifted = polygon(&["[0.9, 0.7]", "[1.7, 3.1]", "[-2, 2]"]);
+    let lattice = |second: &str, walls: &str| format!("[table]\nlattice = [[1, 0], {second}]\n{}", boundary(&[walls]));
+    let disk = "[particle]\ngamma_squared = 0.5\nradius = 0.1\n";
+    for (walls, start) in [
+        (boundary(&[&tilted]), [-0.5, 0.9]),
+        (boundary(&[&shifted]), [0.5, 1.9]),
+        (boundary(&["circle = { center = [0, 1], radius = 1 }"]), [-0.5, 0.9]),
+        (boundary(&["ellipse = { center = [0.3, 0.2], semi_axes = [2, 1], angle = 0.3 }"]), [-0.5, 0.3]),
+        (boundary(&["curve = { x = \"sin(t)+0.2*sin(2*t)\", y = \"1-cos(t)\" }"]), [0.1, 0.7]),
+        (boundary(&["curve = { polar = \"1+0.9*cos(t)\" }"]), [0.5, 0.3]),
+        (disk.to_owned() + &boundary(&[&tilted]), [-0.5, 0.9]),
+        (disk.to_owned() + &boundary(&["curve = { x = \"sin(t)+0.2*sin(2*t)\", y = \"1-cos(t)\" }"]), [0.1, 0.7]),
+        (lattice("[0, 1]", "circle = { center = [0.5, 0.5], radius = 0.45, domain = \"outside\" }"), [0.0, 0.1]),
+        (lattice("[-1000, 1]", "circle = { center = [0.5, 0.5], radius = 0.45, domain = \"outside\" }"), [0.0, 0.1]),
+    ] {
+        let first = scene(&walls, &[(start, [0.6, 0.9])], RECORD);
+        folder.done(&first.replace("collisions = 1\n", "collisions = 120\n"), &[]);
+        let rows = folder.rows();
+        let orbit = |row: &Vec<f64>| {
+            format!("[[orbit]]\nposition = {:?}\nvelocity = {:?}\nspin = {:?}\n", &row[5..7], &row[8..10], row[7])
+        };
+        let orbits: String = rows.iter().map(orbit).collect();
+        let again = format!("law = \"no-slip\"\n{walls}\n{orbits}[run]\ncollisions = 1\n{RECORD}");
+        assert_eq!(folder.done(&again, &[])["stops"]["finished"], rows.len(), "{walls}");
+        let size = rows.iter().flat_map(|row| &row[5..7]).fold(1.0, |m: f64, x| m.max(x.abs()));
+        for (pair, again) in rows.windows(2).zip(folder.rows()) {
+            let (before, next) = (&pair[0], &pair[1]);
+            let flight = (next[2] - before[2]).max(1.0);
+            let off = (5..10).map(|i| (next[i] - again[i]).abs()).fold(0.0, f64::max);
+            assert!(next[3] == again[3] && off < 1e-11 * size * flight, "{walls}: {next:?} {again:?}");
+        }
+    }
+}
+
+#[test]
 fn a_path_along_a_wall_that_bends_away_leaves_it() {
     let folder = Folder::new("tangential");
     let room = "circle = { center = [0, 0], radius = 4 }";
