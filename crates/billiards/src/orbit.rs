@@ -45,7 +45,8 @@ impl<F: Lane, const N: usize, const S: usize, K: EnergyKeeper<F, N, S>, T: Track
     ///
     /// The table is not consulted: the position must lie in it, on a lattice in its [cell](geometry::Table::cell), or the answers of the
     /// walls are meaningless. [`Planar::orbit`](crate::Planar::orbit) and [`Spatial::orbit`](crate::Spatial::orbit) check this; starts on
-    /// a wall come from [`Starts`](crate::Starts) and [`ReducedState`](crate::ReducedState).
+    /// a wall come from [`Starts`](crate::Starts) and [`ReducedState`](crate::ReducedState). A path from a corner may end there at once,
+    /// as rounding hides that it leaves the end of one of the walls: begin it a little later.
     #[inline]
     pub fn new(position: [F; N], velocity: [F; N], spin: [F; S], track: T) -> Self {
         Orbit { position, velocity, spin, keeper: K::new(&velocity, &spin), track }
