@@ -94,8 +94,8 @@ impl<const N: usize, const S: usize, A: Tracking<N, S>, B: Tracking<N, S>> Track
     type In<F: Lane> = (A::In<F>, B::In<F>);
 }
 
-/// The time since the start \[T\], as a compensated sum. Over flights that are all alike, the worst case, its error after `n` of them in
-/// one run is `½ + (n/10⁹)²/2` units in the last place; in runs of up to 10⁸ each it is ½, however many these are.
+/// The time since the start \[T\], as a compensated sum. After `n` flights in runs of `m` each its error is at most `½ + 2⁻⁵⁵ n m` units in
+/// the last place: `2⁻⁵³ m²/4` from each run. Flights that are all alike, whose roundings add up, reach a thirtieth of that.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Clock<F = f64>(pub Double<F>);
 

@@ -175,7 +175,7 @@ impl All {
                 let k = maybe.trailing_zeros() as usize;
                 let rest = maybe & (maybe - 1);
                 let alone = rest == 0;
-                let l = select_unpredictable(alone, k, rest.trailing_zeros() as usize % 64);
+                let l = select_unpredictable(alone, k, rest.trailing_zeros() as usize % ways.len());
                 maybe = rest & rest.wrapping_sub(1);
                 let [a, b] = [ways[k], select_unpredictable(alone, f64::INFINITY, ways[l])];
                 let other = b < a;
