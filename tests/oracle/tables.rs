@@ -70,6 +70,8 @@ fn all_tables() -> Result<Vec<(&'static str, f64, Table)>, Error> {
         .collect::<Result<_, _>>()?;
     let line = |x: f64, y: f64| FullLine::new(Vector2::new(x, 0.0), Vector2::new(0.0, y));
     let upright = Table::new(vec![Box::new(line(1.0, 1.0)?), Box::new(line(0.25, -1.0)?)])?;
+    let slanting = |x: f64, y: f64, by: f64| FullLine::new(Vector2::new(x, y), Vector2::new(3.0, 1.0) * by);
+    let between = Table::new(vec![Box::new(slanting(0.1, -0.2, 1.0)?), Box::new(slanting(-0.5, 0.6, -2.0)?)])?;
     let disk = |x: f64, y: f64, r: f64, inside| Circle::new(Vector2::new(x, y), r, inside);
     let ring = Table::new(vec![Box::new(disk(0.0, 0.0, 1.0, true)?), Box::new(disk(0.3, -0.2, 0.4, false)?)])?;
     let outer: Vec<Box<dyn Piece>> = square([-1.0, 1.0])?;
@@ -78,6 +80,7 @@ fn all_tables() -> Result<Vec<(&'static str, f64, Table)>, Error> {
     Ok(vec![
         ("strip (Slab)", 1.0, tables::strip(1.0)?),
         ("upright strip (Slab)", 1.0, upright),
+        ("strip askew (Strip)", 1.0, between),
         ("rectangle (Cuboid)", 2.0, tables::rectangle([2.0, 1.0])?),
         ("hexagon (Zonogon)", 1.0, tables::hexagon(1.0)?),
         ("pentagon (ConvexPolygon)", 1.0, tables::polygon(5, 1.0)?),

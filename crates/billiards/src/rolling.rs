@@ -311,8 +311,8 @@ mod tests {
     };
     use collision_laws::laws::{NoSlip, Restitution, Specular};
     use geometry::{
-        Vector2, tables,
-        walls::{Slab, Sphere},
+        Figure, Vector2, tables,
+        walls::{Slab, Sphere, Strip},
     };
     use lanes::dot;
 
@@ -350,6 +350,13 @@ mod tests {
             |orbit: &Disks| -dot(&orbit.position, &orbit.velocity) / libm::sqrt(dot(&orbit.position, &orbit.position));
         assert_eq!(normal_in_parts(&Rolling::new(&strip, &disk), across), 0.0);
         assert_eq!(normal_in_parts(&Rolling::new(&strip, &custom), across), 0.0);
+        let along = Vector2::new(libm::cos(0.3), libm::sin(0.3));
+        let line = |x: f64, by: f64| Figure::Line { through: Vector2::new(x, 0.0), direction: along * by };
+        let askew = Strip::new([line(1.0, 1.0), line(-1.0, -1.0)], [0, 1]).unwrap();
+        let slanting = |orbit: &Disks| along.perp(&Vector2::from(orbit.velocity)).abs();
+        let off = normal_in_parts(&Rolling::new(&askew, &disk), slanting);
+        // each velocity in the plane is rounded
+        assert!(off.abs() < libm::sqrt(1e5) * f64::EPSILON, "{off:e}");
         let off = normal_in_parts(&Rolling::new(&circle, &disk), inwards);
         // the last place and velocity are rounded to the coordinates of the plane
         assert!(off.abs() < 4.0 * f64::EPSILON, "{off:e}");

@@ -13,7 +13,7 @@ use collision_laws::laws::{NoSlip, Restitution, Specular};
 use core::ops::ControlFlow;
 use geometry::{
     Lattice, Outline, Piece, Table, Vector2, WallHit, Walls,
-    shapes::Circle,
+    shapes::{Circle, FullLine},
     tables,
     walls::{Cuboid, Pieces, Slab, Sphere},
 };
@@ -102,6 +102,9 @@ fn lanes_have_the_bits_of_single_orbits() {
     agree("triangle", tables::equilateral(1.0), no_slip());
     agree("circle", tables::circle(1.0), no_slip());
     agree("strip", tables::strip(1.0), no_slip());
+    let line = |x: f64, along: f64| FullLine::new(Vector2::new(x, 0.0), Vector2::new(2.0, 1.0) * along);
+    let askew = Table::new(vec![Box::new(line(1.0, 1.0).unwrap()), Box::new(line(-1.0, -1.0).unwrap())]);
+    agree("strip askew", askew, no_slip());
     agree("sinai", tables::sinai(1.0, 0.25), no_slip());
     agree("sinai torus", tables::sinai_torus(0.25, 1.0), no_slip());
     agree("mushroom", tables::mushroom(1.0, 0.5, 0.75), no_slip());

@@ -1,6 +1,7 @@
 //! How much points of moved pieces that are computed twice may differ.
 use super::{moved::Moved, vertices::Vertices};
 use crate::{Piece, Table, piece::rounding, plane::slack};
+use std::sync::Arc;
 
 /// The points of a flat arc are known only as well as its centre: such pieces, and those that end on them, get a larger tolerance
 /// than all others.
@@ -35,5 +36,7 @@ impl Tolerances {
 
 /// A vertex computed twice agrees to a few times the rounding of its coordinates, and of what they are computed from.
 pub(super) fn general(table: &Table, radius: f64) -> f64 {
-    4.0 * slack([table.pieces().iter().map(|p| p.extent().size()).fold(radius, f64::max)])
+    // the extent of a line at an angle is infinite in all directions
+    let size = |piece: &Arc<dyn Piece>| piece.extent().size().max(piece.point_at(0.0).amax());
+    4.0 * slack([table.pieces().iter().map(size).fold(radius, f64::max)])
 }

@@ -5,7 +5,7 @@ use crate::{
     afar::NEWTON,
     plane::slack,
     shapes::Segment,
-    walls::{Capsule, ConvexPolygon, Cuboid, Hull, Rotated, Seam, Slab, Sphere, Wedge, Zonogon},
+    walls::{Capsule, ConvexPolygon, Cuboid, Hull, Rotated, Seam, Slab, Sphere, Strip, Wedge, Zonogon},
 };
 use nalgebra::Vector2;
 
@@ -28,6 +28,7 @@ pub(super) enum Container {
     Hull(Hull),
     Level(Slab<2, 1>),
     Upright(Slab<2, 0>),
+    Strip(Strip),
     Hexagon(Zonogon<3>),
     Wedge(Wedge),
     Capsule(Capsule),
@@ -130,8 +131,8 @@ fn capsule(figures: &[Figure], numbers: &[usize], alone: bool) -> Option<Contain
     Rotated::new(capsule, axis).ok().map(|walls| Container::Hull(Hull::Capsule(walls)))
 }
 
-/// The room between two parallel lines along an axis.
-pub(super) fn slab(figures: [Figure; 2], [i, j]: [usize; 2]) -> Option<Container> {
+/// The region between two parallel lines.
+pub(super) fn strip(figures: [Figure; 2], [i, j]: [usize; 2]) -> Option<Container> {
     let [Figure::Line { through: p, direction: d }, Figure::Line { through: q, direction: e }] = figures else {
         return None;
     };
@@ -149,5 +150,5 @@ pub(super) fn slab(figures: [Figure; 2], [i, j]: [usize; 2]) -> Option<Container
             };
         }
     }
-    None
+    Strip::new(figures, [i, j]).ok().map(Container::Strip)
 }

@@ -1,7 +1,7 @@
 //! The fastest walls for a table.
 use super::{
     FundamentalCell, Table, Translate,
-    container::{Container, Enclosed, MOST_SIDES, container, slab},
+    container::{Container, Enclosed, MOST_SIDES, container, strip},
     sides::{Side, sides},
     translates,
 };
@@ -41,6 +41,7 @@ impl Table {
         let hull = match container {
             Container::Level(walls) => return visit.run_homogeneous(walls),
             Container::Upright(walls) => return visit.run_homogeneous(walls),
+            Container::Strip(walls) => return visit.run_homogeneous(walls),
             Container::Hexagon(walls) => return visit.run(walls),
             Container::Wedge(walls) => return visit.run(walls),
             Container::Capsule(walls) => return visit.run(walls),
@@ -168,10 +169,10 @@ impl Table {
         }
         let [one, other] = lines[..] else { return None };
         if self.pieces.len() > 2 {
-            return None; // a slab stands alone
+            return None; // a strip stands alone
         }
-        let slab = slab([one, other].map(|i| self.pieces[i].figure()), [one, other])?;
-        self.around(slab, vec![], &[one, other])
+        let strip = strip([one, other].map(|i| self.pieces[i].figure()), [one, other])?;
+        self.around(strip, vec![], &[one, other])
     }
 
     /// A composite wall of some pieces with all others, if these lie inside it: a table may have several rooms.

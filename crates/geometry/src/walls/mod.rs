@@ -1,7 +1,7 @@
 //! Walls: what the engine's loop asks for the first hit, in SIMD lanes of any width.
 //!
 //! A [`Table`](crate::Table) describes a boundary; walls compute the first hit. The best walls for a table are found by
-//! [`Table::with_walls`](crate::Table::with_walls): composite convex walls that answer in one go (slab, cuboid, zonogon, convex
+//! [`Table::with_walls`](crate::Table::with_walls): composite convex walls that answer in one go (slab, strip, cuboid, zonogon, convex
 //! polygon, wedge, capsule, sphere, cylinder), also where their sides consist of several pieces; one scatterer or many; pairs of those;
 //! straight sides eight at a time; straight, circular and elliptic pieces as a list in lanes; smooth curves as graphs of polynomials;
 //! convex solids in space as a list in lanes; or a list of any pieces.
@@ -34,6 +34,7 @@ mod slab;
 mod solids;
 mod sphere;
 mod standing;
+mod strip;
 mod vessel;
 mod wedge;
 mod zonogon;
@@ -61,6 +62,7 @@ pub use scatterers::Scatterers;
 pub use slab::Slab;
 pub(crate) use solids::{ConvexBody, Member, OneByOne, Solids};
 pub use sphere::Sphere;
+pub use strip::Strip;
 pub use vessel::Vessel;
 pub use wedge::Wedge;
 pub use zonogon::Zonogon;

@@ -156,12 +156,15 @@ fn a_convex_polygon_loses_its_rim() {
 #[test]
 fn offsets_of_composite_walls_are_composite() {
     let walls = |t: &Table, r: f64| t.offset(r).unwrap().table.with_walls(NameOf);
+    let line = |x: f64, along: f64| Box::new(FullLine::new(v(x, 0.0), v(2.0, 1.0) * along).unwrap()) as Box<dyn Piece>;
+    let slanting = Table::new(vec![line(1.0, 1.0), line(-1.0, -1.0)]).unwrap();
     let drawn = [
         (tables::stadium(1.0, 1.0).unwrap(), "Capsule"),
         (tables::square(1.0).unwrap(), "Cuboid"),
         (tables::hexagon(1.0).unwrap(), "Zonogon"),
         (tables::equilateral(1.0).unwrap(), "ConvexPolygon"),
         (tables::strip(1.0).unwrap(), "Slab"),
+        (slanting, "Strip"),
         (tables::circle(1.0).unwrap(), "Sphere"),
         (tables::sinai(1.0, 0.25).unwrap(), "Around"),
     ];

@@ -134,6 +134,12 @@ fn planar() -> Vec<(String, Table)> {
         let corners = [turned(1.0, 0.0), turned(0.4, 0.9), turned(-1.0, 0.0), turned(-0.4, -0.9)];
         let side = |i: usize| Box::new(Segment::new(corners[i], corners[(i + 1) % 4]).unwrap()) as _;
         add("turned parallelogram", Table::new((0..4).map(side).collect()).unwrap());
+        let along = v(libm::cos(angle), libm::sin(angle));
+        let line = |from: f64, to: f64| {
+            let through = v(0.0, 1.5) + along * from + v(along.y, -along.x) * to;
+            Box::new(FullLine::new(through, along * to).unwrap()) as Box<dyn Piece>
+        };
+        add("turned strip", Table::new(vec![line(0.3, 0.7), line(-0.4, -0.5)]).unwrap());
         // rooms with rectangular pillars, before and after the walls around, and beside other rooms
         let pillar = polygon([[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0]].map(|[x, y]| v(x, y) * size));
         let bent = [[0.0, 0.0], [6.0, 0.0], [6.0, 3.0], [3.0, 3.0], [3.0, 6.0], [0.0, 6.0]];
