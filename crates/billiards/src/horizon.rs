@@ -9,6 +9,7 @@
 //! obstacles that are passed at a distance below the error.
 use crate::{billiard::Motion, bounce::Bounce, start::Start, with_motion::WithMotion};
 use geometry::{Table, Vector2, WallHit, tables::SpatialTable};
+use lanes::Double;
 use spread::Spread;
 use twins::{Beside, Twins};
 
@@ -136,9 +137,11 @@ impl Horizon {
         let mut horizon = Horizon { collisions: 0, time: 0.0, error: 0.0, lost: false };
         let mut twins = Twins::new();
         let mut farthest = 0.0_f64;
+        let mut clock = Double::new(0.0);
         loop {
             let hit = billiard.first_hit(&at.position, &at.velocity);
-            let time = horizon.time + hit.time;
+            clock.add(hit.time);
+            let time = clock.value();
             // NaN ends it at once
             let within = (horizon.collisions as f64) < limit[0] && time <= limit[1];
             if !within || !(hit.time < f64::INFINITY) || hit.corner {

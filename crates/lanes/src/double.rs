@@ -32,7 +32,7 @@ pub fn two_prod<F: Lane>(a: F, b: F) -> (F, F) {
 /// An unevaluated sum `high + low` of two `f64`s: about 106 bits.
 ///
 /// Used as a compensated accumulator: the time and the spin position of a long orbit.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Double<F = f64> {
     /// The rounded value; of a [gathered](Double::gather) sum, the plain sum of its terms in order.
     pub high: F,

@@ -155,7 +155,7 @@ fn pieces(scene: &Description, out: &mut impl Write) -> io::Result<()> {
             let _ = write!(line, ", length {}", measure(piece.length));
         }
         if let Some(normal) = piece.normal {
-            let _ = write!(line, ", normal {}", point(&normal, 0.0));
+            let _ = write!(line, ", normal half-way {}", point(&normal, 0.0));
         }
         if piece.law != scene.law {
             let _ = write!(line, ", law {}", piece.law);

@@ -71,7 +71,7 @@ fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Wr
     let seconds = Duration::from_secs_f64(summary.seconds);
     writeln!(out, "  collisions  {} in {seconds:.3?}, {:.1} ns each", summary.collisions, summary.ns_per_collision)?;
     let drift = if summary.energy_drift == 0.0 { "0".into() } else { format!("{:.1e}", summary.energy_drift) };
-    writeln!(out, "  energy      drifts by at most {drift} (relative)")?;
+    writeln!(out, "  energy      changes by at most {drift} (relative)")?;
     writeln!(out, "  digits      {}", summary.horizon.in_words(summary.orbits))?;
     let names = done.files.iter().filter_map(|file| file.file_name()).map(|name| name.to_string_lossy());
     writeln!(out, "  written     {}: {}", folder.display(), names.collect::<Vec<_>>().join(", "))

@@ -358,7 +358,7 @@ fn piece_of(piece: &dyn Piece, factor: f64, law: String) -> PieceOf {
             "curve",
             match piece.ends() {
                 Some([a, b]) => format!("{} to {}", at(a), at(b)),
-                None => format!("closed, through {}", at(piece.point_at(0.0))),
+                None => format!("closed, through {}", at(piece.point_at(0.5 * piece.length()))),
             },
         ),
     };

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use billiards::Stop;
 use billiards::geometry::Lattice;
+use lanes::Double;
 
 use super::event::Event;
 use super::horizon::Horizons;
@@ -30,7 +31,7 @@ pub(crate) struct Totals {
     /// Collisions.
     pub(crate) collisions: u64,
     /// Time, summed over the orbits.
-    pub(crate) time: f64,
+    pub(crate) time: Double,
     /// Largest relative energy drift.
     pub(crate) drift: f64,
     /// How many orbits ended for which reason.
@@ -177,7 +178,7 @@ impl<'a> Harvest<'a> {
         let totals = &mut self.totals;
         totals.orbits += 1;
         totals.collisions += ended.collisions;
-        totals.time += ended.time;
+        totals.time.add(ended.time);
         // an energy that is NaN counts as the greatest drift
         if ended.drift > totals.drift || ended.drift.is_nan() {
             totals.drift = ended.drift;

@@ -1,7 +1,7 @@
 //! How long the digits of the orbits last.
 
 use billiards::geometry::{FundamentalCell, Vector2};
-use billiards::{Bend, Bounce, Horizon, Stop};
+use billiards::{Bend, Bounce, Horizon, Stop, Timed};
 use serde::Serialize;
 
 use super::engine::{Bare, Engine, Until, Watched};
@@ -67,20 +67,22 @@ impl Horizons {
         let horizon = |orbit| {
             let start = start(orbit);
             let Start { position, velocity, spin, scale, .. } = start;
-            let end = scale.time_in(time);
             let up_to = |collisions| {
                 let from = billiards::Start { position, velocity, spin };
-                Horizon::of(billiard, walls, from, size, [collisions, end])
+                Horizon::of(billiard, walls, from, size, [collisions, f64::INFINITY])
             };
+            // knowledge of an orbit ends where the orbit does; the engine's own bits decide when each collision is, and which is the last
+            let time = scale.time_in(time);
+            let mut ran = bare(&launch(&start));
             let mut found = up_to(each);
-            // knowledge of an orbit ends where the orbit does; the engine decides whether there is a collision after the last known one
-            let next = Until { collisions: found.collisions + u64::from(found.lost), time: end };
-            let made = collisions_of(engine, &mut bare(&launch(&start)), next);
-            if made < next.collisions {
+            let made = collisions_of(engine, &mut ran, Until { collisions: found.collisions, time });
+            let known = ran.track.time();
+            let mut goes_on = || collisions_of(engine, &mut ran, Until { collisions: 1, time }) == 1;
+            if made < found.collisions || (found.lost && !goes_on()) {
                 found = up_to(made as f64);
             }
-            let Horizon { collisions, time, error, lost } = found;
-            OfOrbit { orbit, collisions, time: scale.time_out(time), error, lost }
+            let Horizon { collisions, error, lost, .. } = found;
+            OfOrbit { orbit, collisions, time: scale.time_out(known), error, lost }
         };
         let orbits: Vec<OfOrbit> = (0..looked_at).map(horizon).collect();
         let first = orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions).copied();

@@ -62,6 +62,10 @@ impl Paths {
     pub(crate) fn rest(&mut self, at: [f64; 2]) {
         let nowhere = (at.into(), [0.0; 2]);
         let (home, cells) = self.lattice.as_ref().map_or(nowhere, |lattice| lattice.reduce(&at.into()));
+        let is_there = |path: &Path| path.chains.last().and_then(|chain| chain.last()) == Some(&home.into());
+        if cells == [0.0; 2] && self.drawn.last().is_some_and(is_there) {
+            return; // it ended with a collision
+        }
         self.fly(home.into(), cells);
     }
 

@@ -123,7 +123,7 @@ impl Summary {
             time_per_orbit,
             orbits,
             collisions: totals.collisions,
-            time: totals.time,
+            time: totals.time.value(),
             energy_drift: totals.drift,
             horizon,
             stops,

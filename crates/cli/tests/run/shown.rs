@@ -231,6 +231,17 @@ fn rays_are_drawn_from_their_ends_on() {
 }
 
 #[test]
+fn the_line_of_an_orbit_has_one_leg_for_each_collision() {
+    let folder = Folder::new("one-leg-each");
+    let scene = "law = \"specular\"\ntable = { name = \"square\" }\nrun = { collisions = 5 }\n\
+                 orbit = [{ position = [0.25, 0.5], velocity = [0.5, 0.3] }]\noutput = { pictures = [\"orbit\"] }\n";
+    folder.done(scene, &[]);
+    let svg = folder.read("out/orbit.svg");
+    let points = legs(&svg, "#144a87").split("d=\"").nth(1).and_then(|path| path.split('"').next()).unwrap();
+    assert_eq!(numbers(points).len(), 2 * 6, "{points}");
+}
+
+#[test]
 fn on_a_lattice_the_lines_of_an_orbit_are_as_long_as_its_way() {
     let folder = Folder::new("way");
     for (start, time) in [([0.125, 0.0], 40.0), ([7.0, -3.125], 0.5), ([0.0, 0.0], 3.0)] {

@@ -96,6 +96,44 @@ fn the_summary_tells_after_how_many_collisions_the_digits_are_gone() {
 }
 
 #[test]
+fn the_horizon_has_the_time_of_the_collision_that_it_names() {
+    let folder = Folder::new("when");
+    let ensemble = "[ensemble]\ncount = 16\nseed = 3\n[output]\ncollisions = \"csv\"\n";
+    let restitution = "{ name = \"restitution\", normal = 0.5, tangential = -1 }";
+    for (law, table) in [("\"no-slip\"", "sinai"), ("\"specular\"", "square"), (restitution, "circle")] {
+        let scene = |run: &str| format!("law = {law}\ntable = {{ name = \"{table}\" }}\nrun = {{ {run} }}\n{ensemble}");
+        let horizons = |run: &str| folder.done(&scene(run), &[])["horizon"]["orbits"].as_array().unwrap().clone();
+        let orbits = horizons("collisions = 60");
+        let rows = folder.rows();
+        let row = |known: &Value| {
+            rows.iter()
+                .find(|row| Some(row[0]) == known["orbit"].as_f64() && Some(row[1]) == known["collisions"].as_f64())
+        };
+        for known in &orbits {
+            assert_eq!(known["time"].as_f64(), Some(row(known).unwrap()[2]), "{table}: {known}");
+        }
+        // where the limit is the time of a collision, the last bit decides whether that collision counts
+        let times: Vec<f64> = orbits.iter().take(4).map(|known| row(known).unwrap()[2]).collect();
+        for time in times {
+            let again = horizons(&format!("time = {time}"));
+            let rows = folder.rows();
+            for known in again.iter().filter(|known| known["lost"] == false) {
+                let made = rows.iter().filter(|row| Some(row[0]) == known["orbit"].as_f64()).count();
+                assert_eq!(known["collisions"].as_u64(), Some(made as u64), "{table}, {time}: {known}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_time_of_all_orbits_is_summed_without_rounding() {
+    let folder = Folder::new("total");
+    let scene =
+        "law = \"specular\"\ntable = { name = \"circle\" }\nensemble = { count = 100000 }\nrun = { time = 0.1 }\n";
+    assert_eq!(folder.done(scene, &[])["time"].as_f64(), Some(10_000.0));
+}
+
+#[test]
 fn the_summary_has_every_promised_key() {
     let folder = Folder::new("summary");
     let summary = folder.done(SQUARE, &["--threads", "1"]);

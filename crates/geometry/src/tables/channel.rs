@@ -55,7 +55,7 @@ pub fn channel(length: f64, height: f64, sagitta: f64) -> Result<Table, Error> {
 
 pub(super) const ENTRY: Entry = Entry {
     name: "channel",
-    summary: "a channel with concave (sagitta > 0) or convex (< 0) walls, its ends identified",
+    summary: "a channel whose walls bulge into it (sagitta > 0) or out of it (< 0), its ends identified",
     parameters: &[
         Parameter::length("length", 1.0),
         Parameter::length("height", 1.0),

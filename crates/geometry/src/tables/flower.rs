@@ -30,7 +30,7 @@ pub fn flower(petals: usize, petal_radius: f64, side: f64) -> Result<Table, Erro
 
 pub(super) const ENTRY: Entry = Entry {
     name: "flower",
-    summary: "arcs that bulge outwards between corners on a circle about the origin (Bunimovich)",
+    summary: "arcs that bulge outwards between corners on a circle about the origin, the first one centred on +x1 (Bunimovich)",
     parameters: &[
         Parameter::count("petals", 2, 4.0),
         Parameter::length("petal_radius", 1.25),
