@@ -138,6 +138,12 @@ pub trait Piece: Debug + Send + Sync {
         None
     }
 
+    /// How far the rounding of its own parameter may shift its points \[L\]: `ε |t| |c′|` on a curve `c(t)`, which is more than the
+    /// rounding of coordinates where the formula is steep; 0 for other pieces.
+    fn shift(&self) -> f64 {
+        0.0
+    }
+
     /// The two tips of a straight wall without thickness, whose boundary runs from one to the other and back.
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         None

@@ -74,12 +74,13 @@ fn around(copies: &Copies, point: &Vector2<f64>) -> Vec<Spoke> {
             let (copy, extent) = copies.get(index);
             let piece = &copy.piece;
             let near = tolerance.max(slack([extent.size()]));
-            if (piece.closest(point).point - point).amax() > near {
+            let [starts, ends] = piece.ends().map_or([false; 2], |e| e.map(|end| (end - point).amax() <= near));
+            // an end belongs to its piece, though the formula of a steep curve may lead farther past it
+            if !starts && !ends && (piece.closest(point).point - point).amax() > near {
                 return;
             }
             let direction = direction_at(&**piece, point);
             let curvature = piece.curvature(point);
-            let [starts, ends] = piece.ends().map_or([false; 2], |e| e.map(|end| (end - point).amax() <= near));
             let mut add = |out: bool| {
                 let (d, curvature) = if out { (direction, curvature) } else { (-direction, -curvature) };
                 spokes.push(Spoke { angle: libm::atan2(d.y, d.x), curvature, out, number: copy.number });

@@ -516,3 +516,32 @@ fn a_range_may_end_next_to_a_cusp() {
     assert_eq!(pieces[0].ends().unwrap(), [Vector2::x(), pieces[1].ends().unwrap()[0]]);
     assert_eq!(pieces[3].ends().unwrap()[1], Vector2::x());
 }
+
+#[test]
+fn the_sides_of_a_flat_cusp_meet_at_its_tip_only() {
+    /// `(cosⁿ t, sinⁿ t)`, whose cusps are all the flatter and whose bends between them all the sharper
+    #[derive(Debug)]
+    struct Powers(i32);
+    impl ParametricFormula for Powers {
+        fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+            let (s, c) = libm::sincos(t);
+            let power = |x: f64, n: i32| (0..n).fold(1.0, |product, _| product * x);
+            let (k, m) = (f64::from(self.0), self.0 - 2);
+            let [x, y] = [power(c, m), power(s, m)];
+            let bend = |own: f64, other: f64| k * ((k - 1.0) * other * other - own * own);
+            [[x * c * c, y * s * s], [-k * x * c * s, k * y * s * c], [x * bend(c, s), y * bend(s, c)]]
+        }
+        fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+            let [s, c] = t.sin_cos();
+            let (k, n) = (f64::from(self.0), self.0);
+            let bend =
+                |own: Interval, other: Interval| own.powi(n - 2) * other.square() * (k * (k - 1.0)) - own.powi(n) * k;
+            [[c.powi(n), s.powi(n)], [c.powi(n - 1) * s * -k, s.powi(n - 1) * c * k], [bend(c, s), bend(s, c)]]
+        }
+    }
+    for n in [5, 15] {
+        let pieces = ParametricCurve::around(Powers(n), [0.0, TAU], true).unwrap();
+        let table = Table::new(pieces.into_iter().map(|piece| Box::new(piece) as _).collect()).unwrap();
+        assert_eq!(table.validate(), Ok(()), "{n}");
+    }
+}

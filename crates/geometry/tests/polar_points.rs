@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 use core::f64::consts::{PI, TAU};
 use geometry::{
-    Line, Piece, Table, Vector2, enclosed_area,
+    Error, Line, Piece, Table, Vector2, enclosed_area,
     shapes::curve::{Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula, PolarPoints},
 };
 use proptest::prelude::*;
@@ -92,7 +92,10 @@ impl PolarFormula for Rose {
 
 #[test]
 fn the_petals_of_a_rose_touch_in_its_centre() {
-    for (petals, phase) in [(2.0, 0.0), (3.0, 0.4), (4.0, 1.0), (6.0, 0.5 * PI), (20.0, 0.5 * PI), (60.0, 0.1)] {
+    let roses = [(2.0, 0.0), (3.0, 0.4), (4.0, 1.0), (6.0, 0.5 * PI), (20.0, 0.5 * PI), (60.0, 0.1)];
+    // steep ones, whose formula leads past the common point by more than the rounding of coordinates
+    let steep = [(101.0, 1.3), (150.0, 1.0), (202.0, 0.0)];
+    for (petals, phase) in roses.into_iter().chain(steep) {
         for center in [Vector2::zeros(), Vector2::new(7.0, -0.3)] {
             let rose = PolarPoints { center, formula: Rose { petals, phase } };
             let pieces = ParametricCurve::around(rose, [0.0, TAU], true).unwrap();
@@ -107,6 +110,50 @@ fn the_petals_of_a_rose_touch_in_its_centre() {
             // petals end where rounding of the angle, times their number, tells that they do
             let bound = 1e-15 * (8.0 + petals);
             assert!((table.area() / (0.5 * PI) - 1.0).abs() < bound, "{petals} {phase}: {}", table.area());
+        }
+    }
+}
+
+/// `r = cos(kφ/2 − p)`, one petal.
+#[derive(Clone, Copy, Debug)]
+struct Petal(Rose);
+
+impl PolarFormula for Petal {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let k = 0.5 * self.0.petals;
+        let (sin, cos) = libm::sincos(k * angle - self.0.phase);
+        [cos, -k * sin, -k * k * cos]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let k = 0.5 * self.0.petals;
+        let [sin, cos] = (angle * k + -self.0.phase).sin_cos();
+        [cos, sin * -k, cos * (-k * k)]
+    }
+}
+
+/// A petal in the direction `turn`.
+fn petal(petals: f64, center: Vector2<f64>, turn: f64) -> Vec<Box<dyn Piece>> {
+    let formula = Petal(Rose { petals, phase: 0.5 * petals * turn });
+    let range = [-PI, PI].map(|half| turn + half / petals);
+    let pieces = ParametricCurve::around(PolarPoints { center, formula }, range, true).unwrap();
+    pieces.into_iter().map(|piece| Box::new(piece) as _).collect()
+}
+
+#[test]
+fn petals_that_overlap_at_their_tips_cross() {
+    // facing each other like the halves of a lemniscate, and beside each other, as in a rose
+    let next = |petals: f64, number: f64| (petals, number * TAU / petals);
+    for (petals, apart) in [(2.0, PI), (3.0, PI), next(25.0, 1.0), next(41.0, 2.0), next(101.0, 2.0)] {
+        for turn in [0.0, 0.7, 2.0] {
+            // the second one is moved towards the first
+            let [first, second] = [turn, turn + apart].map(|angle| Vector2::new(libm::cos(angle), libm::sin(angle)));
+            let towards = (first - second).normalize();
+            for deep in [1e-9, 1e-10] {
+                let pieces = petal(petals, Vector2::zeros(), turn).into_iter();
+                let pieces = pieces.chain(petal(petals, towards * deep, turn + apart));
+                let found = Table::new(pieces.collect()).unwrap().validate();
+                assert!(matches!(found, Err(Error::Crossing { .. })), "{petals} {turn} {deep}: {found:?}");
+            }
         }
     }
 }

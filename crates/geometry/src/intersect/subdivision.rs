@@ -4,7 +4,7 @@
 //! disjoint do not meet. Arcs that turn less than their chords differ in direction meet at most once, and Newton's method decides.
 use super::{Meeting, MeetingKind, along};
 use crate::{
-    Piece,
+    Landing, Piece,
     piece::rounding,
     plane::{is_finite, slack},
 };
@@ -30,13 +30,14 @@ const HIDDEN: f64 = 1e-2;
 struct Mark {
     s: f64,
     point: Vector2<f64>,
+    normal: Vector2<f64>,
     curvature: f64,
 }
 
 impl Mark {
     fn new(piece: &dyn Piece, s: f64) -> Mark {
-        let point = piece.point_at(s);
-        Mark { s, point, curvature: piece.curvature(&point).abs() }
+        let Landing { point, normal } = piece.landing_at(s);
+        Mark { s, point, normal, curvature: piece.curvature(&point).abs() }
     }
 }
 
@@ -71,18 +72,22 @@ impl Stretch {
         // the arc is longer than its chord by at most this much: where rounding makes it seem shorter, it may still bend by more than that
         let longer = (length - distance).max(0.0) + rounding;
         let excess = (longer * (length + distance)).sqrt();
+        let along = if distance > 0.0 { chord / distance } else { Vector2::new(1.0, 0.0) };
         // c/ℓ = 1 − φ²/24 for an arc that turns by φ
         let spread = (24.0 * longer / length).sqrt();
+        // where it turns next to one end, it is hardly longer than its chord, but that end shows it
+        let turned = [self.from, self.to].map(|mark| mark.normal.dot(&along).abs());
         let bend = 2.0 * self.from.curvature.max(self.to.curvature) * length;
         let seems_flat = spread < HIDDEN || length - distance <= 8.0 * rounding;
         let (height, turning) = if length <= short && bend < 0.1 && seems_flat {
             ((0.125 * bend * length).min(0.5 * excess), bend.min(spread))
         } else {
-            (0.5 * excess, if spread < 0.3 { spread } else { f64::INFINITY })
+            let turning = spread.max(turned[0]).max(turned[1]);
+            (0.5 * excess, if spread < 0.3 { turning } else { f64::INFINITY })
         };
         Hull {
             middle: (self.from.point + self.to.point) * 0.5,
-            along: if distance > 0.0 { chord / distance } else { Vector2::new(1.0, 0.0) },
+            along,
             semi_axes: [0.5 * length.max(distance) + rounding, height + rounding],
             turning,
         }
@@ -158,9 +163,9 @@ fn ends_on(
         if !is_finite(&point) {
             continue;
         }
-        let foot = b.closest(&point).point;
+        let lies = |b: &dyn Piece| (b.closest(&point).point - point).norm() <= tolerance;
         let near = |m: &Meeting| (m.point - point).norm() <= 4.0 * tolerance;
-        if (foot - point).norm() <= tolerance && !found.iter().any(near) {
+        if (b.ends().is_some_and(|ends| ends.contains(&point)) || lies(b)) && !found.iter().any(near) {
             found.push(meeting(point, s, b.arc_length_at(&point)));
         }
     }
@@ -253,8 +258,8 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
     let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
     let (mut last, mut rest) = (f64::INFINITY, f64::INFINITY);
     let mut point = hulls[0].middle;
-    // the accuracy of a position given by its arc length: on a winding piece, less than that of its coordinates
-    let known = |k: usize| 4.0 * f64::EPSILON * pair[k].from.s.abs().max(pair[k].to.s.abs());
+    // the accuracy of a position given by its arc length or its parameter: on a winding or steep piece, less than that of its coordinates
+    let known = |k: usize| (4.0 * f64::EPSILON * pair[k].from.s.abs().max(pair[k].to.s.abs())).max(pieces[k].shift());
     let tolerance = tolerance.max(known(0)).max(known(1));
     let domains = pieces.map(domain);
     // point and direction; beyond its ends a piece is continued straight, so that a step too far is followed by one back

@@ -71,6 +71,9 @@ impl Piece for OneSide {
     fn has_two_sides(&self) -> bool {
         true
     }
+    fn shift(&self) -> f64 {
+        self.piece.shift()
+    }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         self.piece.tips()
     }

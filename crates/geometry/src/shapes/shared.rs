@@ -78,6 +78,10 @@ impl<P: Piece + ?Sized> Piece for Arc<P> {
         (**self).graphs()
     }
     #[inline]
+    fn shift(&self) -> f64 {
+        (**self).shift()
+    }
+    #[inline]
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         (**self).tips()
     }

@@ -73,6 +73,9 @@ impl Piece for Translated {
     fn area(&self) -> f64 {
         self.piece.area()
     }
+    fn shift(&self) -> f64 {
+        self.piece.shift()
+    }
     fn tips(&self) -> Option<[Vector2<f64>; 2]> {
         self.piece.tips().map(|tips| tips.map(|p| p + self.by))
     }

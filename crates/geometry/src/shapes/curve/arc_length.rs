@@ -119,6 +119,11 @@ impl ArcLength {
         self.nodes.iter().find(|node| !node.s.is_finite()).map(|node| node.u)
     }
 
+    /// The greatest speed in the table, per unit of the parameter.
+    pub(crate) fn fastest(&self) -> f64 {
+        self.nodes.iter().map(|node| node.at[1].norm()).fold(0.0, f64::max)
+    }
+
     /// The parameters of the table.
     pub(crate) fn parameters(&self) -> impl Iterator<Item = f64> + '_ {
         self.nodes.iter().map(|node| node.u)

@@ -511,6 +511,11 @@ impl<F: ParametricFormula + 'static> Piece for ParametricCurve<F> {
     fn graphs(&self) -> Option<Vec<Graph>> {
         Some(self.graphs.clone())
     }
+    fn shift(&self) -> f64 {
+        // ε/2 for the rounding of the parameter, and as much for that of its first product in the formula
+        let farthest = self.range.map(|u| self.formula.parameter(u).abs()).into_iter().fold(0.0, f64::max);
+        f64::EPSILON * farthest * (self.table.fastest() / self.formula.rate)
+    }
     fn area(&self) -> f64 {
         self.area
     }
