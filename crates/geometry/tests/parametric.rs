@@ -189,6 +189,14 @@ fn what_is_no_curve_is_refused() {
     for range in [[0.0, 0.0], [1.0, 0.0], [0.0, f64::NAN], [0.0, f64::INFINITY]] {
         assert!(matches!(refused(ELLIPSE, range), Error::Parameter { name: "range", .. }));
     }
+    // the tips of an ellipse this flat are as narrow as the rounding of their points
+    for (width, is_wide) in [(1e-7, true), (1e-8, false)] {
+        let found = ParametricCurve::around(Waves { axes: [1.0, width], ..ELLIPSE }, [0.0, TAU], true);
+        assert_eq!(found.is_ok(), is_wide, "{width}");
+        if let Err(error) = found {
+            assert!(error.to_string().contains("no bend as narrow as rounding"), "{error}");
+        }
+    }
     // a figure of eight crosses itself, and an ellipse that goes around twice runs along itself
     let eight = Waves { axes: [1.0, 0.1], size: [0.0, 0.5], number: 2.0, ..ELLIPSE };
     for (formula, range) in [(eight, [0.0, TAU]), (ELLIPSE, [0.0, 2.0 * TAU])] {

@@ -7,6 +7,8 @@ use std::fmt;
 pub enum ImplicitRule {
     /// To be smooth: `∇f ≠ 0` on them, and they can be traced by chords.
     Smooth,
+    /// To bend nowhere within some billionths of the box that is searched: they are traced by chords of its size.
+    Wide,
     /// To lie in the box that is searched.
     InItsBox,
     /// To be one closed curve and nothing else.
@@ -17,6 +19,9 @@ impl fmt::Display for ImplicitRule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             ImplicitRule::Smooth => "be smooth, with a gradient that is not 0",
+            ImplicitRule::Wide => {
+                "be smooth, with no bend as narrow as 1e-8 of its box, which should end close to the curve"
+            }
             ImplicitRule::InItsBox => "stay in its box",
             ImplicitRule::Alone => "be the only one in its box",
         })
@@ -38,7 +43,7 @@ pub enum ParametricRule {
     /// To be smooth except for kinks that are not too many and can be separated from their
     /// surroundings.
     FewKinks,
-    /// To be smooth between kinks and cusps.
+    /// To be smooth between kinks and cusps, with no bend as narrow as the rounding of their coordinates.
     Smooth,
 }
 
@@ -54,7 +59,10 @@ impl fmt::Display for ParametricRule {
             ParametricRule::FewKinks => {
                 "be smooth except at some kinks, with no bend confined to less than a thousandth of its range"
             }
-            ParametricRule::Smooth => "be smooth",
+            ParametricRule::Smooth => {
+                "be smooth, with no bend as narrow as rounding, like the tips of an ellipse with semi-axes 1 and 1e-8; a wall \
+                 without thickness is a loop there and back"
+            }
         })
     }
 }

@@ -304,10 +304,25 @@ fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>, size: f64) -> Opti
         .then(|| [p, Vector2::new(-gradient.y, gradient.x) / slope])
 }
 
+/// Where a curve has a radius of curvature of this many steps or less, chords of two steps turn by more than [`STRAIGHT`] allows.
+const NARROW: f64 = 8.0;
+
+/// The radius of curvature of the level curve through a point \[L\].
+fn bend_radius<F: ImplicitFormula>(formula: &F, p: Vector2<f64>) -> f64 {
+    let (gradient, [xx, xy, yy]) = (Vector2::from(formula.gradient(p.into())), formula.hessian(p.into()));
+    let slope = libm::hypot(gradient.x, gradient.y);
+    let [x, y] = [gradient.x / slope, gradient.y / slope];
+    slope / (xx * y * y - 2.0 * xy * x * y + yy * x * x).abs()
+}
+
 /// Vertices along the curve, counter-clockwise, the last equal to the first.
 fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) -> Result<Vec<Vector2<f64>>, Error> {
-    let rough = |p: Vector2<f64>| Error::Curve { must: ImplicitRule::Smooth, at: p.into() };
     let size = (region.max - region.min).amax();
+    let least = size / 1_073_741_824.0;
+    let rough = |p: Vector2<f64>| {
+        let is_narrow = bend_radius(formula, p) <= NARROW * least;
+        Error::Curve { must: if is_narrow { ImplicitRule::Wide } else { ImplicitRule::Smooth }, at: p.into() }
+    };
     let straight = |[p, t]: [Vector2<f64>; 2], [q, u]: [Vector2<f64>; 2]| {
         let chord = q - p;
         let least = STRAIGHT * chord.norm();
@@ -336,7 +351,7 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
             }
             _ => step *= 0.5,
         }
-        if step < size / 1_073_741_824.0 {
+        if step < least {
             return Err(rough(here[0]));
         }
     }
@@ -505,5 +520,47 @@ impl<F: ImplicitFormula> Piece for Implicit<F> {
     }
     fn area(&self) -> f64 {
         self.side() * self.area
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A circle of some radius, in a box of some size.
+    #[derive(Debug)]
+    struct Round {
+        radius: f64,
+        size: f64,
+    }
+    impl ImplicitFormula for Round {
+        fn value(&self, [x, y]: [f64; 2]) -> f64 {
+            x * x + y * y - self.radius * self.radius
+        }
+        fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+            [2.0 * x, 2.0 * y]
+        }
+        fn hessian(&self, _: [f64; 2]) -> [f64; 3] {
+            [2.0, 0.0, 2.0]
+        }
+        fn hessian_over(&self, _: [Interval; 2]) -> [Interval; 3] {
+            [2.0, 0.0, 2.0].map(Interval::from)
+        }
+        fn extent(&self) -> Extent {
+            Extent { min: Vector2::repeat(-self.size), max: Vector2::repeat(self.size) }
+        }
+    }
+
+    #[test]
+    fn a_circle_far_smaller_than_its_box_is_said_to_be_so() {
+        for radius in [1e-10, 3e-15] {
+            let found = Implicit::new(Round { radius, size: 0.5 }, true).map(|_| ());
+            let Err(Error::Curve { must: ImplicitRule::Wide, at }) = found else { panic!("{radius}: {found:?}") };
+            assert!((libm::hypot(at[0], at[1]) / radius - 1.0).abs() < 1e-6, "{radius}: {at:?}");
+            // the box made smaller, as the message says
+            let found = Implicit::new(Round { radius, size: 2.0 * radius }, true).unwrap();
+            assert!((found.length() / (core::f64::consts::TAU * radius) - 1.0).abs() < 1e-14, "{radius}");
+        }
+        assert!(Implicit::new(Round { radius: 1e-8, size: 0.5 }, true).is_ok());
     }
 }
