@@ -142,11 +142,12 @@ impl Table {
             if area.abs() > slack([sides(k).product()]) { area } else { 0.0 }
         };
         let collapsed = |k: usize| area(k).abs() <= slack([sight.extents[k].size()]) * width(k);
-        // in the plane, the widest loop lies in no other; of equally wide ones that touch it, it has the largest area
+        // in the plane, the widest loop lies in no other; of equally wide ones that touch it, it has the largest area; a two-sided wall
+        // may be wider, but nothing lies in it
         let wider = |&a: &usize, &b: &usize| {
             width(a).total_cmp(&width(b)).then_with(|| area(a).abs().total_cmp(&area(b).abs()))
         };
-        let outermost = (0..chains.len()).max_by(wider);
+        let outermost = (0..chains.len()).filter(|&k| area(k) != 0.0).max_by(wider);
         if let Some(k) = outermost
             && self.shortest().is_none()
             && chains.iter().all(|c| self.is_closed(c))

@@ -97,6 +97,20 @@ fn walls_with_the_table_on_the_right_are_named() {
 }
 
 #[test]
+fn a_two_sided_wall_beside_a_loop_does_not_make_it_an_obstacle() {
+    let (a, b) = ([-1.0, 2.0], [4.0, 2.5]);
+    let screen = || vec![Box::new(Screen::new(a.into(), b.into()).unwrap()) as Box<dyn Piece>];
+    let there_and_back = || polygon(&[a, b]);
+    for wall in [screen(), there_and_back()] {
+        assert_eq!(check([square(0.0, 0.0, 1.0, false), wall]), Err(Error::Orientation { piece: 0 }));
+    }
+    for wall in [screen(), there_and_back()] {
+        let table = Table::new(square(0.0, 0.0, 1.0, false).into_iter().chain(wall).collect()).unwrap();
+        assert_eq!(table.unbounded().validate(), Ok(()));
+    }
+}
+
+#[test]
 fn a_wall_is_compared_with_all_that_lie_behind_it() {
     // a room, which any line to the disk leaves through its far side first
     let room = || square(0.0, 0.0, 1.0, true);

@@ -426,23 +426,33 @@ fn every_shape_bounds_a_table_from_outside() {
 #[test]
 fn a_loop_that_says_so_is_an_obstacle_in_the_open_plane() {
     let folder = Folder::new("obstacle");
-    let scene = |domain: &str, turned: bool| {
+    let walled = |wall: &str, domain: &str, turned: bool| {
         let (first, last) = if turned { ("[0, 1]", "[1, 0]") } else { ("[1, 0]", "[0, 1]") };
         format!(
             "law = \"specular\"\n[[table.boundary]]\nloop = {{ from = [0, 0], {domain} edges = [{{ line_to = {first} }}, \
              {{ line_to = [1, 1] }}, {{ line_to = {last} }}, {{ line_to = [0, 0] }}] }}\n[[table.boundary]]\n\
-             shape = {{ name = \"cuboid\", size = [1, 3], center = [3, 0.5] }}\n[[orbit]]\nposition = [2, 0.125]\n\
+             shape = {{ name = \"cuboid\", size = [1, 3], center = [3, 0.5] }}\n{wall}[[orbit]]\nposition = [2, 0.125]\n\
              velocity = [1, 0.25]\n[run]\ncollisions = 9\n[output]\ncollisions = \"csv\"\n"
         )
     };
-    let summary = folder.done(&scene("domain = \"outside\",", true), &[]);
-    assert_eq!((summary["collisions"].as_u64(), summary["stops"]["escaped"].as_u64()), (Some(3), Some(1)));
-    let hits: Vec<_> = folder.rows().iter().map(|row| (row[3], row[5])).collect();
-    assert_eq!(hits, [(4.0, 2.5), (2.0, 1.0), (4.0, 2.5)]);
+    let thin = |end: &str| {
+        let edges = format!("[{{ line_to = {end} }}, {{ line_to = [-4, -5] }}]");
+        format!("[[table.boundary]]\nloop = {{ from = [-4, -5], edges = {edges} }}\n")
+    };
+    // whatever walls without thickness stand beside it: one that is smaller, one that is larger
+    let walls = ["".into(), thin("[-3.5, -5]"), thin("[9, -5.5]")];
+    for wall in &walls {
+        let summary = folder.done(&walled(wall, "domain = \"outside\",", true), &[]);
+        assert_eq!((summary["collisions"].as_u64(), summary["stops"]["escaped"].as_u64()), (Some(3), Some(1)));
+        let hits: Vec<_> = folder.rows().iter().map(|row| (row[3], row[5])).collect();
+        assert_eq!(hits, [(4.0, 2.5), (2.0, 1.0), (4.0, 2.5)], "{wall}");
+        let told = String::from_utf8(folder.run(&walled(wall, "", true), &[]).stderr).unwrap();
+        assert!(told.contains("domain = \"outside\""), "{wall}: {told}");
+    }
+    let scene = |domain: &str, turned: bool| walled("", domain, turned);
     for (domain, turned, message) in [
         ("domain = \"outside\",", false, "runs counter-clockwise, so that the domain is inside, and not outside"),
         ("domain = \"inside\",", true, "runs clockwise, so that the domain is outside, and not inside"),
-        ("", true, "domain = \"outside\""),
     ] {
         let told = String::from_utf8(folder.run(&scene(domain, turned), &[]).stderr).unwrap();
         assert!(told.contains(message), "{domain}: {told}");

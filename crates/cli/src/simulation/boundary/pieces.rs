@@ -28,9 +28,14 @@ struct Collected<'a> {
 pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<Diagnostic>> {
     let mut all = Collected { scene, factor, pieces: vec![], spans: vec![], laws: vec![] };
     let mut wrong = vec![];
+    // two-sided walls aside, which enclose nothing
+    let mut others = vec![];
     for entry in entries {
-        if let Err(diagnostic) = all.entry(entry) {
-            wrong.push(*diagnostic);
+        let first = all.pieces.len();
+        match all.entry(entry) {
+            Ok(()) if matches!(entry.border, Border::Loop { closed: true, .. }) && all.area_of_loop(first) == 0.0 => {}
+            Ok(()) => others.push(entry),
+            Err(diagnostic) => wrong.push(*diagnostic),
         }
     }
     if !wrong.is_empty() {
@@ -38,7 +43,7 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
     }
     let lattice = lattice(scene, factor)?;
     let Collected { pieces, spans, laws, .. } = all;
-    let unbounded = entries.iter().all(|entry| entry.border.is_obstacle());
+    let unbounded = !others.is_empty() && others.iter().all(|entry| entry.border.is_obstacle());
     let table = Table::periodic(pieces, lattice).map_err(|error| vec![about(scene, &spans, factor, &error)])?;
     let table = if unbounded { table.unbounded() } else { table };
     Ok(Drawn { table, spans, laws, factor })
@@ -220,15 +225,20 @@ impl Collected<'_> {
         Ok(())
     }
 
-    /// Fails where the loop of the pieces from this one on has the domain on the other side than the scene says.
-    fn runs_around(&self, first: usize, domain: Domain, span: Span) -> Result<(), Box<Diagnostic>> {
-        // a two-sided wall has neither inside nor outside, up to rounding
+    /// The area inside the loop of the pieces from this one on, negative where it runs clockwise. A two-sided wall has neither inside nor
+    /// outside: its area, 0 up to rounding, is 0.
+    fn area_of_loop(&self, first: usize) -> f64 {
         let pieces = || self.pieces[first..].iter().map(|piece| &**piece);
         let area = enclosed_area(pieces());
         let around = pieces().map(Piece::extent).fold(Extent::EMPTY, Extent::union);
         let rounding = 16.0 * f64::EPSILON * (around.max - around.min).norm_squared();
+        if area.abs() <= rounding { 0.0 } else { area }
+    }
+
+    /// Fails where the loop of the pieces from this one on has the domain on the other side than the scene says.
+    fn runs_around(&self, first: usize, domain: Domain, span: Span) -> Result<(), Box<Diagnostic>> {
+        let area = self.area_of_loop(first);
         let (way, other) = match domain {
-            _ if area.abs() <= rounding => return Ok(()),
             Domain::Inside if area < 0.0 => ("clockwise, so that the domain is outside", "inside"),
             Domain::Outside if area > 0.0 => ("counter-clockwise, so that the domain is inside", "outside"),
             _ => return Ok(()),
