@@ -1,7 +1,7 @@
 //! The table and the orbits in it.
 
 use super::ink::{Colour, ORBITS};
-use super::stroke::joined;
+use super::stroke::{Stroke, joined};
 use super::svg::{Outline, Style, Svg};
 use super::view::{View, Window};
 use super::{COLUMN, File, Leaving, Material, Needs, Picture};
@@ -25,7 +25,9 @@ pub(super) const PICTURE: Picture = Picture {
     draw: |material| vec![File { name: "orbit.svg".into(), content: draw(material).to_string().into_bytes() }],
 };
 
-/// Longest side of a picture of an infinite table, in units of its shorter side.
+/// How many times longer than high, or higher than long, an infinite table may be shown so that all of every orbit is seen.
+const WHOLE: f64 = 30.0;
+/// The same where they are longer still, so that a part of them is shown, but larger.
 const LONGEST: f64 = 5.0;
 /// The same where the starts, the finite walls and the first collisions are that far apart.
 const FARTHEST: f64 = 50.0;
@@ -55,28 +57,44 @@ pub fn draw(material: &Material) -> Svg {
 
 /// A window with everything; for an infinite table, with some room beyond the orbits.
 fn window(material: &Material) -> Window {
-    let walls = || material.outline.iter().chain(&material.guides).flat_map(super::Stroke::extent);
-    let points = material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
+    let walls = || material.outline.iter().chain(&material.guides).flat_map(Stroke::extent);
+    let chains = || material.paths.iter().filter_map(|path| path.chains.first());
+    let starts = || chains().filter_map(|chain| chain.first().copied());
+    // what meets no wall is shown with the walls around it
+    let meets_none = material.paths.iter().all(|path| path.chains.iter().all(|chain| chain.len() < 2));
+    let around = starts().next().filter(|_| meets_none);
+    let distances = around.iter().flat_map(|start| material.outline.iter().filter_map(|wall| wall.distance(*start)));
+    let reach = distances.fold(material.radius, f64::max);
+    let particle = |[x, y]: [f64; 2]| [-reach, reach].map(|r| [x + r, y + r]);
+    let points = || material.paths.iter().flat_map(|path| path.chains.iter().flatten().copied());
+    let has_endless_walls = material.outline.iter().any(|s| matches!(s, Stroke::Line(..) | Stroke::Ray(..)));
+    let seen = walls().chain(points());
+    let seen: Vec<_> = if has_endless_walls {
+        // a particle that touches an infinite wall reaches to it
+        seen.chain(points().flat_map(particle)).collect()
+    } else if is_marked(material) {
+        seen.chain(starts().flat_map(particle)).collect()
+    } else {
+        seen.collect()
+    };
     let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
-    let tight = Window::around(walls().chain(points)).unwrap_or(whole);
-    let endless = material.outline.iter().any(|s| matches!(s, super::Stroke::Line(..) | super::Stroke::Ray(..)))
-        || material.paths.iter().any(|path| !path.escape.is_empty());
-    if !endless {
+    let tight = Window::around(seen).unwrap_or(whole);
+    if !has_endless_walls && material.paths.iter().all(|path| path.escape.is_empty()) {
         return tight;
     }
     // show that infinite walls and orbits go on, but do not shrink the picture to a line
-    let chains = || material.paths.iter().filter_map(|path| path.chains.first());
-    let starts = || chains().filter_map(|chain| chain.first().copied());
     let collisions = chains().filter_map(|chain| chain.get(1).copied());
     let about = starts().next().unwrap_or(tight.low);
     let kept = [
-        Window::around(walls().chain(starts()).chain(collisions)),
-        Window::around(walls().chain(starts())),
-        Window::around(starts()),
-        Some(Window { low: about, high: about }),
+        Window::around(walls().chain(starts().chain(collisions).flat_map(particle))),
+        Window::around(walls().chain(starts().flat_map(particle))),
+        Window::around(starts().flat_map(particle)),
+        Window::around(particle(about)),
     ];
-    let mut cuts = kept.into_iter().flatten().map(|kept| tight.no_longer_than(LONGEST, kept, about));
-    cuts.find(|cut| cut.is_no_longer_than(FARTHEST)).unwrap_or(tight).padded(0.05)
+    let cuts = kept.into_iter().flatten().map(|kept| tight.no_longer_than(LONGEST, kept, about));
+    let whole = Some(tight).filter(|tight| tight.is_no_longer_than(WHOLE));
+    let mut readable = whole.into_iter().chain(cuts.filter(|cut| cut.is_no_longer_than(FARTHEST)));
+    readable.next().unwrap_or(tight).padded(0.05)
 }
 
 fn orbits(svg: &mut Svg, view: &View, material: &Material) {
@@ -114,9 +132,14 @@ fn parts(legs: impl Iterator<Item = [[f64; 2]; 2]>, view: &View) -> Vec<Outline>
     parts
 }
 
+/// Whether starts and horizons are marked.
+fn is_marked(material: &Material) -> bool {
+    material.paths.len() <= MOST_MARKED
+}
+
 /// Marks where each orbit starts and where its horizon is, unless they are too many to be told apart.
 fn ends(svg: &mut Svg, view: &View, material: &Material) {
-    if material.paths.len() > MOST_MARKED {
+    if !is_marked(material) {
         return;
     }
     for (path, &colour) in material.paths.iter().zip(ORBITS.iter().cycle()) {
@@ -184,6 +207,59 @@ mod tests {
         // where they are so far apart that the picture would be a line, only the first one
         let window = window_of(&[1000.0, 0.0]);
         assert!(window.low[0] < 1000.0 && window.high[0] > 1000.0 && window.is_no_longer_than(6.0), "{window:?}");
+    }
+
+    /// A particle of this radius between two lines at its distance from these heights of its centre, which it touches at these points.
+    fn touching(radius: f64, [low, high]: [f64; 2], at: &[[f64; 2]]) -> Material {
+        let line = |y: f64| Stroke::Line([0.0, y], [1.0, 0.0]);
+        let paths = vec![Path { chains: vec![at.to_vec()], ..Path::default() }];
+        let (outline, guides) = (vec![line(low - radius), line(high + radius)], vec![line(low), line(high)]);
+        Material { outline, guides, radius, paths, ..Material::default() }
+    }
+
+    #[test]
+    fn of_a_table_without_end_the_particle_and_the_walls_that_it_touches_are_shown() {
+        for radius in [0.1, 1.0, 30.0] {
+            let window = window(&touching(radius, [-0.5, 0.5], &[[0.0, 0.0], [0.5, 0.5], [1.5, -0.5]]));
+            assert!(window.low[0] < -radius && window.high[0] > radius, "{radius}: {window:?}");
+            assert!(window.low[1] < -0.5 - radius && window.high[1] > 0.5 + radius, "{radius}: {window:?}");
+        }
+    }
+
+    #[test]
+    fn of_a_table_without_end_a_particle_that_meets_no_wall_is_shown_with_those_around_it() {
+        for radius in [0.0, 0.25] {
+            let window = window(&touching(radius, [-0.5, 0.5], &[[7.0, 0.0]]));
+            assert!(window.low[0] < 7.0 - radius && window.high[0] > 7.0 + radius, "{radius}: {window:?}");
+            assert!(window.low[1] < -0.5 - radius && window.high[1] > 0.5 + radius, "{radius}: {window:?}");
+            assert!(window.is_no_longer_than(1.5), "{radius}: {window:?}");
+        }
+        // beside the end of a ray, that end
+        let ray = Stroke::Ray([0.0, 0.0], [3.0, 0.0]);
+        assert_eq!([[-3.0, 4.0], [2.0, 1.0]].map(|at| ray.distance(at)), [Some(5.0), Some(1.0)]);
+    }
+
+    #[test]
+    fn beside_obstacles_the_particle_at_the_start_is_shown() {
+        let obstacle = Stroke::Circle { center: [0.0, 0.0], radius: 0.25 };
+        let path = |x: f64| Path { chains: vec![vec![[x, 0.0], [-1.0, 0.0]]], ..Path::default() };
+        let of =
+            |paths| window(&Material { radius: 1.0, outline: vec![obstacle.clone()], paths, ..Material::default() });
+        let seen = of(vec![path(3.0)]);
+        assert_eq!([seen.low, seen.high], [[-1.0, -1.0], [4.0, 1.0]]);
+        // where particles are too many to be drawn, no room is left for them
+        assert_eq!(of(vec![path(3.0); MOST_MARKED + 1]).high[0], 3.0);
+    }
+
+    #[test]
+    fn a_bounded_orbit_is_shown_whole_and_of_one_that_drifts_far_a_readable_part() {
+        let zigzag = |legs: u32| (0..=legs).map(|k| [f64::from(k), f64::from(k % 2)]).collect::<Vec<_>>();
+        for legs in [3, 10, 29] {
+            let window = window(&touching(0.0, [0.0, 1.0], &zigzag(legs)));
+            assert!(window.low[0] < 0.0 && window.high[0] > f64::from(legs), "{legs}: {window:?}");
+        }
+        let window = window(&touching(0.0, [0.0, 1.0], &zigzag(1000)));
+        assert!(window.low[0] < 0.0 && window.is_no_longer_than(6.0), "{window:?}");
     }
 
     #[test]

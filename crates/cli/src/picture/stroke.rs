@@ -77,6 +77,15 @@ impl Stroke {
         }
     }
 
+    /// The distance of a point from an infinite piece.
+    pub(super) fn distance(&self, at: [f64; 2]) -> Option<f64> {
+        let (&Self::Line([x, y], [u, v]) | &Self::Ray([x, y], [u, v])) = self else { return None };
+        let (square, [a, b]) = (u * u + v * v, [at[0] - x, at[1] - y]);
+        let least = if matches!(self, Self::Ray(..)) { 0.0 } else { f64::NEG_INFINITY };
+        let along = ((a * u + b * v) / square).max(least);
+        Some(libm::hypot(a - along * u, b - along * v))
+    }
+
     /// Its outline on the page.
     pub fn outline(&self, view: &View) -> Outline {
         let mut outline = Outline::new();
