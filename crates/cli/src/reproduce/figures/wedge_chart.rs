@@ -20,41 +20,26 @@ pub(super) const FIGURE: Figure = Figure {
 fn draw(_: Effort) -> Drawing {
     let window = Window { low: [0.0, 0.0], high: [1.0, 1.0] };
     let [left, below] = AXES_MARGIN;
-    let side = COLUMN - left - 18.0;
-    let view = View::fit(window, [left, 3.0], side, side);
-    let mut sheet = Sheet::new(COLUMN, side + below + 3.0);
-    let mut labels: Vec<([f64; 2], String)> = Vec::new();
+    let (above, side) = (11.0, COLUMN - left - 3.0);
+    let view = View::fit(window, [left, above], side, side);
+    let mut sheet = Sheet::new(COLUMN, above + side + below);
     for q in 3..=9_u32 {
         for p in (1..q).filter(|p| 2 * p < q && gcd(*p, q) == 1) {
             let cos = libm::cos(PI * f64::from(p) / f64::from(q));
+            let most = (1.0 / (cos * cos) - 1.0).min(1.0);
+            // from one edge of the frame to another
             let at = |i: i32| {
-                let theta = f64::from(i) / 600.0;
-                let c = libm::cos(0.5 * PI * theta) / cos;
-                [theta, c * c - 1.0]
+                let square = most * f64::from(i) / 600.0;
+                [2.0 * libm::acos(((1.0 + square).sqrt() * cos).min(1.0)) / PI, square]
             };
-            let points: Vec<_> = (0..=600).map(at).filter(|z| z[1] >= -0.004 && z[1] <= 1.004).collect();
-            let Some(&top) = points.first() else { continue };
             let ink = if q % 2 == 1 { colour(1) } else { colour(0) };
-            sheet.chain(
-                &view,
-                points.iter().map(|z| [z[0], z[1].clamp(0.0, 1.0)]),
-                Style::line(ink, 1.6 / f64::from(q).sqrt() - 0.2),
-            );
-            labels.push((top, format!("{p}/{q}")));
+            sheet.chain(&view, (0..=600).map(at), Style::line(ink, 1.6 / f64::from(q).sqrt() - 0.2));
+            let [x, y] = view.place(at(600));
+            // at the left edge between this curve and the next, otherwise above the frame
+            let (at, anchor) =
+                if x < left + 1.0 { ([x + 3.0, y - 3.0], Anchor::Start) } else { ([x, y - 4.5], Anchor::Middle) };
+            sheet.label_as(at, 5.0, anchor, &format!("{p}/{q}"));
         }
-    }
-    labels.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(b.0[1].total_cmp(&a.0[1])));
-    for ([theta, g], text) in labels {
-        let [x, y] = view.place([theta, g]);
-        let at = if theta < 0.01 && g < 0.95 { [x + 3.0, y - 4.0] } else { [x + 2.0, y + 6.0] };
-        let size = 6.0;
-        let wide = 2.7 * text.len() as f64;
-        sheet.svg.rectangle(
-            [at[0] - 0.5, at[1] - 3.0],
-            [at[0] + wide, at[1] + 3.0],
-            Style::area(Colour::WHITE).with_opacity(0.8),
-        );
-        sheet.label_as(at, size, Anchor::Start, &text);
     }
     sheet.dashed(view.place([0.0, 0.5]), view.place([1.0, 0.5]), Style::line(Colour::BLACK, 0.5));
     let axis = |symbol: &str, index: &str| Axis::between(0.0, 1.0, 5, Label::indexed(symbol, index));
