@@ -37,12 +37,12 @@ fn until(path: &Path, time: f64) -> Vec<[f64; 2]> {
 }
 
 fn draw(_: Effort) -> Drawing {
-    let (width, height) = (80.0, 84.0);
+    let (width, height) = (96.0, 84.0);
     let mut sheet = Sheet::new(4.0 * (width + 3.0) + 3.0, height + 18.0);
     let panels = [(0.05, true, 2.15), (0.05, false, 2.15), (-0.08, true, 3.6), (-0.08, false, 3.6)];
     for (i, (sagitta, specular, time)) in panels.into_iter().enumerate() {
         let left = 3.0 + (width + 3.0) * i as f64;
-        let window = Window { low: [-0.56, -0.09], high: [0.56, 1.09] };
+        let window = Window { low: [-0.69, -0.09], high: [0.69, 1.09] };
         let view = fit(window, [left, 3.0], width, height);
         let table = tables::channel(1.0, 1.0, sagitta)?;
         let ways: Vec<_> = (0..21)
