@@ -14,7 +14,7 @@ mod svg;
 mod velocity_portrait;
 mod view;
 
-pub use axes::{Axis, Label, MARGIN as AXES_MARGIN, draw as axes, ticks};
+pub use axes::{Axis, Label, MARGIN as AXES_MARGIN, WIDEST_DIGIT, draw as axes, ticks};
 pub use cloud::{Cloud, MOST_DOTS, layer};
 pub use grid::{Grid, Shading};
 pub use ink::{Colour, ORBITS};

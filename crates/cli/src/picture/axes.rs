@@ -101,7 +101,7 @@ impl Axis {
 pub const MARGIN: [f64; 2] = [31.0, 25.0];
 
 /// Width of a digit in `DejaVu` Serif, in units of the size of the face.
-const WIDEST_DIGIT: f64 = 0.64;
+pub const WIDEST_DIGIT: f64 = 0.64;
 
 /// White on the right of the frame.
 pub(super) const BESIDE: f64 = 3.0;
