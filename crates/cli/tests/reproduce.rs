@@ -57,6 +57,7 @@ fn one_figure_makes_its_page_and_its_picture() {
     files.sort();
     assert_eq!(files, ["strip.html", "strip.svg"]);
     let page = fs::read_to_string(out.join("strip.html")).unwrap();
+    assert!(page.contains("<code>billiards reproduce --quick --only strip</code>"), "the command of this picture");
     assert!(page.contains("src=\"data:image/svg+xml,%3C?xml") && page.contains("href=\"strip.svg\""));
     let addresses = page.split("http").skip(1).filter(|rest| !rest.starts_with("://www.w3.org/2000/svg%22"));
     assert!(!page.contains("<script") && addresses.count() == 0, "the page needs nothing from elsewhere");
@@ -133,7 +134,7 @@ fn the_gallery_shows_every_figure_with_its_command() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let [readme, gallery] = ["README.md", "docs/GALLERY.md"].map(|name| fs::read_to_string(root.join(name)).unwrap());
     for figure in figures::all() {
-        let (file, command) = (format!("gallery/{}.svg", figure.name), format!("--only {}", figure.name));
+        let (file, command) = (format!("gallery/{}.svg", figure.name), format!("--quick --only {}", figure.name));
         assert!(root.join("docs").join(&file).is_file(), "docs/{file} is missing");
         assert!(readme.contains(&format!("docs/{file}")) && readme.contains(&command), "README: {}", figure.name);
         assert!(gallery.contains(&file) && gallery.contains(&command), "GALLERY: {}", figure.name);

@@ -88,7 +88,7 @@ fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effo
     if !paper.is_empty() {
         writeln!(page, "<h2 id=\"figures\">Figures</h2>")?;
         for figure in paper {
-            drawn(page, figure)?;
+            drawn(page, figure, effort)?;
         }
     }
     if !stated.is_empty() {
@@ -109,7 +109,7 @@ fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effo
     if !(beyond.is_empty() && more.is_empty()) {
         writeln!(page, "<h2 id=\"beyond\">Beyond the paper</h2>")?;
         for figure in beyond {
-            drawn(page, figure)?;
+            drawn(page, figure, effort)?;
         }
         if !more.is_empty() {
             table(page, &more)?;
@@ -124,7 +124,7 @@ fn introduction(page: &mut String, figures: &[Drawn], claims: &[Measured], effor
     let mended = count(|v| matches!(v, Verdict::HoldsCorrected(_)));
     let wrong = count(|v| matches!(v, Verdict::False(_)));
     let off = claims.iter().filter(|m| !m.measurement.is_consistent()).count();
-    let quick = if effort == Effort::Quick { " --quick" } else { "" };
+    let quick = quick(effort);
     writeln!(
         page,
         "<h1>No-slip billiards in dimension two, recomputed</h1>\n\
@@ -163,14 +163,20 @@ fn introduction(page: &mut String, figures: &[Drawn], claims: &[Measured], effor
     writeln!(page, "</nav>")
 }
 
-fn drawn(page: &mut String, Drawn { figure, svg, size: [width, height] }: &Drawn) -> fmt::Result {
+/// The option for an effort.
+fn quick(effort: Effort) -> &'static str {
+    if effort == Effort::Quick { " --quick" } else { "" }
+}
+
+fn drawn(page: &mut String, Drawn { figure, svg, size: [width, height] }: &Drawn, effort: Effort) -> fmt::Result {
+    let quick = quick(effort);
     let Figure { name, title, place, caption, parameters, .. } = figure;
     let class = if *width > 1.1 * COLUMN || *width > 1.6 * height { " class=\"wide\"" } else { "" };
     writeln!(
         page,
         "<figure id=\"{name}\"{class}>\n<a href=\"{name}.svg\"><img src=\"{}\" width=\"{width:.0}\" height=\"{height:.0}\" style=\"width:min(100%,{:.1}rem)\" alt=\"{title}\"></a>\n\
          <figcaption>\n<h3>{title} <span class=\"soft\">({place})</span></h3>\n<p>{}</p>\n<p class=\"soft\">{}</p>\n\
-         <p class=\"soft\"><code>billiards reproduce --only {name}</code></p>\n</figcaption>\n</figure>",
+         <p class=\"soft\"><code>billiards reproduce{quick} --only {name}</code></p>\n</figcaption>\n</figure>",
         data_uri(svg),
         46.0 * width / height,
         escape(caption),
