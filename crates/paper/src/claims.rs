@@ -112,7 +112,7 @@ pub const UNMEASURED: &[Unmeasured] = &[
                  each with such angles. No finite orbit could decide it.",
     },
     Unmeasured {
-        place: "Section 3.2, Figure 18",
+        place: "Section 3.3, Figure 18",
         statement: "In isosceles triangles, as in polygons, most orbits appear as closed curves around periodic points, as many as the period; there \
                     may be no ergodic component of positive measure.",
         reason: "An impression from pictures: see the figure isosceles. That no polygon is ergodic is the claim corner-components.",
