@@ -6,7 +6,7 @@ use billiards_cli::contact_file::ContactFile;
 use billiards_cli::document::Source;
 use billiards_cli::picture::PICTURES;
 use billiards_cli::scene::{INERTIAS, LAWS, Request, SAMPLES, Scene};
-use billiards_cli::simulation::Simulation;
+use billiards_cli::simulation::{Control, Simulation};
 
 /// The examples.
 fn examples() -> Vec<&'static str> {
@@ -52,6 +52,10 @@ fn every_example_of_the_guide_is_a_scene() {
         let simulation = Simulation::new(scene).unwrap_or_else(|errors| panic!("{}\n{text}", said(errors)));
         let described = simulation.describe();
         assert!(!described.starts.is_empty(), "{text}");
+        let folder = std::env::temp_dir().join(format!("billiards-guide-{}", std::process::id()));
+        let done = simulation.run(&folder, &Control::new(1)).unwrap();
+        std::fs::remove_dir_all(folder).unwrap();
+        assert!(done.summary.collisions > 0, "there is nothing to see: {text}");
     }
 }
 

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use assert_cmd::Command;
+use billiards_cli::commands::guide::GUIDE;
 use lanes::Double;
 use serde_json::Value;
 
@@ -141,6 +142,10 @@ fn the_summary_has_every_promised_key() {
         ["scene", "version", "seed", "collisions", "seconds", "ns_per_collision", "energy_drift", "horizon", "stops"]
     {
         assert!(!summary[key].is_null(), "{key}");
+    }
+    // and none that the guide does not name
+    for key in summary.as_object().unwrap().keys() {
+        assert!(GUIDE.contains(&format!("`{key}`")), "{key}");
     }
     assert_eq!((summary["collisions"].as_u64(), summary["stops"]["finished"].as_u64()), (Some(6), Some(2)));
     assert_eq!(summary["energy_drift"].as_f64(), Some(0.0));
