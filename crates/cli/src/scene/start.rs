@@ -121,8 +121,7 @@ fn orbit(item: &Item, n: usize, problems: &mut Problems) -> Option<Orbit> {
 fn slow_enough(velocity: &Spanned<Vec<f64>>, spin: &Spanned<Vec<f64>>, problems: &mut Problems) {
     let [speed, fast] = [velocity, spin].map(|v| v.value.iter().fold(0.0, |norm, x| libm::hypot(norm, *x)));
     if fast / MOST_SPIN > speed {
-        let what =
-            format!("the spin, {fast:.0e}, is more than {MOST_SPIN:e} times the speed of the centre, {speed:.0e}");
+        let what = format!("the spin, {fast:e}, is more than {MOST_SPIN:e} times the speed of the centre, {speed:e}");
         problems.add_with_help(spin.span, what, "make the spin smaller, or the velocity larger");
     }
 }

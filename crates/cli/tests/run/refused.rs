@@ -489,6 +489,9 @@ fn a_spin_beside_which_the_velocity_is_lost_is_refused() {
         assert_eq!(output.status.code(), Some(2), "{text}");
         assert!(text.contains("scene.toml:7:8: error: the spin, ") && text.contains("make the spin smaller"), "{text}");
     }
+    // a spin just above the limit is not rounded to it
+    let said = String::from_utf8(folder.run(&plane("1.01e50"), &[]).stderr).unwrap();
+    assert!(said.contains("the spin, 1.01e50, is more than 1e100 times the speed of the centre, 1e-50\n"), "{said}");
     assert!(folder.done(&plane("1e50"), &[])["energy_drift"].as_f64().unwrap() <= 4e-16);
 }
 
