@@ -440,7 +440,7 @@ fn a_loop_that_says_so_is_an_obstacle_in_the_open_plane() {
         format!("[[table.boundary]]\nloop = {{ from = [-4, -5], edges = {edges} }}\n")
     };
     // whatever walls without thickness stand beside it: one that is smaller, one that is larger
-    let walls = ["".into(), thin("[-3.5, -5]"), thin("[9, -5.5]")];
+    let walls = [String::new(), thin("[-3.5, -5]"), thin("[9, -5.5]")];
     for wall in &walls {
         let summary = folder.done(&walled(wall, "domain = \"outside\",", true), &[]);
         assert_eq!((summary["collisions"].as_u64(), summary["stops"]["escaped"].as_u64()), (Some(3), Some(1)));
