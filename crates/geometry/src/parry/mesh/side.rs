@@ -73,6 +73,11 @@ impl Mesh {
         face.filter(|normal| !edge && (away - normal * normal.dot(away)).norm() <= rounding)
     }
 
+    /// Whether a point off a closed surface lies on the side away from the table.
+    pub(crate) fn is_behind(&self, point: &Vector3<f64>) -> bool {
+        self.closed && (self.surface().winding(point, 0, |_| true) == 0) != self.outside
+    }
+
     /// Whether a point beside a triangle with this normal lies in the table of a closed surface.
     fn is_in_table(&self, point: &Vector3<f64>, normal: &Vector3<f64>) -> bool {
         // the axis along which the triangle appears largest

@@ -195,6 +195,11 @@ impl<C: Core> Rounded<C> {
         (x - normal * height, normal)
     }
 
+    /// The distance \[L\] of a point from the core.
+    pub(super) fn core_distance(&self, x: &Vector3<f64>) -> f64 {
+        self.core.outer(x).height
+    }
+
     /// The surface as seen from anywhere.
     pub(super) fn closest(&self, x: &Vector3<f64>, side: Side) -> Closest {
         let View { height, normal } = self.core.inner(x).unwrap_or_else(|| self.core.outer(x));
