@@ -332,6 +332,7 @@ fn mistakes_are_named_with_line_and_element() {
         ("<rect width='x' height='1'/>", "width"),
         ("<g transform='spin(3)'/>", "spin(3)"),
         ("<g transform='rotate(3'/>", "parenthesis"),
+        ("<g transform='scale(2) rotate(20deg)'/>", "transform: expected a number at character 19, found \"deg\""),
         ("<polygon points='0 0 1'/>", "a number"),
         ("<circle r='1e200' transform='scale(1e200)'/>", "coordinate is inf"),
         // no tolerance is met by curves of these sizes

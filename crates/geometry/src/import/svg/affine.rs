@@ -66,11 +66,12 @@ pub(super) fn parse(text: &str) -> Result<Affine, String> {
     let mut rest = text.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
     while !rest.is_empty() {
         let (name, after) = rest.split_once('(').ok_or_else(|| format!("transform: no parenthesis after {rest:?}"))?;
+        let start = text.len() - after.len();
         let (inside, after) = after.split_once(')').ok_or("transform: a parenthesis is not closed")?;
-        let mut scanner = Scanner::new(inside);
+        let mut scanner = Scanner::part(text, start..start + inside.len());
         let mut n = vec![];
         while !scanner.is_at_end() {
-            n.push(scanner.number()?);
+            n.push(scanner.number().map_err(|problem| format!("transform: {problem}"))?);
         }
         let name = name.trim();
         let tan = |degrees: f64| libm::tan(degrees * (core::f64::consts::PI / 180.0));

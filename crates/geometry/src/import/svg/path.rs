@@ -1,6 +1,7 @@
 //! Path data: the small language of the `d` attribute.
 //!
 //! The reader is our own: `kurbo`'s turns elliptical arcs into cubic curves, whereas here they stay exact.
+use core::ops::Range;
 use nalgebra::Vector2;
 
 /// Reads numbers and letters.
@@ -12,7 +13,12 @@ pub(super) struct Scanner<'a> {
 
 impl<'a> Scanner<'a> {
     pub(super) fn new(text: &'a str) -> Scanner<'a> {
-        let mut scanner = Scanner { text, at: 0 };
+        Scanner::part(text, 0..text.len())
+    }
+
+    /// Reads a part of a text, but counts characters from its beginning.
+    pub(super) fn part(text: &'a str, part: Range<usize>) -> Scanner<'a> {
+        let mut scanner = Scanner { text: &text[..part.end], at: part.start };
         scanner.skip();
         scanner
     }
