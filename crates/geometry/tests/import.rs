@@ -314,6 +314,34 @@ fn an_open_outline_is_closed_where_it_is_filled_and_refused_elsewhere() {
 }
 
 #[test]
+fn an_open_outline_that_a_style_sheet_may_leave_unfilled_is_refused() {
+    let sheet = "<style>.a { stroke: #000; FILL: none }</style>";
+    for open in [
+        "<polyline class='a' points='0 0 2 0 2 2'/>",
+        // sheets override attributes and what is inherited
+        "<polyline class='a' fill='red' points='0 0 2 0 2 2'/>",
+        "<g style='fill:red'><path class='a' d='M0 0H2V2'/></g>",
+        "<g style='fill:red'><path class='a' style='fill:inherit' d='M0 0H2V2'/></g>",
+    ] {
+        let (place, what) = problem(&format!("{sheet}{open}"));
+        assert!(place.starts_with("line 2, <p"), "{place}");
+        assert!(
+            what.contains("style sheets, which are not read, leave some outlines without a fill"),
+            "{open}: {what}"
+        );
+    }
+    for mended in [
+        "<path class='a' d='M0 0H2V2Z'/>",
+        "<polygon class='a' points='0 0 2 0 2 2'/>",
+        "<polyline class='a' style='fill:red' points='0 0 2 0 2 2'/>",
+    ] {
+        assert_eq!(table(&format!("{sheet}{mended}")).area(), 2.0, "{mended}");
+    }
+    // other sheets have no say
+    assert_eq!(table("<style>.a{fill:red}</style><polyline class='a' points='0 0 2 0 2 2'/>").area(), 2.0);
+}
+
+#[test]
 fn mistakes_are_named_with_line_and_element() {
     let (place, what) = problem("<g>\n<path d='M0 0L1'/></g>");
     assert_eq!(place, "line 3, <path>");

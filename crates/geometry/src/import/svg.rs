@@ -24,9 +24,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 ///
 /// # Errors
 /// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for an open outline that
-/// is not filled, for a `use`, which
-/// should be expanded by the drawing program, and for styles that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a
-/// drawing without outlines; [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
+/// is not filled, or may be left unfilled by a style sheet, for a `use`, which should be expanded by the drawing program, and for styles
+/// that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a drawing without outlines; [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
 pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     if !(1e-14..=1.0).contains(&tolerance) {
         return Err(Error::Parameter { name: "tolerance", must: "between 1e-14 and 1", value: tolerance });
@@ -42,6 +41,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
     }
     let is_own = |node: &Node| node.is_element() && node.tag_name().namespace() == root.tag_name().namespace();
     root.descendants().filter(is_own).try_for_each(|node| rules_nothing(&node))?;
+    let may_hollow = root.descendants().filter(is_own).any(|node| style::hollows(sheet(&node)));
     let mut outlines = vec![];
     // an explicit stack, which deep nesting cannot overflow
     let mut open = vec![(root, Affine::FLIP, true, true)];
@@ -82,11 +82,17 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
             };
             open.extend(children.into_iter().rev().map(|child| (child, here, is_visible, is_filled)));
         } else if is_visible {
+            let fill = match is_filled {
+                false => Fill::None,
+                // a sheet overrides attributes and what is inherited
+                true if may_hollow && !style::fills(&node) => Fill::Unknown,
+                true => Fill::Some,
+            };
             outlines.extend(element(name, &node)?.into_iter().map(|drawn| Outline {
                 place: place(&node),
                 drawn,
                 here,
-                is_filled,
+                fill,
             }));
         }
     }
@@ -122,10 +128,14 @@ fn place(node: &Node) -> Place {
     Place(format!("line {line}, <{}>", node.tag_name().name()))
 }
 
+/// The text of a style sheet; of any other element, nothing.
+fn sheet<'a>(node: &Node<'a, '_>) -> &'a str {
+    if node.tag_name().name() == "style" { node.text().unwrap_or("") } else { "" }
+}
+
 /// Fails for a style sheet that would place, form or hide outlines.
 fn rules_nothing(node: &Node) -> Result<(), Error> {
-    let text = if node.tag_name().name() == "style" { node.text().unwrap_or("") } else { "" };
-    style::ruling(text).map_or(Ok(()), |property| {
+    style::ruling(sheet(node)).map_or(Ok(()), |property| {
         let problem = format!(
             "style sheets are not read, and this one sets {property:?}: let the drawing program write it as an attribute of each element"
         );
@@ -254,13 +264,22 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
     })
 }
 
+/// Whether an outline is filled, and so closed where it is open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Fill {
+    Some,
+    None,
+    /// A style sheet, which is not read, may say so or not.
+    Unknown,
+}
+
 /// An outline, and the map that takes it into the table.
 #[derive(Clone, Debug)]
 struct Outline {
     place: Place,
     drawn: Drawn,
     here: Affine,
-    is_filled: bool,
+    fill: Fill,
 }
 
 impl Outline {
@@ -307,10 +326,19 @@ impl Outline {
                     }
                     from = draw.end();
                 }
-                if !path.closed && !self.is_filled && !pen.is_home() {
-                    let problem = "the outline is open and nothing fills it: close it (a path with Z), or give it a fill, \
-                                   which closes it by a straight edge";
-                    return Err(self.place.fail(problem));
+                let is_open = !path.closed && !pen.is_home();
+                match self.fill {
+                    Fill::None if is_open => {
+                        let problem = "the outline is open and nothing fills it: close it (a path with Z), or give it a fill, \
+                                       which closes it by a straight edge";
+                        return Err(self.place.fail(problem));
+                    }
+                    Fill::Unknown if is_open => {
+                        let problem = "the outline is open, and style sheets, which are not read, leave some outlines without a fill: \
+                                       close it (a path with Z), or write its fill in its attribute \"style\"";
+                        return Err(self.place.fail(problem));
+                    }
+                    _ => {}
                 }
                 pen.close()
             }

@@ -28,9 +28,23 @@ const PLACING: [&str; 21] = [
 
 /// The value of a property, in lower case: that in the style of an element or else that of its attribute.
 pub(super) fn value(node: &Node, property: &str) -> Option<String> {
+    declared(node, property).or_else(|| node.attribute(property).map(|value| value.trim().to_lowercase()))
+}
+
+/// The value of a property in the style of an element.
+fn declared(node: &Node, property: &str) -> Option<String> {
     let style = node.attribute("style").map(declarations).unwrap_or_default();
-    let declared = style.into_iter().rev().find(|(name, _)| name == property).map(|(_, value)| value);
-    declared.or_else(|| node.attribute(property).map(|value| value.trim().to_lowercase()))
+    style.into_iter().rev().find(|(name, _)| name == property).map(|(_, value)| value)
+}
+
+/// Whether the style of an element itself fills it, whatever style sheets say.
+pub(super) fn fills(node: &Node) -> bool {
+    declared(node, "fill").is_some_and(|fill| fill != "none" && fill != "inherit")
+}
+
+/// Whether a style sheet leaves outlines without a fill.
+pub(super) fn hollows(sheet: &str) -> bool {
+    declarations(sheet).iter().any(|(name, value)| name == "fill" && value == "none")
 }
 
 /// A property in the style of an element that would place or form its outline.
