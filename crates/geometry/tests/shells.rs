@@ -101,7 +101,7 @@ fn a_surface_that_is_none_says_what_is_wrong_with_it() {
     let mut mixed = triangles;
     mixed[0].swap(0, 1);
     let mixed = problem(vertices, mixed);
-    assert!(mixed.contains("reverse one of them"), "{mixed}");
+    assert!(mixed.contains("triangle 0, counted from 0, runs along an edge in the same direction"), "{mixed}");
     // a Möbius strip
     let strip: Vec<[f64; 3]> = (0..16)
         .map(|k| {
@@ -177,4 +177,23 @@ fn a_part_with_a_dent_of_small_triangles_is_a_body() {
     assert_eq!(refused(&[(vertices.clone(), triangles.clone()), cube(4.0, 0.5)]), None);
     let beside = triangles.len();
     assert_eq!(refused(&[(vertices, triangles), turned(cube(4.0, 0.5))]), Some(beside));
+}
+
+#[test]
+fn a_triangle_that_runs_the_wrong_way_is_named_whichever_the_check_meets_first() {
+    let (vertices, triangles) = cube(0.0, 1.0);
+    for wrong in 0..triangles.len() {
+        let mut triangles = triangles.clone();
+        triangles[wrong].swap(1, 2);
+        let mesh = SolidSpec::TriMesh { vertices: vertices.clone(), triangles, margin: 0.0 };
+        match mesh.solid([0.0; 3], Side::Inside) {
+            Err(Error::Triangle { triangle, problem }) => {
+                assert!(
+                    triangle == wrong && problem.contains("in the opposite order"),
+                    "{wrong}: {triangle} {problem}"
+                );
+            }
+            other => panic!("{wrong}: {other:?}"),
+        }
+    }
 }

@@ -29,43 +29,48 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
              a wall drawn from both sides needs a different diagonal on its back",
         );
     }
-    if has_one_side(triangles, &on_edge) {
-        return named(number, "belongs to a surface that has only one side");
-    }
-    Error::Shape {
-        shape: "triangle mesh",
-        why: "two triangles run along one edge in the same direction: reverse one of them",
+    match wrong_way(triangles, &on_edge) {
+        None => named(number, "belongs to a surface that has only one side"),
+        Some(wrong) => named(
+            wrong.unwrap_or(number),
+            "runs along an edge in the same direction as its neighbour: list its corners in the opposite order",
+        ),
     }
 }
 
-/// Whether the surface has only one side: no reversal of triangles makes all neighbours run along their edge in
-/// opposite directions.
-fn has_one_side(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>) -> bool {
+/// The first of the triangles to reverse so that all neighbours run along their edge in opposite directions: of two connected by edges
+/// that differ in their orientation, one with the rarer of the two. `None` where the surface has only one side, so that no reversal
+/// helps.
+fn wrong_way(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>) -> Option<Option<usize>> {
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
-    let mut open = vec![];
+    let mut wrong = None;
     for first in 0..triangles.len() {
-        if turned[first].is_none() {
-            turned[first] = Some(false);
-            open.push(first);
+        if turned[first].is_some() {
+            continue;
         }
-        while let Some(k) = open.pop() {
+        turned[first] = Some(false);
+        let (mut part, mut next) = (vec![first], 0);
+        while let Some(&k) = part.get(next) {
+            next += 1;
             for side in sides(&triangles[k]) {
                 let [a, b] = side;
-                let beyond = on_edge[&[a.min(b), a.max(b)]].iter().filter(|&&other| other != k);
-                for &other in beyond {
+                for &other in on_edge[&[a.min(b), a.max(b)]].iter().filter(|&&other| other != k) {
                     let same = sides(&triangles[other]).contains(&side);
                     let turn = turned[k].map(|turn| turn != same);
                     match turned[other] {
                         None => {
                             turned[other] = turn;
-                            open.push(other);
+                            part.push(other);
                         }
-                        known if known != turn => return true,
+                        known if known != turn => return None,
                         _ => {}
                     }
                 }
             }
         }
+        let is_turned = |k: &usize| turned[*k] == Some(true);
+        let rarer = 2 * part.iter().filter(|k| is_turned(k)).count() <= part.len();
+        wrong = wrong.or_else(|| part.iter().copied().filter(|k| is_turned(k) == rarer).min());
     }
-    false
+    Some(wrong)
 }
