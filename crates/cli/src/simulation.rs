@@ -66,7 +66,7 @@ use spatial::Spatial;
 use summary::Files;
 use work::{Launch, Work};
 
-pub use describe::{Description, First, PieceOf, Region, StartOf};
+pub use describe::{Description, First, PieceOf, Region, StartOf, Volume};
 pub use horizon::{Horizons, OfOrbit};
 pub use same_bits::{OtherBits, SameBits};
 pub use summary::Summary;

@@ -9,7 +9,7 @@ use super::{Failure, patience};
 use crate::args;
 use crate::document::{Source, plain, spell};
 use crate::scene::{Request, Scene};
-use crate::simulation::{Description, Region, SameBits, Simulation, plural, point, short};
+use crate::simulation::{Description, Region, SameBits, Simulation, Volume, plural, point, short};
 
 /// Checks a scene and describes it.
 ///
@@ -54,6 +54,15 @@ fn measure(x: Option<f64>) -> String {
     x.map_or("infinite".into(), short)
 }
 
+fn volume(x: Option<Volume>) -> String {
+    match x {
+        Some(Volume::TooLarge) => "too large to be represented by a number".into(),
+        Some(Volume::TooSmall) => "too small to be represented by a number".into(),
+        Some(Volume::Of(x)) => measure(Some(x)),
+        None => measure(None),
+    }
+}
+
 fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if let Some(title) = &scene.title {
         writeln!(out, "{}", plain(title))?;
@@ -63,13 +72,13 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     writeln!(out, "  law         {}, gamma^2 = {}", scene.law, spell(scene.gamma_squared))?;
     let walls = &scene.walls;
     let measures = if plane {
-        [("area", walls.area), ("perimeter", walls.perimeter)]
+        [("area", measure(walls.area)), ("perimeter", measure(walls.perimeter))]
     } else {
-        [("volume", walls.volume), ("surface", walls.surface)]
+        [("volume", volume(walls.volume)), ("surface", measure(walls.surface))]
     };
     if !walls.parts.is_empty() {
         for (name, x) in measures {
-            writeln!(out, "  {name:<12}{}", measure(x))?;
+            writeln!(out, "  {name:<12}{x}")?;
         }
     }
     if !plane && scene.radius > 0.0 && !walls.parts.is_empty() {

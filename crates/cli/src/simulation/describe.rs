@@ -92,7 +92,7 @@ pub struct Region {
     pub perimeter: Option<f64>,
     /// Volume, in space.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub volume: Option<f64>,
+    pub volume: Option<Volume>,
     /// Area of the walls, in space.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub surface: Option<f64>,
@@ -104,6 +104,35 @@ pub struct Region {
     /// Perimeters of these, in the plane.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub perimeters: Vec<Option<f64>>,
+}
+
+/// A volume in the scene's unit: the cube of a length, which may over- or underflow; then JSON has null.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Volume {
+    /// What it is.
+    Of(f64),
+    /// Finite, but larger than any number.
+    TooLarge,
+    /// Positive, but smaller than any number with all its digits.
+    TooSmall,
+}
+
+impl Volume {
+    /// The volume in the scene's unit from that in units of `1/factor`; `None` if it is infinite.
+    fn scaled(volume: f64, factor: f64) -> Option<Volume> {
+        // in steps: the cube of the factor alone might overflow
+        let x = volume / factor / factor / factor;
+        volume.is_finite().then_some(match x {
+            _ if !x.is_finite() => Volume::TooLarge,
+            _ if x < f64::MIN_POSITIVE && volume > 0.0 => Volume::TooSmall,
+            _ => Volume::Of(x),
+        })
+    }
+
+    fn number(self) -> Option<f64> {
+        if let Volume::Of(x) = self { Some(x) } else { None }
+    }
 }
 
 impl Region {
@@ -259,10 +288,9 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
     description.engine = match &spatial.centres {
         Space::Named(table) => {
             let (volume, surface) = (table.volume(), table.surface_area());
-            // volume and area in two and three steps: their factors alone might overflow
-            description.walls.volume = finite(out(out(out(volume))));
+            description.walls.volume = Volume::scaled(volume, spatial.factor);
             description.walls.surface = finite(out(out(surface)));
-            description.walls.parts = vec![description.walls.volume];
+            description.walls.parts = vec![description.walls.volume.and_then(Volume::number)];
             let ratio = out(volume / surface);
             if spatial.strict {
                 // |S⁵|/|B⁵| and |S²|/|B²|
@@ -401,6 +429,17 @@ mod tests {
         assert_eq!(plain("a::Slab<2, 1>"), "Slab");
         assert_eq!(plain("a::Around<b::Sphere<3>, c::ByLane<d::Obstacles<'_>>>"), "Around<Sphere, ByLane<Obstacles>>");
         assert_eq!(plain("a::Few<'_, b::Arc>"), "Few<Arc>");
+    }
+
+    #[test]
+    fn a_volume_that_no_number_can_express_is_neither_infinite_nor_zero() {
+        let factor = |exponent: i32| libm::ldexp(1.0, exponent);
+        assert_eq!(Volume::scaled(4.0, factor(-366)), Some(Volume::TooLarge));
+        assert_eq!(Volume::scaled(4.0, factor(366)), Some(Volume::TooSmall));
+        assert_eq!(Volume::scaled(4.0, factor(1)), Some(Volume::Of(0.5)));
+        assert_eq!(Volume::scaled(f64::INFINITY, factor(1)), None);
+        let json = |volume: Volume| serde_json::to_string(&volume).unwrap();
+        assert_eq!([Volume::TooLarge, Volume::TooSmall, Volume::Of(0.5)].map(json), ["null", "null", "0.5"]);
     }
 
     #[test]
