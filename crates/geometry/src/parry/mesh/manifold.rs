@@ -29,19 +29,19 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
              a wall drawn from both sides needs a different diagonal on its back",
         );
     }
-    match wrong_way(triangles, &on_edge) {
+    match wrong_way(triangles, &on_edge, number) {
         None => named(number, "belongs to a surface that has only one side"),
         Some(wrong) => named(
-            wrong.unwrap_or(number),
+            wrong,
             "runs along an edge in the same direction as its neighbour: list its corners in the opposite order",
         ),
     }
 }
 
 /// The first of the triangles to reverse so that all neighbours run along their edge in opposite directions: of two connected by edges
-/// that differ in their orientation, one with the rarer of the two. `None` where the surface has only one side, so that no reversal
-/// helps.
-fn wrong_way(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>) -> Option<Option<usize>> {
+/// that differ in their orientation, one with the rarer of the two; the one `met` where there is none. `None` where the surface has only
+/// one side, so that no reversal helps.
+fn wrong_way(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>, met: usize) -> Option<usize> {
     let mut turned: Vec<Option<bool>> = vec![None; triangles.len()];
     let mut wrong = None;
     for first in 0..triangles.len() {
@@ -72,5 +72,5 @@ fn wrong_way(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>
         let rarer = 2 * part.iter().filter(|k| is_turned(k)).count() <= part.len();
         wrong = wrong.or_else(|| part.iter().copied().filter(|k| is_turned(k) == rarer).min());
     }
-    Some(wrong)
+    wrong.or(Some(met))
 }

@@ -168,10 +168,7 @@ impl Parallel {
 
 #[cfg(test)]
 mod tests {
-    use super::{
-        super::{super::SolidSpec, Body},
-        *,
-    };
+    use super::super::{super::SolidSpec, Body};
     use crate::{parry::Side, random};
 
     /// Of points drawn on the parts of the parallel surface of a pyramid, with one corner of its base at a height: how many are nearer
