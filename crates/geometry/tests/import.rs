@@ -8,7 +8,7 @@ fn drawing(body: &str) -> String {
     format!("<svg xmlns=\"http://www.w3.org/2000/svg\">\n{body}\n</svg>")
 }
 fn pieces(body: &str) -> Vec<Box<dyn Piece>> {
-    import::svg(&drawing(body), import::TOLERANCE).unwrap_or_else(|e| panic!("{body}: {e}"))
+    import::svg(&drawing(body), import::TOLERANCE).unwrap_or_else(|e| panic!("{body}: {e}")).walls
 }
 fn table(body: &str) -> Table {
     let table = Table::new(pieces(body)).unwrap_or_else(|e| panic!("{body}: {e}"));
@@ -109,7 +109,7 @@ fn bezier_curves_become_smooth_arcs_within_the_tolerance() {
         assert!(off <= 1e-9, "{i}: {off:e}");
     }
     // a coarse tolerance needs few arcs
-    let coarse = import::svg(&drawing(&format!("<path d=\"{d}\"/>")), 1e-3).unwrap();
+    let coarse = import::svg(&drawing(&format!("<path d=\"{d}\"/>")), 1e-3).unwrap().walls;
     assert!(coarse.len() <= 16 && round.pieces().len() < 2000, "{} {}", coarse.len(), round.pieces().len());
     // curves with inflections, loops of control points and straight parts
     for d in ["M0 0C1 3 2 -3 3 0L1.5 -40Z", "M0 0C2.5 4 0.5 4 3 0Z", "M0 0C1 0 2 0 3 0L0 3Z"] {
@@ -233,7 +233,7 @@ fn only_outlines_are_drawn() {
     assert_eq!(t.pieces().len(), 4);
     assert!(matches!(import::svg(&drawing(""), 1e-9), Err(Error::Empty)));
     let doctype = "<?xml version='1.0'?><!DOCTYPE svg PUBLIC \"a\" \"b\"><svg><rect width='1' height='1'/></svg>";
-    assert_eq!(import::svg(doctype, 1e-9).unwrap().len(), 4);
+    assert_eq!(import::svg(doctype, 1e-9).unwrap().walls.len(), 4);
 }
 
 #[test]
@@ -263,7 +263,7 @@ fn styles_hide_outlines_or_are_refused() {
     let foreign = "<svg xmlns='http://x'><rect width='1' height='1'/></svg>";
     assert!(import::svg(foreign, 1e-9).is_err());
     let page = "<svg style='width:100%;height:auto'><rect width='1' height='1'/></svg>";
-    assert_eq!(import::svg(page, 1e-9).unwrap().len(), 4);
+    assert_eq!(import::svg(page, 1e-9).unwrap().walls.len(), 4);
 }
 
 #[test]
@@ -342,6 +342,29 @@ fn an_open_outline_that_a_style_sheet_may_leave_unfilled_is_refused() {
 }
 
 #[test]
+fn every_piece_and_every_triangle_knows_its_place_in_the_file() {
+    let shown = |places: &[import::Place]| places.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let drawn = import::svg(&drawing("<circle r='9'/>\n<path d='M0 0H2V2Z'/>"), import::TOLERANCE).unwrap();
+    assert_eq!(shown(&drawn.places), ["line 2, <circle>", "line 3, <path>", "line 3, <path>", "line 3, <path>"]);
+    // a position written twice starts no piece, and the outline is turned round
+    let ring = "[[[0, 0], [0, 0], [0, 3], [4, 3], [4, 3], [4, 0], [0, 0]]]";
+    let map = import::geojson(&format!("{{\"type\": \"Polygon\", \"coordinates\": {ring}}}")).unwrap();
+    let names = [5, 4, 2, 1].map(|n| format!("coordinates[0][{n}]"));
+    assert_eq!(shown(&map.places), names);
+    // the piece that the file draws from a position ends there now
+    let ends: Vec<_> = map.walls.iter().map(|piece| piece.ends().unwrap()[1]).collect();
+    assert_eq!(ends, [[4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [0.0, 0.0]].map(Vector2::from));
+    let faces = import::obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n\nf 1 4 \\\n 2\n").unwrap();
+    assert_eq!(shown(&faces.places), ["line 5", "line 5", "line 7"]);
+    let facet = "facet\nouter\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    let facets = import::stl(format!("solid\n{facet}{facet}endsolid\n").as_bytes()).unwrap();
+    assert_eq!(shown(&facets.places), ["line 2", "line 9"]);
+    let binary = [&[0; 80][..], &2_u32.to_le_bytes(), &[0; 100]].concat();
+    let places = shown(&import::stl(&binary).unwrap().places);
+    assert_eq!(places, ["facet 0, counted from 0", "facet 1, counted from 0"]);
+}
+
+#[test]
 fn mistakes_are_named_with_line_and_element() {
     let (place, what) = problem("<g>\n<path d='M0 0L1'/></g>");
     assert_eq!(place, "line 3, <path>");
@@ -383,7 +406,7 @@ fn maps_become_tables() {
         [[0, 0], [0, 4], [4, 4], [4, 0], [0, 0]],
         [[1, 1], [2, 1, 99], [2, 2], [1, 2], [1, 1]]]}"#;
     let check = |text: &str, area: f64, parts: usize| {
-        let t = Table::new(import::geojson(text).unwrap()).unwrap();
+        let t = Table::new(import::geojson(text).unwrap().walls).unwrap();
         assert_eq!(t.validate(), Ok(()));
         assert_eq!((t.area(), t.components().len()), (area, parts));
     };
@@ -539,14 +562,15 @@ fn dented_faces_enclose_what_they_bound() {
         let area = (0..n).map(|k| (polygon[k], polygon[(k + 1) % n])).map(|([a, b], [c, d])| 0.5 * (a * d - b * c));
         let area: f64 = area.sum();
         for first in 0..n {
-            let (volume, triangles) = volume(&import::obj(&prism(polygon, first)).unwrap());
+            let (volume, triangles) = volume(&import::obj(&prism(polygon, first)).unwrap().walls);
             assert_eq!(triangles, 2 * (n - 2) + 2 * n, "{polygon:?} from {first}");
             assert!((volume - area).abs() < 1e-14 * area, "{polygon:?} from {first}: {volume} {area}");
         }
     }
     // not only the volume: the point (1.5, 1.5) is outside
     for first in 0..6 {
-        let solid = import::obj(&prism(&ell, first)).unwrap().solid([0.0; 3], geometry::parry::Side::Outside).unwrap();
+        let solid =
+            import::obj(&prism(&ell, first)).unwrap().walls.solid([0.0; 3], geometry::parry::Side::Outside).unwrap();
         assert_eq!(solid.distance(&[1.5, 1.5, 0.5].into()), 0.5, "from {first}");
     }
 }
@@ -556,7 +580,7 @@ fn obj_lines_may_end_in_any_of_the_usual_ways() {
     let corner = "# a corner\nv 0 0 0\nv 1 0 \\\n 0\nv 0 1 0\nv 0 0 1\n\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
     for end in ["\n", "\r\n", "\r"] {
         let text = corner.replace('\n', end);
-        assert_eq!(volume(&import::obj(&text).unwrap()), (1.0 / 6.0, 4), "{end:?}");
+        assert_eq!(volume(&import::obj(&text).unwrap().walls), (1.0 / 6.0, 4), "{end:?}");
         match import::obj(&text.replace("f 2 3 4", "f 2 3 5")) {
             Err(Error::Import { place, .. }) => assert_eq!(place, "line 11", "{end:?}"),
             other => panic!("{end:?}: {other:?}"),
@@ -568,7 +592,7 @@ fn obj_lines_may_end_in_any_of_the_usual_ways() {
 fn obj_statements_are_read_as_they_are_written() {
     let corner = "\u{feff}# a corner\no a\nv 0 0 0 1\nv 1 0 \\\n 0\nv 0 1 0\ng b\nv 0 0 1 0.5 0.5 0.5\nvn 0 0 1\nvt 0 0\nl 1 2\np 1\n\
                   usemtl x\nf 1/1/1 3//1 2/1\nf 1 2 4\nf -4 -1 -2\nf 2 3 4 # the last\n";
-    assert_eq!(volume(&import::obj(corner).unwrap()), (1.0 / 6.0, 4));
+    assert_eq!(volume(&import::obj(corner).unwrap().walls), (1.0 / 6.0, 4));
     let vertices = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 3 0\n";
     for (statement, words) in [
         ("f 1 2", "at least three corners, not 2"),
@@ -606,7 +630,7 @@ fn stl_is_read_to_its_end_or_refused() {
     let solid =
         |facets: &[[[f32; 3]; 3]]| format!("solid\n{}endsolid a b\n", facets.iter().map(facet).collect::<String>());
     let two = format!("\u{feff}{}{}", solid(&facets[..1]), solid(&facets[1..]));
-    let read = import::stl(two.as_bytes()).unwrap();
+    let read = import::stl(two.as_bytes()).unwrap().walls;
     assert_eq!(volume(&read), (-1.0 / 6.0, 4));
     assert!(matches!(read, SolidSpec::TriMesh { vertices, .. } if vertices.len() == 4));
 
@@ -616,7 +640,7 @@ fn stl_is_read_to_its_end_or_refused() {
         binary.extend(facet.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
         binary.extend([0; 2]);
     }
-    assert_eq!(volume(&import::stl(&binary).unwrap()), (1.0 / 6.0, 4));
+    assert_eq!(volume(&import::stl(&binary).unwrap().walls), (1.0 / 6.0, 4));
 
     let refused = |bytes: &[u8], at: &str, words: &str| match import::stl(bytes) {
         Err(Error::Import { place, problem }) => assert!(place == at && problem.contains(words), "{place}: {problem}"),
@@ -647,7 +671,7 @@ fn texts_of_stl_keep_all_their_digits() {
         format!("facet\nouter\nvertex {a}\nvertex {b}\nvertex {c}\nendloop\nendfacet\n")
     };
     let text = format!("solid\n{}{}endsolid\n", facet([0, 1, 2]), facet([3, 1, 2]));
-    let SolidSpec::TriMesh { vertices, triangles, .. } = import::stl(text.as_bytes()).unwrap() else { panic!() };
+    let SolidSpec::TriMesh { vertices, triangles, .. } = import::stl(text.as_bytes()).unwrap().walls else { panic!() };
     let written = corners.map(|corner| corner.split(' ').map(|x| x.parse::<f64>().unwrap()).collect::<Vec<_>>());
     assert_eq!(vertices.iter().map(|v| v.to_vec()).collect::<Vec<_>>(), written);
     assert_eq!(triangles, [[0, 1, 2], [3, 1, 2]]);
@@ -661,7 +685,8 @@ fn a_face_of_thousands_of_corners_is_cut_into_triangles() {
     let corners: Vec<_> = side(0.0).chain(side(0.05).collect::<Vec<_>>().into_iter().rev()).collect();
     let vertices = joined(corners.iter().map(|p| format!("v {} {} 0\n", p.x, p.y)));
     let face = joined((1..=corners.len()).map(|k| format!(" {k}")));
-    let SolidSpec::TriMesh { vertices, triangles, .. } = import::obj(&format!("{vertices}f{face}\n")).unwrap() else {
+    let SolidSpec::TriMesh { vertices, triangles, .. } = import::obj(&format!("{vertices}f{face}\n")).unwrap().walls
+    else {
         panic!()
     };
     assert_eq!(triangles.len(), corners.len() - 2);
@@ -687,7 +712,7 @@ proptest! {
     ) {
         let d: String = commands.iter().map(|(c, n)| format!("{c}{n:?}").replace(['[', ']'], " ")).collect();
         if let Ok(pieces) = import::svg(&drawing(&format!("<path d=\"M0 0{d}\"/>")), 1e-3)
-            && let Ok(table) = Table::new(pieces)
+            && let Ok(table) = Table::new(pieces.walls)
         {
             let _ = table.validate();
         }

@@ -7,24 +7,33 @@ mod scaled;
 use core::f64::consts::TAU;
 
 use billiards::geometry::tables::{self, Kind, Values};
-use billiards::geometry::{Error, Table};
+use billiards::geometry::{Error, Table, import};
 
 use crate::document::{Diagnostic, Span};
 use crate::scene::{Arguments, Border, Curve, EdgePath, LawKind, Scene, Starts, TableShape};
 
 use super::scale;
 
-use complaint::{about, in_user_units};
+use complaint::in_user_units;
 pub(super) use complaint::{with_advice, wrong_argument};
 use pieces::explicit;
+
+/// Where a piece comes from.
+#[derive(Clone, Debug)]
+pub(crate) struct PieceSource {
+    /// Where it stands in the scene.
+    span: Span,
+    /// Where it is in a file that the scene names.
+    place: Option<import::Place>,
+}
 
 /// A planar table as drawn, all lengths multiplied by a factor.
 #[derive(Clone, Debug)]
 pub(crate) struct Drawn {
     /// The table.
     pub(crate) table: Table,
-    /// Where each piece stands in the scene.
-    pub(crate) spans: Vec<Span>,
+    /// Where each piece comes from.
+    pub(crate) sources: Vec<PieceSource>,
     /// The laws of pieces that have their own.
     pub(crate) laws: Vec<Option<LawKind>>,
     /// The factor: a power of two.
@@ -74,14 +83,14 @@ impl Drawn {
     /// The same without stretches that entries have in common and that bound nothing.
     fn joined(&self) -> Option<Drawn> {
         let (table, origins) = self.table.joined()?;
-        let spans = origins.iter().map(|&piece| self.spans[piece]).collect();
+        let sources = origins.iter().map(|&piece| self.sources[piece].clone()).collect();
         let laws = origins.iter().map(|&piece| self.laws[piece].clone()).collect();
-        Some(Drawn { table, spans, laws, factor: self.factor })
+        Some(Drawn { table, sources, laws, factor: self.factor })
     }
 
     /// An error of the geometry, expressed as one about the scene.
     pub(crate) fn complaint(&self, scene: &Scene, error: &Error) -> Diagnostic {
-        about(scene, &self.spans, self.factor, error)
+        complaint::of_table(scene, self, error)
     }
 
     /// The error with lengths in the user's unit.
@@ -168,7 +177,8 @@ fn named(scene: &Scene, name: &str, arguments: &Arguments, span: Span, factor: f
         .planar(&entry.scaled(&values, factor))
         .map_err(|error| vec![*wrong_argument(scene, arguments, &error, factor)])?;
     let count = table.pieces().len();
-    Ok(Drawn { table, spans: vec![span; count], laws: vec![None; count], factor })
+    let source = PieceSource { span, place: None };
+    Ok(Drawn { table, sources: vec![source; count], laws: vec![None; count], factor })
 }
 
 /// The values of a built-in table's parameters, in the geometry crate's form.

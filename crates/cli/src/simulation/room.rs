@@ -1,7 +1,8 @@
 //! A region of space bounded entry by entry.
 
+use billiards::geometry::Error;
+use billiards::geometry::import::{self, Imported, Place};
 use billiards::geometry::parry::{Room, Side, SolidSpec};
-use billiards::geometry::{Error, import};
 
 use crate::document::{Diagnostic, LARGEST, SMALLEST, Spanned, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
@@ -10,29 +11,49 @@ use super::drawing::{self, Reader};
 use super::wires::Wall;
 use super::words::short;
 
-/// The walls of an explicit boundary as drawn, and what they are. Every entry is one piece.
-pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<(Vec<Wall>, Vec<String>), Vec<Diagnostic>> {
-    let (mut walls, mut names) = (vec![], vec![]);
-    for entry in entries {
-        let (name, wall) = wall(scene, entry).map_err(|wrong| vec![*wrong])?;
-        names.push(name.into());
-        walls.push(wall);
-    }
-    Ok((walls, names))
+/// A wall of an explicit boundary as drawn: every entry is one piece.
+pub(crate) struct Entered {
+    pub(crate) name: String,
+    pub(crate) wall: Wall,
+    /// Where each triangle is in the file of a mesh.
+    places: Vec<Place>,
+}
+
+/// The walls of an explicit boundary.
+pub(crate) fn walls(scene: &Scene, entries: &[Entry]) -> Result<Vec<Entered>, Vec<Diagnostic>> {
+    entries.iter().map(|entry| wall(scene, entry).map_err(|wrong| vec![*wrong])).collect()
 }
 
 /// The room for the centre of the particle between walls, all lengths multiplied by a factor.
-pub(crate) fn between(scene: &Scene, entries: &[Entry], walls: &[Wall], factor: f64) -> Result<Room, Vec<Diagnostic>> {
+pub(crate) fn between(
+    scene: &Scene,
+    entries: &[Entry],
+    walls: &[Entered],
+    factor: f64,
+) -> Result<Room, Vec<Diagnostic>> {
     let radius = scene.particle.radius.value;
     let (mut solids, mut wrong) = (vec![], vec![]);
-    for (wall, entry) in walls.iter().zip(entries) {
-        match wall.scaled(factor).of_centres(radius * factor).and_then(|wall| wall.spec.solid(wall.center, wall.side)) {
+    for (entered, entry) in walls.iter().zip(entries) {
+        let wall = entered.wall.scaled(factor).of_centres(radius * factor);
+        match wall.and_then(|wall| wall.spec.solid(wall.center, wall.side)) {
             Ok(solid) => solids.push(solid),
             Err(Error::NothingLeft { largest, .. }) => wrong.push(too_large(scene, largest / factor)),
-            Err(error) => wrong.push(scene.source.diagnostic(entry.span, error.to_string())),
+            Err(error) => wrong.push(scene.source.diagnostic(entry.span, entered.complaint(&error))),
         }
     }
     if wrong.is_empty() { Ok(Room::new(solids)) } else { Err(wrong) }
+}
+
+impl Entered {
+    /// An error about this wall, with the place in its file.
+    fn complaint(&self, error: &Error) -> String {
+        match error {
+            Error::Triangle { triangle, problem } if *triangle < self.places.len() => {
+                format!("{}, {}: the face {problem}", self.name, self.places[*triangle])
+            }
+            error => error.to_string(),
+        }
+    }
 }
 
 /// The error that the particle does not fit, and the largest that would.
@@ -57,7 +78,8 @@ pub(crate) fn no_place(scene: &Scene) -> Diagnostic {
 }
 
 /// An entry of the boundary.
-fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diagnostic>> {
+fn wall(scene: &Scene, entry: &Entry) -> Result<Entered, Box<Diagnostic>> {
+    let mut places = vec![];
     let (name, spec, center, side) = match &entry.border {
         Border::Circle { center, radius, domain } => {
             ("sphere", SolidSpec::Ball { radius: radius.value }, coordinates(&center.value), side(*domain))
@@ -70,25 +92,27 @@ fn wall<'a>(scene: &Scene, entry: &'a Entry) -> Result<(&'a str, Wall), Box<Diag
             (*name, spec.clone(), *center, side(*domain))
         }
         Border::Mesh { file, unit, center, domain } => {
-            (&file.value[..], mesh(scene, file, *unit)?, coordinates(&center.value), side(*domain))
+            let read = mesh(scene, file, *unit)?;
+            places = read.places;
+            (&file.value[..], read.walls, coordinates(&center.value), side(*domain))
         }
         _ => return Err(Box::new(scene.source.diagnostic(entry.span, "this is no wall in space"))),
     };
-    Ok((name, Wall { spec, center, side }))
+    Ok(Entered { name: name.into(), wall: Wall { spec, center, side }, places })
 }
 
 /// Triangles from a file whose unit has this length.
-fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<SolidSpec, Box<Diagnostic>> {
-    let readers: [(&str, Reader<SolidSpec>); 2] =
+fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<Imported<SolidSpec>, Box<Diagnostic>> {
+    let readers: [(&str, Reader<Imported<SolidSpec>>); 2] =
         [("stl", import::stl), ("obj", |bytes| import::obj(&String::from_utf8_lossy(bytes)))];
-    let mesh = drawing::read(scene, file, "a mesh is read from a .stl or .obj file", &readers)?;
-    let mesh = mesh.scaled(unit);
-    let largest = match &mesh {
+    let Imported { walls, places } = drawing::read(scene, file, "a mesh is read from a .stl or .obj file", &readers)?;
+    let walls = walls.scaled(unit);
+    let largest = match &walls {
         SolidSpec::TriMesh { vertices, .. } => vertices.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())),
         _ => 0.0,
     };
     if (SMALLEST..=LARGEST).contains(&largest) {
-        return Ok(mesh);
+        return Ok(Imported { walls, places });
     }
     let what = format!("the largest coordinate of {} is {}", file.value, short(largest));
     let help =

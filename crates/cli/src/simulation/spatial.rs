@@ -134,8 +134,10 @@ impl Spatial {
                 (Space::Named(centres), shift, walls, pieces, laws)
             }
             TableShape::Boundary(entries) => {
-                let (walls, pieces) = room::walls(scene, entries)?;
-                let room = room::between(scene, entries, &walls, factor)?;
+                let entered = room::walls(scene, entries)?;
+                let room = room::between(scene, entries, &entered, factor)?;
+                let (walls, pieces): (Vec<_>, Vec<_>) =
+                    entered.into_iter().map(|entered| (entered.wall, entered.name)).unzip();
                 let laws = entries.iter().map(|entry| entry.law.as_ref().map(|law| law.kind.clone())).collect();
                 (Space::Room(room), Vector3::zeros(), walls, pieces, laws)
             }

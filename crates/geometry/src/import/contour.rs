@@ -1,4 +1,5 @@
 //! Closed outlines, turned the right way.
+use super::place::{Imported, Place};
 use crate::{
     BoxTree, Error, Extent, MeetingKind, Piece, enclosed_area, meetings,
     plane::slack,
@@ -7,6 +8,7 @@ use crate::{
     validate::crosses_itself,
 };
 use nalgebra::Vector2;
+use std::sync;
 
 /// Semi-axes whose relative difference is less than this make a circle: transformations are rounded.
 const ROUND: f64 = 1e-12;
@@ -93,6 +95,8 @@ pub(super) struct Contour {
     pub(super) place: String,
     pub(super) form: Form,
     pub(super) role: Role,
+    /// The position at which each edge starts, where the file lists positions.
+    pub(super) positions: Vec<usize>,
 }
 
 impl Contour {
@@ -113,6 +117,22 @@ impl Contour {
                 Ok(pieces)
             }
         }
+    }
+}
+
+impl Contour {
+    /// Where each of its pieces is.
+    fn places(&self, count: usize, reversed: bool) -> Vec<Place> {
+        let outline: sync::Arc<str> = self.place.as_str().into();
+        let place = |k: usize| match self.positions.get(k) {
+            Some(position) => Place::Position(outline.clone(), *position),
+            None => Place::Outline(outline.clone()),
+        };
+        let mut places: Vec<Place> = (0..count).map(place).collect();
+        if reversed {
+            places.reverse();
+        }
+        places
     }
 }
 
@@ -161,8 +181,8 @@ impl Pen {
     }
 }
 
-/// The pieces of all outlines, in their order, each loop turned so that the table is on its left.
-pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Error> {
+/// The pieces of all outlines, in their order, each loop turned so that the table is on its left; and where they are.
+pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
     if contours.is_empty() {
         return Err(Error::Empty);
     }
@@ -210,11 +230,12 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Vec<Box<dyn Piece>>, Erro
         };
         turned.push((area < 0.0) != hole);
     }
-    let mut pieces = vec![];
+    let (mut walls, mut places) = (vec![], vec![]);
     for ((contour, given), reversed) in contours.iter().zip(loops).zip(turned) {
-        pieces.extend(if reversed { contour.pieces(true)? } else { given });
+        places.extend(contour.places(given.len(), reversed));
+        walls.extend(if reversed { contour.pieces(true)? } else { given });
     }
-    Ok(pieces)
+    Ok(Imported { walls, places })
 }
 
 /// Number of tries to find a ray from an outline that touches no other one.

@@ -1,11 +1,12 @@
 //! Outlines from `GeoJSON`: polygons with holes.
 use super::contour::{Contour, Edge, Pen, Role, in_range, oriented};
 use super::distinct::Distinct;
+use super::place::Imported;
 use crate::{Error, Piece};
 use nalgebra::Vector2;
 use serde_json::Value;
 
-/// The outlines of all polygons of a `GeoJSON` text, as pieces of a table.
+/// The outlines of all polygons of a `GeoJSON` text, as pieces of a table, and for each piece the position where it starts in the file.
 ///
 /// `Polygon` and `MultiPolygon` are read, alone or in features and collections; other geometries do not bound anything and are an
 /// error. Coordinates are taken as they are (a plane, not a sphere); a third one is ignored. Rings end with the position that they
@@ -14,14 +15,14 @@ use serde_json::Value;
 /// ```
 /// use geometry::{Table, import};
 /// let text = r#"{"type": "Polygon", "coordinates": [[[0, 0], [0, 3], [4, 0], [0, 0]]]}"#;
-/// let table = Table::new(import::geojson(text)?)?;
+/// let table = Table::new(import::geojson(text)?.walls)?;
 /// assert_eq!(table.area(), 6.0);
 /// # Ok::<(), geometry::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::Import`] with the place of the problem, [`Error::Empty`] where there is no polygon.
-pub fn geojson(text: &str) -> Result<Vec<Box<dyn Piece>>, Error> {
+pub fn geojson(text: &str) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
     let Distinct(value) = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
         let problem = e.to_string();
         let problem = problem.rsplit_once(" at line").map_or(problem.as_str(), |(what, _)| what).to_string();
@@ -95,11 +96,18 @@ fn polygon(rings: &[Value], place: &str, contours: &mut Vec<Contour>) -> Result<
             return fail(&place, problem);
         }
         let mut pen = Pen::new(start);
-        for &corner in rest {
+        let mut starts = vec![];
+        for (n, &corner) in rest.iter().enumerate() {
+            if corner != pen.at() {
+                starts.push(n);
+            }
             pen.draw(Edge::Line, corner);
         }
         match pen.close() {
-            Some(form) => contours.push(Contour { place, form, role: if k == 0 { Role::Outer } else { Role::Hole } }),
+            Some(form) => {
+                let role = if k == 0 { Role::Outer } else { Role::Hole };
+                contours.push(Contour { place, form, role, positions: starts });
+            }
             None => return fail(&place, "a ring must have at least three different positions"),
         }
     }

@@ -1,11 +1,15 @@
 //! Surfaces from Wavefront OBJ.
 //!
 //! The reader is our own: `tobj` cuts non-convex faces into a wrong surface, and does not report the line of an error.
-use super::{contour::in_range, ears};
+use super::{
+    contour::in_range,
+    ears,
+    place::{Imported, Place},
+};
 use crate::{Error, parry::SolidSpec};
 use nalgebra::Vector3;
 
-/// The faces of an OBJ file: a [`SolidSpec::TriMesh`]. All objects and groups are taken together; textures, normals, materials, points
+/// The faces of an OBJ file: a [`SolidSpec::TriMesh`], and for each of its triangles the line of the face. All objects and groups are taken together; textures, normals, materials, points
 /// and lines are ignored. Faces of more than three corners are cut into triangles; they need not be convex but must not cross
 /// themselves, and where they are not flat, their triangles are the surface.
 ///
@@ -15,14 +19,14 @@ use nalgebra::Vector3;
 /// use geometry::{import, parry::Side};
 /// let pyramid = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 1\n\
 ///                f 4 3 2 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
-/// let room = import::obj(pyramid)?.solid([0.0; 3], Side::Inside)?;
+/// let room = import::obj(pyramid)?.walls.solid([0.0; 3], Side::Inside)?;
 /// assert_eq!(room.distance(&[1.0, 1.0, 0.25].into()), 0.25);
 /// # Ok::<(), geometry::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::Import`] with the line of the problem, [`Error::Empty`] where there is no face.
-pub fn obj(text: &str) -> Result<SolidSpec, Error> {
+pub fn obj(text: &str) -> Result<Imported<SolidSpec>, Error> {
     let (mut points, mut faces) = (vec![], vec![]);
     for (line, words) in statements(text.trim_start_matches('\u{feff}')) {
         let located = |problem: String| Error::Import { place: format!("line {line}"), problem };
@@ -39,7 +43,7 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
         }
     }
     in_range(points.iter().flatten(), "the file")?;
-    let (mut vertices, mut triangles) = (vec![], vec![]);
+    let (mut vertices, mut triangles, mut places) = (vec![], vec![], vec![]);
     // vertices that belong to no face are left out
     let mut numbers: Vec<Option<usize>> = vec![None; points.len()];
     for (line, corners) in faces {
@@ -50,15 +54,16 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
         if let Some(missing) = corners.iter().find(|&&k| k >= points.len()) {
             return Err(located(format!("there is no vertex {}: the file has {}", missing + 1, points.len())));
         }
-        let places: Vec<_> = corners.iter().map(|&k| points[k]).collect();
-        let Some(cut) = ears::triangles(&places) else {
+        let polygon: Vec<_> = corners.iter().map(|&k| points[k]).collect();
+        let Some(cut) = ears::triangles(&polygon) else {
             let problem = "the corners of this face do not form a simple polygon: cut it into triangles";
             return Err(located(problem.into()));
         };
         for triangle in cut {
+            places.push(Place::Line(line));
             triangles.push(triangle.map(|k| {
                 *numbers[corners[k]].get_or_insert_with(|| {
-                    vertices.push(places[k].into());
+                    vertices.push(polygon[k].into());
                     vertices.len() - 1
                 })
             }));
@@ -67,7 +72,7 @@ pub fn obj(text: &str) -> Result<SolidSpec, Error> {
     if triangles.is_empty() {
         return Err(Error::Empty);
     }
-    Ok(SolidSpec::TriMesh { vertices, triangles, margin: 0.0 })
+    Ok(Imported { walls: SolidSpec::TriMesh { vertices, triangles, margin: 0.0 }, places })
 }
 
 /// The words of each statement, and the number of its first line: a line that ends in a backslash goes on in the next one.

@@ -1,10 +1,11 @@
 //! Surfaces from STL.
 //!
 //! The reader is our own: `stl_io` reads only the first solid of a text file, and trusts the length stated in a binary file.
+use super::place::{Imported, Place};
 use crate::{Error, parry::SolidSpec, plane::key};
 use std::collections::HashMap;
 
-/// The triangles of an STL file, binary or text: a [`SolidSpec::TriMesh`].
+/// The triangles of an STL file, binary or text: a [`SolidSpec::TriMesh`], and for each triangle its line or the number of its facet.
 ///
 /// Binary files have coordinates in single precision, and texts as many digits as they have: all are taken as they are. The normals in
 /// the file are ignored, but the corners of each triangle must go round counter-clockwise as seen from outside (a closed surface may be
@@ -17,7 +18,7 @@ use std::collections::HashMap;
 /// };
 /// let [o, x, y, z] = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
 /// let facets = [facet(o, y, x), facet(o, x, z), facet(o, z, y), facet(x, y, z)].concat();
-/// let corner = import::stl(format!("solid corner\n{facets}endsolid corner\n").as_bytes())?;
+/// let corner = import::stl(format!("solid corner\n{facets}endsolid corner\n").as_bytes())?.walls;
 /// let room = corner.solid([0.0; 3], Side::Inside)?;
 /// assert_eq!(room.distance(&[0.25, 0.25, 0.125].into()), 0.125);
 /// # Ok::<(), geometry::Error>(())
@@ -25,12 +26,12 @@ use std::collections::HashMap;
 ///
 /// # Errors
 /// [`Error::Import`] for a file that is not valid STL to its end, [`Error::Empty`] where there is no triangle.
-pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
+pub fn stl(bytes: &[u8]) -> Result<Imported<SolidSpec>, Error> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim_start_matches('\u{feff}');
     let begins_as_text = text.trim_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case("solid"));
     // binary files may begin like this, too; they are recognised by their size
-    let facets = match announced(bytes) {
+    let (facets, places) = match announced(bytes) {
         Some((count, size)) if bytes.len() as u64 == size || !begins_as_text => binary(bytes, count, size)?,
         _ => ascii(text)?,
     };
@@ -45,10 +46,13 @@ pub fn stl(bytes: &[u8]) -> Result<SolidSpec, Error> {
         })
     };
     let triangles = facets.into_iter().map(|facet| facet.map(&mut number)).collect();
-    Ok(SolidSpec::TriMesh { vertices, triangles, margin: 0.0 })
+    Ok(Imported { walls: SolidSpec::TriMesh { vertices, triangles, margin: 0.0 }, places })
 }
 
 type Facet = [[f64; 3]; 3];
+
+/// Facets and where they are.
+type Facets = (Vec<Facet>, Vec<Place>);
 
 const HEADER: usize = 84;
 const FACET: usize = 50;
@@ -59,7 +63,7 @@ fn announced(bytes: &[u8]) -> Option<(u32, u64)> {
     Some((count, HEADER as u64 + FACET as u64 * u64::from(count)))
 }
 
-fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Vec<Facet>, Error> {
+fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Facets, Error> {
     let fail = |problem: String| Error::Import { place: "the file".into(), problem };
     if bytes.len() as u64 != size {
         let problem = format!(
@@ -77,14 +81,16 @@ fn binary(bytes: &[u8], count: u32, size: u64) -> Result<Vec<Facet>, Error> {
             .then_some(corners)
             .ok_or_else(|| fail(format!("a coordinate of facet {k} is not a finite number: export the file again")))
     };
-    bytes[HEADER..].chunks_exact(FACET).enumerate().map(facet).collect()
+    let facets: Vec<Facet> = bytes[HEADER..].chunks_exact(FACET).enumerate().map(facet).collect::<Result<_, _>>()?;
+    let places = (0..facets.len()).map(Place::Facet).collect();
+    Ok((facets, places))
 }
 
 /// What the lines of a facet begin with.
 const LINES: [&str; 7] = ["facet", "outer", "vertex", "vertex", "vertex", "endloop", "endfacet"];
 
-fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
-    let (mut facets, mut corners) = (vec![], vec![]);
+fn ascii(text: &str) -> Result<Facets, Error> {
+    let (mut facets, mut places, mut corners) = (vec![], vec![], vec![]);
     let (mut step, mut is_closed) = (0, true);
     for (k, line) in text.lines().enumerate() {
         let fail = |problem: String| Error::Import { place: format!("line {}", k + 1), problem };
@@ -107,6 +113,9 @@ fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
             };
             corners.push([x, y, z]);
         }
+        if step == 0 {
+            places.push(Place::Line(k + 1));
+        }
         step = (step + 1) % LINES.len();
         if let (0, &[a, b, c]) = (step, &corners[..]) {
             facets.push([a, b, c]);
@@ -117,5 +126,5 @@ fn ascii(text: &str) -> Result<Vec<Facet>, Error> {
         let problem = "the text ends before \"endsolid\": export the file again";
         return Err(Error::Import { place: "the file".into(), problem: problem.into() });
     }
-    Ok(facets)
+    Ok((facets, places))
 }

@@ -6,6 +6,7 @@ mod style;
 use super::{
     biarc::Fit,
     contour::{Contour, Edge, Form, Oval, Pen, Role, in_range, oriented},
+    place::Imported,
 };
 use crate::{Error, Piece};
 use affine::Affine;
@@ -13,7 +14,7 @@ use nalgebra::Vector2;
 use path::{Draw, Subpath};
 use roxmltree::{Document, Node, ParsingOptions};
 
-/// The outlines of an SVG drawing, as pieces of a table.
+/// The outlines of an SVG drawing, as pieces of a table, and line and element of each piece.
 ///
 /// The elements `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse` are read, with the transformations of elements and groups
 /// given as attributes; open outlines that are filled are closed by a straight edge, as filling does. Hidden elements, texts, images and
@@ -26,7 +27,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 /// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for an open outline that
 /// is not filled, or may be left unfilled by a style sheet, for a `use`, which should be expanded by the drawing program, and for styles
 /// that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a drawing without outlines; [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
-pub fn svg(text: &str, tolerance: f64) -> Result<Vec<Box<dyn Piece>>, Error> {
+pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
     if !(1e-14..=1.0).contains(&tolerance) {
         return Err(Error::Parameter { name: "tolerance", must: "between 1e-14 and 1", value: tolerance });
     }
@@ -343,6 +344,6 @@ impl Outline {
                 pen.close()
             }
         };
-        Ok(form.map(|form| Contour { place: self.place.0.clone(), form, role: Role::Nested }))
+        Ok(form.map(|form| Contour { place: self.place.0.clone(), form, role: Role::Nested, positions: vec![] }))
     }
 }

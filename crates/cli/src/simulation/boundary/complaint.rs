@@ -1,9 +1,11 @@
 //! Errors of a boundary, in the user's words and units.
 
-use billiards::geometry::{Error, ImplicitRule, ParametricRule, tables};
+use billiards::geometry::{Error, ImplicitRule, Meeting, MeetingKind, ParametricRule, Table, meetings, tables};
 
-use crate::document::{Diagnostic, Span};
+use super::{Drawn, PieceSource};
+use crate::document::{Diagnostic, spell};
 use crate::scene::{Arguments, Scene, TableShape};
+use crate::simulation::words::point;
 
 /// An error with lengths and names as in the user's file.
 pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
@@ -58,11 +60,48 @@ fn in_keys(must: &'static str) -> &'static str {
     if must == "another point than a" { "another point than from" } else { must }
 }
 
-/// An error of the geometry, expressed as one about the scene; `pieces` are the places of the
-/// pieces in its file.
-pub(super) fn about(scene: &Scene, pieces: &[Span], factor: f64, error: &Error) -> Diagnostic {
-    let span = piece_of(error).and_then(|piece| pieces.get(piece)).copied().unwrap_or(scene.table.span);
-    with_advice(scene.source.diagnostic(span, in_user_units(error, factor).to_string()), error, &scene.table.shape)
+/// An error of the geometry, expressed as one about the scene, given where its pieces come from.
+pub(super) fn about(scene: &Scene, sources: &[PieceSource], factor: f64, error: &Error) -> Diagnostic {
+    let what = in_user_units(error, factor).to_string();
+    with_advice(located(scene, sources, error, what), error, &scene.table.shape)
+}
+
+/// An error of a table that has been drawn.
+pub(super) fn of_table(scene: &Scene, drawn: &Drawn, error: &Error) -> Diagnostic {
+    let Drawn { table, sources, factor, .. } = drawn;
+    let spelled = |p: [f64; 2]| p.map(|x| spell(x / factor)).join(", ");
+    match *error {
+        Error::Crossing { first, second, at } if is_twice(table, [first, second], at) => {
+            let what = format!("pieces {first} and {second} coincide near {}", point(&at.map(|x| x / factor), 0.0));
+            located(scene, sources, error, what).with_help("the same wall is drawn twice: leave one out")
+        }
+        Error::TooShort { piece, .. } if sources.get(piece).is_some_and(|source| source.place.is_some()) => {
+            let from = table.pieces()[piece].point_at(0.0);
+            let what = format!("{}, near ({})", in_user_units(error, *factor), spelled(from.into()));
+            with_advice(located(scene, sources, error, what), error, &scene.table.shape)
+        }
+        _ => about(scene, sources, *factor, error),
+    }
+}
+
+/// Whether two pieces coincide, with the table on the same side, where they meet at a point.
+fn is_twice(table: &Table, numbers: [usize; 2], at: [f64; 2]) -> bool {
+    let [a, b] = numbers.map(|k| &*table.pieces()[k]);
+    let is_there = |m: &Meeting| m.kind == MeetingKind::Overlap && [m.point.x, m.point.y] == at;
+    numbers[0] != numbers[1] && meetings(a, b).iter().any(is_there)
+}
+
+/// A diagnostic at the place in the scene of the piece that the error is about; where pieces are from a file, their places in it are
+/// added.
+fn located(scene: &Scene, sources: &[PieceSource], error: &Error, what: String) -> Diagnostic {
+    let first =
+        if let Error::Crossing { first, second, .. } = error { Some(*first).filter(|k| k != second) } else { None };
+    let numbers: Vec<usize> = first.into_iter().chain(piece_of(error)).collect();
+    let place = |k: &usize| Some(format!("piece {k} is from {}", sources.get(*k)?.place.as_ref()?));
+    let places: Vec<String> = numbers.iter().filter_map(place).collect();
+    let what = if places.is_empty() { what } else { format!("{what}; {}", places.join(", ")) };
+    let span = piece_of(error).and_then(|piece| sources.get(piece)).map_or(scene.table.span, |source| source.span);
+    scene.source.diagnostic(span, what)
 }
 
 /// The piece that an error is about.

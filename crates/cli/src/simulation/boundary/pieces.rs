@@ -6,9 +6,9 @@ use billiards::geometry::shapes::curve::{self, Implicit, Polar, PolarPoints};
 use billiards::geometry::shapes::{Arc, Circle, Ellipse, FullLine, Ray, Segment};
 use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, enclosed_area, import, parry};
 
-use super::Drawn;
 use super::complaint::{about, in_user_units, with_advice};
 use super::scaled::Scaled;
+use super::{Drawn, PieceSource};
 use crate::document::{Diagnostic, Span, Spanned};
 use crate::expression::{Expression, ImplicitCurve, ParametricCurve, PolarCurve};
 use crate::scene::{self, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, Turn};
@@ -16,17 +16,20 @@ use crate::simulation::drawing::{self, Reader};
 use crate::simulation::scale;
 use crate::simulation::words::short;
 
+/// The pieces of a drawing or a map.
+type Outlines = import::Imported<Vec<Box<dyn Piece>>>;
+
 /// The pieces of an explicit boundary, collected in order.
 struct Collected<'a> {
     scene: &'a Scene,
     factor: f64,
     pieces: Vec<Box<dyn Piece>>,
-    spans: Vec<Span>,
+    sources: Vec<PieceSource>,
     laws: Vec<Option<LawKind>>,
 }
 
 pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<Diagnostic>> {
-    let mut all = Collected { scene, factor, pieces: vec![], spans: vec![], laws: vec![] };
+    let mut all = Collected { scene, factor, pieces: vec![], sources: vec![], laws: vec![] };
     let mut wrong = vec![];
     // two-sided walls aside, which enclose nothing
     let mut others = vec![];
@@ -42,11 +45,11 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
         return Err(wrong);
     }
     let lattice = lattice(scene, factor)?;
-    let Collected { pieces, spans, laws, .. } = all;
+    let Collected { pieces, sources, laws, .. } = all;
     let unbounded = !others.is_empty() && others.iter().all(|entry| entry.border.is_obstacle());
-    let table = Table::periodic(pieces, lattice).map_err(|error| vec![about(scene, &spans, factor, &error)])?;
+    let table = Table::periodic(pieces, lattice).map_err(|error| vec![about(scene, &sources, factor, &error)])?;
     let table = if unbounded { table.unbounded() } else { table };
-    Ok(Drawn { table, spans, laws, factor })
+    Ok(Drawn { table, sources, laws, factor })
 }
 
 fn lattice(scene: &Scene, factor: f64) -> Result<Option<Lattice>, Vec<Diagnostic>> {
@@ -65,8 +68,12 @@ impl Collected<'_> {
     }
 
     fn push(&mut self, piece: Box<dyn Piece>, span: Span, law: Option<&scene::Law>) {
+        self.push_from(piece, PieceSource { span, place: None }, law);
+    }
+
+    fn push_from(&mut self, piece: Box<dyn Piece>, source: PieceSource, law: Option<&scene::Law>) {
         self.pieces.push(piece);
-        self.spans.push(span);
+        self.sources.push(source);
         self.laws.push(law.map(|law| law.kind.clone()));
     }
 
@@ -119,8 +126,9 @@ impl Collected<'_> {
                 return Ok(());
             }
             Border::Outline { file } => {
-                for piece in self.outline(file)? {
-                    self.push(piece, file.span, law);
+                let import::Imported { walls, places } = self.outline(file)?;
+                for (piece, place) in walls.into_iter().zip(places) {
+                    self.push_from(piece, PieceSource { span: file.span, place: Some(place) }, law);
                 }
                 return Ok(());
             }
@@ -248,10 +256,10 @@ impl Collected<'_> {
     }
 
     /// Loops from a drawing or a map.
-    fn outline(&self, file: &Spanned<String>) -> Result<Vec<Box<dyn Piece>>, Box<Diagnostic>> {
+    fn outline(&self, file: &Spanned<String>) -> Result<Outlines, Box<Diagnostic>> {
         let kinds = "an outline is read from a .svg, .json or .geojson file";
-        let svg: Reader<Vec<Box<dyn Piece>>> = |bytes| import::svg(&String::from_utf8_lossy(bytes), import::TOLERANCE);
-        let geojson: Reader<Vec<Box<dyn Piece>>> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
+        let svg: Reader<Outlines> = |bytes| import::svg(&String::from_utf8_lossy(bytes), import::TOLERANCE);
+        let geojson: Reader<Outlines> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
         drawing::read(self.scene, file, kinds, &[("svg", svg), ("json", geojson), ("geojson", geojson)])
     }
 }
