@@ -358,6 +358,118 @@ mod tests {
         assert!(matches!(found, Err(Error::PolarKink { .. })), "{:?}", found.err());
     }
 
+    /// Where a formula changes its sign in a turn, by bisection of a fine grid.
+    fn roots(text: &str) -> Vec<f64> {
+        let u = Expression::parse(text, &["t"]).unwrap();
+        let is_positive = |t: f64| u.evaluate(&[t]) > 0.0;
+        let at = |k: u32| TAU * (f64::from(k) + 0.37) / 20_000.0;
+        let changes = (0..20_000).map(|k| [at(k), at(k + 1)]).filter(|[a, b]| is_positive(*a) != is_positive(*b));
+        changes
+            .map(|[mut a, mut b]| {
+                let before = is_positive(a);
+                for _ in 0..60 {
+                    let middle = 0.5 * (a + b);
+                    if is_positive(middle) == before { a = middle } else { b = middle }
+                }
+                0.5 * (a + b)
+            })
+            .collect()
+    }
+
+    /// Checks that `2.4 + 0.2 |u|` is cut where `u` changes its sign, and only there.
+    fn is_cut_at_roots(u: &str) {
+        let text = format!("2.4+0.2*abs({u})");
+        let (pieces, roots) = (polar(&text).unwrap().pieces(), roots(u));
+        // an arc needs two distinct ends
+        assert_eq!(pieces.len(), if roots.len() == 1 { 2 } else { roots.len().max(1) }, "{text}: {roots:?}");
+        let radius = Expression::parse(&text, &["t"]).unwrap();
+        for at in roots {
+            let (sin, cos) = libm::sincos(at);
+            let kink = Vector2::new(cos, sin) * radius.evaluate(&[at]);
+            let mut ends = pieces.iter().filter_map(|arc| arc.ends()).flatten();
+            assert!(ends.any(|end| (end - kink).amax() < 1e-12), "{text}: {at}");
+        }
+    }
+
+    #[test]
+    fn a_curve_is_cut_at_the_kinks_of_formulas_that_repeat_their_variable() {
+        for u in [
+            "sin(t)*cos(3*t)-0.3",
+            "sin(t)*cos(t)-0.3",
+            "sin(t)^2-0.3*sin(t)-0.2",
+            "sin(t)*sin(t)-sin(t)/2",
+            "cos(t)/(2+sin(t))-0.3",
+            "cos(t)/(2+sin(t))-0.57",
+            "cos(t)/(2+sin(t))-0.576",
+            "cos(t)*sin(3*t)-0.715",
+            "cos(t)+cos(2*t)+0.1",
+            "sin(2*t)-cos(3*t)",
+        ] {
+            is_cut_at_roots(u);
+        }
+        let forms = [
+            "sin(t)*cos(3*t)",
+            "cos(t)/(2+sin(t))",
+            "cos(t)+0.4*cos(3*t)",
+            "sin(t)+0.4*sin(2*t)",
+            "cos(t)*exp(sin(t))",
+            "sin(2*t)*(1+0.3*cos(t))",
+            "cos(t)^2-0.3*sin(t)",
+        ];
+        for (form, k) in forms.iter().cycle().zip(0..105_u32) {
+            // all over [−0.6, 0.6]
+            let c = 0.0012 * f64::from(k * 619 % 1000) - 0.6;
+            is_cut_at_roots(&format!("{form}-({c:.4})"));
+        }
+    }
+
+    #[test]
+    fn where_the_argument_of_abs_touches_zero_a_curve_is_whole_and_its_kinks_elsewhere_are_kept() {
+        for (text, kinks) in [
+            ("1+0.15*abs(cos(t)+cos(2*t))", 2),
+            ("1-0.15*abs(cos(t)+cos(2*t))", 2),
+            ("((1+0.3*cos(t))+(1-0.3*cos(2*t))+abs((1+0.3*cos(t))-(1-0.3*cos(2*t))))/2", 2),
+            ("((1+0.3*cos(t))+(1-0.3*cos(2*t))-abs((1+0.3*cos(t))-(1-0.3*cos(2*t))))/2", 2),
+            ("1+0.15*abs(cos(t+1)+cos(2*(t+1)))", 2),
+            ("2+0.1*abs(cos(t)-1)+0.1*abs(sin(t-1))", 2),
+            ("2+0.1*(1-sin(t)^2)^1.5+0.1*abs(sin(t-1))", 2),
+            // touches 0 at ±π/2 as well, where it is cut
+            ("2+0.1*abs(cos(t)-cos(2*t)*cos(t))", 2),
+            ("2+0.1*abs(cos(t)-1)", 1),
+            // two kinks with a slope of 10⁻⁶ between them
+            ("2+0.1*abs(cos(t)-0.99999999999)", 2),
+        ] {
+            assert_eq!(polar(text).unwrap().pieces().len(), kinks, "{text}");
+        }
+        // where neither bounds nor rounding tell, the curve is refused
+        let found = polar("2+0.1*abs(cos(t)^2-cos(t)+0.25)*abs(sin(3*t))");
+        assert!(matches!(found, Err(Error::PolarKink { .. })), "{:?}", found.err());
+    }
+
+    #[test]
+    fn points_given_by_formulas_that_repeat_their_variable_are_cut_at_the_same_places() {
+        use billiards::geometry::shapes::curve::ParametricCurve as Curve;
+        let along = |y: &str| {
+            let [x, y] = ["t", y].map(|text| Expression::parse(text, &["t"]).unwrap());
+            let formula = ParametricCurve::new([&x, &y]);
+            let ends = [-1.0, 1.0].map(|t| ParametricFormula::jet(&formula, t)[0].into());
+            Curve::along(formula, [-1.0, 1.0], ends).unwrap()
+        };
+        let [short, long] = ["abs((t-0.25)^2-0.0625)", "abs(t^2-0.5*t)"].map(along);
+        assert_eq!(short.len(), 3);
+        assert_eq!(long.len(), 3);
+        for (short, long) in short.iter().zip(&long) {
+            let [a, b] = [short.ends().unwrap(), long.ends().unwrap()];
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).amax() < 1e-15), "{a:?} {b:?}");
+        }
+        for (radius, arcs) in [("1+0.15*abs(cos(t)+cos(2*t))", 3), ("2.4+0.2*abs(sin(t)*cos(3*t)-0.3)", 5)] {
+            let points = ["cos", "sin"].map(|f| Expression::parse(&format!("({radius})*{f}(t)"), &["t"]).unwrap());
+            let formula = ParametricCurve::new([&points[0], &points[1]]);
+            // between the kinks and the start
+            assert_eq!(Curve::around(formula, [0.0, TAU], true).unwrap().len(), arcs, "{radius}");
+        }
+    }
+
     #[test]
     fn paths_by_cusps_and_quotients_end_on_the_curve() {
         for text in [

@@ -490,6 +490,22 @@ fn a_disk_rolls_around_the_corner_where_a_turn_of_a_formula_ends() {
 }
 
 #[test]
+fn a_kink_of_a_formula_that_touches_zero_elsewhere_is_a_corner_and_a_disk_rolls_around_it() {
+    let folder = Folder::new("touching");
+    // cos t + cos 2t changes its sign at ±π/3, and touches 0 at π
+    let scene = |orbit: &str| {
+        format!(
+            "law = \"specular\"\n[[table.boundary]]\ncurve = {{ polar = \"1+0.15*abs(cos(t)+cos(2*t))\" }}\n{orbit}\n\
+             [run]\ncollisions = 100\n[output]\ncollisions = \"csv\"\n"
+        )
+    };
+    let into = "[[orbit]]\nposition = [0, 0]\nvelocity = [\"cos(pi/3)\", \"sin(pi/3)\"]";
+    assert_eq!(folder.done(&scene(into), &[])["stops"]["corner"], 1);
+    let disk = "[[orbit]]\nposition = [0.1, 0.2]\nvelocity = [0.6, 0.8]\n[particle]\nradius = 0.1";
+    assert_eq!(folder.done(&scene(disk), &[])["stops"]["finished"], 1);
+}
+
+#[test]
 fn a_disk_sees_the_bends_between_the_places_where_curvature_is_looked_at() {
     let folder = Folder::new("bends");
     let scene = "law = \"no-slip\"\n[[table.boundary]]\ncurve = { polar = \"1+-0.05418429947613218*abs(sin(1*t+0.82))+0.0689474497866048*cos(7*t+2.73)^3+0.05461552238\

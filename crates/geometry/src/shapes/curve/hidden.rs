@@ -22,6 +22,13 @@ const AROUND: f64 = 64.0;
 /// unbounded, as for powers below 0.91 and above 1.06, and along the flank of a step.
 const STEADY: f64 = 0.15;
 
+/// Where slopes differ on the two sides of a place by less than this fraction of what they differ by [`AROUND`] times as far away, there
+/// is nothing: a 64th for a steady bend, a 55th for `|φ|^1.96`.
+const LINEAR: f64 = 1.0 / 55.0;
+
+/// Nor is there anything where they differ by less than this, in units of the radius.
+const NOTHING: f64 = 1e-8;
+
 /// Number of parts into which a part is cut first; the one where the slope changes most is examined more closely. (There may be a whole
 /// wave in it.)
 const FIRST: u32 = 16;
@@ -57,6 +64,16 @@ fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]
     parts
 }
 
+/// What there is at a place without a bound on the second derivative.
+enum Place {
+    /// About where the kink is.
+    Kink(f64),
+    /// Nothing, but for the bounds.
+    Smooth,
+    /// A cusp, or a bend like that of `|φ|^1.5`.
+    Rough,
+}
+
 /// About where the first kink is, if there is one and the second derivative is bounded everywhere except at kinks; `sectors` are those
 /// of a turn, with `r` and its derivatives in each.
 ///
@@ -70,7 +87,7 @@ pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval
     let change = |low: f64, high: f64| (slope(high) - slope(low)).abs();
     let parts = unbounded(formula, sectors);
     let are_places = parts.len() <= MOST;
-    let mut kinks = parts.into_iter().map(|part| {
+    let mut places = parts.into_iter().map(|part| {
         // the kink may lie at its end
         let room = 0.5 * part.width().max(NEAR);
         let (mut low, width) = (part.low - room, (part.width() + 2.0 * room) / f64::from(FIRST));
@@ -85,9 +102,22 @@ pub(super) fn kink<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval
         let angle = 0.5 * (low + high);
         let here = change(angle - NEAR, angle + NEAR);
         let beside = [-NEAR, NEAR].map(|far| change(angle + far, angle + AROUND * far));
-        (here > ROUNDING && beside.iter().all(|beside| *beside < STEADY * here)).then_some(angle)
+        let around = change(angle - AROUND * NEAR, angle + AROUND * NEAR);
+        if here > ROUNDING && beside.iter().all(|beside| *beside < STEADY * here) {
+            Place::Kink(angle)
+        } else if here <= LINEAR * around || here <= NOTHING {
+            Place::Smooth
+        } else {
+            Place::Rough
+        }
     });
-    if are_places { kinks.collect::<Option<Vec<f64>>>()?.first().copied() } else { kinks.find_map(|kink| kink) }
+    let kink = |place: Place| if let Place::Kink(angle) = place { Some(angle) } else { None };
+    if !are_places {
+        return places.find_map(kink);
+    }
+    let places: Vec<_> = places.collect();
+    let is_known = !places.iter().any(|place| matches!(place, Place::Rough));
+    places.into_iter().filter(|_| is_known).find_map(kink)
 }
 
 #[cfg(test)]
@@ -125,5 +155,32 @@ mod tests {
             assert_eq!(found.is_some(), has_kink, "{p}: {found:?}");
             assert!(found.is_none_or(|angle| (angle - FRAC_PI_2).abs() < 1e-5), "{p}: {found:?}");
         }
+    }
+
+    /// `r = 2 + 0.2 arctan(1/cos² φ) + 0.1 |sin φ|`: at π/2 there is nothing, but bounds on the quotient do not show it.
+    #[derive(Debug)]
+    struct Quotient;
+
+    impl PolarFormula for Quotient {
+        fn jet(&self, angle: f64) -> [f64; 3] {
+            let (sin, cos) = libm::sincos(angle);
+            let square = cos * cos;
+            let slope = 0.4 * sin * cos / (1.0 + square * square) + libm::copysign(0.1, sin) * cos;
+            [2.0 + 0.2 * libm::atan(1.0 / square) + 0.1 * sin.abs(), slope, f64::NAN]
+        }
+        fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+            let [sin, cos] = angle.sin_cos();
+            let is_known = !sin.contains(0.0) && !cos.contains(0.0);
+            let some = Interval::new(-2.0, 2.0);
+            [some + 2.0, some, if is_known { some } else { Interval::ENTIRE }]
+        }
+    }
+
+    #[test]
+    fn a_kink_is_told_although_another_place_is_smooth() {
+        let sector = |k: u32| Interval::new(f64::from(k) * PI / 512.0, f64::from(k + 1) * PI / 512.0);
+        let sectors: Vec<_> = (0..1024).map(|k| (sector(k), Quotient.jet_over(sector(k)))).collect();
+        let found = kink(&Quotient, &sectors);
+        assert!(found.is_some_and(|angle| angle.abs() < 1e-5), "{found:?}");
     }
 }

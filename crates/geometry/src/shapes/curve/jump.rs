@@ -29,5 +29,5 @@ pub(super) fn jump<F: PolarFormula>(
         here > rounding && around.iter().all(|(a, b)| here > 0.5 * change(*a, *b).abs())
     };
     let unsteady = sectors.iter().filter(|(sector, [_, slope, _])| !steady(*sector, *slope)).map(|(sector, _)| *sector);
-    places(unsteady, |part| steady(part, formula.jet_over(part)[1]), true, MOST)?.into_iter().find(jumps)
+    places(unsteady, |part| steady(part, formula.jet_over(part)[1]), MOST)?.into_iter().find(jumps)
 }

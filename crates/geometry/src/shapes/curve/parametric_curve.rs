@@ -2,7 +2,7 @@
 use super::{
     ArcLength, Graph, Interval, Parametric, Ray,
     cusp::Cusp,
-    kinks::{kinks, places},
+    kinks::{Scale, Variation, kinks, places},
     rough_graphs,
 };
 use crate::{
@@ -387,7 +387,7 @@ fn looked_at<F: ParametricFormula>(
         }
         size = size.max(c.amax());
     }
-    let told = FINER.into_iter().map(|fineness| (fineness, kinks_of(&formula, fineness)));
+    let told = FINER.into_iter().map(|fineness| (fineness, kinks_of(&formula, fineness, size)));
     let mut kinks = Err(0.0);
     for (fineness, found) in told {
         kinks = found;
@@ -406,7 +406,7 @@ fn looked_at<F: ParametricFormula>(
         let [_, first, _] = formula.jet_over(u);
         (u.width() <= NARROW && at_kink(u)) || !first.iter().all(|x| x.contains(0.0))
     };
-    let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, true, MOST_PARTS);
+    let standing = places((0..PARTS).map(|k| sector(k, PARTS)), moves, MOST_PARTS);
     let standing = standing.ok_or_else(|| failing(&formula, 0.0, ParametricRule::Moving))?;
     // the ends of a range are rounded, and it may stand still just beyond them
     let stands_at = |u: &f64| {
@@ -430,18 +430,20 @@ fn looked_at<F: ParametricFormula>(
     Ok((Arc::new(formula), kinks))
 }
 
-/// The kinks found with `fineness` times [`PARTS`] parts; or else about where something else is rough.
-fn kinks_of<F: ParametricFormula>(formula: &InTurns<F>, fineness: u32) -> Result<Vec<Interval>, f64> {
+/// The kinks found with `fineness` times [`PARTS`] parts, given the size of the curve; or else about where something else is rough.
+fn kinks_of<F: ParametricFormula>(formula: &InTurns<F>, fineness: u32, size: f64) -> Result<Vec<Interval>, f64> {
     let parts = PARTS * fineness;
     let jets: Vec<_> = (0..parts).map(|k| formula.jet_over(sector(k, parts))).collect();
     // except at kinks, the second derivative may not vary much within a part
     let most = |x: &[Interval; 2]| x[0].magnitude().max(x[1].magnitude());
     let bends = jets.iter().map(|[_, first, second]| most(second).max(most(first)));
-    let varies = 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max);
-    let is_calm = |[.., second]: &[[Interval; 2]; 3]| second.iter().all(|x| x.width() <= varies);
+    let scale = Scale { calm: 0.25 * bends.filter(|bend| bend.is_finite()).fold(0.0, f64::max), size };
+    let widest = |x: &[Interval; 2]| x[0].width().max(x[1].width());
+    let variation =
+        |[_, first, second]: &[[Interval; 2]; 3]| Variation { first: widest(first), second: widest(second) };
+    let is_calm = |jet: &[[Interval; 2]; 3]| variation(jet).second <= scale.calm;
     let rough = (0..parts).zip(&jets).filter(|(_, jet)| !is_calm(jet)).map(|(k, _)| sector(k, parts));
-    let first = rough.clone().next().map_or(0.0, |sector| sector.low);
-    kinks(rough, |over| is_calm(&formula.jet_over(over)), MOST_PARTS).ok_or(first)
+    kinks(rough, |over| variation(&formula.jet_over(over)), scale, MOST_PARTS)
 }
 
 /// Rates of this many times the size per turn, next to a place where no bound on them is known, are taken as unbounded: that of a square
