@@ -404,6 +404,10 @@ mod tests {
             "cos(t)*sin(3*t)-0.715",
             "cos(t)+cos(2*t)+0.1",
             "sin(2*t)-cos(3*t)",
+            // flat enough for rounding to blur kinks
+            "sin(t)*cos(3*t)+0.1837",
+            "cos(t)+0.4*cos(3*t)-0.0027",
+            "cos(t)+0.4*cos(3*t)+0.0249",
         ] {
             is_cut_at_roots(u);
         }

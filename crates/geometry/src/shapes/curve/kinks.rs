@@ -121,7 +121,8 @@ pub(super) fn kinks(
     }
     places.extend(open);
     places.sort_by(|a, b| a.low.total_cmp(&b.low));
-    Ok(places.chunk_by(|a, b| b.low - a.high <= NARROW).map(around).collect())
+    // where a formula is flat, rounding blurs the places around a kink, not all of them
+    Ok(places.chunk_by(|a, b| b.low - a.high <= BLURRED as f64 * NARROW).map(around).collect())
 }
 
 /// Whether not many parts of their width lie between two.
