@@ -243,7 +243,7 @@ fn a_mesh_inside_out_is_turned_round_and_a_mixed_one_is_refused() {
     let mut mixed = triangles;
     mixed[0].swap(0, 1);
     let mixed = TriMesh::new(vertices, mixed).unwrap();
-    assert!(matches!(Solid::new(&mixed, &here(), Side::Inside), Err(Error::Shape { .. })));
+    assert!(matches!(Solid::new(&mixed, &here(), Side::Inside), Err(Error::Triangle { .. })));
 }
 
 #[test]

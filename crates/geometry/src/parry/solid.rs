@@ -91,10 +91,10 @@ impl Solid {
     /// The boundary of a shape in a pose, with the table on the given side.
     ///
     /// # Errors
-    /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), meshes
-    /// that are not oriented, and the inside of a compound with members that are not convex; [`Error::Triangle`] for
-    /// triangles of a mesh that do not form a surface, and closed meshes with contradictory parts; [`Error::Parameter`] for sizes that
-    /// are not positive and finite, or a translation that is not finite.
+    /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border),
+    /// and the inside of a compound with members that are not convex; [`Error::Triangle`] for triangles of a mesh that do not form a
+    /// surface or are not oriented alike, and closed meshes with contradictory parts; [`Error::Parameter`] for sizes that are not positive
+    /// and finite, or a translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;
         Solid::placed(shape, &Frame::from(pose), side)
