@@ -108,7 +108,7 @@ pub(super) fn fit(window: Window, [x, y]: [f64; 2], width: f64, height: f64) -> 
 pub(super) fn math(text: &str) -> String {
     let mut markup = String::new();
     let mut quoted = false;
-    // The downward step of the next run of characters, and the current vertical offset.
+    // The current vertical offset, and the space before the next run of characters.
     let mut off = 0.0;
     let mut chars = text.chars().peekable();
     let mut space = 0.0;
@@ -138,9 +138,17 @@ pub(super) fn math(text: &str) -> String {
             // Renderers drop a space that is the whole content of an element, so the next character is moved
             // instead.
             ' ' => space += 0.28,
+            // As much as looks alike in one element: so words can be searched for, and no renderer puts one character on top of another.
             c => {
-                let italic = !quoted && c.is_alphabetic() && c != 'π';
-                put(&mut markup, &c.to_string(), italic, false, [space, -off]);
+                let is_italic = |c: char| !quoted && c.is_alphabetic() && c != 'π';
+                let italic = is_italic(c);
+                let goes_on =
+                    |c: &char| if quoted { *c != '"' } else { !"\"_^ ".contains(*c) && is_italic(*c) == italic };
+                let mut run = c.to_string();
+                while let Some(next) = chars.next_if(goes_on) {
+                    run.push(next);
+                }
+                put(&mut markup, &run, italic, false, [space, -off]);
                 (off, space) = (0.0, 0.0);
             }
         }
@@ -151,6 +159,14 @@ pub(super) fn math(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_and_numbers_are_written_in_one_piece() {
+        let [words, numbers] = [math("\"mean time\" = 12.5"), math("2πγx_0 (3)")];
+        assert_eq!(words, "<tspan>mean time</tspan><tspan dx=\"0.28em\">=</tspan><tspan dx=\"0.28em\">12.5</tspan>");
+        let index = "<tspan font-size=\"0.7em\" dy=\"2\">0</tspan><tspan dx=\"0.28em\" dy=\"-2\">(3)</tspan>";
+        assert_eq!(numbers, format!("<tspan>2π</tspan><tspan font-style=\"italic\">γx</tspan>{index}"));
+    }
 
     #[test]
     fn indices_have_a_size_that_no_renderer_takes_of_the_page() {
