@@ -9,9 +9,9 @@ use super::{
 use crate::{Error, parry::SolidSpec};
 use nalgebra::Vector3;
 
-/// The faces of an OBJ file: a [`SolidSpec::TriMesh`], and for each of its triangles the line of the face. All objects and groups are taken together; textures, normals, materials, points
-/// and lines are ignored. Faces of more than three corners are cut into triangles; they need not be convex but must not cross
-/// themselves, and where they are not flat, their triangles are the surface.
+/// The faces of an OBJ file: a [`SolidSpec::TriMesh`], and for each of its triangles the line of the face. All objects and groups are taken
+/// together; textures, normals, materials, points and lines are ignored. Faces of more than three corners are cut into triangles; they
+/// need not be convex but must not cross themselves, and where they are not flat, their triangles are the surface.
 ///
 /// The corners of each face must go round counter-clockwise as seen from outside (a closed surface may be inside out).
 ///

@@ -26,7 +26,8 @@ use roxmltree::{Document, Node, ParsingOptions};
 /// # Errors
 /// [`Error::Import`] with line and element for what cannot be read, for a straight `line`, which bounds nothing, for an open outline that
 /// is not filled, or may be left unfilled by a style sheet, for a `use`, which should be expanded by the drawing program, and for styles
-/// that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a drawing without outlines; [`Error::Parameter`] unless the tolerance is between 10⁻¹⁴ and 1.
+/// that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a drawing without outlines; [`Error::Parameter`] unless the
+/// tolerance is between 10⁻¹⁴ and 1.
 pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
     if !(1e-14..=1.0).contains(&tolerance) {
         return Err(Error::Parameter { name: "tolerance", must: "between 1e-14 and 1", value: tolerance });
