@@ -8,6 +8,7 @@ pub mod commands;
 pub mod contact_file;
 pub mod document;
 pub mod expression;
+pub mod npy;
 pub mod picture;
 pub mod record;
 pub mod reproduce;

@@ -4,6 +4,7 @@
 
 mod axes;
 mod cloud;
+mod counts;
 mod grid;
 mod ink;
 mod orbit;
@@ -110,4 +111,5 @@ pub struct File {
 }
 
 /// Every picture a scene can ask for.
-pub const PICTURES: &[Picture] = &[orbit::PICTURE, velocity_portrait::PICTURE, phase_portrait::PICTURE];
+pub const PICTURES: &[Picture] =
+    &[orbit::PICTURE, velocity_portrait::PICTURE, phase_portrait::PICTURE, counts::VELOCITIES, counts::REDUCED];

@@ -1,5 +1,6 @@
 //! Points by the thousand or by the million: drawn dot by dot while dots can be told apart, then counted.
 
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 
 use billiards::observe::Density;
@@ -29,6 +30,13 @@ pub fn layer(orbit: u64) -> usize {
     #[allow(clippy::cast_possible_truncation, reason = "a remainder is below the number of colours")]
     let layer = (orbit % ORBITS.len() as u64) as usize;
     layer
+}
+
+/// Points and their orbits, counted on a grid over a window.
+fn on_grid(window: Window, pixels: usize, dots: &[([f64; 2], u64)]) -> Grid {
+    let mut grid = Grid::new(window, pixels, &ORBITS);
+    dots.iter().for_each(|(point, orbit)| grid.add(*point, ORBITS[layer(*orbit)]));
+    grid
 }
 
 impl Cloud {
@@ -64,11 +72,15 @@ impl Cloud {
     /// The grid on which points are counted from now on.
     fn grid(&mut self) -> &mut Grid {
         let Self { window, pixels, dots, counted } = self;
-        counted.get_or_insert_with(|| {
-            let mut grid = Grid::new(*window, *pixels, &ORBITS);
-            dots.drain(..).for_each(|(point, orbit)| grid.add(point, ORBITS[layer(orbit)]));
-            grid
-        })
+        counted.get_or_insert_with(|| on_grid(*window, *pixels, &std::mem::take(dots)))
+    }
+
+    /// All points, counted.
+    pub(super) fn counts(&self) -> Cow<'_, Grid> {
+        match &self.counted {
+            Some(grid) => Cow::Borrowed(grid),
+            None => Cow::Owned(on_grid(self.window, self.pixels, &self.dots)),
+        }
     }
 
     /// The window.

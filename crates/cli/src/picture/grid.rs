@@ -77,24 +77,33 @@ impl Grid {
         self.density.merge_in(counts);
     }
 
+    /// The counts of all colours together, row by row from the top.
+    pub fn counts(&self) -> Vec<u64> {
+        let [width, height] = self.size();
+        let mut counts = vec![0; width * height];
+        for (row, counts) in counts.chunks_exact_mut(width).enumerate() {
+            for layer in 0..self.density.layers() {
+                counts.iter_mut().zip(self.density.row(layer, row)).for_each(|(total, count)| *total += count);
+            }
+        }
+        counts
+    }
+
     fn tally(&self) -> Tally {
         let [width, height] = self.size();
-        let mut tally =
-            Tally { width, height, counts: vec![0; width * height], tints: vec![Colour::WHITE; width * height] };
-        let rows = tally.counts.chunks_exact_mut(width).zip(tally.tints.chunks_exact_mut(width));
+        let mut tally = Tally { width, height, counts: self.counts(), tints: vec![Colour::WHITE; width * height] };
+        let rows = tally.counts.chunks_exact(width).zip(tally.tints.chunks_exact_mut(width));
         for (row, (counts, tints)) in rows.enumerate() {
             let mut sums = vec![[0; 3]; width];
             for (layer, colour) in self.colours.iter().enumerate() {
                 let parts = [colour.0, colour.1, colour.2].map(u64::from);
-                let layer = self.density.row(layer, row);
-                for ((total, sum), count) in counts.iter_mut().zip(&mut sums).zip(layer).filter(|of| of.1 > 0) {
-                    *total += count;
+                for (sum, count) in sums.iter_mut().zip(self.density.row(layer, row)).filter(|of| of.1 > 0) {
                     for (sum, part) in sum.iter_mut().zip(parts) {
                         *sum += count * part;
                     }
                 }
             }
-            for ((tint, sum), &count) in tints.iter_mut().zip(sums).zip(&*counts).filter(|of| *of.1 > 0) {
+            for ((tint, sum), &count) in tints.iter_mut().zip(sums).zip(counts).filter(|of| *of.1 > 0) {
                 #[allow(clippy::cast_possible_truncation, reason = "a mean of bytes")]
                 let [r, g, b] = sum.map(|sum| ((sum + count / 2) / count) as u8);
                 *tint = Colour(r, g, b);

@@ -1,9 +1,10 @@
-//! `NumPy` arrays (NPY format 1.0).
+//! Records as `NumPy` arrays.
 //!
 //! The array has one dimension and a structured type: every column is a named field, whole numbers `<i8`, all others
 //! `<f8`. So `a = numpy.load("collisions.npy")` gives `a["x1"]` by name, and counts and cells stay exact.
 
 use super::{Columns, Format, Row};
+use crate::npy;
 
 /// Digits kept free for the number of rows, known only at the end.
 const DIGITS: usize = 19;
@@ -17,17 +18,7 @@ fn header(columns: Columns, rows: u64) -> Vec<u8> {
     let field = |name| format!("('{name}', '{}')", if Columns::is_whole(name) { "<i8" } else { "<f8" });
     let fields: Vec<_> = columns.names().map(field).collect();
     let shape = format!("({rows},)");
-    let mut text = format!(
-        "{{'descr': [{}], 'fortran_order': False, 'shape': {shape:width$}, }}",
-        fields.join(", "),
-        width = DIGITS + 3
-    );
-    // Magic string, version and length take 10 bytes; with them the header is a multiple of 64 long and ends in a newline.
-    let unpadded = 10 + text.len() + 1;
-    text.push_str(&" ".repeat(unpadded.next_multiple_of(64) - unpadded));
-    text.push('\n');
-    let length = u16::try_from(text.len()).unwrap_or(u16::MAX);
-    [b"\x93NUMPY\x01\x00", &length.to_le_bytes()[..], text.as_bytes()].concat()
+    npy::header(&format!("[{}]", fields.join(", ")), &format!("{shape:width$}", width = DIGITS + 3))
 }
 
 impl Format for Npy {

@@ -1,5 +1,7 @@
 //! What pictures show: the numbers of the record, at their places.
 
+use std::fs;
+
 use super::{Folder, SQUARE, same::CHAOS};
 
 /// The numbers in a text.
@@ -17,6 +19,40 @@ fn dots(svg: &str) -> Vec<[f64; 2]> {
 /// Whether each of these places is one of the others, as nearly as dots are drawn.
 fn are_among(places: &[[f64; 2]], others: &[[f64; 2]]) -> bool {
     places.iter().all(|a| others.iter().any(|b| (a[0] - b[0]).abs() < 0.06 && (a[1] - b[1]).abs() < 0.06))
+}
+
+#[test]
+fn counts_are_those_of_the_points_in_the_record() {
+    let folder = Folder::new("counts");
+    // few points, shown as dots, and many
+    for collisions in [100, 30_000] {
+        let scene = SQUARE.replace("specular", "no-slip").replace("[0, -1]", "[0.3, -1]");
+        let scene = scene.replace("collisions = 3", &format!("collisions = {collisions}"));
+        folder.done(&(scene + "pictures = [\"velocity-counts\", \"phase-counts\"]\n"), &[]);
+        let cells = [1000 * 1000, 1000 * 769];
+        let mut expected = cells.map(|cells| vec![0; cells]);
+        for row in folder.rows() {
+            let ([x1, x2], [spin, v1, v2]) = ([row[5], row[6]], [row[7], row[8], row[9]]);
+            let (s, slides) = match row[3] {
+                0.0 => (x1, -v1),
+                1.0 => (1.0 + x2, -v2),
+                2.0 => (3.0 - x1, v1),
+                _ => (4.0 - x2, v2),
+            };
+            let speed = (spin * spin + v1 * v1 + v2 * v2).sqrt();
+            let cell = |x: f64, width: f64, number: f64| (x / width * number) as usize;
+            expected[0][cell(slides / speed + 1.06, 2.12, 1000.0) * 1000 + cell(spin / speed + 1.06, 2.12, 1000.0)] +=
+                1;
+            expected[1][cell(slides / speed + 1.0, 2.0, 769.0) * 1000 + cell(s, 4.0, 1000.0)] += 1;
+        }
+        for (name, expected) in ["velocity", "phase"].iter().zip(expected) {
+            let npy = fs::read(folder.0.join(format!("out/{name}-counts.npy"))).unwrap();
+            let data = &npy[10 + usize::from(u16::from_le_bytes([npy[8], npy[9]]))..];
+            let counts: Vec<i64> = data.as_chunks().0.iter().map(|bytes| i64::from_le_bytes(*bytes)).collect();
+            assert_eq!(counts.iter().sum::<i64>(), 2 * collisions, "{name}");
+            assert!(counts == expected, "{name} {collisions}");
+        }
+    }
 }
 
 #[test]

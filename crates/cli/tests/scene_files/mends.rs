@@ -21,7 +21,7 @@ fn mistakes_of_few_words_are_told_the_mend() {
         (NAMED, "collisions = 1000", "", "collisions = 1000"),
         (NAMED, "inertia = \"uniform-disk\"", "", "inertia = \"uniform-disk\""),
         (NAMED, "\"csv\"", "true", "known: csv, jsonl, npy"),
-        (NAMED, "\"orbit\"", "1", "known: orbit, velocity-portrait, phase-portrait"),
+        (NAMED, "\"orbit\"", "1", "known: orbit, velocity-portrait, phase-portrait, velocity-counts, phase-counts"),
         (NAMED, "\"stadium\"", "1", "known: "),
         (NAMED, "[0.6, 0.8]", "[0, 0]", "write for instance [1, 0]"),
         (NAMED, "[0.6, 0.8]", "[1e-160, 0]", "make it longer"),
