@@ -37,8 +37,6 @@ pub const MOST_LEGS: usize = 20_000;
 pub struct Picture {
     /// Its name in a scene, and of its files.
     pub name: &'static str,
-    /// What it shows, in one line.
-    pub summary: &'static str,
     /// What it is drawn from.
     pub needs: Needs,
     /// The files that it may be drawn into.

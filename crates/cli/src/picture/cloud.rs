@@ -35,7 +35,9 @@ pub fn layer(orbit: u64) -> usize {
 /// Points and their orbits, counted on a grid over a window.
 fn on_grid(window: Window, pixels: usize, dots: &[([f64; 2], u64)]) -> Grid {
     let mut grid = Grid::new(window, pixels, &ORBITS);
-    dots.iter().for_each(|(point, orbit)| grid.add(*point, ORBITS[layer(*orbit)]));
+    for (point, orbit) in dots {
+        grid.add(*point, ORBITS[layer(*orbit)]);
+    }
     grid
 }
 

@@ -19,7 +19,6 @@ const PART: usize = 50;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "orbit",
-    summary: "the table and the orbits in it (SVG)",
     needs: Needs::Paths,
     files: &["orbit.svg"],
     draw: |material| vec![File { name: "orbit.svg".into(), content: draw(material).to_string().into_bytes() }],

@@ -20,7 +20,6 @@ const PIXELS: usize = 1000;
 pub(super) const PICTURE: Picture = Picture {
     name: "phase-portrait",
     files: &["phase-portrait.svg", "phase-portrait.png"],
-    summary: "each collision: tangential velocity against arc length (SVG; dense ones PNG too)",
     needs: Needs::Reduced,
     draw: |material: &Material| {
         let Some(reduced) = &material.reduced else { return Vec::new() };

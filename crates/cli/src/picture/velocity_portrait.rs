@@ -21,7 +21,6 @@ const PIXELS: usize = 1000;
 pub(super) const PICTURE: Picture = Picture {
     name: "velocity-portrait",
     files: &["velocity-portrait.svg", "velocity-portrait.png"],
-    summary: "velocities after each collision: rotational against tangential part (SVG; dense ones PNG too)",
     needs: Needs::Velocities,
     draw: |material: &Material| {
         let none = cloud();
