@@ -22,6 +22,7 @@ fn are_among(places: &[[f64; 2]], others: &[[f64; 2]]) -> bool {
 }
 
 #[test]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "numbers of cells")]
 fn counts_are_those_of_the_points_in_the_record() {
     let folder = Folder::new("counts");
     // few points, shown as dots, and many
