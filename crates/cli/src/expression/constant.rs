@@ -78,11 +78,14 @@ impl Constant {
     }
 }
 
-/// The number itself, or the double from which it differs only by rounding.
+/// The number itself, or the double from which it differs only by rounding; 0 has no sign, which `atan2` would see.
 fn to_double(x: Big) -> Big {
     let near = x.to_f64().value();
     if near.is_infinite() {
         return x;
+    }
+    if x == Big::ZERO {
+        return Big::ZERO;
     }
     let near = Constant::from(near).0;
     if is_rounding(&(&x - &near), &x) { near } else { x }
@@ -194,6 +197,7 @@ mod tests {
             ("2^0.5*2^0.5", 2.0),
             ("(2^0.5)^2046/2^1022", 2.0),
             ("atan2(0, -1) - pi", 0.0),
+            ("atan2(-sinh(0), -1) - pi", 0.0),
             ("atan2(1, 1)*4/pi", 1.0),
             ("(sqrt(5)-1)/4 - sin(pi/10)", 0.0),
             ("sinh(ln(2))", 0.75),
