@@ -170,6 +170,18 @@ fn orbits_that_turn_around_come_back_within_the_horizon() {
 }
 
 #[test]
+fn orbits_that_pass_foci_of_an_ellipse_are_not_lost() {
+    let (table, [_, specular]) = (tables::ellipse([2.0, 1.0]).unwrap(), laws());
+    for k in 0..16 {
+        let (sin, cos) = libm::sincos(0.3 + 0.37 * f64::from(k));
+        // the errors are focused again and again: their variances across and along the path differ by more than 10¹⁶
+        let start = Start { position: [libm::sqrt(3.0), 1e-6], velocity: [cos, sin], spin: [0.0] };
+        let horizon = horizon(&table, &specular, start, 2.0, 300);
+        assert!(!horizon.lost && (1e-12..1e-3).contains(&horizon.error), "{k}: {horizon:?}");
+    }
+}
+
+#[test]
 fn a_strip_that_lies_askew_has_the_horizon_of_an_upright_one() {
     use geometry::shapes::FullLine;
     let turned = |[x, y]: [f64; 2]| Vector2::new(0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y);

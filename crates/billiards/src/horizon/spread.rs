@@ -5,14 +5,17 @@ use crate::start::Start;
 /// Rounding moves a coordinate by this fraction of its size in a flight or a collision, rms (`examples/exactness.rs` measures it).
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
 
-/// The covariance of the errors, by columns.
+/// The covariance `P = F Fᵀ` of the errors, by the columns of `F`, each an error that is independent of the others.
+///
+/// `P` itself would be lost in rounding where errors are focused: of an orbit that passes a focus of an ellipse at a distance of 10⁻⁶, the
+/// variances across and along the path differ by more than 10¹⁶, and a variance that is computed as their difference may be negative.
 #[derive(Clone, Debug)]
 pub(super) struct Spread<const N: usize, const S: usize>(Vec<Start<N, S>>);
 
 impl<const N: usize, const S: usize> Spread<N, S> {
     /// That of an exact state.
     pub(super) fn none() -> Self {
-        Spread(vec![Start::ZERO; Start::<N, S>::COORDINATES])
+        Spread(Vec::new())
     }
 
     /// That of a start whose numbers are rounded.
@@ -24,47 +27,38 @@ impl<const N: usize, const S: usize> Spread<N, S> {
 
     /// Adds `weight` times the square of the rounding of coordinates, velocity and spin of these sizes.
     pub(super) fn round(&mut self, length: f64, [velocity, spin]: [f64; 2], weight: f64) {
-        for (i, column) in self.0.iter_mut().enumerate() {
+        let root = ROUNDING * libm::sqrt(weight);
+        for i in 0..Start::<N, S>::COORDINATES {
             let of = match i {
                 _ if i < N => length,
                 _ if i < N + N => velocity,
                 _ => spin,
             };
-            let size = ROUNDING * of;
-            column.set(i, column.get(i) + weight * size * size);
+            let mut column = Start::ZERO;
+            column.set(i, root * of);
+            self.0.push(column);
         }
+        self.compress();
     }
 
     /// `(1 + 1/n) P`
     pub(super) fn widen(&mut self, n: f64) {
-        for column in &mut self.0 {
-            for i in 0..Start::<N, S>::COORDINATES {
-                column.set(i, column.get(i) * (1.0 + 1.0 / n));
-            }
-        }
+        self.scale(libm::sqrt(1.0 + 1.0 / n));
     }
 
     /// `M P Mᵀ`
     pub(super) fn carry(&mut self, derivative: impl Fn(&Start<N, S>) -> Start<N, S>) {
-        for _ in 0..2 {
-            let moved: Vec<_> = self.0.iter().map(&derivative).collect();
-            for (i, column) in self.0.iter_mut().enumerate() {
-                for (k, row) in moved.iter().enumerate() {
-                    column.set(k, row.get(i));
-                }
-            }
+        for column in &mut self.0 {
+            *column = derivative(column);
         }
     }
 
     /// The root of the mean square error, relative.
     pub(super) fn error(&self, at: &Start<N, S>, size: f64) -> f64 {
         let [mut place, mut motion] = [0.0, 0.0];
-        for (i, column) in self.0.iter().enumerate() {
-            if i < N {
-                place += column.get(i);
-            } else {
-                motion += column.get(i);
-            }
+        for Start { position, velocity, spin } in &self.0 {
+            place += dot(position, position);
+            motion += dot(velocity, velocity) + dot(spin, spin);
         }
         relative(libm::sqrt(place), libm::sqrt(motion), at, size)
     }
@@ -74,11 +68,36 @@ impl<const N: usize, const S: usize> Spread<N, S> {
         if c == 0.0 {
             return;
         }
-        for (i, column) in self.0.iter_mut().enumerate() {
-            for k in 0..Start::<N, S>::COORDINATES {
-                column.set(k, (1.0 + c) * column.get(k) + (1.0 + 1.0 / c) * by.get(i) * by.get(k));
+        self.scale(libm::sqrt(1.0 + c));
+        self.0.push(Start::ZERO.plus(libm::sqrt(1.0 + 1.0 / c), by));
+        self.compress();
+    }
+
+    /// Multiplies all errors.
+    fn scale(&mut self, factor: f64) {
+        for column in &mut self.0 {
+            *column = Start::ZERO.plus(factor, column);
+        }
+    }
+
+    /// Makes `F` triangular, with as many columns as there are coordinates, by reflections `F ← F (I − 2 u uᵀ/|u|²)`, which leave `F Fᵀ` as
+    /// it is: each reflects the rest of a row into its first component (Householder).
+    fn compress(&mut self) {
+        for i in 0..Start::<N, S>::COORDINATES {
+            let columns = self.0.get_mut(i..).unwrap_or_default();
+            let mut u: Vec<f64> = columns.iter().map(|column| column.get(i)).collect();
+            let length = libm::sqrt(u.iter().map(|x| x * x).sum());
+            if length == 0.0 {
+                continue;
+            }
+            let half = length * (length + u[0].abs());
+            u[0] += length.copysign(u[0]);
+            let along = columns.iter().zip(&u).fold(Start::ZERO, |sum, (column, u)| sum.plus(u / half, column));
+            for (column, u) in columns.iter_mut().zip(&u) {
+                *column = column.plus(-u, &along);
             }
         }
+        self.0.truncate(Start::<N, S>::COORDINATES);
     }
 
     /// Errors that displace a path of some velocity sideways after some time: `N − 1` of them on the border of the ellipse of
@@ -90,8 +109,7 @@ impl<const N: usize, const S: usize> Spread<N, S> {
         let mut found: Vec<Start<N, S>> = Vec::new();
         while !axes.is_empty() {
             let left = axes.iter().map(|u| {
-                let g = Start { position: *u, velocity: u.map(|u| time * u), spin: [0.0; S] };
-                let all = self.0.iter().enumerate().fold(Start::ZERO, |sum, (i, column)| sum.plus(g.get(i), column));
+                let all = self.0.iter().fold(Start::ZERO, |sum, column| sum.plus(displaced(column, u), column));
                 found.iter().fold(all, |left, f| left.plus(-displaced(f, u), f))
             });
             let left = left.zip(&axes).map(|(d, u)| (displaced(&d, u), d)).enumerate();
