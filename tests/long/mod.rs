@@ -2,7 +2,11 @@
 //!
 //! Shared by `tests/long_runs.rs` and `examples/long_runs.rs`.
 use billiards::collision_laws::laws::{NoSlip, Specular};
-use billiards::geometry::{Error, Table, Vector2, shapes::FullLine, tables};
+use billiards::geometry::{
+    Error, Table, Vector2,
+    shapes::{Ellipse, FullLine},
+    tables,
+};
 use billiards::observe::EnergyDrift;
 use billiards::{Angle, Clock, Collisions, Conserved, Orbit, Planar, Timed, laws::Disk};
 
@@ -138,6 +142,19 @@ pub(crate) fn cases() -> Result<Vec<Case>, Error> {
                 vec![momentum(o, [c, 0.0]) * momentum(o, [-c, 0.0])]
             },
         },
+        Case {
+            name: "ellipse askew, specular: the same",
+            billiard: Planar { table: ellipse_askew()?, law: specular() },
+            start: |i| {
+                let (v, w) = heading(i);
+                start([0.4 * any(i, 2), 0.4 * any(i, 3)], v, w)
+            },
+            quantities: |o| {
+                let (sin, cos) = libm::sincos(TILT);
+                let c = [0.75_f64.sqrt() * cos, 0.75_f64.sqrt() * sin];
+                vec![momentum(o, c) * momentum(o, c.map(|c| -c))]
+            },
+        },
     ])
 }
 
@@ -154,6 +171,13 @@ fn askew([x, y]: [f64; 2]) -> [f64; 2] {
 fn strip_askew() -> Result<Table, Error> {
     let line = |along: f64| FullLine::new(askew([0.0, -0.5 * along]).into(), Vector2::from(ASKEW) * along);
     Table::new(vec![Box::new(line(1.0)?), Box::new(line(-1.0)?)])
+}
+
+/// The angle of the ellipse askew.
+const TILT: f64 = 0.7;
+
+fn ellipse_askew() -> Result<Table, Error> {
+    Table::new(vec![Box::new(Ellipse::new(Vector2::zeros(), [1.0, 0.5], TILT, true)?)])
 }
 
 /// The components of the unit vector b along v0 and x1.

@@ -28,10 +28,13 @@ pub struct Ellipse {
     to_unit: [[f64; 2]; 2],
     /// Columns of `A⁻¹` \[L\].
     from_unit: [[f64; 2]; 2],
-    /// Columns of `∓ab A ᵀ / max(a, b)`: from `A (x − c)` to the direction of the inward normal.
+    /// Columns of `w Aᵀ`: from `A (x − c)` to the direction of the inward normal.
     to_normal: [[f64; 2]; 2],
-    /// For a flat ellipse `∓min(a, b)`, the length of `to_normal` times `A`; otherwise 0.
+    /// `w`, negative with the table inside: a power of two of about the size of the shorter semi-axis. So the normal is that of the ellipse
+    /// that `to_unit` describes, without a rounding that would turn all normals one way.
     width: f64,
+    /// Whether one semi-axis is much shorter than the other.
+    is_flat: bool,
     /// The image of the ellipse under `A`.
     unit: Circle,
     /// Arc length of a quarter.
@@ -66,15 +69,17 @@ impl Ellipse {
         let axis = [libm::cos(angle), libm::sin(angle)];
         let (e1, e2) = (axis, [-axis[1], axis[0]]);
         let unit = Circle::new(Vector2::zeros(), 1.0, inside)?;
-        let inward = if inside { -1.0 } else { 1.0 };
+        let to_unit = [e1.map(|e| e / a), e2.map(|e| e / b)];
+        let width = libm::ldexp(if inside { -1.0 } else { 1.0 }, libm::frexp(a.min(b)).1);
         let mut ellipse = Ellipse {
             center: center.into(),
             semi_axes,
             axis,
-            to_unit: [e1.map(|e| e / a), e2.map(|e| e / b)],
+            to_unit,
             from_unit: [e1.map(|e| a * e), e2.map(|e| b * e)],
-            to_normal: [e1.map(|e| inward * (b / a.max(b)) * e), e2.map(|e| inward * (a / a.max(b)) * e)],
-            width: if a.min(b) < FLAT * a.max(b) { inward * a.min(b) } else { 0.0 },
+            to_normal: to_unit.map(|row| row.map(|e| width * e)),
+            width,
+            is_flat: a.min(b) < FLAT * a.max(b),
             unit: unit.with_slack(slack([center.x, center.y, a, b]) / a.min(b)),
             quarter: 0.0,
         };
@@ -137,6 +142,9 @@ impl Ellipse {
     /// The rounding error off the wall is corrected along the line to the centre, as on a circle. On a flat ellipse that would shift the
     /// point too far along the wall, so there it is corrected along the normal `Aᵀ y`, by the step `(1 − |y|²)/2 · Aᵀ y/|Aᵀ y|²` of
     /// Newton's method.
+    ///
+    /// The point itself is corrected, not its image `y = A (x − c)`: the inverse of a rounded `A`, rounded, would map every point to an
+    /// ellipse that is larger or smaller by some 10⁻¹⁷, and orbits would drift.
     #[inline(always)]
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         self.land_where(!time.never(), x, v, time)
@@ -145,58 +153,45 @@ impl Ellipse {
     /// The same where the paths do land here; those of other lanes, which may be nowhere near, take no time.
     #[inline(always)]
     pub(crate) fn land_where<F: Lane>(&self, here: F::Mask, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
-        let (y, w) = self.affine(x, v);
-        let (p, n) = if self.width == 0.0 {
-            let (y, _) = self.unit.land_where(here, y, w, time);
-            (combine(self.from_unit, y), combine(self.to_normal, y))
-        } else {
-            self.flat_landing(here, along(y, w, time), w)
-        };
+        let [d0, d1] = from(x, self.center);
+        let p = along([-d0, -d1], v, time);
+        let y = rows(self.to_unit, p);
+        let off = off(y);
+        let way = if self.is_flat { self.step(off, combine(self.to_normal, y)) } else { p.map(|p| p * off) };
+        let mut p = [p[0] + way[0], p[1] + way[1]];
+        let mut n = combine(self.to_normal, rows(self.to_unit, p));
+        let afar = here & off.same(NEWTON).lt(off.abs());
+        if afar.any() {
+            let (far, normal) = self.far_landing(y, rows(self.to_unit, v));
+            (p, n) = ([0, 1].map(|i| afar.select(far[i], p[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
+        }
         let length = dot(n, n).sqrt();
         ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
     }
 
-    /// Where paths at `y` with velocity `w`, in the picture of the unit circle, land on a flat ellipse, relative to its centre, and the
-    /// direction of the normal.
+    /// The way along the direction `n` of the normal to the wall, for a point that is `off` it.
     #[inline(always)]
-    fn flat_landing<F: Lane>(&self, here: F::Mask, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
-        let (off, step, mut n) = self.step(y);
-        let p = combine(self.from_unit, y);
-        let mut p = [0, 1].map(|i| p[i] + n[i] * step);
-        let afar = here & off.same(NEWTON).lt(off.abs());
-        if afar.any() {
-            let (far, normal) = self.far_landing(y, w);
-            (p, n) = ([0, 1].map(|i| afar.select(far[i], p[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
-        }
-        (p, n)
+    fn step<F: Lane>(&self, off: F, n: [F; 2]) -> [F; 2] {
+        let step = off / dot(n, n).max(off.same(f64::MIN_POSITIVE)) * self.width;
+        n.map(|n| n * step)
     }
 
-    /// A step from `y` to the wall: how far `y` was off, the step in units of the normal's direction, and that direction.
-    #[inline(always)]
-    fn step<F: Lane>(&self, y: [F; 2]) -> (F, F, [F; 2]) {
-        let n = combine(self.to_normal, y);
-        // not from a sum near 1, as for a circle
-        let off = ((y[0].same(1.0) - y[0] * y[0]) - y[1] * y[1]) * 0.5;
-        (off, off / dot(n, n).max(off.same(f64::MIN_POSITIVE)) * self.width, n)
-    }
-
-    /// The landing of a point so far off that one step does not lead to the wall: by further steps or, where these fail as well, as for an
-    /// ellipse that is tiny compared with the flight, straight towards the centre.
+    /// The landing, relative to the centre, of a path that is at `y` with velocity `w`, in the picture of the unit circle, so far off the
+    /// wall that one step does not lead there; and the direction of the normal. More steps do or, where these fail as well, as for an ellipse
+    /// that is tiny compared with the flight, the way straight towards the centre.
     #[cold]
     #[inline(never)]
     fn far_landing<F: Lane>(&self, y: [F; 2], w: [F; 2]) -> ([F; 2], [F; 2]) {
-        let (mut z, mut n, mut off) = (y, y, y[0]);
+        let (mut z, mut rest) = (y, y[0]);
         for _ in 0..STEPS {
-            let step;
-            (off, step, n) = self.step(z);
-            let way = rows(self.to_unit, n);
-            z = [0, 1].map(|i| z[i] + way[i] * step);
+            rest = off(z);
+            let way = rows(self.to_unit, self.step(rest, combine(self.to_normal, z)));
+            z = [0, 1].map(|i| z[i] + way[i]);
         }
-        let there = off.abs().lt(off.same(NEWTON));
+        let there = rest.abs().lt(rest.same(NEWTON));
         let (far, _) = self.unit.land(y, w, y[0].same(0.0));
-        let normal = combine(self.to_normal, far);
         let z = [0, 1].map(|i| there.select(z[i], far[i]));
-        (combine(self.from_unit, z), [0, 1].map(|i| there.select(n[i], normal[i])))
+        (combine(self.from_unit, z), combine(self.to_normal, z))
     }
 
     /// The image of a point in the picture of the unit circle.
@@ -361,6 +356,12 @@ impl Ellipse {
         });
         [x, x.map(|x| -x), y, y.map(|y| -y)].map(|e| self.at(e).point)
     }
+}
+
+/// How far a point is off the unit circle, `(1 − |y|²)/2`: not from a sum near 1, as for a circle.
+#[inline(always)]
+fn off<F: Lane>(y: [F; 2]) -> F {
+    ((y[0].same(1.0) - y[0] * y[0]) - y[1] * y[1]) * 0.5
 }
 
 /// The products of `y` with the rows of a matrix.
