@@ -155,7 +155,7 @@ pub struct Listing {
 Example of a contact file (TOML or JSON), for a spinning disk that drops onto a floor:
 
   dim = 2
-  law = \"no-slip\"                     # or rough = [[1, 0]], the rough directions
+  law = \"no-slip\"                     # or rough = [[1, 0]], the rough directions, or as in scenes
   contact_point = [0, 0]
   normal = [0, 1]                     # from body 2 towards body 1, of any length
   bodies = [{ mass = 1, position = [0, 1], inertia = \"1/2\" }, { mass = \"inf\" }]

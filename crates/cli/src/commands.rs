@@ -29,6 +29,9 @@ pub enum Failure {
     Closed,
 }
 
+/// Most errors in input that are shown: a mistake that a script makes thousands of times is seen in a few of them.
+const MOST_SHOWN: usize = 20;
+
 impl Failure {
     /// The exit status.
     pub fn status(&self) -> u8 {
@@ -46,13 +49,16 @@ impl fmt::Display for Failure {
             Self::Work(what) => write!(f, "error: {what}"),
             Self::Closed => f.write_str("the output was closed"),
             Self::Input(diagnostics) => {
-                for (i, diagnostic) in diagnostics.iter().enumerate() {
+                for (i, diagnostic) in diagnostics.iter().take(MOST_SHOWN).enumerate() {
                     if i > 0 {
                         f.write_str("\n\n")?;
                     }
                     write!(f, "{diagnostic}")?;
                 }
-                Ok(())
+                match diagnostics.len().saturating_sub(MOST_SHOWN) {
+                    0 => Ok(()),
+                    more => write!(f, "\n\nand {more} more {}", if more == 1 { "error" } else { "errors" }),
+                }
             }
         }
     }
