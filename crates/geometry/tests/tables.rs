@@ -355,50 +355,115 @@ fn tables_in_space_know_their_size_and_where_they_are() {
     assert_eq!(slab.pieces(), ["floor", "ceiling"]);
 }
 
+/// Every table in space, typical.
+fn spatial() -> impl Iterator<Item = tables::SpatialTable> {
+    let entries = tables::all().iter().filter(|entry| entry.dimension() == 3);
+    entries.map(|entry| entry.spatial(&entry.typical()).unwrap())
+}
+
+/// Points in a table in space and around it, on no plane of symmetry.
+fn points_about(table: &tables::SpatialTable) -> impl Iterator<Item = Vector3<f64>> {
+    let [low, high] = table.extent().map(|corner| corner.map(|x| x.clamp(-1.0e3, 1.0e3)));
+    let shares = [-0.21, 0.03, 0.26, 0.57, 0.83, 0.98, 1.3];
+    let along = move |axis: usize, share: f64| low[axis] + (high[axis] - low[axis]) * share;
+    let shares = move |by: f64| shares.into_iter().map(move |share| share + by);
+    shares(0.0).flat_map(move |x| {
+        shares(0.003).flat_map(move |y| shares(0.011).map(move |z| Vector3::new(along(0, x), along(1, y), along(2, z))))
+    })
+}
+
 #[test]
-fn walls_of_a_table_in_space_are_as_far_as_its_solids() {
-    for table in [tables::slab(1.0), tables::cuboid([1.0, 2.0, 3.0]), tables::ball(2.0)] {
-        let table = table.unwrap();
+fn a_point_is_in_a_table_in_space_where_it_is_before_all_walls_and_as_far_off_as_the_nearest() {
+    for table in spatial() {
+        let name = table.name();
         let solids: Vec<_> =
             table.solids().iter().map(|(spec, center, side)| spec.solid(*center, *side).unwrap()).collect();
-        for at in [[0.25, 0.5, 0.75], [0.5, 1.5, 0.125], [0.5, 1.0, 3.5]] {
-            let point = SVector::from(at);
+        let (mut inside, mut outside) = (0, 0);
+        for point in points_about(&table) {
             let walls = table.walls_at(&point);
-            assert_eq!(
-                walls.iter().map(|wall| wall.piece).collect::<Vec<_>>(),
-                (0..table.pieces().len()).collect::<Vec<_>>()
-            );
+            let numbers: Vec<_> = walls.iter().map(|wall| wall.piece).collect();
+            assert_eq!(numbers, (0..table.pieces().len()).collect::<Vec<_>>(), "{name}");
             let nearest = walls.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)).unwrap();
             let solid = solids
                 .iter()
                 .map(|solid| solid.closest(&point))
                 .min_by(|a, b| a.distance.total_cmp(&b.distance))
                 .unwrap();
-            assert_eq!(nearest.distance, table.signed_distance(&point));
-            assert!((nearest.distance - solid.distance).abs() < 1e-15, "{} {at:?}", table.name());
-            assert!((nearest.normal.normalize() - solid.normal).norm() < 1e-15, "{} {at:?}", table.name());
+            let contains = table.contains(&point);
+            assert_eq!(contains, nearest.distance > 0.0, "{name} {point:?}: {walls:?}");
+            assert_eq!(contains, solid.distance > 0.0, "{name} {point:?}: {solid:?}");
+            let near = 8.0 * nearest.slack;
+            assert!((table.signed_distance(&point) - solid.distance).abs() <= near, "{name} {point:?}: {solid:?}");
+            if contains {
+                assert_eq!(nearest.distance, table.signed_distance(&point), "{name} {point:?}");
+                assert!((nearest.normal.normalize() - solid.normal).norm() < 1e-15, "{name} {point:?}");
+                inside += 1;
+            } else {
+                outside += 1;
+            }
+        }
+        assert!(inside > 20 && outside > 20, "{name}: {inside}, {outside}");
+    }
+}
+
+/// The first hit of a path in space.
+struct HitInSpace(Line<3>);
+
+impl WithWalls<3> for HitInSpace {
+    type Output = WallHit<f64, 3>;
+    fn run<W: Walls<3>>(self, walls: &W) -> WallHit<f64, 3> {
+        walls.first_hit(&self.0.point.into(), &self.0.velocity.into())
+    }
+}
+
+#[test]
+fn what_is_hit_in_space_is_the_wall_of_that_number_there() {
+    for table in spatial() {
+        let name = table.name();
+        for (k, point) in points_about(&table).enumerate().filter(|(_, point)| table.contains(point)) {
+            let k = k as f64;
+            let velocity = Vector3::new(libm::sin(k), libm::sin(2.0 * k + 1.0), libm::cos(3.0 * k));
+            let hit = table.with_walls(HitInSpace(Line { point, velocity }));
+            let (at, normal) = (point + velocity * hit.time, Vector3::from(hit.normal).normalize());
+            let wall = table.walls_at(&at).into_iter().find(|wall| wall.piece == hit.number()).unwrap();
+            assert!(wall.distance.abs() <= 8.0 * wall.slack, "{name} {point:?}: {wall:?}");
+            assert!((wall.normal.normalize() - normal).norm() < 1e-14, "{name} {point:?}: {wall:?} {normal:?}");
         }
     }
 }
 
 #[test]
-fn a_ball_has_room_in_a_table_in_space_up_to_half_its_least_width() {
-    for (name, table, largest) in [
-        ("slab", tables::slab(1.0), 0.5),
-        ("box", tables::cuboid([3.0, 1.0, 2.0]), 0.5),
-        ("ball", tables::ball(2.0), 2.0),
-    ] {
-        let table = table.unwrap();
-        assert_eq!(table.name(), name);
-        let (centres, origin) = table.offset(0.25).unwrap();
-        // near the walls on either side
-        for point in [[0.5; 3], [0.5, 0.25, 0.25], [0.5, 0.75, 0.75]].map(SVector::from) {
+fn a_ball_has_room_in_a_table_in_space_until_its_centre_has_nowhere_to_be() {
+    for table in spatial() {
+        let name = table.name();
+        // from points of the table, the largest ball around them that fits
+        let largest = points_about(&table).map(|point| table.signed_distance(&point)).fold(0.0, f64::max);
+        let radius = 0.25 * largest;
+        let (centres, origin) = table.offset(radius).unwrap();
+        assert_eq!(centres.name(), name);
+        for point in points_about(&table) {
             let (less, all) = (centres.signed_distance(&(point - origin)), table.signed_distance(&point));
-            assert!((less - (all - 0.25)).abs() < 1e-15, "{name}: {less} {all}");
+            assert_eq!(less > 0.0, all > radius, "{name} {point:?}: {less} {all}");
+            // beyond edges, the walls that have been moved are farther
+            assert!(
+                less <= 0.0 || (less - (all - radius)).abs() <= 1e-15 * (1.0 + point.amax()),
+                "{name}: {less} {all}"
+            );
         }
-        assert_eq!(table.offset(largest).unwrap_err(), Error::NothingLeft { radius: largest, largest });
+        assert!(table.offset(largest).is_ok(), "{name}");
+        let Err(Error::NothingLeft { largest: least, .. }) = table.offset(3.0 * largest) else { panic!("{name}") };
+        assert!(table.offset(least * (1.0 - 1e-9)).is_ok(), "{name}");
+        assert_eq!(table.offset(least).unwrap_err(), Error::NothingLeft { radius: least, largest: least });
         assert_eq!(table.offset(-1.0).unwrap_err(), Error::Radius { radius: -1.0 });
         assert_eq!(table.offset(0.0).unwrap().0.extent(), table.extent());
+    }
+}
+
+#[test]
+fn half_the_least_width_of_a_table_in_space_is_the_radius_of_its_largest_ball() {
+    for (table, largest) in [(tables::slab(1.0), 0.5), (tables::cuboid([3.0, 1.0, 2.0]), 0.5), (tables::ball(2.0), 2.0)]
+    {
+        assert_eq!(table.unwrap().offset(largest).unwrap_err(), Error::NothingLeft { radius: largest, largest });
     }
 }
 

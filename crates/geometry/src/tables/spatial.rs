@@ -124,26 +124,32 @@ impl SpatialTable {
     /// Its walls as seen from a point \[L\].
     pub fn walls_at(&self, point: &Vector3<f64>) -> Vec<WallAt> {
         let slack = |size: f64| slack([size, point.amax()]);
-        if let Figure::Ball { radius, .. } = self.figure {
-            return vec![WallAt {
-                piece: 0,
-                distance: self.signed_distance(point),
-                normal: -point,
-                slack: slack(radius),
-            }];
-        }
-        let [low, high] = self.extent();
-        let bounded = (0..3).filter(|axis| high[*axis].is_finite());
-        let pairs = bounded.enumerate().map(|(pair, axis)| {
-            let mut normal = Vector3::zeros();
-            normal[axis] = 1.0;
-            let slack = slack(high[axis]);
+        // the two walls across an axis, at 0 and at `size`
+        let across = |axis: usize, piece: usize, size: f64| {
+            let normal = Vector3::from_fn(|i, _| if i == axis { 1.0 } else { 0.0 });
+            let slack = slack(size);
             [
-                WallAt { piece: 2 * pair, distance: point[axis] - low[axis], normal, slack },
-                WallAt { piece: 2 * pair + 1, distance: high[axis] - point[axis], normal: -normal, slack },
+                WallAt { piece, distance: point[axis], normal, slack },
+                WallAt { piece: piece + 1, distance: size - point[axis], normal: -normal, slack },
             ]
-        });
-        pairs.flatten().collect()
+        };
+        match self.figure {
+            Figure::Slab { height, .. } => across(2, 0, height).into(),
+            Figure::Cuboid { size, .. } => (0..3).flat_map(|axis| across(axis, 2 * axis, size[axis])).collect(),
+            Figure::Ball { radius, .. } => {
+                let distance = self.signed_distance(point);
+                vec![WallAt { piece: 0, distance, normal: -point, slack: slack(radius) }]
+            }
+        }
+    }
+
+    /// Radius of the largest ball in the table \[L\].
+    fn inradius(&self) -> f64 {
+        match self.figure {
+            Figure::Slab { height, .. } => 0.5 * height,
+            Figure::Cuboid { size: [a, b, c], .. } => 0.5 * a.min(b).min(c),
+            Figure::Ball { radius, .. } => radius,
+        }
     }
 
     /// Its walls as solids, each with its centre \[L\] and the side of it on which the table lies. The walls of a box are a single
@@ -180,8 +186,7 @@ impl SpatialTable {
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
-        let [low, high] = self.extent();
-        let largest = 0.5 * (high - low).min();
+        let largest = self.inradius();
         if radius >= largest {
             return Err(Error::NothingLeft { radius, largest });
         }
