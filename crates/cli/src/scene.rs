@@ -23,7 +23,7 @@ pub use output::{Output, RecordFormat};
 pub use parameters::{Argument, Arguments, Default, Kind, Model, Parameter};
 pub use particle::{INERTIAS, Inertia, Particle};
 pub use run::Limit;
-pub use shapes::{SHAPES, Shape};
+pub use shapes::{Build, SHAPES, Shape};
 pub use start::{Ensemble, Orbit, SAMPLES, Starts};
 pub use table::{PieceLaw, Table, TableShape};
 pub use tables::TABLES;

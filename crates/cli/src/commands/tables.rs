@@ -38,7 +38,7 @@ pub fn run(json: bool, out: &mut impl Write) -> io::Result<()> {
     Ok(())
 }
 
-fn list<'a>(models: impl Iterator<Item = &'a Model>, out: &mut impl Write) -> io::Result<()> {
+fn list<'a, B: 'a>(models: impl Iterator<Item = &'a Model<B>>, out: &mut impl Write) -> io::Result<()> {
     for model in models {
         writeln!(out, "  {:<18} {}", model.name, model.summary)?;
         let parameters: Vec<_> = model.parameters.iter().map(crate::scene::Parameter::signature).collect();
@@ -49,7 +49,7 @@ fn list<'a>(models: impl Iterator<Item = &'a Model>, out: &mut impl Write) -> io
     Ok(())
 }
 
-fn as_json(model: &Model) -> Value {
+fn as_json<B>(model: &Model<B>) -> Value {
     let parameter = |parameter: &crate::scene::Parameter| {
         let default = match parameter.default {
             Default::Required(_) => Value::Null,

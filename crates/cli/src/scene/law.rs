@@ -38,8 +38,8 @@ pub enum LawKind {
     },
 }
 
-/// A law as `billiards laws` describes it.
-#[derive(Clone, Copy, Debug)]
+/// A law that scenes can name, as `billiards laws` describes it.
+#[derive(Clone, Debug)]
 pub struct LawModel {
     /// Its name in a scene.
     pub name: &'static str,
@@ -47,6 +47,18 @@ pub struct LawModel {
     pub example: &'static str,
     /// What it does, in one line.
     pub summary: &'static str,
+    form: Form,
+}
+
+/// What stands in a scene for a law.
+#[derive(Clone, Debug)]
+enum Form {
+    /// Its name alone.
+    Name(LawKind),
+    /// Its name with parameters, which this function reads.
+    Table(fn(&mut Section<'_>, usize, &mut Problems) -> Option<LawKind>),
+    /// A list of rough directions in place of the name.
+    Directions,
 }
 
 /// Every law a scene can name.
@@ -55,26 +67,31 @@ pub const LAWS: &[LawModel] = &[
         name: "specular",
         example: "law = \"specular\"",
         summary: "the normal velocity reverses, spin and tangential velocity do not change (k = 0)",
+        form: Form::Name(LawKind::Specular),
     },
     LawModel {
         name: "no-slip",
         example: "law = \"no-slip\"",
         summary: "the whole velocity of the contact point reverses (k = N-1)",
+        form: Form::Name(LawKind::NoSlip),
     },
     LawModel {
         name: "rough",
         example: "rough = [[1, 2, -3]]",
         summary: "the contact velocity reverses along the normal and the given directions (k = their number)",
+        form: Form::Directions,
     },
     LawModel {
         name: "random",
         example: "law = { name = \"random\", rank = 1, seed = 0 }",
         summary: "k = rank rough directions, uniformly random, as a function of the seed and the contact point",
+        form: Form::Table(random),
     },
     LawModel {
         name: "restitution",
         example: "law = { name = \"restitution\", normal = 0.9, tangential = 0 }",
         summary: "loses energy: -normal and -tangential times the normal and tangential contact velocity (of a ball; see the guide)",
+        form: Form::Table(restitution),
     },
 ];
 
@@ -101,25 +118,23 @@ impl std::str::FromStr for LawKind {
 
     /// A law without parameters, by its name.
     fn from_str(name: &str) -> Result<Self, String> {
-        match name {
-            "specular" => Ok(Self::Specular),
-            "no-slip" => Ok(Self::NoSlip),
-            _ => match LAWS.iter().find(|law| law.name == name) {
-                Some(law) => {
-                    let in_the_plane = if name == "rough" { " (in the plane rough = [[1, 0]])" } else { "" };
-                    Err(format!(
-                        "this law has parameters: write {}{in_the_plane} in place of the scene's law; see `billiards guide`",
-                        law.example
-                    ))
-                }
-                None => Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
-                    Some(near) => format!("unknown law; did you mean \"{near}\"?"),
-                    None => "unknown law; write specular or no-slip, which have no parameters; `billiards laws` lists all laws that a \
-                             scene can name"
-                        .into(),
-                }),
-            },
-        }
+        let Some(law) = LAWS.iter().find(|law| law.name == name) else {
+            return Err(match crate::spelling::closest(name, LAWS.iter().map(|law| law.name)) {
+                Some(near) => format!("unknown law; did you mean \"{near}\"?"),
+                None => "unknown law; write specular or no-slip, which have no parameters; `billiards laws` lists all laws that a \
+                         scene can name"
+                    .into(),
+            });
+        };
+        let in_the_plane = match &law.form {
+            Form::Name(kind) => return Ok(kind.clone()),
+            Form::Table(_) => "",
+            Form::Directions => " (in the plane rough = [[1, 0]])",
+        };
+        Err(format!(
+            "this law has parameters: write {}{in_the_plane} in place of the scene's law; see `billiards guide`",
+            law.example
+        ))
     }
 }
 
@@ -145,15 +160,15 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
     let names: Vec<_> = LAWS.iter().map(|law| (law.name, law)).collect();
     if let Value::Text(_) = &item.value {
         let model = choice(item, "law", &names, problems)?;
-        let kind = model.name.parse().ok();
-        if kind.is_none() {
-            problems.add_with_help(
-                item.span,
-                format!("the law \"{}\" has parameters", model.name),
-                format!("write {} in place of \"{}\"", table(model, dimension), model.name),
-            );
+        if let Form::Name(kind) = &model.form {
+            return Some(kind.clone());
         }
-        return kind;
+        problems.add_with_help(
+            item.span,
+            format!("the law \"{}\" has parameters", model.name),
+            format!("write {} in place of \"{}\"", table(model, dimension), model.name),
+        );
+        return None;
     }
     let Value::Table(_) = item.value else {
         let help = "write for instance \"no-slip\", or { name = \"restitution\", normal = 0.9, tangential = 0 }";
@@ -168,32 +183,15 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
     }
     let named =
         section.required("name", "name = \"restitution\"").and_then(|item| choice(item, "law", &names, problems));
-    let kind = match named.map(|model| model.name) {
-        Some("rough") => {
+    let kind = match named.map(|model| &model.form) {
+        Some(Form::Directions) => {
             let what = "the law \"rough\" is given by its directions alone";
             problems.add_with_help(item.span, what, format!("write {}", rough_example(dimension)));
             section.finish_leniently(problems);
             return None;
         }
-        Some("specular") => Some(LawKind::Specular),
-        Some("no-slip") => Some(LawKind::NoSlip),
-        Some("random") => {
-            let rank = section.required("rank", "rank = 1").and_then(|item| {
-                let rank = usize::try_from(count(item, 0, problems)?.value).ok().filter(|rank| *rank < dimension);
-                if rank.is_none() {
-                    problems.add(item.span, format!("in dimension {dimension} the rank is at most {}", dimension - 1));
-                }
-                rank
-            });
-            let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
-            (|| Some(LawKind::Random { rank: rank?, seed: seed? }))()
-        }
-        Some(_) => {
-            let normal = section.required("normal", "normal = 0.9").and_then(|item| coefficient(item, 0.0, problems));
-            let tangential =
-                section.required("tangential", "tangential = 0").and_then(|item| coefficient(item, -1.0, problems));
-            (|| Some(LawKind::Restitution { normal: normal?, tangential: tangential? }))()
-        }
+        Some(Form::Name(kind)) => Some(kind.clone()),
+        Some(Form::Table(read)) => read(&mut section, dimension, problems),
         // The keys of an unknown law are unknown, too.
         None => {
             section.finish_leniently(problems);
@@ -202,6 +200,25 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
     };
     section.finish(problems);
     kind
+}
+
+fn random(section: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
+    let rank = section.required("rank", "rank = 1").and_then(|item| {
+        let rank = usize::try_from(count(item, 0, problems)?.value).ok().filter(|rank| *rank < dimension);
+        if rank.is_none() {
+            problems.add(item.span, format!("in dimension {dimension} the rank is at most {}", dimension - 1));
+        }
+        rank
+    });
+    let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
+    Some(LawKind::Random { rank: rank?, seed: seed? })
+}
+
+fn restitution(section: &mut Section<'_>, _: usize, problems: &mut Problems) -> Option<LawKind> {
+    let normal = section.required("normal", "normal = 0.9").and_then(|item| coefficient(item, 0.0, problems));
+    let tangential =
+        section.required("tangential", "tangential = 0").and_then(|item| coefficient(item, -1.0, problems));
+    Some(LawKind::Restitution { normal: normal?, tangential: tangential? })
 }
 
 /// How to write a law with parameters as a value.

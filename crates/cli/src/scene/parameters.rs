@@ -7,7 +7,7 @@ use crate::document::{self, Item, Problems, Section, Span, Spanned};
 
 /// Something a scene can name, with its parameters.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub struct Model<B = ()> {
     /// Its name in a scene.
     pub name: &'static str,
     /// Dimension of its space, 2 or 3.
@@ -16,6 +16,8 @@ pub struct Model {
     pub summary: &'static str,
     /// Its parameters.
     pub parameters: Cow<'static, [Parameter]>,
+    /// How it is built from them; nothing for a table, which the geometry crate builds.
+    pub build: B,
 }
 
 /// A named parameter.
@@ -180,13 +182,13 @@ impl Arguments {
 }
 
 /// The model a name stands for.
-pub(super) fn model(
+pub(super) fn model<B>(
     item: &Item,
     what: &str,
-    models: &'static [Model],
+    models: &'static [Model<B>],
     dimension: usize,
     problems: &mut Problems,
-) -> Option<&'static Model> {
+) -> Option<&'static Model<B>> {
     let fitting = models.iter().filter(|model| model.dimension == dimension);
     let word = text(item, &known(fitting.clone().map(|model| model.name)), problems)?.value;
     if let Some(model) = fitting.clone().find(|model| model.name == word) {
@@ -206,10 +208,10 @@ pub(super) fn model(
 }
 
 /// Reads the parameters of a model from the keys of a section.
-pub(super) fn arguments(
+pub(super) fn arguments<B>(
     section: &mut Section<'_>,
     span: Span,
-    model: &'static Model,
+    model: &'static Model<B>,
     problems: &mut Problems,
 ) -> Option<Arguments> {
     let mut values = Vec::new();

@@ -25,31 +25,93 @@ const fn points(least: usize) -> Parameter {
     Parameter::required("points", Kind::Points { least, most: usize::MAX })
 }
 
-const fn shape(name: &'static str, dimension: usize, summary: &'static str, parameters: &'static [Parameter]) -> Model {
-    Model { name, dimension, summary, parameters: Cow::Borrowed(parameters) }
+/// How a shape is built from its parameters.
+#[derive(Clone, Copy, Debug)]
+pub enum Build {
+    /// A shape of the plane.
+    Planar(fn(&Arguments) -> ShapeSpec),
+    /// The union of the shapes in its list `shapes`.
+    Union,
+    /// A solid.
+    Spatial(fn(&Arguments) -> SolidSpec),
+}
+
+type Parameters = &'static [Parameter];
+
+const fn planar(
+    name: &'static str,
+    summary: &'static str,
+    parameters: Parameters,
+    build: fn(&Arguments) -> ShapeSpec,
+) -> Model<Build> {
+    Model { name, dimension: 2, summary, parameters: Cow::Borrowed(parameters), build: Build::Planar(build) }
+}
+
+const fn spatial(
+    name: &'static str,
+    summary: &'static str,
+    parameters: Parameters,
+    build: fn(&Arguments) -> SolidSpec,
+) -> Model<Build> {
+    Model { name, dimension: 3, summary, parameters: Cow::Borrowed(parameters), build: Build::Spatial(build) }
 }
 
 /// Every shape a boundary entry can name. Planar shapes are turned by `angle` and then moved by `center`; `rounding` is
 /// the radius of a disk or ball that is added around the shape.
-pub const SHAPES: &[Model] = &[
-    shape("ball", 2, "a disk", &[CENTER2, ANGLE, RADIUS]),
-    shape("cuboid", 2, "a rectangle", &[CENTER2, ANGLE, Parameter::required("size", Kind::Lengths(2)), ROUNDING]),
-    shape("capsule", 2, "all points within a radius of a segment", &[CENTER2, ANGLE, FROM, TO, RADIUS]),
-    shape("segment", 2, "a straight wall with two sides", &[CENTER2, ANGLE, FROM, TO]),
-    shape("triangle", 2, "a triangle", &[CENTER2, ANGLE, CORNERS, ROUNDING]),
-    shape("convex-polygon", 2, "a convex polygon, by its corners in order", &[CENTER2, ANGLE, points(3), ROUNDING]),
-    shape("polygon", 2, "any simple polygon, by its corners in order", &[CENTER2, ANGLE, points(3), ROUNDING]),
-    shape("polyline", 2, "an open chain of segments, a wall with two sides", &[CENTER2, ANGLE, points(2), ROUNDING]),
-    shape("half-space", 2, "all points behind a line; the normal points out of it", &[CENTER2, ANGLE, NORMAL]),
-    shape(
+pub const SHAPES: &[Model<Build>] = &[
+    planar("ball", "a disk", &[CENTER2, ANGLE, RADIUS], |a| ShapeSpec::Ball { radius: a.number("radius") }),
+    planar("cuboid", "a rectangle", &[CENTER2, ANGLE, Parameter::required("size", Kind::Lengths(2)), ROUNDING], |a| {
+        let half_extents = pair(a.numbers("size")).map(|x| 0.5 * x);
+        match rounding(a) {
+            0.0 => ShapeSpec::Cuboid { half_extents },
+            border_radius => ShapeSpec::RoundCuboid { half_extents, border_radius },
+        }
+    }),
+    planar("capsule", "all points within a radius of a segment", &[CENTER2, ANGLE, FROM, TO, RADIUS], |a| {
+        let (from, to) = (pair(a.numbers("from")), pair(a.numbers("to")));
+        ShapeSpec::Capsule { a: from, b: to, radius: a.number("radius") }
+    }),
+    planar("segment", "a straight wall with two sides", &[CENTER2, ANGLE, FROM, TO], |a| ShapeSpec::Segment {
+        a: pair(a.numbers("from")),
+        b: pair(a.numbers("to")),
+    }),
+    planar("triangle", "a triangle", &[CENTER2, ANGLE, CORNERS, ROUNDING], |a| {
+        let corners = corners(a);
+        let vertices = [0, 1, 2].map(|i| corners.get(i).copied().unwrap_or_default());
+        match rounding(a) {
+            0.0 => ShapeSpec::Triangle { vertices },
+            border_radius => ShapeSpec::RoundTriangle { vertices, border_radius },
+        }
+    }),
+    planar(
+        "convex-polygon",
+        "a convex polygon, by its corners in order",
+        &[CENTER2, ANGLE, points(3), ROUNDING],
+        |a| match rounding(a) {
+            0.0 => ShapeSpec::ConvexPolygon { vertices: corners(a) },
+            border_radius => ShapeSpec::RoundConvexPolygon { vertices: corners(a), border_radius },
+        },
+    ),
+    planar("polygon", "any simple polygon, by its corners in order", &[CENTER2, ANGLE, points(3), ROUNDING], |a| {
+        chain(a, true)
+    }),
+    planar(
+        "polyline",
+        "an open chain of segments, a wall with two sides",
+        &[CENTER2, ANGLE, points(2), ROUNDING],
+        |a| chain(a, false),
+    ),
+    planar("half-space", "all points behind a line; the normal points out of it", &[CENTER2, ANGLE, NORMAL], |a| {
+        ShapeSpec::HalfSpace { normal: pair(a.numbers("normal")) }
+    }),
+    planar(
         "trimesh",
-        2,
         "triangles; its walls are the edges that belong to one triangle only",
         &[CENTER2, ANGLE, points(3), TRIANGLES],
+        |a| ShapeSpec::TriMesh { vertices: corners(a), triangles: triples(a) },
     ),
-    shape(
+    planar(
         "heightfield",
-        2,
         "a graph over -size_1/2 < x < size_1/2, heights in units of size_2; at its ends it must be continued by rays, other pieces or a lattice",
         &[
             CENTER2,
@@ -57,21 +119,42 @@ pub const SHAPES: &[Model] = &[
             Parameter::required("heights", Kind::Reals(2)),
             Parameter::with_default("size", Kind::Lengths(2), &[1.0, 1.0]),
         ],
+        |a| ShapeSpec::HeightField { heights: a.numbers("heights").to_vec(), scale: pair(a.numbers("size")) },
     ),
-    shape("compound", 2, "the union of the shapes in the list \"shapes\"", &[CENTER2, ANGLE]),
-    shape("ball", 3, "a ball", &[CENTER3, RADIUS]),
-    shape(
+    Model {
+        name: "compound",
+        dimension: 2,
+        summary: "the union of the shapes in the list \"shapes\"",
+        parameters: Cow::Borrowed(&[CENTER2, ANGLE]),
+        build: Build::Union,
+    },
+    spatial("ball", "a ball", &[CENTER3, RADIUS], |a| SolidSpec::Ball { radius: a.number("radius") }),
+    spatial(
         "cuboid",
-        3,
         "a box with edges along the axes",
         &[CENTER3, Parameter::required("size", Kind::Lengths(3)), ROUNDING],
+        |a| SolidSpec::Cuboid { size: triple(a.numbers("size")), rounding: rounding(a) },
     ),
-    shape("capsule", 3, "all points within a radius of a segment", &[CENTER3, FROM, TO, RADIUS]),
-    shape("cylinder", 3, "a cylinder with its axis along x3", &[CENTER3, RADIUS, HEIGHT, ROUNDING]),
-    shape("cone", 3, "a cone with its axis along x3, apex up", &[CENTER3, RADIUS, HEIGHT, ROUNDING]),
-    shape("convex-hull", 3, "the convex hull of points", &[CENTER3, points(4), ROUNDING]),
-    shape("half-space", 3, "all points behind a plane; the normal points out of it", &[CENTER3, NORMAL]),
-    shape("trimesh", 3, "bounded by triangles, counter-clockwise from outside", &[CENTER3, points(4), TRIANGLES]),
+    spatial("capsule", "all points within a radius of a segment", &[CENTER3, FROM, TO, RADIUS], |a| {
+        let (from, to) = (triple(a.numbers("from")), triple(a.numbers("to")));
+        SolidSpec::Capsule { from, to, radius: a.number("radius") }
+    }),
+    spatial("cylinder", "a cylinder with its axis along x3", &[CENTER3, RADIUS, HEIGHT, ROUNDING], |a| {
+        SolidSpec::Cylinder { radius: a.number("radius"), height: a.number("height"), rounding: rounding(a) }
+    }),
+    spatial("cone", "a cone with its axis along x3, apex up", &[CENTER3, RADIUS, HEIGHT, ROUNDING], |a| {
+        SolidSpec::Cone { radius: a.number("radius"), height: a.number("height"), rounding: rounding(a) }
+    }),
+    spatial("convex-hull", "the convex hull of points", &[CENTER3, points(4), ROUNDING], |a| SolidSpec::ConvexHull {
+        points: vertices(a),
+        rounding: rounding(a),
+    }),
+    spatial("half-space", "all points behind a plane; the normal points out of it", &[CENTER3, NORMAL], |a| {
+        SolidSpec::HalfSpace { normal: triple(a.numbers("normal")) }
+    }),
+    spatial("trimesh", "bounded by triangles, counter-clockwise from outside", &[CENTER3, points(4), TRIANGLES], |a| {
+        SolidSpec::TriMesh { vertices: vertices(a), triangles: triples(a), margin: 0.0 }
+    }),
 ];
 
 /// A shape, ready to bound a table.
@@ -103,7 +186,7 @@ pub(super) fn read(
     problems: &mut Problems,
 ) -> Option<(Shape, Vec<f64>)> {
     let model = parameters::model(item, "shape", SHAPES, n, problems)?;
-    let members = if model.name == "compound" {
+    let members = if let Build::Union = model.build {
         let item = section.required("shapes", "shapes = [{ name = \"ball\", radius = 1 }, ...]")?;
         compound(item, problems)
     } else {
@@ -123,20 +206,23 @@ pub(super) fn read(
         lengths.extend(arguments.points(parameter.name).iter().flat_map(|p| &p.value));
     }
     let name = model.name;
-    let shape = if n == 2 {
-        let spec = if name == "compound" { ShapeSpec::Compound(members) } else { planar(name, &arguments) };
-        let placed =
-            Placed { shape: spec, translation: pair(arguments.numbers("center")), rotation: arguments.number("angle") };
-        Shape::Planar { name, placed }
-    } else {
-        Shape::Spatial { name, spec: spatial(name, &arguments), center: triple(arguments.numbers("center")) }
+    let placed = |shape: ShapeSpec| Shape::Planar {
+        name,
+        placed: Placed { shape, translation: pair(arguments.numbers("center")), rotation: arguments.number("angle") },
+    };
+    let shape = match model.build {
+        Build::Planar(build) => placed(build(&arguments)),
+        Build::Union => placed(ShapeSpec::Compound(members)),
+        Build::Spatial(build) => {
+            Shape::Spatial { name, spec: build(&arguments), center: triple(arguments.numbers("center")) }
+        }
     };
     Some((shape, lengths))
 }
 
 /// The last point of a planar chain without thickness, if it repeats the first one after others that each occur once.
 fn ring<'a>(name: &str, n: usize, arguments: &'a Arguments) -> Option<&'a Spanned<Vec<f64>>> {
-    if name != "polyline" || n != 2 || arguments.numbers("rounding").first().is_some_and(|r| *r > 0.0) {
+    if name != "polyline" || n != 2 || rounding(arguments) > 0.0 {
         return None;
     }
     let [first, inner @ .., last] = arguments.points("points") else { return None };
@@ -179,43 +265,26 @@ fn triples(arguments: &Arguments) -> Vec<[usize; 3]> {
     arguments.numbers("triangles").chunks_exact(3).map(|t| [t[0] as usize, t[1] as usize, t[2] as usize]).collect()
 }
 
-fn planar(name: &str, arguments: &Arguments) -> ShapeSpec {
-    let points = |name: &str| arguments.points(name).iter().map(|p: &Spanned<Vec<f64>>| pair(&p.value));
-    let corners: Vec<_> = points("points").collect();
-    let rounding = arguments.numbers("rounding").first().copied().unwrap_or(0.0);
-    let (from, to) = (pair(arguments.numbers("from")), pair(arguments.numbers("to")));
-    match (name, rounding > 0.0) {
-        ("ball", _) => ShapeSpec::Ball { radius: arguments.number("radius") },
-        ("cuboid", round) => {
-            let half_extents = pair(arguments.numbers("size")).map(|x| 0.5 * x);
-            if round {
-                ShapeSpec::RoundCuboid { half_extents, border_radius: rounding }
-            } else {
-                ShapeSpec::Cuboid { half_extents }
-            }
-        }
-        ("capsule", _) => ShapeSpec::Capsule { a: from, b: to, radius: arguments.number("radius") },
-        ("segment", _) => ShapeSpec::Segment { a: from, b: to },
-        ("triangle", round) => {
-            let vertices = [0, 1, 2].map(|i| corners.get(i).copied().unwrap_or_default());
-            if round {
-                ShapeSpec::RoundTriangle { vertices, border_radius: rounding }
-            } else {
-                ShapeSpec::Triangle { vertices }
-            }
-        }
-        ("convex-polygon", false) => ShapeSpec::ConvexPolygon { vertices: corners },
-        ("convex-polygon", true) => ShapeSpec::RoundConvexPolygon { vertices: corners, border_radius: rounding },
-        ("polygon" | "polyline", round) => {
-            let closed = name == "polygon";
-            if round { rounded(corners, closed, rounding) } else { ShapeSpec::Polyline { vertices: corners, closed } }
-        }
-        ("half-space", _) => ShapeSpec::HalfSpace { normal: pair(arguments.numbers("normal")) },
-        ("trimesh", _) => ShapeSpec::TriMesh { vertices: corners, triangles: triples(arguments) },
-        _ => ShapeSpec::HeightField {
-            heights: arguments.numbers("heights").to_vec(),
-            scale: pair(arguments.numbers("size")),
-        },
+/// The radius of the disk or ball that is added around a shape \[L\].
+fn rounding(arguments: &Arguments) -> f64 {
+    arguments.numbers("rounding").first().copied().unwrap_or(0.0)
+}
+
+/// The points of a planar shape.
+fn corners(arguments: &Arguments) -> Vec<[f64; 2]> {
+    arguments.points("points").iter().map(|p| pair(&p.value)).collect()
+}
+
+/// The points of a solid.
+fn vertices(arguments: &Arguments) -> Vec<[f64; 3]> {
+    arguments.points("points").iter().map(|p| triple(&p.value)).collect()
+}
+
+/// A chain of segments, open or closed.
+fn chain(arguments: &Arguments, closed: bool) -> ShapeSpec {
+    match rounding(arguments) {
+        0.0 => ShapeSpec::Polyline { vertices: corners(arguments), closed },
+        radius => rounded(corners(arguments), closed, radius),
     }
 }
 
@@ -229,23 +298,4 @@ fn rounded(corners: Vec<[f64; 2]>, closed: bool, radius: f64) -> ShapeSpec {
         members.push(ShapeSpec::Polyline { vertices: corners, closed }.into());
     }
     ShapeSpec::Compound(members)
-}
-
-fn spatial(name: &str, arguments: &Arguments) -> SolidSpec {
-    let points: Vec<_> = arguments.points("points").iter().map(|p| triple(&p.value)).collect();
-    let rounding = arguments.numbers("rounding").first().copied().unwrap_or(0.0);
-    let (radius, height) = (arguments.number("radius"), arguments.number("height"));
-    match name {
-        "ball" => SolidSpec::Ball { radius },
-        "cuboid" => SolidSpec::Cuboid { size: triple(arguments.numbers("size")), rounding },
-        "capsule" => {
-            let (from, to) = (triple(arguments.numbers("from")), triple(arguments.numbers("to")));
-            SolidSpec::Capsule { from, to, radius }
-        }
-        "cylinder" => SolidSpec::Cylinder { radius, height, rounding },
-        "cone" => SolidSpec::Cone { radius, height, rounding },
-        "convex-hull" => SolidSpec::ConvexHull { points, rounding },
-        "trimesh" => SolidSpec::TriMesh { vertices: points, triangles: triples(arguments), margin: 0.0 },
-        _ => SolidSpec::HalfSpace { normal: triple(arguments.numbers("normal")) },
-    }
 }

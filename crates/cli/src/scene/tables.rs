@@ -11,7 +11,7 @@ pub static TABLES: LazyLock<Vec<Model>> = LazyLock::new(|| tables::all().iter().
 
 fn model(entry: &'static Entry) -> Model {
     let parameters: Vec<_> = entry.parameters.iter().map(parameter).collect();
-    Model { name: entry.name, dimension: entry.dimension(), summary: entry.summary, parameters: parameters.into() }
+    Model { name: entry.name, dimension: entry.dimension(), summary: entry.summary, parameters: parameters.into(), build: () }
 }
 
 fn parameter(of: &'static tables::Parameter) -> Parameter {

@@ -3,7 +3,7 @@
 use super::{BOUNDARY, NAMED, SPATIAL, SQUARE, parse};
 use billiards_cli::document::Source;
 use billiards_cli::scene::{
-    Border, Curve, Domain, EdgePath, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES, TableShape, Turn,
+    Border, Curve, Domain, EdgePath, LAWS, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES, TableShape, Turn,
 };
 
 #[test]
@@ -65,6 +65,16 @@ fn a_scene_in_space_is_read() {
     assert_eq!(scene.table.laws[1].law, LawKind::Random { rank: 1, seed: 0 });
     let Starts::Orbits(orbits) = &scene.starts else { panic!() };
     assert_eq!(orbits[0].spin.value, [0.0, 0.25, 0.0]);
+}
+
+#[test]
+fn every_law_is_read_as_itself_from_its_example() {
+    for law in LAWS {
+        let text = SPATIAL.replacen("rough = [[1, 2, -3]]", law.example, 1);
+        let scene = parse(&text).unwrap_or_else(|e| panic!("{}: {e:?}", law.name));
+        let said = scene.law.kind.to_string();
+        assert_eq!(said.split(' ').next(), Some(law.name), "{said}");
+    }
 }
 
 #[test]

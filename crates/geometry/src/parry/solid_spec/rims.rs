@@ -19,7 +19,16 @@ impl SolidSpec {
     /// assert_eq!(mesh(&triangles).rims(), 3);
     /// ```
     pub fn rims(&self) -> usize {
-        let SolidSpec::TriMesh { vertices, triangles, .. } = self else { return 0 };
+        let (vertices, triangles) = match self {
+            SolidSpec::TriMesh { vertices, triangles, .. } => (vertices, triangles),
+            SolidSpec::Ball { .. }
+            | SolidSpec::Cuboid { .. }
+            | SolidSpec::Capsule { .. }
+            | SolidSpec::Cylinder { .. }
+            | SolidSpec::Cone { .. }
+            | SolidSpec::ConvexHull { .. }
+            | SolidSpec::HalfSpace { .. } => return 0,
+        };
         let points: Vec<Vector3<f64>> = vertices.iter().map(|v| Vector3::from(*v)).collect();
         let number = merged(&points);
         let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len()));

@@ -77,7 +77,15 @@ impl SolidSpec {
                 let triangles = triangles.iter().filter(|t| t.iter().all(|v| *v < vertices.len()));
                 triangles.map(|t| closed(t.map(|v| vertices[v].into()).into())).collect()
             }
-            _ => vec![],
+            SolidSpec::Ball { .. }
+            | SolidSpec::Capsule { .. }
+            | SolidSpec::HalfSpace { .. }
+            // rounded
+            | SolidSpec::Cuboid { .. }
+            | SolidSpec::Cylinder { .. }
+            | SolidSpec::Cone { .. }
+            | SolidSpec::ConvexHull { .. }
+            | SolidSpec::TriMesh { .. } => vec![],
         }
     }
 }
