@@ -31,7 +31,7 @@ pub(super) fn posts(pieces: &[(usize, Arc<dyn Piece>)]) -> Vec<Post> {
         Some(Shape::Arc(_) | Shape::Circle(_) | Shape::EllipticArc(_) | Shape::Ellipse(_)) => {
             piece.curvature(&piece.point_at(0.5 * piece.length())) < 0.0
         }
-        _ => false,
+        Some(Shape::Segment(_) | Shape::Screen(_) | Shape::Ray(_) | Shape::Line(_)) | None => false,
     };
     let round: Vec<&(usize, Arc<dyn Piece>)> = pieces.iter().filter(|(_, piece)| scatters(piece)).collect();
     let boxes: Vec<_> = round.iter().map(|(_, piece)| piece.extent()).collect();
