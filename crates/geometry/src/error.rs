@@ -363,7 +363,7 @@ pub enum Error {
         /// The parameter.
         name: &'static str,
         /// What it must be.
-        must: &'static str,
+        must: String,
         /// What it is.
         found: String,
     },

@@ -309,9 +309,16 @@ fn wrong_parameters_are_named() {
     let error = fails("stadium", with("width", 1.0));
     assert_eq!(error.to_string(), "stadium has no parameter width; it has half_length, radius");
     assert_eq!(fails("wedge", Values::new()), Error::Missing { name: "angle" });
-    assert_eq!(fails("rectangle", with("size", 1.0)).to_string(), "size must be a list of two numbers, not 1");
+    assert_eq!(fails("rectangle", with("size", 1.0)).to_string(), "size must be a list of 2 numbers, not 1");
     let three = Values::new().with("size", vec![1.0; 3]);
-    assert_eq!(fails("rectangle", three).to_string(), "size must be a list of two numbers, not a list of 3 numbers");
+    assert_eq!(fails("rectangle", three).to_string(), "size must be a list of 2 numbers, not a list of 3 numbers");
+    let four = Values::new().with("vertices", vec![[0.0, 0.0]; 4]);
+    let said = "vertices must be a list of 3 points [x1, x2], not a list of 4 points";
+    assert_eq!(fails("triangle", four).to_string(), said);
+    assert_eq!(
+        [Kind::Lengths(4), Kind::Points(4)].map(Kind::form),
+        ["a list of 4 numbers", "a list of 4 points [x1, x2]"]
+    );
     let clockwise = vec![[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]];
     assert_eq!(fails("triangle", Values::new().with("vertices", clockwise)), Error::Orientation { piece: 0 });
     let flat = vec![[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]];

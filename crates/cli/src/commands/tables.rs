@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::scene::{Default, Model, SHAPES, TABLES};
+use crate::scene::{Constant, Default, Model, SHAPES, TABLES};
 
 /// Lists tables and shapes.
 ///
@@ -53,8 +53,9 @@ fn as_json<B>(model: &Model<B>) -> Value {
     let parameter = |parameter: &crate::scene::Parameter| {
         let default = match parameter.default {
             Default::Required(_) => Value::Null,
-            Default::Numbers([x]) => json!(x),
-            Default::Numbers(xs) => json!(xs),
+            Default::Value(Constant::Numbers([x])) => json!(x),
+            Default::Value(Constant::Numbers(xs)) => json!(xs),
+            Default::Value(Constant::Points(points)) => json!(points),
         };
         json!({ "name": parameter.name, "default": default })
     };

@@ -69,33 +69,67 @@ pub enum Kind {
 /// What a parameter is if absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Default {
-    /// It must be given. With the defaults of the others, these example numbers make a table; empty where examples follow
-    /// from its kind.
-    Required(&'static [f64]),
-    /// These numbers.
+    /// It must be given. With the defaults of the others, this example makes a table or a shape; where there is none, one follows from
+    /// its kind.
+    Required(Option<Constant>),
+    /// This.
+    Value(Constant),
+}
+
+/// The value of a parameter that a scene does not give.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Constant {
+    /// One number or several.
     Numbers(&'static [f64]),
+    /// Points of the plane.
+    Points(&'static [[f64; 2]]),
+}
+
+impl Constant {
+    fn argument(self, span: Span) -> Argument {
+        match self {
+            Constant::Numbers(numbers) => Argument::Numbers(numbers.to_vec()),
+            Constant::Points(points) => {
+                Argument::Points(points.iter().map(|point| Spanned::new(point.to_vec(), span)).collect())
+            }
+        }
+    }
+}
+
+impl std::fmt::Display for Constant {
+    /// As a scene writes it.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let list = |numbers: &[f64]| {
+            let numbers: Vec<_> = numbers.iter().map(|x| document::spell(*x)).collect();
+            format!("[{}]", numbers.join(", "))
+        };
+        match self {
+            Constant::Numbers([x]) => f.write_str(&document::spell(*x)),
+            Constant::Numbers(numbers) => f.write_str(&list(numbers)),
+            Constant::Points(points) => {
+                let points: Vec<_> = points.iter().map(|point| list(point)).collect();
+                write!(f, "[{}]", points.join(", "))
+            }
+        }
+    }
 }
 
 impl Parameter {
     /// A parameter that must be given.
     pub const fn required(name: &'static str, kind: Kind) -> Self {
-        Self { name, kind, default: Default::Required(&[]) }
+        Self { name, kind, default: Default::Required(None) }
     }
 
     /// A parameter with a default.
     pub const fn with_default(name: &'static str, kind: Kind, default: &'static [f64]) -> Self {
-        Self { name, kind, default: Default::Numbers(default) }
+        Self { name, kind, default: Default::Value(Constant::Numbers(default)) }
     }
 
     /// How to write it: `size = [2, 1]`, or the name alone if it has no default.
     pub fn signature(&self) -> String {
         match self.default {
             Default::Required(_) => self.name.into(),
-            Default::Numbers([x]) => format!("{} = {}", self.name, document::spell(*x)),
-            Default::Numbers(xs) => {
-                let numbers: Vec<_> = xs.iter().map(|x| document::spell(*x)).collect();
-                format!("{} = [{}]", self.name, numbers.join(", "))
-            }
+            Default::Value(value) => format!("{} = {value}", self.name),
         }
     }
 
@@ -106,14 +140,13 @@ impl Parameter {
 
     /// An example of it in this dimension: values that make a shape together with the examples of the other parameters.
     fn example(&self, dimension: usize) -> String {
-        if let Default::Required([x]) = self.default {
-            return format!("{} = {}", self.name, document::spell(*x));
+        if let Default::Required(Some(example)) = self.default {
+            return format!("{} = {example}", self.name);
         }
         let value = match self.kind {
             Kind::Length | Kind::Distance | Kind::Real => "1",
             Kind::Count { .. } => "5",
-            Kind::Lengths(2) => "[2, 1]",
-            Kind::Lengths(_) => "[1, 1, 1]",
+            Kind::Lengths(n) => return format!("{} = [{}]", self.name, vec!["1"; n].join(", ")),
             Kind::Point => match (self.name, dimension) {
                 ("to", 2) => "[1, 0]", // not where "from" is
                 ("to", _) => "[1, 0, 0]",
@@ -219,11 +252,11 @@ pub(super) fn arguments<B>(
     for parameter in model.parameters.iter() {
         let given = match parameter.default {
             Default::Required(_) => section.required(parameter.name, &parameter.example(model.dimension)),
-            Default::Numbers(_) => section.optional(parameter.name),
+            Default::Value(_) => section.optional(parameter.name),
         };
         let value = match (given, parameter.default) {
             (Some(item), _) => argument(item, parameter.kind, model.dimension, problems),
-            (None, Default::Numbers(numbers)) => Some(Spanned::new(Argument::Numbers(numbers.to_vec()), span)),
+            (None, Default::Value(value)) => Some(Spanned::new(value.argument(span), span)),
             (None, Default::Required(_)) => None,
         };
         complete &= value.is_some();

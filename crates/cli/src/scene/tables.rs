@@ -4,14 +4,20 @@ use std::sync::LazyLock;
 
 use billiards::geometry::tables::{self, Entry, Kind as Measure, Value};
 
-use super::parameters::{Default, Kind, Model, Parameter};
+use super::parameters::{Constant, Default, Kind, Model, Parameter};
 
 /// Every built-in table.
 pub static TABLES: LazyLock<Vec<Model>> = LazyLock::new(|| tables::all().iter().map(model).collect());
 
 fn model(entry: &'static Entry) -> Model {
     let parameters: Vec<_> = entry.parameters.iter().map(parameter).collect();
-    Model { name: entry.name, dimension: entry.dimension(), summary: entry.summary, parameters: parameters.into(), build: () }
+    Model {
+        name: entry.name,
+        dimension: entry.dimension(),
+        summary: entry.summary,
+        parameters: parameters.into(),
+        build: (),
+    }
 }
 
 fn parameter(of: &'static tables::Parameter) -> Parameter {
@@ -22,14 +28,36 @@ fn parameter(of: &'static tables::Parameter) -> Parameter {
         Measure::Lengths(n) => Kind::Lengths(n),
         Measure::Points(n) => Kind::Points { least: n, most: n },
     };
-    let default = match &of.value {
+    let value = match &of.value {
+        Value::Number(x) => Constant::Numbers(core::slice::from_ref(x)),
+        Value::List(list) => Constant::Numbers(list),
+        Value::Points(points) => Constant::Points(points),
+    };
+    let default = match (of.required, of.kind) {
         // for angles, no example: it would be written without pi
-        Value::Number(x) if of.required && of.kind != Measure::Angle => Default::Required(core::slice::from_ref(x)),
-        _ if of.required => Default::Required(&[]),
-        Value::Number(x) => Default::Numbers(core::slice::from_ref(x)),
-        Value::List(list) => Default::Numbers(list),
-        // points are required by every table that has them
-        Value::Points(_) => Default::Required(&[]),
+        (true, Measure::Angle) => Default::Required(None),
+        (true, _) => Default::Required(Some(value)),
+        (false, _) => Default::Value(value),
     };
     Parameter { name: of.name, kind, default }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_have_defaults_and_examples_like_numbers() {
+        let four: &[[f64; 2]] = &[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.5]];
+        let of = |required: bool| -> &'static tables::Parameter {
+            let (kind, value) = (Measure::Points(4), Value::Points(four.into()));
+            Box::leak(Box::new(tables::Parameter { name: "vertices", kind, value, required }))
+        };
+        let optional = parameter(of(false));
+        assert_eq!(optional.default, Default::Value(Constant::Points(four)));
+        assert_eq!(optional.signature(), "vertices = [[0, 0], [2, 0], [2, 1], [0, 1.5]]");
+        let required = parameter(of(true));
+        assert_eq!(required.default, Default::Required(Some(Constant::Points(four))));
+        assert_eq!(required.signature(), "vertices");
+    }
 }

@@ -192,7 +192,9 @@ pub(super) fn values(entry: &tables::Entry, arguments: &Arguments) -> Values {
                 values.with(parameter.name, arguments.points(parameter.name).iter().map(point).collect::<Vec<_>>())
             }
             Kind::Lengths(_) => values.with(parameter.name, numbers.to_vec()),
-            _ => values.with(parameter.name, arguments.number(parameter.name)),
+            Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number | Kind::Count { .. } => {
+                values.with(parameter.name, arguments.number(parameter.name))
+            }
         };
     }
     values

@@ -3,7 +3,8 @@
 use super::{BOUNDARY, NAMED, SPATIAL, SQUARE, parse};
 use billiards_cli::document::Source;
 use billiards_cli::scene::{
-    Border, Curve, Domain, EdgePath, LAWS, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES, TableShape, Turn,
+    Border, Curve, Default, Domain, EdgePath, LAWS, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES,
+    TableShape, Turn,
 };
 
 #[test]
@@ -80,15 +81,13 @@ fn every_law_is_read_as_itself_from_its_example() {
 #[test]
 fn every_built_in_table_is_read_with_its_required_parameters_alone() {
     for model in TABLES.iter() {
-        let extra = match model.name {
-            "wedge" => "angle = \"pi/3\"",
-            "triangle" => "vertices = [[0, 0], [1, 0], [0, 1]]",
-            "polygon" => "sides = 7",
-            "perturbed-polygon" => "amount = 0.01",
-            "lorentz" => "radius = 0.4",
-            "channel" => "sagitta = 0.1",
-            _ => "",
-        };
+        let required = model.parameters.iter().filter_map(|parameter| match parameter.default {
+            Default::Required(Some(example)) => Some(format!("{} = {example}", parameter.name)),
+            Default::Required(None) => Some(format!("{} = \"pi/3\"", parameter.name)),
+            Default::Value(_) => None,
+        });
+        let extra: Vec<_> = required.collect();
+        let extra = extra.join(", ");
         let (n, zeros) = (model.dimension, ["0"].repeat(model.dimension).join(", "));
         let text = format!(
             "law = \"specular\"\ntable = {{ dimension = {n}, name = \"{}\", {extra} }}\n\

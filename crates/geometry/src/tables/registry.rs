@@ -111,14 +111,13 @@ impl Parameter {
     /// Whether a value has the form that the parameter asks for.
     fn check(&self, value: &Value) -> Result<(), Error> {
         let Parameter { name, kind, .. } = *self;
-        let form = |must: &'static str| Error::Form { name, must, found: value.describe() };
         let numbers: &[f64] = match (kind, value) {
             (Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number | Kind::Count { .. }, Value::Number(x)) => {
                 core::slice::from_ref(x)
             }
             (Kind::Lengths(n), Value::List(list)) if list.len() == n => list,
             (Kind::Points(n), Value::Points(points)) if points.len() == n => points.as_flattened(),
-            (kind, _) => return Err(form(kind.form())),
+            (kind, _) => return Err(Error::Form { name, must: kind.form(), found: value.describe() }),
         };
         match numbers.iter().find(|x| !x.is_finite()) {
             Some(&value) => Err(Error::Parameter { name, must: "finite", value }),
@@ -129,19 +128,21 @@ impl Parameter {
 
 impl Kind {
     /// What a value of this kind looks like.
-    pub fn form(self) -> &'static str {
+    pub fn form(self) -> String {
         match self {
-            Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number => "a number",
-            Kind::Count { .. } => "a whole number",
-            Kind::Lengths(2) => "a list of two numbers",
-            Kind::Lengths(_) => "a list of three numbers",
-            Kind::Points(_) => "a list of three points [x1, x2]",
+            Kind::Length | Kind::Displacement | Kind::Angle | Kind::Number => "a number".into(),
+            Kind::Count { .. } => "a whole number".into(),
+            Kind::Lengths(n) => format!("a list of {n} numbers"),
+            Kind::Points(n) => format!("a list of {n} points [x1, x2]"),
         }
     }
 
     /// Whether values of this kind scale with the table.
     pub fn is_length(self) -> bool {
-        matches!(self, Kind::Length | Kind::Displacement | Kind::Lengths(_) | Kind::Points(_))
+        match self {
+            Kind::Length | Kind::Displacement | Kind::Lengths(_) | Kind::Points(_) => true,
+            Kind::Angle | Kind::Number | Kind::Count { .. } => false,
+        }
     }
 }
 
