@@ -140,7 +140,7 @@ impl Simulation {
         };
         let why = |needs| match (needs, &self.body) {
             (Needs::Velocities | Needs::Reduced, Body::Space(_)) => {
-                Some("shows the reduced phase space of planar tables")
+                Some("needs the reduced phase space, which only planar tables have")
             }
             (Needs::Reduced, _) if infinite => Some("needs walls of finite length"),
             _ => None,

@@ -2,6 +2,7 @@
 
 use super::{BOUNDARY, NAMED, SPATIAL, SQUARE, parse};
 use billiards_cli::document::{Diagnostic, Source};
+use billiards_cli::picture::{Needs, PICTURES};
 use billiards_cli::scene::{LawKind, Request, SHAPES, Scene};
 use billiards_cli::simulation::Simulation;
 
@@ -244,5 +245,20 @@ fn the_nearest_whole_number_in_range_is_offered_for_one_that_is_not() {
         let text = NAMED.replace("collisions = 1000", &format!("collisions = {wrong}"));
         let errors = Scene::parse(&Source::new("x.toml", &text), &Request::default()).unwrap_err();
         assert_eq!(errors[0].help, Some(format!("write for instance {nearest}")), "{wrong}");
+    }
+}
+
+#[test]
+fn pictures_that_a_table_in_space_lacks_are_told_what_they_need() {
+    for picture in PICTURES {
+        let text = SPATIAL.to_string() + &format!("[output]\npictures = [\"{}\"]\n", picture.name);
+        let built = Simulation::new(parse(&text).unwrap());
+        match picture.needs {
+            Needs::Paths => assert!(built.is_ok(), "{}", picture.name),
+            Needs::Velocities | Needs::Reduced => {
+                let needs = "needs the reduced phase space, which only planar tables have";
+                assert_eq!(built.unwrap_err()[0].what, format!("the picture \"{}\" {needs}", picture.name));
+            }
+        }
     }
 }
