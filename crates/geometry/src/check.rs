@@ -1,16 +1,19 @@
 //! What every piece promises, as functions that check it: for the shapes here and for your own.
+mod whole;
+
 use crate::{
     path::Line,
     piece::{Extent, Piece},
+    plane::is_finite,
 };
 use core::f64::consts::PI;
 use nalgebra::Vector2;
 
 /// How well a piece keeps its promises: the greatest deviation seen, of each kind.
 ///
-/// Lengths are relative to the size of the region (or of the coordinates, where a path leaves it). Rounding alone accounts for about 10⁻¹⁵;
-/// the last two compare with difference quotients, which are themselves accurate to about 10⁻⁹ and 10⁻⁶ for a curve whose radius of
-/// curvature is of the order of its size.
+/// Lengths are relative to the size of the region (or of the coordinates, where a path leaves it), areas to its square. Rounding alone
+/// accounts for about 10⁻¹⁵; the last four compare with difference quotients and with a polygon, which are themselves accurate to about
+/// 10⁻⁹, 10⁻⁶, 10⁻¹⁰ and 10⁻¹⁰ for a curve whose radius of curvature is of the order of its size.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PieceReport {
     /// Paths that met the piece.
@@ -30,18 +33,30 @@ pub struct PieceReport {
     pub reversal: f64,
     /// `arc_length_of(landing_at(s)) − s`, and the distance between `point_at(arc_length_of(p))` and the point of the landing `p`.
     pub arc_length: f64,
+    /// Distance of the piece from its extent, where it lies outside.
+    pub extent: f64,
+    /// Distance of the ends from `point_at(0)` and `point_at(length)`; of these two, for a closed curve.
+    pub ends: f64,
+    /// Distance of the graphs, if there are any, from the piece, and of each from where the one before it ends (from the piece's ends, for
+    /// the first and the last). Rough graphs, of formulas with large errors, are farther from it than rounding.
+    pub graphs: f64,
+    /// The normals of the graphs against those of `closest`; accurate to about 10⁻¹².
+    pub graph_normals: f64,
     /// The normals of `landing_at`, and of `closest` for a point beside the piece, against the difference quotient of `point_at`.
     pub normal_direction: f64,
     /// The curvature against the difference quotient of the normal, times the size of the region.
     pub curvature: f64,
+    /// The length against that of a polygon of points at equal arc lengths, extrapolated.
+    pub length: f64,
+    /// The area against that of the same polygon, extrapolated. That of an infinite piece must be NaN.
+    pub area: f64,
 }
 
 impl PieceReport {
-    /// The greatest of the deviations that should be rounding errors: all but the last two.
+    /// The greatest of the deviations that should be rounding errors: all but those of graphs and the last four.
     pub fn rounding(&self) -> f64 {
-        [self.off_boundary, self.off_path, self.normal_length, self.inward, self.reversal, self.arc_length]
-            .into_iter()
-            .fold(0.0, worse)
+        let lengths = [self.off_boundary, self.off_path, self.reversal, self.arc_length, self.extent, self.ends];
+        lengths.into_iter().chain([self.normal_length, self.inward]).fold(0.0, worse)
     }
 
     fn note(field: &mut f64, deviation: f64) {
@@ -92,7 +107,20 @@ pub fn piece(piece: &dyn Piece, region: Extent, paths: u32) -> PieceReport {
         }
     }
     parametrisation(piece, size, paths, &mut report);
+    whole::whole(piece, size, &mut report);
+    whole::graphs(piece, size, &mut report);
     report
+}
+
+/// The arc lengths \[L\] from the first of which the piece is sampled to the second: all of it, or a stretch of this size of an infinite
+/// one.
+fn stretch(piece: &dyn Piece, size: f64) -> [f64; 2] {
+    let runs_to_its_end = piece.ends().is_some_and(|[_, end]| is_finite(&end));
+    match (piece.length().is_finite(), runs_to_its_end) {
+        (true, _) => [0.0, piece.length()],
+        (false, true) => [-size, 0.0],
+        (false, false) => [0.0, size],
+    }
 }
 
 /// One path: its crossing, and the way on from there.
@@ -162,10 +190,11 @@ fn missed(piece: &dyn Piece, path: &Line<2>, until: f64, size: f64) -> bool {
 
 /// Arc length, and the derivatives with respect to it.
 fn parametrisation(piece: &dyn Piece, size: f64, points: u32, report: &mut PieceReport) {
-    let length = if piece.length().is_finite() { piece.length() } else { size };
+    let [from, to] = stretch(piece, size);
+    let length = to - from;
     let closed = piece.ends().is_none() && piece.length().is_finite();
     for k in 0..points {
-        let s = length * ((f64::from(k) + 0.5) / f64::from(points));
+        let s = from + length * ((f64::from(k) + 0.5) / f64::from(points));
         let at = piece.landing_at(s);
         let found = piece.arc_length_of(&at);
         let off = (found - s).abs();
@@ -193,8 +222,21 @@ mod tests {
     use crate::{
         crossing::Crossing,
         piece::Landing,
-        shapes::{Circle, Segment},
+        shapes::{
+            Circle, Segment,
+            curve::{self, Graph, Parametric},
+        },
     };
+
+    /// The unit circle.
+    struct Round;
+
+    impl Parametric for Round {
+        fn at(&self, t: f64) -> [Vector2<f64>; 2] {
+            let (sin, cos) = libm::sincos(t);
+            [Vector2::new(cos, sin), Vector2::new(-sin, cos)]
+        }
+    }
 
     /// A circle with one promise broken.
     #[derive(Debug)]
@@ -221,10 +263,14 @@ mod tests {
             if self.1 == "curvature" { -1.0 } else { self.0.curvature(point) }
         }
         fn length(&self) -> f64 {
-            self.0.length()
+            if matches!(self.1, "short" | "stretched") { 0.99 * self.0.length() } else { self.0.length() }
         }
         fn point_at(&self, s: f64) -> Vector2<f64> {
-            self.0.point_at(if self.1 == "clockwise" { -s } else { s })
+            self.0.point_at(match self.1 {
+                "clockwise" => -s,
+                "stretched" => s / 0.99,
+                _ => s,
+            })
         }
         fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
             let s = self.0.arc_length_at(point);
@@ -238,13 +284,26 @@ mod tests {
             self.0.closest(point)
         }
         fn ends(&self) -> Option<[Vector2<f64>; 2]> {
-            None
+            (self.1 == "ends").then(|| [0.0, 1.001].map(|turns| self.0.point_at(turns * self.0.length())))
         }
         fn extent(&self) -> Extent {
-            self.0.extent()
+            let Extent { min, max } = self.0.extent();
+            Extent { min, max: if self.1 == "extent" { 0.999 * max } else { max } }
         }
         fn area(&self) -> f64 {
-            self.0.area()
+            if self.1 == "area" { 0.999 * self.0.area() } else { self.0.area() }
+        }
+        fn graphs(&self) -> Option<Vec<Graph>> {
+            let range = if self.1 == "graphs back" { [2.0 * PI, 0.0] } else { [0.0, 2.0 * PI] };
+            let mut graphs = curve::graphs(&Round, range, [Vector2::x(); 2], 1.0)?;
+            match self.1 {
+                "graphs beside" => graphs = graphs.iter().map(|graph| graph.translated([1e-3, 0.0])).collect(),
+                "a graph missing" => {
+                    graphs.remove(1);
+                }
+                _ => {}
+            }
+            Some(graphs)
         }
     }
 
@@ -258,12 +317,20 @@ mod tests {
         let whole = report("none");
         assert!(whole.missed == 0 && whole.rounding() < 1e-14, "{whole:?}");
         assert!(whole.normal_direction < 1e-9 && whole.curvature < 1e-5, "{whole:?}");
+        assert!(whole.length < 1e-11 && whole.area < 1e-11, "{whole:?}");
+        assert!(whole.graphs < 1e-15 && whole.graph_normals < 1e-14, "{whole:?}");
         assert!(report("misses").missed > 30);
         assert!(report("late").missed > 30 && report("late").off_path > 1e-4);
         assert!(report("long normal").normal_length > 5e-4);
         assert!(report("outward normal").inward > 0.5);
         assert!(report("off").off_boundary > 4e-4);
         assert!(report("curvature").curvature > 1.0);
+        assert!(report("extent").extent > 4e-4 && report("ends").ends > 1e-3);
+        assert!(report("short").ends > 0.01 && report("short").length < 1e-11);
+        assert!(report("stretched").ends < 1e-15 && report("stretched").length > 0.01);
+        assert!(report("area").area > 5e-4);
+        assert!(report("graphs beside").graphs > 4e-4 && report("a graph missing").graphs > 0.01);
+        assert!(report("graphs back").graphs < 1e-15 && report("graphs back").graph_normals > 1.0);
         assert!(report("clockwise").arc_length > 0.1 && report("clockwise").normal_direction > 1.0);
     }
 

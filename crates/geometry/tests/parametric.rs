@@ -2,7 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 use core::f64::consts::{PI, TAU};
 use geometry::{
-    Error, Line, ParametricRule, Piece, Table, Vector2, enclosed_area,
+    Error, Extent, Line, ParametricRule, Piece, Table, Vector2, check, enclosed_area,
     shapes::{
         Ellipse,
         curve::{Interval, ParametricCurve, ParametricFormula},
@@ -71,6 +71,30 @@ fn paths() -> impl Iterator<Item = Line<2>> {
 fn first(pieces: &[ParametricCurve<Waves>], path: &Line<2>) -> (usize, f64) {
     let times = pieces.iter().map(|piece| piece.crossing(path).time());
     times.enumerate().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
+}
+
+#[test]
+fn curves_given_by_their_points_keep_the_promises_of_a_piece() {
+    let region = Extent { min: Vector2::repeat(-2.5), max: Vector2::repeat(2.5) };
+    let waves = Waves { size: [0.0, 0.05], number: 3.0, is_bent: true, ..ELLIPSE };
+    let ends = [0.5, 2.0].map(|t| Vector2::from(ELLIPSE.jet(t)[0]));
+    let all = [
+        ParametricCurve::around(ELLIPSE, [0.0, TAU], true),
+        ParametricCurve::around(ELLIPSE, [0.0, TAU], false),
+        ParametricCurve::along(ELLIPSE, [0.5, 2.0], ends),
+        ParametricCurve::along(ELLIPSE, [2.0, 0.5], [ends[1], ends[0]]),
+        ParametricCurve::around(waves, [0.0, TAU], true),
+    ];
+    for (k, pieces) in all.into_iter().enumerate() {
+        for piece in pieces.unwrap() {
+            let report = check::piece(&piece, region, 200);
+            assert!(report.missed == 0 && report.hits > 5, "{k}: {report:?}");
+            assert!(report.rounding() < 2e-15, "{k}: {report:?}");
+            assert!(report.normal_direction < 1e-7 && report.curvature < 1e-5, "{k}: {report:?}");
+            assert!(report.length < 1e-10 && report.area < 1e-10, "{k}: {report:?}");
+            assert!(report.graphs < 1e-15 && report.graph_normals < 1e-13, "{k}: {report:?}");
+        }
+    }
 }
 
 #[test]

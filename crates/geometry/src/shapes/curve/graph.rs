@@ -1,7 +1,11 @@
 //! A short stretch of a curve as a polynomial over its chord, which answers in lanes.
 use super::arc_length::integral;
-use crate::{piece::Extent, plane::along};
+use crate::{
+    piece::{Extent, Landing},
+    plane::along,
+};
 use lanes::{Lane, Mask};
+use nalgebra::Vector2;
 
 /// Degree of the polynomials: higher ones make fewer and longer stretches.
 pub(super) const DEGREE: usize = 11;
@@ -145,6 +149,15 @@ impl Graph {
             let incline = incline * self.local.inverse;
             [n0 + n1 * incline, n1 - n0 * incline]
         })
+    }
+
+    /// The point at a place along the chord, from −1 to 1, and the unit normal there.
+    pub(crate) fn at(&self, place: f64) -> Landing {
+        let ([n0, n1], along) = (self.local.outward, place / self.local.inverse);
+        let [height, incline, _] = self.local.jet(place, DEGREE);
+        let incline = incline * self.local.inverse;
+        let point = Vector2::from(self.local.origin) + Vector2::new(n0 * height - n1 * along, n1 * height + n0 * along);
+        Landing { point, normal: Vector2::new(-n0 - n1 * incline, n0 * incline - n1).normalize() }
     }
 
     /// When a path crosses it outwards; infinite if it does not.
