@@ -5,11 +5,12 @@
 
 use approx::assert_abs_diff_eq;
 use collision_laws::{
-    Body, CollisionLaw, Contact, Error, Fixed, Pair, Roughness, StrictLaw, TangentVector, Twist,
+    Body, CollisionLaw, Contact, Delassus, Error, Fixed, Pair, Roughness, StrictLaw, TangentVector, Twist,
     bodies::{Ball, Inertia, Planar, Point, RigidBody, Spatial},
     check::{self, Axiom, Samples},
     classify,
     laws::{Field, Grooved, NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane, Specular},
+    reflect,
 };
 use nalgebra::{DMatrix, Matrix3, SMatrix, SVector};
 use proptest::{
@@ -199,6 +200,48 @@ fn for_all<S: Strategy>(inputs: S, claim: impl Fn(S::Value)) {
     });
     if let Err(failure) = result {
         panic!("{failure}");
+    }
+}
+
+/// Smooth, but says other things of itself.
+#[derive(Debug)]
+struct Liar(&'static str);
+
+impl<const N: usize> CollisionLaw<N> for Liar {
+    fn impulse(&self, contact: &Contact<N>, delassus: &Delassus<N>, u: &SVector<f64, N>) -> SVector<f64, N> {
+        let roughness = if self.0 == "pushes" { Roughness::Rough } else { Roughness::Smooth };
+        reflect(&roughness, contact, delassus, u)
+    }
+    fn reflections(&self, _: &Contact<N>) -> Vec<(f64, Roughness<N>)> {
+        match self.0 {
+            "weight" => vec![(0.5, Roughness::Smooth)],
+            "reflections" => vec![(1.0, Roughness::Rough)],
+            "nothing" => vec![],
+            _ => vec![(1.0, if self.0 == "pushes" { Roughness::Rough } else { Roughness::Smooth })],
+        }
+    }
+    fn pushes(&self, _: &Contact<N>) -> Roughness<N> {
+        Roughness::Smooth
+    }
+}
+
+#[test]
+fn a_law_that_tells_of_another_impulse_than_its_own_is_found() {
+    let contact = Contact::new(SVector::from([0.0, 0.0]), SVector::from([0.0, 1.0]), 0).unwrap();
+    let body = Ball::<2>::uniform(1.0, 1.0).unwrap();
+    let pair = Pair::new(contact, (body, SVector::from([0.0, -1.0])), (Fixed, SVector::zeros()));
+    for (lie, least) in [("weight", 0.4), ("reflections", 0.1), ("pushes", 0.1)] {
+        let report = check::law(&pair, &Liar(lie), Samples::default());
+        assert_eq!(report.broken(check::TOLERANCE).next(), None, "{lie}");
+        assert!(report.told() > Some(least) && !report.is_strict(check::TOLERANCE), "{lie}: {:?}", report.told());
+    }
+    for truth in ["all", "nothing"] {
+        let report = check::law(&pair, &Liar(truth), Samples::default());
+        assert!(report.told() < Some(1e-15) && report.is_strict(check::TOLERANCE), "{truth}: {:?}", report.told());
+    }
+    for factor in [0.5, 1.0] {
+        let lossy = check::law(&pair, &Restitution::new(factor, 0.25).unwrap(), Samples::default());
+        assert!(lossy.told() < Some(1e-15));
     }
 }
 

@@ -63,13 +63,14 @@ impl fmt::Display for Axiom {
     }
 }
 
-/// How far a law or a map is from each axiom.
+/// How far a law or a map is from each axiom, and a law from what it tells of itself.
 ///
 /// `Display` writes a table with one line per axiom.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Report {
     defects: [Option<f64>; Axiom::ALL.len()],
     measure_ratio: f64,
+    told: Option<f64>,
 }
 
 /// Whether a defect is larger than another one; NaN is larger than any.
@@ -78,7 +79,7 @@ pub(super) fn worse(defect: f64, than: f64) -> bool {
 }
 
 impl Report {
-    pub(crate) const EMPTY: Self = Self { defects: [None; Axiom::ALL.len()], measure_ratio: 1.0 };
+    pub(crate) const EMPTY: Self = Self { defects: [None; Axiom::ALL.len()], measure_ratio: 1.0, told: None };
 
     /// Records a defect, keeping the largest.
     pub(crate) fn note(&mut self, axiom: Axiom, defect: f64) {
@@ -95,6 +96,20 @@ impl Report {
             self.measure_ratio = ratio;
         }
         self.note(Axiom::Measure, defect);
+    }
+
+    /// Records how far an impulse is from what the law tells of it, keeping the largest.
+    pub(super) fn note_told(&mut self, defect: f64) {
+        if self.told.is_none_or(|old| worse(defect, old)) {
+            self.told = Some(defect);
+        }
+    }
+
+    /// How far the impulse is from the sum of the law's [reflections](crate::CollisionLaw::reflections), if it names any, and from the
+    /// directions in which it [pushes](crate::CollisionLaw::pushes), relative to its length; `None` for a map, which tells nothing of
+    /// itself.
+    pub fn told(&self) -> Option<f64> {
+        self.told
     }
 
     /// The defect of one axiom, or `None` if the axiom says nothing here.
@@ -117,11 +132,12 @@ impl Report {
         found.filter(move |(_, defect)| !(*defect <= tolerance))
     }
 
-    /// Whether every applicable axiom was tested and no defect exceeds `tolerance`. Without any [sample](super::Samples) nothing was
-    /// tested.
+    /// Whether every applicable axiom was tested, no defect exceeds `tolerance`, and a law is within it of what it tells of itself.
+    /// Without any [sample](super::Samples) nothing was tested.
     pub fn is_strict(&self, tolerance: f64) -> bool {
         // the energy axiom applies to all bodies, walls and maps
-        self.defect(Axiom::Energy).is_some() && self.broken(tolerance).next().is_none()
+        let kept = self.defect(Axiom::Energy).is_some() && self.broken(tolerance).next().is_none();
+        kept && self.told.is_none_or(|defect| defect <= tolerance)
     }
 }
 

@@ -1,7 +1,10 @@
 //! Trying laws, maps and bodies on random velocities.
 
 use super::{Axiom, Report, TOLERANCE, axioms, report::worse};
-use crate::{Body, CollisionLaw, Contact, Fixed, Pair, TangentSpace, TangentVector, random::gaussian};
+use crate::{
+    Body, CollisionLaw, Contact, Delassus, Fixed, Pair, Roughness, TangentSpace, TangentVector, random::gaussian,
+    reflect,
+};
 use nalgebra::{DVector, SMatrix, SVector};
 use rand_chacha::{ChaCha8Rng, rand_core::SeedableRng};
 
@@ -50,7 +53,7 @@ fn approach<const N: usize>(space: &TangentSpace<N>, stream: &mut ChaCha8Rng) ->
     space.from_unit(&y)
 }
 
-/// How far `law` is from each axiom, for these two bodies at this contact.
+/// How far `law` is from each axiom, and from what it tells of itself ([`Report::told`]), for these two bodies at this contact.
 ///
 /// Energy, momenta, the direction of the image, linearity and measure are tested at approaching velocities; the involution also needs the
 /// law at the receding velocities that result. Two immovable bodies have no velocities, so no axiom is broken.
@@ -63,7 +66,32 @@ pub fn law<A: Body<N>, B: Body<N>, L: CollisionLaw<N> + ?Sized, const N: usize>(
         let v = pair.velocities(x.as_slice());
         pair.coordinates(&pair.collide(law, &v).velocities)
     };
-    map(&pair.tangent_space(), collide, samples)
+    let space = pair.tangent_space();
+    let mut report = map(&space, collide, samples);
+    let (delassus, mut stream) = (pair.delassus(), ChaCha8Rng::seed_from_u64(samples.seed));
+    for _ in 0..if space.dimension() == 0 { 0 } else { samples.count } {
+        let v = pair.velocities(approach(&space, &mut stream).as_slice());
+        report.note_told(told(law, &pair.contact, &delassus, &pair.contact_velocity(&v)));
+    }
+    report
+}
+
+/// How far the impulse of a law is from the sum of the reflections that it names, and from the normal and the directions in which it
+/// pushes; relative to its length.
+fn told<L: CollisionLaw<N> + ?Sized, const N: usize>(
+    law: &L,
+    contact: &Contact<N>,
+    delassus: &Delassus<N>,
+    u: &SVector<f64, N>,
+) -> f64 {
+    let impulse = law.impulse(contact, delassus, u);
+    let along = law.pushes(contact).projector(&contact.normal) * impulse;
+    let aside = impulse - along - contact.normal.as_ref() * contact.normal.dot(&impulse);
+    let reflections = law.reflections(contact);
+    let sum = |all: SVector<f64, N>, (w, r): &(f64, Roughness<N>)| all + reflect(r, contact, delassus, u) * *w;
+    let other = if reflections.is_empty() { impulse } else { reflections.iter().fold(SVector::zeros(), sum) };
+    let (aside, off) = (aside.norm(), (impulse - other).norm());
+    relative(if worse(off, aside) { off } else { aside }, impulse.norm())
 }
 
 /// How far a map of `T_qM`, given as a program in the coordinates of [`Pair::coordinates`], is from each axiom.
