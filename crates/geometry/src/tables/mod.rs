@@ -1,7 +1,7 @@
 //! Named tables: the classical billiards, each in one file.
 //!
 //! Each has a constructor, such as [`stadium`](fn@stadium), and an [`Entry`] by which scene files find it. To add one, write a
-//! file beside the others, and add its `mod` line and its line in [`all`].
+//! file beside the others, and add its `mod` and `pub use` lines and its line in [`all`].
 //!
 //! Besides the errors that each constructor lists, those of planar tables return [`Error::Length`](crate::Error::Length) if the
 //! greatest coordinate of the boundary, or that of a lattice vector, is not between 10⁻¹⁵⁰ and 10¹⁵⁰.
