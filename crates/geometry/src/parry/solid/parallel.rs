@@ -120,7 +120,7 @@ impl Parallel {
         stratum: &Stratum,
         uniform: &mut dyn FnMut() -> f64,
     ) -> Option<(Vector3<f64>, Vector3<f64>)> {
-        let (point, normal) = self.plates[stratum.triangle].land(&stratum.draw(&self.mesh, self.margin, uniform));
+        let (point, normal) = self.plates[stratum.triangle].land(&stratum.draw(&self.mesh, self.margin, uniform)?);
         // the first answer comes a hundred times as fast, and where the ball reaches little of the surface, nearly all points get it
         if self.is_clearly_hidden(&point) || self.closest(&point).distance < -self.slack {
             return None;
@@ -182,8 +182,8 @@ mod tests {
         let [mut hidden, mut told] = [0, 0];
         for stratum in parallel.strata() {
             for _ in 0..500 {
-                let (point, _) =
-                    parallel.plates[stratum.triangle].land(&stratum.draw(parallel.mesh(), margin, &mut uniform));
+                let Some(drawn) = stratum.draw(parallel.mesh(), margin, &mut uniform) else { continue };
+                let (point, _) = parallel.plates[stratum.triangle].land(&drawn);
                 let (is_hidden, is_told) =
                     (parallel.closest(&point).distance < -parallel.slack, parallel.is_clearly_hidden(&point));
                 assert!(is_hidden || !is_told, "{point:?}");

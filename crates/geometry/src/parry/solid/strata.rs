@@ -160,10 +160,11 @@ impl Stratum {
         }
     }
 
-    /// A random point of it.
-    pub(super) fn draw(&self, mesh: &Mesh, margin: f64, uniform: &mut dyn FnMut() -> f64) -> Vector3<f64> {
+    /// A random point of it; none where the cap around a corner is larger than what leads away from the triangle: projected onto the
+    /// triangle's surroundings, such a point would be one too many on another of their parts.
+    pub(super) fn draw(&self, mesh: &Mesh, margin: f64, uniform: &mut dyn FnMut() -> f64) -> Option<Vector3<f64>> {
         let corners = mesh.triangles[self.triangle].map(|v| mesh.vertices[v]);
-        match self.form {
+        Some(match self.form {
             Form::Plane => mesh.random_point(self.triangle, uniform) + mesh.normals[self.triangle] * margin,
             Form::Cylinder { start, middle, half } => {
                 let along = corners[(start + 1) % 3] - corners[start];
@@ -176,9 +177,13 @@ impl Stratum {
                 // heights are distributed uniformly, and so are the squared radii of points of a disk
                 let below = height * disk.norm_squared();
                 let outward = middle * (1.0 - below) + disk * (height * (2.0 - below)).sqrt();
+                let sides = [1, 2].map(|next| corners[(corner + next) % 3] - corners[corner]);
+                if sides.iter().any(|side| outward.dot(side) > 0.0) {
+                    return None;
+                }
                 corners[corner] + outward * margin
             }
-        }
+        })
     }
 }
 
