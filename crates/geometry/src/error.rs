@@ -166,6 +166,19 @@ pub enum Error {
         /// Approximate location.
         at: [f64; 2],
     },
+    /// Two pieces that run along each other with the table on different sides, and differ by more than rounding of their points may.
+    #[error(
+        "pieces {first} and {second} run along each other near {}, as the two sides of one wall, but not to the last digits: a path would be caught between them",
+        about(at)
+    )]
+    Faces {
+        /// The one.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// Approximate location.
+        at: [f64; 2],
+    },
     /// A boundary traversed with the table on its right.
     #[error(
         "piece {piece} has the table on its right: the boundary must be traversed with the table on its left (counter-clockwise around the table, clockwise around holes)"

@@ -25,6 +25,7 @@ pub(crate) use parted::Parted;
 use std::sync::{Arc, OnceLock};
 pub(crate) use succession::SMOOTH;
 use succession::Succession;
+pub(crate) use two_sided::side_by_side;
 
 /// A planar table: numbered boundary pieces, each traversed with the table on its left.
 ///

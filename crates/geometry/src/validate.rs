@@ -6,6 +6,7 @@ use crate::{
     plane::{key, slack},
     sight::{Aim, Sight, Wall},
     spokes::alternate,
+    table::side_by_side,
 };
 use nalgebra::Vector2;
 use std::collections::HashSet;
@@ -13,6 +14,16 @@ use std::collections::HashSet;
 /// Largest radius that an arc may have, in units of the largest coordinate of the table's vertices. Points of an arc carry the rounding of
 /// its radius, so with a radius a million times the table's size they are known to ten digits of that size.
 const FLATTEST: f64 = 1e6;
+
+/// Where pieces of a table touch.
+struct Contacts {
+    /// The points where an end lies on a piece other than the one before or after it, and where a stretch that two have in common begins
+    /// or ends.
+    junctions: Vec<Vector2<f64>>,
+    /// The error that two pieces run along each other with the table on different sides, and are not known as the two sides of one wall: a
+    /// path that has hit the one could be beyond the other.
+    faces: Option<Error>,
+}
 
 impl Table {
     /// Checks that the boundary bounds a table: no piece is shorter or flatter than rounding, no two pieces cross (they may touch),
@@ -24,7 +35,8 @@ impl Table {
     ///
     /// # Errors
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
-    /// [`Error::Spike`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the numbers of the pieces and about where.
+    /// [`Error::Spike`], [`Error::Faces`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the numbers of the pieces
+    /// and about where.
     pub fn validate(&self) -> Result<(), Error> {
         let vertices = self.pieces().iter().filter_map(Piece::ends).flatten();
         let size = vertices.map(|v| v.amax()).filter(|x| x.is_finite()).fold(0.0, f64::max);
@@ -49,9 +61,11 @@ impl Table {
             }
         }
         let sight = Sight::new(self, 0.0);
-        for point in self.crossings(&sight)? {
+        let Contacts { junctions, faces } = self.contacts(&sight)?;
+        for point in junctions {
             alternate(sight.copies(), &point)?;
         }
+        faces.map_or(Ok(()), Err)?;
         self.orientation(&sight)?;
         self.sides_of_a_torus()
     }
@@ -67,9 +81,8 @@ impl Table {
         }
     }
 
-    /// Fails where two pieces cross. Returns the points where an end lies on a piece other than the one before or after it, and where a
-    /// stretch that two have in common begins or ends.
-    fn crossings(&self, sight: &Sight) -> Result<Vec<Vector2<f64>>, Error> {
+    /// Fails where two pieces cross.
+    fn contacts(&self, sight: &Sight) -> Result<Contacts, Error> {
         let copies = sight.copies();
         let mut follows = vec![usize::MAX; self.pieces().len()];
         for chain in &sight.chains {
@@ -84,7 +97,7 @@ impl Table {
             let ends = |k: usize| self.pieces()[k].ends();
             follows[i] == j && ends(i).is_some_and(|[_, b]| b == m.point) && ends(j).is_some_and(|[a, _]| a == m.point)
         };
-        let mut junctions = vec![];
+        let (mut junctions, mut faces) = (vec![], None);
         let mut error = None;
         for index in copies.order() {
             let (copy, extent) = copies.get(index);
@@ -101,13 +114,18 @@ impl Table {
                     if error.is_some() || j < i || (j == i && other.cell <= [0.0; 2]) {
                         return;
                     }
-                    for m in meetings(&*copy.piece, &*other.piece) {
+                    let pieces = [&*copy.piece, &*other.piece];
+                    let found = meetings(pieces[0], pieces[1]);
+                    if faces.is_none() && pieces.iter().any(|p| !p.has_two_sides()) {
+                        let at = side_by_side(pieces, &found);
+                        faces = at.map(|at| Error::Faces { first: i, second: j, at: at.into() });
+                    }
+                    for m in found {
                         let crossing = Error::Crossing { first: i, second: j, at: m.point.into() };
                         match m.kind {
                             MeetingKind::Crossing => error = Some(crossing),
                             MeetingKind::Overlap => {
-                                let pieces = [&copy.piece, &other.piece];
-                                let [t, u] = pieces.map(|p| direction_at(&**p, &m.point));
+                                let [t, u] = pieces.map(|p| direction_at(p, &m.point));
                                 // two sides of one wall may coincide, the same side twice may not; a wall without thickness already has
                                 // both
                                 if t.dot(&u) > 0.0 || pieces.iter().any(|p| p.tips().is_some()) {
@@ -128,7 +146,7 @@ impl Table {
         }
         let mut seen = HashSet::new();
         junctions.retain(|p| seen.insert(key(*p)));
-        Ok(junctions)
+        Ok(Contacts { junctions, faces })
     }
 
     /// Fails where a piece has the table on its right.

@@ -80,7 +80,9 @@ impl Stretch {
         let bend = 2.0 * self.from.curvature.max(self.to.curvature) * length;
         let seems_flat = spread < HIDDEN || length - distance <= 8.0 * rounding;
         let (height, turning) = if length <= short && bend < 0.1 && seems_flat {
-            ((0.125 * bend * length).min(0.5 * excess), bend.min(spread))
+            // nor is the direction of so short a chord known any better
+            let unknown = 0.25 * rounding / length;
+            ((0.125 * bend * length).min(0.5 * excess), bend.min(spread).max(unknown))
         } else {
             let turning = spread.max(turned[0]).max(turned[1]);
             (0.5 * excess, if spread < 0.3 { turning } else { f64::INFINITY })

@@ -1,14 +1,16 @@
 //! Walls that coincide, one with the table on this side and one with it on the other.
-mod formula;
+mod curves;
 mod oval;
 mod straight;
 mod stretch;
 
 use super::Translate;
 use crate::{
-    Figure, Piece,
+    Figure, Meeting, MeetingKind, Piece,
+    intersect::direction_at,
     shapes::{OneSide, Shape},
 };
+use nalgebra::Vector2;
 use oval::Oval;
 use std::sync::Arc;
 use straight::Side;
@@ -31,11 +33,25 @@ pub(super) fn two_sided(pieces: &[Translate]) -> Vec<usize> {
     };
     let mut found = straight::doubles(pieces.iter().filter_map(side).collect());
     found.extend(oval::doubles(pieces.iter().filter_map(|copy| Oval::of(copy.number, &copy.piece.shape()?)).collect()));
-    let others = pieces.iter().filter(|copy| copy.piece.shape().is_none() && copy.piece.figure() == Figure::Other);
-    found.extend(formula::doubles(others.map(|copy| (copy.number, &*copy.piece))));
+    found.extend(curves::doubles(pieces));
     found.sort_unstable();
     found.dedup();
     found
+}
+
+/// Where two pieces with these meetings run along each other, at least in part, with the table on different sides, if they do.
+///
+/// Takes pieces together that differ by more than [`two_sided`] does.
+pub(crate) fn side_by_side(pieces: [&dyn Piece; 2], meetings: &[Meeting]) -> Option<Vector2<f64>> {
+    let [a, b] = pieces;
+    match pieces.map(|piece| piece.figure() == Figure::Other) {
+        [true, _] if a.length().is_finite() => curves::coincide(a, b),
+        [_, true] => curves::coincide(b, a),
+        _ => {
+            let against = |m: &&Meeting| direction_at(a, &m.point).dot(&direction_at(b, &m.point)) < 0.0;
+            meetings.iter().filter(|m| m.kind == MeetingKind::Overlap).find(against).map(|m| m.point)
+        }
+    }
 }
 
 /// The piece as one side of a wall with the table on both sides.

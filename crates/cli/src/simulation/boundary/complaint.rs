@@ -21,6 +21,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
         Error::Open { piece, starts, gap } => Error::Open { piece, starts, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
+        Error::Faces { first, second, at } => Error::Faces { first, second, at: at.map(back) },
         Error::Spike { piece, at } => Error::Spike { piece, at: at.map(back) },
         Error::Collapsed { piece, area } => Error::Collapsed { piece, area: back(back(area)) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
@@ -94,8 +95,12 @@ fn is_twice(table: &Table, numbers: [usize; 2], at: [f64; 2]) -> bool {
 /// A diagnostic at the place in the scene of the piece that the error is about; where pieces are from a file, their places in it are
 /// added.
 fn located(scene: &Scene, sources: &[PieceSource], error: &Error, what: String) -> Diagnostic {
-    let first =
-        if let Error::Crossing { first, second, .. } = error { Some(*first).filter(|k| k != second) } else { None };
+    let first = match error {
+        Error::Crossing { first, second, .. } | Error::Faces { first, second, .. } => {
+            Some(*first).filter(|k| k != second)
+        }
+        _ => None,
+    };
     let numbers: Vec<usize> = first.into_iter().chain(piece_of(error)).collect();
     let place = |k: &usize| Some(format!("piece {k} is from {}", sources.get(*k)?.place.as_ref()?));
     let places: Vec<String> = numbers.iter().filter_map(place).collect();
@@ -118,7 +123,7 @@ fn piece_of(error: &Error) -> Option<usize> {
         | Error::FarFromCell { piece, .. }
         | Error::InfiniteOnLattice { piece }
         | Error::SelfCrossing { piece, .. } => Some(*piece),
-        Error::Crossing { second, .. } => Some(*second),
+        Error::Crossing { second, .. } | Error::Faces { second, .. } => Some(*second),
         _ => None,
     }
 }
@@ -165,6 +170,9 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         }
         Error::OneSided { .. } => {
             "add the other side of the wall, a chain that leads back; or give one lattice vector only, so that the table is unbounded there"
+        }
+        Error::Faces { .. } => {
+            "cut both sides at the same places and describe them alike, by the same formula or as the same line or arc; or draw them farther apart"
         }
         Error::Spike { .. } => {
             "leave the stretch out, or let it lead into the table, where it is a wall without thickness"
