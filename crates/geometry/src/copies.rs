@@ -103,8 +103,7 @@ impl Copies {
             let copy = &self.all[i];
             (copy.number, &*copy.piece)
         });
-        let behind = nearest_of(pieces, point).is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) < 0.0);
-        if behind { -d } else { d }
+        if nearest_of(pieces, point).is_some_and(|nearest| nearest.is_outside) { -d } else { d }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::{
     copies::Translate,
     enclosed_area,
     lattice::multiples,
-    nearest::nearest_of,
+    nearest::{Nearest, nearest_of},
     plane::{has_square, is_finite, slack},
     walls::{Pieces, Polygon},
 };
@@ -253,16 +253,22 @@ impl Table {
 
     /// The piece closest to a point, the point of it that is closest, and its inward normal.
     pub fn closest(&self, point: &Vector2<f64>) -> (usize, Landing) {
+        let Nearest { number, landing, .. } = self.nearest(point);
+        (number, landing)
+    }
+
+    fn nearest(&self, point: &Vector2<f64>) -> Nearest {
         let (home, back) = self.cell().map_or((*point, None), |cell| {
             let (home, cells) = cell.home_in_shortest(point);
             (home, Some(cell.lattice().translation(cells)))
         });
-        let nowhere = (0, Landing { point: Vector2::zeros(), normal: Vector2::zeros() });
-        let (i, mut landing) = nearest_of(self.nearby(), &home).unwrap_or(nowhere); // a table has pieces
+        let landing = Landing { point: Vector2::zeros(), normal: Vector2::zeros() };
+        let nowhere = Nearest { number: 0, landing, is_outside: true };
+        let mut nearest = nearest_of(self.nearby(), &home).unwrap_or(nowhere); // a table has pieces
         if let Some(back) = back {
-            landing.point += back;
+            nearest.landing.point += back;
         }
-        (i, landing)
+        nearest
     }
 
     /// The curvature \[L⁻¹\] of a piece at a point of it, or on a lattice of a translate of it; 0 for a number beyond the last.
@@ -326,18 +332,13 @@ impl Table {
 
     /// The distance from the boundary \[L\], negative outside the table.
     pub fn signed_distance(&self, point: &Vector2<f64>) -> f64 {
-        let (_, landing) = self.closest(point);
+        let Nearest { landing, is_outside, .. } = self.nearest(point);
         let d = point - landing.point;
         let distance = libm::hypot(d.x, d.y);
         // from 10¹² table sizes away all walls are at the same distance up to rounding, and the side is the same as seen from nearer by
         let near = if self.cell().is_none() { self.extent().beside(point) } else { *point };
-        let outside = if near == *point {
-            d.dot(&landing.normal) < 0.0
-        } else {
-            let (_, landing) = self.closest(&near);
-            (near - landing.point).dot(&landing.normal) < 0.0
-        };
-        if outside { -distance } else { distance }
+        let is_outside = if near == *point { is_outside } else { self.nearest(&near).is_outside };
+        if is_outside { -distance } else { distance }
     }
 
     /// Whether a point lies in the table, off the boundary.

@@ -157,8 +157,8 @@ pub(crate) fn planar(
     }
     let home = Vector2::from(start.position);
     let (nearest, landing) = table.closest(&home);
-    let off = home - landing.point;
-    let distance = libm::hypot(off.x, off.y);
+    let signed = table.signed_distance(&home);
+    let distance = signed.abs();
     // a point given on a wall is on it within the rounding of its coordinates and of the numbers that define the wall; in the unit cell of
     // a lattice, from which it was brought home, coordinates may be larger
     let unit_cell = table.lattice().map_or(0.0, |lattice| lattice.vectors().iter().map(Vector2::amax).sum());
@@ -167,7 +167,7 @@ pub(crate) fn planar(
     let slack = 16.0 * f64::EPSILON * sizes.into_iter().fold(0.0, f64::max);
     let at = orbit.position.span;
     if distance > slack {
-        if off.dot(&landing.normal) > 0.0 {
+        if signed > 0.0 {
             return Ok(start);
         }
         return Err(Box::new(outside(scene, at, distance / length, pieces[nearest])));

@@ -171,6 +171,30 @@ fn a_start_on_a_wall_with_two_sides_moves_to_either_side_however_it_is_drawn() {
 }
 
 #[test]
+fn a_start_straight_ahead_of_a_tip_or_a_cusp_of_an_obstacle_is_in_the_table() {
+    let folder = Folder::new("ahead-of-tips");
+    let room = "circle = { center = [0, 0], radius = 8 }";
+    let star = "loop = { domain = \"outside\", from = [0, 1], edges = [\
+                { arc_to = [1, 0], center = [1, 1], turn = \"ccw\" }, { arc_to = [0, -1], center = [1, -1], turn = \"ccw\" }, \
+                { arc_to = [-1, 0], center = [-1, -1], turn = \"ccw\" }, { arc_to = [0, 1], center = [-1, 1], turn = \"ccw\" }] }";
+    for walls in [
+        "shape = { name = \"segment\", from = [0, 0], to = [1, 0] }",
+        "loop = { from = [0, 0], edges = [{ line_to = [1, 0] }, { line_to = [0, 0] }] }",
+        "loop = { from = [0, 0], edges = [{ x = \"t\", y = \"0\", over = [0, 1] }, { line_to = [0, 0] }] }",
+        star,
+    ] {
+        let told = folder.done(&scene(&boundary(&[room, walls]), &[([1.5, 0.0], [0.3, 0.7])], ""), &[]);
+        assert_eq!(told["stops"]["finished"], 1, "{walls}");
+    }
+    // whereas ahead of a cusp of the table itself there is none
+    let inside = "loop = { from = [0, 1], edges = [\
+                  { arc_to = [-1, 0], center = [-1, 1], turn = \"cw\" }, { arc_to = [0, -1], center = [-1, -1], turn = \"cw\" }, \
+                  { arc_to = [1, 0], center = [1, -1], turn = \"cw\" }, { arc_to = [0, 1], center = [1, 1], turn = \"cw\" }] }";
+    let output = folder.run(&scene(&boundary(&[inside]), &[([1.5, 0.0], [0.3, 0.7])], ""), &[]);
+    assert!(String::from_utf8(output.stderr).unwrap().contains("the start lies outside the table, 0.5 beyond piece"));
+}
+
+#[test]
 fn an_orbit_goes_on_from_every_row_of_its_record() {
     let folder = Folder::new("go-on");
     let tilted = polygon(&["[-0.1, -0.3]", "[0.7, 2.1]", "[-3, 1]"]);

@@ -185,7 +185,7 @@ impl Table {
     fn inside(&self, chain: &[usize], piece: usize) -> bool {
         let point = self.pieces[piece].point_at(0.5 * self.pieces[piece].length());
         let nearest = nearest_of(chain.iter().map(|&i| (i, &*self.pieces[i])), &point);
-        nearest.is_some_and(|(_, foot)| (point - foot.point).dot(&foot.normal) >= 0.0)
+        nearest.is_some_and(|nearest| !nearest.is_outside)
     }
 
     /// Every piece that reaches into the cell, translated there.
