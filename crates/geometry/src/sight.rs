@@ -65,6 +65,8 @@ struct Ahead {
     far: f64,
     /// The index of its copy.
     index: usize,
+    /// The sine of the angle between line and wall, by which rounding of the wall is divided in that of the distance; 1 where none is known.
+    sine: f64,
     /// The wall met; `None` where the line grazes or meets a vertex.
     wall: Option<Wall>,
 }
@@ -144,8 +146,7 @@ impl<'a> Sight<'a> {
                 Aim::At(other) => self.place(other, k, 0.754_877_666_246_693).1 - from,
             };
             let direction = direction / libm::hypot(direction.x, direction.y);
-            // as seen from the side to which the line leaves: a two-sided wall has the table on both
-            let facing = direction.dot(&copy.piece.closest(&(from + direction * self.aside())).normal);
+            let facing = direction.dot(&normal);
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
             }
@@ -161,15 +162,16 @@ impl<'a> Sight<'a> {
                 };
                 // of the two faces of one wall, the line starts on the one that it leaves
                 let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
-                let mut walls = vec![Wall { number, into_table: facing > 0.0 || other_face.is_some() }];
-                for met in ahead.chunk_by(|a, b| b.far <= a.far + rounding) {
+                let has_two = other_face.is_some() || copy.piece.tips().is_some();
+                let mut walls = vec![Wall { number, into_table: facing > 0.0 || has_two }];
+                for met in ahead.chunk_by(|a, b| b.far - a.far <= rounding / a.sine.min(b.sine)) {
                     if met.iter().any(|wall| wall.far + rounding > limit) {
                         break;
                     }
                     let found = match *met {
                         [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
                         // two faces of one wall: the line arrives at the one and goes on from the other
-                        [Ahead { far, index: i, wall: Some(a) }, Ahead { index: j, wall: Some(b), .. }]
+                        [Ahead { far, index: i, wall: Some(a), .. }, Ahead { index: j, wall: Some(b), .. }]
                             if a.into_table != b.into_table
                                 && self.coincide([i, j], from + direction * far, rounding) =>
                         {
@@ -217,11 +219,6 @@ impl<'a> Sight<'a> {
         })
     }
 
-    /// A distance that tells the sides of a wall apart in spite of rounding.
-    fn aside(&self) -> f64 {
-        8.0 * self.rounding
-    }
-
     /// All that the line meets from a point of the copy with the given index; beyond the limit perhaps not everything.
     fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>, limit: f64) -> Option<Prospect> {
         let ray = Ray::new(from, direction, true).ok()?;
@@ -245,11 +242,12 @@ impl<'a> Sight<'a> {
                         other_face = Some(copy.number);
                         continue;
                     }
-                    // as seen from the side from which the line arrives
-                    let facing = copy.piece.closest(&(m.point - direction * self.aside())).normal.dot(&direction);
+                    let facing = copy.piece.closest(&m.point).normal.dot(&direction);
                     let clear = m.kind == MeetingKind::Crossing && facing.abs() > GRAZING;
-                    let wall = clear.then_some(Wall { number: copy.number, into_table: facing > 0.0 });
-                    ahead.push(Ahead { far, index, wall });
+                    // whichever of its normals a wall without thickness tells, the line arrives from the table
+                    let into_table = facing > 0.0 && copy.piece.tips().is_none();
+                    let wall = clear.then_some(Wall { number: copy.number, into_table });
+                    ahead.push(Ahead { far, index, sine: if clear { facing.abs() } else { 1.0 }, wall });
                 }
             },
         );

@@ -111,6 +111,37 @@ fn a_two_sided_wall_beside_a_loop_does_not_make_it_an_obstacle() {
 }
 
 #[test]
+fn a_two_sided_wall_has_the_table_on_both_sides_wherever_it_stands() {
+    let mut random = Random(11);
+    for k in 0..6000 {
+        let [a, b] = [0; 2].map(|_| v(random.between(-4.0, 4.0), random.between(-4.0, 4.0)));
+        let screen = Box::new(Screen::new(a, b).unwrap()) as Box<dyn Piece>;
+        let wall = if k % 2 == 0 { polygon(&[a.into(), b.into()]) } else { vec![screen] };
+        let found = check([vec![disk(0.0, 0.0, 6.0, true)], wall]);
+        assert_eq!(found, Ok(()), "{k}: {a} {b}");
+    }
+    // some of them in the cells of a grid
+    for k in 0..200 {
+        let mut walls = vec![];
+        for cell in 0..16 {
+            let [x, y] = [cell % 4, cell / 4].map(|i| f64::from(i) - 2.0);
+            let [a, b] = [0; 2].map(|_| v(x + random.between(0.0, 1.0), y + random.between(0.0, 1.0)));
+            walls.push(Box::new(Screen::new(a, b).unwrap()) as Box<dyn Piece>);
+        }
+        assert_eq!(check([vec![disk(0.0, 0.0, 3.0, true)], walls]), Ok(()), "{k}");
+    }
+}
+
+#[test]
+fn of_a_two_sided_wall_and_another_one_the_other_is_at_fault() {
+    let (a, b) = ([-0.5, 0.1], [0.5, 0.3]);
+    for wall in [polygon(&[a, b]), vec![Box::new(Screen::new(a.into(), b.into()).unwrap()) as Box<dyn Piece>]] {
+        let found = check([vec![disk(0.0, 0.0, 1.0, false)], wall]);
+        assert_eq!(found, Err(Error::Orientation { piece: 0 }));
+    }
+}
+
+#[test]
 fn a_wall_is_compared_with_all_that_lie_behind_it() {
     // a room, which any line to the disk leaves through its far side first
     let room = || square(0.0, 0.0, 1.0, true);
