@@ -114,8 +114,11 @@ impl Table {
         for around in &loops {
             let extent = around.iter().map(|(piece, _)| piece.extent()).fold(Extent::EMPTY, Extent::union);
             let width = (extent.max - extent.min).min();
+            // a chain that goes on in the next cell has no width of its own
+            let ends = |k: usize| around[k].0.ends();
+            let closes = ends(0).map(|[start, _]| start) == ends(around.len() - 1).map(|[_, end]| end);
             let are_curves = around.iter().any(|(piece, _)| piece.figure() == Figure::Other);
-            if are_curves && width <= THIN * f64::EPSILON * size {
+            if are_curves && closes && width <= THIN * f64::EPSILON * size {
                 return Err(undecided(radius, 0.5 * (extent.min + extent.max)));
             }
         }

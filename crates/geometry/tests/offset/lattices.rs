@@ -1,5 +1,6 @@
 //! Disks on channels and flat tori.
 use super::*;
+use geometry::shapes::curve::{Interval, ParametricCurve, ParametricFormula};
 
 #[test]
 fn disks_on_a_torus_overlap_in_chains_and_cages() {
@@ -106,5 +107,44 @@ fn corridors_of_a_torus_exactly_as_wide_as_the_disk_are_closed() {
         let closed = check("pillars", &pillars(x), 0.25).table;
         assert_eq!((closed.chains().len(), closed.pieces().len()), (1, 4), "{x}");
         assert!((closed.area() - (0.25 - PI * 0.0625)).abs() < 1e-15, "{x}: {}", closed.area());
+    }
+}
+
+/// `(t, a t (1 − t))`
+#[derive(Clone, Copy, Debug)]
+struct Arch(f64);
+
+impl ParametricFormula for Arch {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        [[t, self.0 * t * (1.0 - t)], [1.0, self.0 * (1.0 - 2.0 * t)], [0.0, -2.0 * self.0]]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let number = Interval::from;
+        let to_end = number(1.0) - t;
+        [[t, t * to_end * self.0], [number(1.0), (to_end - t) * self.0], [number(0.0), number(-2.0 * self.0)]]
+    }
+}
+
+#[test]
+fn a_straight_wall_of_a_channel_is_one_also_as_a_formula() {
+    let ends = [v(0.0, 0.0), v(1.0, 0.0)];
+    let channel = |floor: Box<dyn Piece>, roof: bool| {
+        let roof = roof.then(|| Box::new(Segment::new(v(1.0, 1.0), v(0.0, 1.0)).unwrap()) as Box<dyn Piece>);
+        let lattice = Lattice::new(&[v(1.0, 0.0)]).unwrap();
+        Table::periodic([floor].into_iter().chain(roof).collect(), Some(lattice)).unwrap()
+    };
+    for height in [0.0, 1e-17, 1e-9, -1e-9] {
+        for roof in [false, true] {
+            for radius in [1e-3, 0.05, 0.25] {
+                let formula = ParametricCurve::along(Arch(height), [0.0, 1.0], ends).unwrap().remove(0);
+                let left = channel(Box::new(formula), roof).offset(radius).unwrap().table;
+                let drawn = channel(Box::new(Segment::new(ends[0], ends[1]).unwrap()), roof).offset(radius).unwrap();
+                assert_eq!(left.pieces().len(), drawn.table.pieces().len(), "{height} {radius}");
+                for x in [0.1, 0.5, 0.9, 1.7] {
+                    let at = left.closest(&v(x, 0.5 * radius)).1.point;
+                    assert!((at - v(x, radius)).amax() <= height.abs() + 1e-15, "{height} {radius} {x}: {at}");
+                }
+            }
+        }
     }
 }
