@@ -3,7 +3,10 @@ use core::f64::consts::PI;
 use geometry::{
     Error, Lattice, Piece, Table, Vector2,
     parry::{Placed, ShapeSpec, Side},
-    shapes::{self, Circle, FullLine, Ray, Segment},
+    shapes::{
+        self, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment,
+        curve::{Interval, ParametricCurve, ParametricFormula},
+    },
 };
 use std::sync::Arc;
 
@@ -153,6 +156,94 @@ fn a_disk_in_its_socket_is_part_of_the_wall() {
     assert_eq!(origins, [0, 2, 3, 4, 5, 6]);
     assert!((joined.area() - (12.0 - 0.5 * PI)).abs() < 1e-14);
     assert!((joined.perimeter() - (12.0 + PI)).abs() < 1e-14);
+}
+
+/// The arc of an ellipse about the origin with semi-axes 2 and 1, between two eccentric angles in the sense of traversal.
+fn elliptic(inside: bool, angles: [f64; 2]) -> Box<dyn Piece> {
+    let ellipse = Ellipse::new(v(0.0, 0.0), [2.0, 1.0], 0.0, inside).unwrap();
+    let [a, b] = angles.map(on_ellipse);
+    Box::new(EllipticArc::new(ellipse, a, b).unwrap())
+}
+fn on_ellipse(angle: f64) -> Vector2<f64> {
+    v(2.0 * libm::cos(angle), libm::sin(angle))
+}
+fn side(a: Vector2<f64>, b: Vector2<f64>) -> Box<dyn Piece> {
+    Box::new(Segment::new(a, b).unwrap())
+}
+
+#[test]
+fn what_stands_in_an_elliptic_hollow_is_part_of_the_wall() {
+    let [a, b, c] = [-PI, -2.0, -1.0].map(on_ellipse);
+    let hollow = || {
+        let right = on_ellipse(0.0);
+        vec![
+            elliptic(true, [-PI, 0.0]),
+            side(right, v(2.0, 3.0)),
+            side(v(2.0, 3.0), v(-2.0, 3.0)),
+            side(v(-2.0, 3.0), a),
+        ]
+    };
+    // all of it
+    let plug = vec![Box::new(Ellipse::new(v(0.0, 0.0), [2.0, 1.0], 0.0, false).unwrap()) as Box<dyn Piece>];
+    let (filled, origins) = joined(&table([hollow(), plug]));
+    assert_eq!(origins, [1, 2, 3, 4]);
+    assert!((filled.area() - (12.0 - PI)).abs() < 1e-13, "{}", filled.area());
+    // from end to end
+    let lid = vec![elliptic(false, [0.0, -PI]), side(a, v(0.0, 1.0)), side(v(0.0, 1.0), on_ellipse(0.0))];
+    let (filled, origins) = joined(&table([hollow(), lid]));
+    assert_eq!(origins, [1, 2, 3, 5, 6]);
+    assert!((filled.area() - 10.0).abs() < 1e-13, "{}", filled.area());
+    // part of it: the hollow is cut in two
+    let step = vec![elliptic(false, [-1.0, -2.0]), side(b, v(0.0, 1.0)), side(v(0.0, 1.0), c)];
+    let (standing, origins) = joined(&table([hollow(), step]));
+    assert_eq!(origins, [0, 0, 1, 2, 3, 5, 6]);
+    let segment = 1.0 - libm::sin(1.0); // a b (φ − sin φ)/2 of the angle 1
+    let area = 12.0 + PI - segment - 0.5 * ((v(0.0, 1.0) - c).perp(&(b - c)));
+    assert!((standing.area() - area).abs() < 1e-13, "{} {area}", standing.area());
+    assert!(!standing.contains(&v(-0.1, -0.9)) && standing.contains(&v(1.5, -0.2)));
+    // with the table on both sides of it
+    let room = vec![
+        elliptic(false, [0.0, -PI]),
+        side(a, v(-2.0, -3.0)),
+        side(v(-2.0, -3.0), v(2.0, -3.0)),
+        side(v(2.0, -3.0), on_ellipse(0.0)),
+    ];
+    let both = table([hollow(), room]);
+    assert_eq!(both.validate(), Ok(()));
+    assert!(both.joined().is_none());
+}
+
+/// `(t, t²)`
+#[derive(Clone, Copy, Debug)]
+struct Parabola;
+
+impl ParametricFormula for Parabola {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        [[t, t * t], [1.0, 2.0 * t], [0.0, 2.0]]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        [[t, t * t], [Interval::from(1.0), t * 2.0], [Interval::from(0.0), Interval::from(2.0)]]
+    }
+}
+
+/// The parabola from one parameter to another.
+fn parabola(from: f64, to: f64) -> Box<dyn Piece> {
+    let ends = [from, to].map(|t| v(t, t * t));
+    Box::new(ParametricCurve::along(Parabola, [from, to], ends).unwrap().remove(0))
+}
+
+#[test]
+fn curves_by_formulas_are_left_out_as_a_whole() {
+    let stone = || vec![parabola(1.0, -1.0), side(v(-1.0, 1.0), v(0.0, 2.0)), side(v(0.0, 2.0), v(1.0, 1.0))];
+    let rest = || vec![side(v(2.0, 4.0), v(-2.0, 4.0))];
+    let cut = [vec![parabola(-2.0, -1.0), parabola(-1.0, 1.0), parabola(1.0, 2.0)], rest()].into_iter().flatten();
+    let (joined, origins) = joined(&table([cut.collect(), stone()]));
+    assert_eq!(origins, [0, 2, 3, 5, 6]);
+    assert!((joined.area() - (32.0 / 3.0 - 4.0 / 3.0 - 1.0)).abs() < 1e-13, "{}", joined.area());
+    // they are not cut
+    let whole = table([[vec![parabola(-2.0, 2.0)], rest()].into_iter().flatten().collect(), stone()]);
+    assert!(matches!(whole.validate(), Err(Error::Spike { .. })), "{:?}", whole.validate());
+    assert!(whole.joined().is_none());
 }
 
 #[test]

@@ -164,6 +164,10 @@ impl Circle {
     pub(crate) fn two_sided(self) -> Circle {
         Circle { off: -0.5 * self.off.abs(), ..self }
     }
+    /// The same as a wall with the table on one side only.
+    pub(crate) fn one_sided(self) -> Circle {
+        Circle { off: self.off.abs(), ..self }.with_slack(self.slack)
+    }
     pub(crate) fn is_two_sided(&self) -> bool {
         self.off < 0.0
     }

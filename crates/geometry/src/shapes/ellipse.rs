@@ -104,6 +104,11 @@ impl Ellipse {
         Ellipse { unit: self.unit.two_sided(), ..self }
     }
 
+    /// The same as a wall with the table on one side only.
+    pub(crate) fn one_sided(self) -> Ellipse {
+        Ellipse { unit: self.unit.one_sided(), ..self }
+    }
+
     /// The two foci \[L\].
     pub fn foci(&self) -> [Vector2<f64>; 2] {
         let [a, b] = self.semi_axes;

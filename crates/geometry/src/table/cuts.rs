@@ -1,5 +1,10 @@
 //! Pieces cut at places along them.
-use crate::{BoxTree, Extent, Figure, Piece, plane::is_finite};
+use crate::{
+    BoxTree, Error, Extent, Figure, Piece,
+    parry::piece_of,
+    plane::is_finite,
+    shapes::{Ellipse, EllipticArc, Shape},
+};
 use nalgebra::Vector2;
 
 /// Arc length along a piece, and the point there.
@@ -31,8 +36,33 @@ pub(super) fn stops(piece: &dyn Piece, mut cuts: Vec<Place>, near: f64) -> Vec<P
     stops
 }
 
+/// Whether [`part`] knows how to make part of a piece: of all but curves given by formulas.
+pub(super) fn has_parts(piece: &dyn Piece) -> bool {
+    piece.figure() != Figure::Other || ellipse(piece).is_some()
+}
+
+/// Part of a piece, between two points of it, as a wall with the table on one side.
+///
+/// # Errors
+/// [`Error::Empty`] for a curve given by a formula; otherwise those of the piece, where the points are equal or not on it.
+pub(super) fn part(piece: &dyn Piece, ends: [Vector2<f64>; 2]) -> Result<Box<dyn Piece>, Error> {
+    match ellipse(piece) {
+        Some(ellipse) => Ok(Box::new(EllipticArc::new(ellipse.one_sided(), ends[0], ends[1])?)),
+        None => piece_of(&with_ends(piece.figure(), ends)),
+    }
+}
+
+/// The ellipse that a piece is, or is an arc of.
+fn ellipse(piece: &dyn Piece) -> Option<Ellipse> {
+    match piece.shape()? {
+        Shape::Ellipse(ellipse) => Some(ellipse),
+        Shape::EllipticArc(arc) => Some(*arc.ellipse()),
+        _ => None,
+    }
+}
+
 /// Part of a figure, between two points of it.
-pub(super) fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
+fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
     let straight = |toward: Vector2<f64>| match ends.map(|end| is_finite(&end)) {
         [true, true] => Figure::Segment { ends },
         [true, false] => Figure::Ray { from: ends[0], direction: toward, left: true },

@@ -1,14 +1,13 @@
 //! Boundaries that stand on one another, like a box on a floor, joined into one.
 use super::{
     Table,
-    cuts::{Place, Vertices, stops, with_ends},
+    cuts::{Place, Vertices, has_parts, part, stops},
 };
 use crate::{
-    Figure, Landing, MeetingKind, Piece,
+    Landing, MeetingKind, Piece,
     copies::{Copies, Translate, finite_extent},
     intersect::direction_at,
     meetings,
-    parry::piece_of,
     plane::{GOLDEN, is_finite, key, slack},
 };
 use nalgebra::Vector2;
@@ -38,7 +37,7 @@ impl Table {
     ///
     /// A box that stands on a floor shares a stretch with it that bounds nothing: no path comes there. [`Table::validate`] calls it a
     /// [spike](crate::Error::Spike). Without it both form one boundary, of pieces that end where the stretch does. A single loop that runs
-    /// there and back is left as it is, and so are curves given by formulas.
+    /// there and back is left as it is. Curves given by formulas are not cut: two of them are left out where they have both ends in common.
     ///
     /// ```
     /// use geometry::{Outline, Table, Vector2};
@@ -72,7 +71,8 @@ impl Table {
         self.without(&parts, near, |part| part.is_idle)
     }
 
-    /// The parts of all straight and circular pieces that run along a piece of another loop.
+    /// The parts of all pieces that run along a piece of another loop; of a curve given by a formula, all of it where it runs along all of
+    /// another one.
     fn parts_in_common(&self, size: f64, near: f64) -> Parts {
         let loops = drawn_loops(&self.pieces);
         let copies = Copies::new(&self.pieces, self.shortest(), &finite_extent(&self.pieces), near);
@@ -83,7 +83,8 @@ impl Table {
             let visit = |index: usize| {
                 let (Translate { number, cell, piece: other, .. }, _) = copies.get(index);
                 let is_home = *cell == [0.0; 2];
-                if (*number == i && is_home) || [piece, other].iter().any(|p| p.figure() == Figure::Other) {
+                let are_cut = has_parts(&**piece) && has_parts(&**other);
+                if (*number == i && is_home) || !(are_cut || is_way_back(&**piece, &**other, near)) {
                     return;
                 }
                 let found = meetings(&**piece, &**other);
@@ -127,7 +128,7 @@ impl Table {
                     pieces.push(Box::new(piece.clone()));
                     origins.push(i);
                 } else if let Some(ends) = snapped.filter(|[a, b]| a != b) {
-                    pieces.push(piece_of(&with_ends(piece.figure(), ends)).ok()?);
+                    pieces.push(part(&**piece, ends).ok()?);
                     origins.push(i);
                 }
             }
@@ -157,6 +158,12 @@ fn drawn_loops(pieces: &[Arc<dyn Piece>]) -> Vec<usize> {
         own
     };
     (0..pieces.len()).map(number).collect()
+}
+
+/// Whether one piece begins where the other one ends, and ends where that one begins.
+fn is_way_back(piece: &dyn Piece, other: &dyn Piece, near: f64) -> bool {
+    let same = |p: Vector2<f64>, q: Vector2<f64>| (p - q).amax() <= near;
+    piece.ends().zip(other.ends()).is_some_and(|([a, b], [c, d])| same(a, d) && same(b, c))
 }
 
 /// An arc length between two others, at no special fraction; where one is infinite, at a distance of about the table's size from the other.

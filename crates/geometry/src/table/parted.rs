@@ -1,7 +1,7 @@
 //! The boundary cut where walls touch, which shows what falls apart there.
 use super::{
     Table,
-    cuts::{Place, Vertices, stops, with_ends},
+    cuts::{Place, Vertices, part, stops},
 };
 use crate::{
     Figure, Lattice, Piece,
@@ -106,7 +106,6 @@ fn faces(piece: &Arc<dyn Piece>, number: usize) -> Vec<Part> {
 
 /// The parts of a piece between places; the piece itself if it is not cut. `None` where a part cannot be made.
 fn cut(piece: &Arc<dyn Piece>, mut cuts: Vec<Place>, vertices: &Vertices, near: f64) -> Option<Vec<Box<dyn Piece>>> {
-    let figure = piece.figure();
     if let (None, Some(&(s, point))) = (piece.ends(), cuts.first())
         && cuts.iter().all(|(_, other)| (other - point).amax() <= near)
     {
@@ -117,11 +116,11 @@ fn cut(piece: &Arc<dyn Piece>, mut cuts: Vec<Place>, vertices: &Vertices, near: 
     let stops = stops(&**piece, cuts, near);
     let same = |p: &Vector2<f64>| !is_finite(p) || vertices.snap(*p) == *p;
     let whole = stops.len() <= 2 && stops.iter().all(|(_, p)| same(p));
-    if whole || figure == Figure::Other {
+    if whole || piece.figure() == Figure::Other {
         return Some(vec![Box::new(Arc::clone(piece))]);
     }
     let ends = stops.windows(2).map(|pair| [pair[0].1, pair[1].1].map(|point| vertices.snap(point)));
-    ends.filter(|[a, b]| a != b).map(|ends| piece_of(&with_ends(figure, ends)).ok()).collect()
+    ends.filter(|[a, b]| a != b).map(|ends| part(&**piece, ends).ok()).collect()
 }
 
 /// The parts of a line along the only lattice vector, which repeats after the length of that vector.
