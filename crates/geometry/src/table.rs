@@ -2,6 +2,7 @@
 mod cell;
 mod container;
 mod cuts;
+mod ends;
 mod fastest;
 mod joined;
 mod parted;
@@ -68,7 +69,8 @@ fn are_places(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
 }
 
 impl Table {
-    /// The table bounded by the given pieces.
+    /// The table bounded by the given pieces. Where one ends within rounding of the start of another (16 ulp of the greatest coordinate of
+    /// their ends), one of the two is moved to the vertex of the other.
     ///
     /// # Errors
     /// [`Error::Empty`] without pieces, [`Error::Length`] if the greatest coordinate is beyond 10¹⁵⁰ or less than 10⁻¹⁵⁰, since squares
@@ -92,7 +94,12 @@ impl Table {
         are_places(&pieces)?;
         let mut pieces: Vec<Arc<dyn Piece>> = pieces.into_iter().map(Arc::from).collect();
         let cell = lattice.map(FundamentalCell::at_origin);
-        let Succession { next, corners } = Succession::of(&pieces, cell.as_ref().map(FundamentalCell::lattice))?;
+        let of = |pieces: &[Arc<dyn Piece>]| Succession::of(pieces, cell.as_ref().map(FundamentalCell::lattice));
+        let succession = match of(&pieces) {
+            Err(Error::Open { .. }) if ends::unite(&mut pieces) => of(&pieces),
+            found => found,
+        };
+        let Succession { next, corners } = succession?;
         if let Some(cell) = &cell {
             few_cells(&pieces, cell)?;
         }
