@@ -62,10 +62,12 @@ impl Fit {
             // between the nine places it may be a little more
             off[0].min(off[1]) <= 0.75 * self.tolerance
         };
-        [0.06, 0.17, 0.29, 0.4, 0.5, 0.61, 0.72, 0.83, 0.94]
-            .iter()
-            .all(|&s| near(point(curve, s)))
-            .then_some((joint, edges))
+        // the same places from either end: a curve that is drawn both ways, once for each of its sides, becomes the same arcs
+        let [start, end] = [*curve, [curve[3], curve[2], curve[1], curve[0]]];
+        let [[.., middle], _] = halves(*curve);
+        let is_near =
+            near(middle) && [0.06, 0.17, 0.29, 0.4].iter().all(|&s| near(point(&start, s)) && near(point(&end, s)));
+        is_near.then_some((joint, edges))
     }
 
     /// The arc from `p` in direction `t` to `q`; `None` where it is neither short of half a circle nor straight.

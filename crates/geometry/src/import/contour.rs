@@ -1,7 +1,7 @@
 //! Closed outlines, turned the right way.
 use super::place::{Imported, Place};
 use crate::{
-    BoxTree, Error, Extent, MeetingKind, Piece, enclosed_area, meetings,
+    BoxTree, Error, Extent, Landing, Meeting, MeetingKind, Piece, enclosed_area, meetings,
     plane::slack,
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
@@ -191,8 +191,9 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piec
         loops.push(contour.pieces(false)?);
     }
     let owners: Vec<usize> = loops.iter().enumerate().flat_map(|(k, l)| l.iter().map(move |_| k)).collect();
-    let all: Vec<&dyn Piece> = loops.iter().flatten().map(|p| &**p).collect();
-    let tree = BoxTree::new(all.iter().map(|p| p.extent()));
+    let pieces: Vec<&dyn Piece> = loops.iter().flatten().map(|p| &**p).collect();
+    let tree = BoxTree::new(pieces.iter().map(|p| p.extent()));
+    let outlines = Outlines { pieces, owners, tree };
     let mut turned = vec![];
     for (k, contour) in contours.iter().enumerate() {
         let area = enclosed_area(loops[k].iter().map(|p| &**p));
@@ -211,7 +212,11 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piec
             };
             return Err(Error::Import { place: contour.place.clone(), problem: problem.into() });
         }
-        let nested = nesting(&all, &owners, &tree, k, &loops[k]);
+        let mut nested = nesting(&outlines, k, &loops[k], |on_wall| Some(on_wall.point));
+        // a hole may be filled by a polygon, and is a hole nevertheless
+        if contour.role == Role::Nested && !nested.is_clear {
+            nested = nesting(&outlines, k, &loops[k], |on_wall| outlines.beside(on_wall, area));
+        }
         let misplaced = |problem: &str| Error::Import { place: contour.place.clone(), problem: problem.into() };
         let hole = match (contour.role, nested) {
             (Role::Outer, Nesting { is_odd: true, is_clear: true }) => {
@@ -254,30 +259,61 @@ struct Nesting {
     is_clear: bool,
 }
 
-/// An outline lies inside an odd number of others where a ray from it crosses them an odd number of times.
-fn nesting(all: &[&dyn Piece], owners: &[usize], tree: &BoxTree, own: usize, outline: &[Box<dyn Piece>]) -> Nesting {
+/// An outline lies inside an odd number of others where a ray from it crosses them an odd number of times. It begins at a point of the
+/// outline or, where that has all of its wall in common with others, at one beside it.
+fn nesting(
+    outlines: &Outlines,
+    own: usize,
+    outline: &[Box<dyn Piece>],
+    from: impl Fn(&Landing) -> Option<Vector2<f64>>,
+) -> Nesting {
     let mut nesting = Nesting { is_odd: false, is_clear: false };
     for k in 0..RAYS {
         let piece = &outline[k * outline.len() / RAYS];
-        let from = piece.point_at(piece.length() * (FIRST_PLACE + k as f64 / (2 * RAYS) as f64));
-        let Ok(ray) = Ray::new(from, AWAY, true) else { return nesting };
-        let (mut count, mut clear) = (0_usize, true);
-        let reach = slack(from.iter().copied());
-        tree.search(
-            |e| is_hit(e, &from, &AWAY, reach, f64::INFINITY),
-            |i| {
-                if owners[i] != own {
-                    for m in meetings(&ray, all[i]) {
-                        count += 1;
-                        clear &= m.kind == MeetingKind::Crossing;
-                    }
-                }
-            },
-        );
-        nesting = Nesting { is_odd: count % 2 == 1, is_clear: clear };
-        if clear {
+        let on_wall = piece.landing_at(piece.length() * (FIRST_PLACE + k as f64 / (2 * RAYS) as f64));
+        let seen = from(&on_wall).and_then(|from| outlines.seen(from, AWAY, |i| outlines.owners[i] != own));
+        let Some(seen) = seen else { return nesting };
+        let is_clear = seen.iter().all(|m| m.kind == MeetingKind::Crossing);
+        nesting = Nesting { is_odd: seen.len() % 2 == 1, is_clear };
+        if is_clear {
             break;
         }
     }
     nesting
+}
+
+/// The pieces of all outlines.
+struct Outlines<'a> {
+    pieces: Vec<&'a dyn Piece>,
+    /// For each piece, the number of its outline.
+    owners: Vec<usize>,
+    tree: BoxTree,
+}
+
+impl Outlines<'_> {
+    /// The meetings of a ray with some of the pieces; `None` where there is no such ray.
+    fn seen(&self, from: Vector2<f64>, toward: Vector2<f64>, wanted: impl Fn(usize) -> bool) -> Option<Vec<Meeting>> {
+        let ray = Ray::new(from, toward, true).ok()?;
+        let reach = slack(from.iter().copied());
+        let mut found = vec![];
+        self.tree.search(
+            |e| is_hit(e, &from, &toward, reach, f64::INFINITY),
+            |i| {
+                if wanted(i) {
+                    found.extend(meetings(&ray, self.pieces[i]));
+                }
+            },
+        );
+        Some(found)
+    }
+
+    /// A point beside a wall of an outline, inside it, with no other wall in between; the outline runs counter-clockwise if its area is
+    /// positive.
+    fn beside(&self, on_wall: &Landing, area: f64) -> Option<Vector2<f64>> {
+        let inward = on_wall.normal * area.signum();
+        let here = 4.0 * slack(on_wall.point.iter().copied());
+        let seen = self.seen(on_wall.point, inward, |_| true)?;
+        let next = seen.iter().map(|m| m.at[0]).filter(|s| *s > here).min_by(f64::total_cmp)?;
+        Some(on_wall.point + inward * (FIRST_PLACE * next))
+    }
 }

@@ -222,6 +222,52 @@ fn loops_are_turned_the_right_way() {
     assert!(matches!(hole.pieces()[4].figure(), Figure::Arc { inside: false, .. } | Figure::Other));
 }
 
+/// A large room, and in it regions that have stretches in common, which bound nothing.
+fn joined(regions: &str) -> Table {
+    let table = Table::new(pieces(&format!("<rect x='-4' y='-4' width='8' height='8'/>{regions}"))).unwrap();
+    assert!(matches!(table.validate(), Err(Error::Spike { .. })), "{regions}: {:?}", table.validate());
+    let (joined, _) = table.joined().unwrap();
+    assert_eq!(joined.validate(), Ok(()), "{regions}");
+    joined
+}
+
+#[test]
+fn regions_with_a_curved_border_in_common_are_one_obstacle() {
+    for (there, back) in [
+        ("C -0.5 0.5 0.5 0.5 1 0", "C 0.5 0.5 -0.5 0.5 -1 0"),
+        ("C -0.7 0.9 0.1 -1.3 1 0", "C 0.1 -1.3 -0.7 0.9 -1 0"),
+        ("C -0.6 0.1 0.4 0.4 1 0", "C 0.4 0.4 -0.6 0.1 -1 0"),
+        ("A 1 0.5 0 0 0 1 0", "A 1 0.5 0 0 1 -1 0"),
+        ("A 1 1 0 0 0 1 0", "A 1 1 0 0 1 -1 0"),
+    ] {
+        let upper = format!("<path d='M -1 0 {there} L 1.5 0 L 0 -2.5 L -1.5 0 Z'/>");
+        for lower in [
+            format!("<path d='M -1 0 {there} L 1.5 0 L 0 2.5 L -1.5 0 Z'/>"),
+            format!("<path d='M 1 0 {back} L -1.5 0 L 0 2.5 L 1.5 0 Z'/>"),
+        ] {
+            for regions in [format!("{upper}{lower}"), format!("{lower}{upper}")] {
+                let table = joined(&regions);
+                assert!(is_near(table.area(), 64.0 - 7.5), "{there}: {}", table.area());
+                assert!([1.0, -1.0].iter().all(|y| !table.contains(&Vector2::new(0.0, *y))));
+            }
+        }
+    }
+}
+
+#[test]
+fn a_region_all_around_which_there_are_others_is_an_obstacle_like_them() {
+    // an eye, and what is above and below it
+    let [lid, bag] = ["C -0.5 -1 0.5 -1 1 0", "C -0.5 1 0.5 1 1 0"];
+    let [up, down] = ["C 0.5 -1 -0.5 -1 -1 0", "C 0.5 1 -0.5 1 -1 0"];
+    let eye = format!("<path d='M -1 0 {bag} {up} Z'/>");
+    let above = format!("<path d='M -1 0 {lid} L 1.5 0 L 1.5 -2 L -1.5 -2 L -1.5 0 Z'/>");
+    let below = format!("<path d='M 1 0 {down} L -1.5 0 L -1.5 2 L 1.5 2 L 1.5 0 Z'/>");
+    for regions in [[&eye, &above, &below], [&above, &eye, &below], [&below, &above, &eye]] {
+        let table = joined(&regions.map(String::as_str).concat());
+        assert!(is_near(table.area(), 64.0 - 12.0), "{}", table.area());
+    }
+}
+
 #[test]
 fn only_outlines_are_drawn() {
     let t = table(

@@ -26,6 +26,10 @@ fn maps_become_tables() {
     let island = r#"{"type": "MultiPolygon", "coordinates": [
         [[[0,0],[9,0],[9,9],[0,9],[0,0]], [[1,1],[8,1],[8,8],[1,8],[1,1]]], [[[2,2],[4,2],[4,3],[2,2]]]]}"#;
     check(island, 33.0, 2);
+    // a polygon that fills the hole of another one: the wall between them is one on both sides
+    let enclave = r#"{"type": "MultiPolygon", "coordinates": [
+        [[[0,0],[9,0],[9,9],[0,9],[0,0]], [[1,1],[8,1],[8,8],[1,8],[1,1]]], [[[1,1],[8,1],[8,8],[1,8],[1,1]]]]}"#;
+    check(enclave, 81.0, 2);
 }
 
 #[test]
