@@ -40,7 +40,7 @@ pub struct PieceReport {
     /// Distance of the graphs, if there are any, from the piece, and of each from where the one before it ends (from the piece's ends, for
     /// the first and the last). Rough graphs, of formulas with large errors, are farther from it than rounding.
     pub graphs: f64,
-    /// The normals of the graphs against those of `closest`; accurate to about 10⁻¹².
+    /// The normals of the graphs against those of `closest`.
     pub graph_normals: f64,
     /// The normals of `landing_at`, and of `closest` for a point beside the piece, against the difference quotient of `point_at`.
     pub normal_direction: f64,
@@ -301,6 +301,7 @@ mod tests {
                 "a graph missing" => {
                     graphs.remove(1);
                 }
+                "no graphs" => graphs.clear(),
                 _ => {}
             }
             Some(graphs)
@@ -330,6 +331,7 @@ mod tests {
         assert!(report("stretched").ends < 1e-15 && report("stretched").length > 0.01);
         assert!(report("area").area > 5e-4);
         assert!(report("graphs beside").graphs > 4e-4 && report("a graph missing").graphs > 0.01);
+        assert_eq!(report("no graphs").graphs, f64::INFINITY);
         assert!(report("graphs back").graphs < 1e-15 && report("graphs back").graph_normals > 1.0);
         assert!(report("clockwise").arc_length > 0.1 && report("clockwise").normal_direction > 1.0);
     }

@@ -584,20 +584,20 @@ fn errors_about_a_mesh_name_the_line_of_the_face() {
 #[test]
 fn sides_of_a_wall_that_differ_by_more_than_rounding_are_refused() {
     let folder = Folder::new("faces");
-    let scene = |radius: &str, domain: &str| {
+    let scene = |radius: &str| {
         format!(
             "law = \"specular\"\n[[table.boundary]]\ncircle = {{ center = [0, 0], radius = 2 }}\n\
              [[table.boundary]]\ncircle = {{ center = [0.1, 0.2], radius = 0.77 }}\n\
-             [[table.boundary]]\ncurve = {{ polar = \"{radius}\", center = [0.1, 0.2], domain = \"{domain}\" }}\n\
+             [[table.boundary]]\ncurve = {{ polar = \"{radius}\", center = [0.1, 0.2], domain = \"outside\" }}\n\
              [[orbit]]\nposition = [-1.4, 0.1]\nvelocity = [0.9, 0.4]\n[run]\ncollisions = 20\n\
              [output]\ncollisions = \"csv\"\n"
         )
     };
-    let told = String::from_utf8(folder.run(&scene("0.77+4e-15", "outside"), &[]).stderr).unwrap();
+    let told = String::from_utf8(folder.run(&scene("0.77+4e-15"), &[]).stderr).unwrap();
     assert!(told.contains("scene.toml:7:9") && told.contains("pieces 1 and 2 run along each other near ("), "{told}");
     assert!(told.contains("help: cut both sides at the same places and describe them alike"), "{told}");
     // and one is like the other
-    folder.done(&scene("0.77", "outside"), &[]);
+    folder.done(&scene("0.77"), &[]);
     let times: Vec<f64> = folder.rows().iter().map(|row| row[2]).collect();
     assert!(times.windows(2).all(|t| t[1] - t[0] > 1e-3), "{times:?}");
 }

@@ -48,8 +48,12 @@ fn polygon(points: &[Vector2<f64>], step: usize) -> (f64, f64) {
 /// The graphs: where they begin and end, their points and their normals.
 pub(super) fn graphs(piece: &dyn Piece, size: f64, report: &mut PieceReport) {
     let Some(graphs) = piece.graphs() else { return };
+    let Some(first) = graphs.first() else {
+        PieceReport::note(&mut report.graphs, f64::INFINITY);
+        return;
+    };
     let of_graphs = graphs.iter().map(|graph| graph.ends.map(Vector2::from));
-    let [start, end] = piece.ends().unwrap_or_else(|| [graphs[0].ends[0].into(); 2]);
+    let [start, end] = piece.ends().unwrap_or_else(|| [first.ends[0].into(); 2]);
     let mut before = start;
     for [from, to] in of_graphs {
         PieceReport::note(&mut report.graphs, (from - before).norm() / size);

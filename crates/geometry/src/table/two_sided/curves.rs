@@ -92,12 +92,11 @@ fn stops(a: &dyn Piece, b: &dyn Piece, within: f64) -> Vec<f64> {
     let ends = b.ends().into_iter().flatten().filter(lies_on_a);
     let mut stops: Vec<f64> = ends.map(|end| a.arc_length_at(&end)).collect();
     stops.sort_by(f64::total_cmp);
-    match (a.ends(), stops.first()) {
-        (None, Some(&first)) => stops.push(first + length),
-        _ => {
-            stops.insert(0, 0.0);
-            stops.push(length);
-        }
+    if let (None, Some(&first)) = (a.ends(), stops.first()) {
+        stops.push(first + length);
+    } else {
+        stops.insert(0, 0.0);
+        stops.push(length);
     }
     stops
 }
