@@ -74,7 +74,15 @@ pub(super) fn of_table(scene: &Scene, drawn: &Drawn, error: &Error) -> Diagnosti
     match *error {
         Error::Crossing { first, second, at } if is_twice(table, [first, second], at) => {
             let what = format!("pieces {first} and {second} coincide near {}", point(&at.map(|x| x / factor), 0.0));
-            located(scene, sources, error, what).with_help("the same wall is drawn twice: leave one out")
+            // outlines of a drawing are turned the right way, whichever way they are drawn
+            let is_from_file = [first, second].iter().all(|k| sources.get(*k).is_some_and(|s| s.place.is_some()));
+            let help = if is_from_file {
+                "the same wall is drawn twice: leave one out"
+            } else {
+                "the same wall is drawn twice: leave one out; or, if two loops share it, let the table lie on the other side of one of \
+                 them: list its vertices in the opposite order, or exchange inside and outside"
+            };
+            located(scene, sources, error, what).with_help(help)
         }
         Error::TooShort { piece, .. } if sources.get(piece).is_some_and(|source| source.place.is_some()) => {
             let from = table.pieces()[piece].point_at(0.0);
@@ -175,7 +183,8 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "cut both sides at the same places and describe them alike, by the same formula or as the same line or arc; or draw them farther apart"
         }
         Error::Spike { .. } => {
-            "leave the stretch out, or let it lead into the table, where it is a wall without thickness"
+            "leave the stretch out, or let it lead into the table, where it is a wall without thickness; two entries may share it, but a \
+             curve given by a formula is not cut: let the stretch be an edge of its own in both"
         }
         Error::Collapsed { .. } => {
             "move its vertices apart; a wall without thickness in the open plane is a \
