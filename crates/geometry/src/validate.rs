@@ -181,12 +181,12 @@ impl Table {
         }
         let infinite = sight.infinite();
         // of two loops that disagree, the inner one is named; on a lattice, where the table mostly lies around the loops, one with the
-        // table inside; a two-sided wall is never at fault
+        // table inside
         let disagree = |a: &Wall, b: &Wall| {
             let [first, second] = [a, b].map(|wall| {
                 let k = sight.chain_of[wall.number];
                 let room = self.shortest().is_some() && self.is_closed(&chains[k]) && area(k) > 0.0;
-                (self.pieces()[wall.number].has_two_sides(), !room, width(k))
+                (!room, width(k))
             });
             Error::Orientation { piece: if second < first { b.number } else { a.number } }
         };

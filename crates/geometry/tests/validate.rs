@@ -133,15 +133,6 @@ fn a_two_sided_wall_has_the_table_on_both_sides_wherever_it_stands() {
 }
 
 #[test]
-fn of_a_two_sided_wall_and_another_one_the_other_is_at_fault() {
-    let (a, b) = ([-0.5, 0.1], [0.5, 0.3]);
-    for wall in [polygon(&[a, b]), vec![Box::new(Screen::new(a.into(), b.into()).unwrap()) as Box<dyn Piece>]] {
-        let found = check([vec![disk(0.0, 0.0, 1.0, false)], wall]);
-        assert_eq!(found, Err(Error::Orientation { piece: 0 }));
-    }
-}
-
-#[test]
 fn a_wall_is_compared_with_all_that_lie_behind_it() {
     // a room, which any line to the disk leaves through its far side first
     let room = || square(0.0, 0.0, 1.0, true);

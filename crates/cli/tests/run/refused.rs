@@ -559,6 +559,27 @@ fn errors_about_a_drawing_name_its_elements_and_a_wall_drawn_twice() {
 }
 
 #[test]
+fn what_stands_on_part_of_a_curve_by_a_formula_is_refused_with_a_mend_that_works() {
+    let folder = Folder::new("stands-on-a-formula");
+    let wave = |from: u32, to: u32| format!("{{ x = \"t\", y = \"0.125*sin(pi*t/2)^2\", over = [{from}, {to}] }}");
+    let scene = |floor: &[String]| {
+        let floor = floor.join(", ");
+        let stone = format!("{{ line_to = [1.5, 1.25] }}, {{ line_to = [2, 0] }}, {}", wave(2, 1));
+        format!(
+            "law = \"specular\"\n[[table.boundary]]\nloop = {{ from = [0, 0], edges = [{floor}, {{ line_to = [4, 3] }}, \
+             {{ line_to = [0, 3] }}, {{ line_to = [0, 0] }}] }}\n[[table.boundary]]\n\
+             loop = {{ domain = \"outside\", from = [1, 0.125], edges = [{stone}] }}\n\
+             [[orbit]]\nposition = [1.5, 2]\nvelocity = [0.1, 1]\n[run]\ncollisions = 10\n"
+        )
+    };
+    let output = folder.run(&scene(&[wave(0, 4)]), &[]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("let the stretch be an edge of its own in both"), "{told}");
+    assert_eq!(folder.done(&scene(&[wave(0, 1), wave(1, 2), wave(2, 4)]), &[])["collisions"], 10);
+}
+
+#[test]
 fn a_short_piece_of_a_map_is_told_with_its_position_and_its_point() {
     let ring =
         "[[500000, 5400000], [500010, 5400000], [500010, 5400000.00000001], [500010, 5400010], [500000, 5400000]]";

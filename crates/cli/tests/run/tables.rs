@@ -181,6 +181,41 @@ fn a_loop_closes_where_its_last_edge_ends_within_rounding() {
 }
 
 #[test]
+fn a_turned_height_field_goes_on_in_rays_that_start_where_it_ends_within_rounding() {
+    let folder = Folder::new("height-field");
+    let scene = "law = \"specular\"\n[[table.boundary]]\n\
+         shape = { name = \"heightfield\", heights = [0.25, 1, 0, 0.5], size = [3, 1], angle = \"pi/6\" }\n\
+         [[table.boundary]]\nray = { from = [\"1.5*cos(pi/6)-0.5*sin(pi/6)\", \"1.5*sin(pi/6)+0.5*cos(pi/6)\"], \
+         direction = [\"cos(pi/6)\", \"sin(pi/6)\"] }\n[[table.boundary]]\n\
+         ray = { from = [\"-1.5*cos(pi/6)-0.25*sin(pi/6)\", \"-1.5*sin(pi/6)+0.25*cos(pi/6)\"], \
+         direction = [\"-cos(pi/6)\", \"-sin(pi/6)\"], domain = \"right\" }\n\
+         [[orbit]]\nposition = [-1, \"sqrt(3)\"]\nvelocity = [0.5, \"-sqrt(3)/2\"]\n[run]\ncollisions = 3\n";
+    assert!(folder.done(scene, &[])["collisions"].as_u64() >= Some(1));
+}
+
+#[test]
+fn a_disk_rolls_along_a_straight_formula_from_cell_to_cell() {
+    let folder = Folder::new("straight-formula");
+    let rows = |edge: &str| {
+        folder.done(
+            &format!(
+                "law = \"no-slip\"\n[table]\nlattice = [[1, 0]]\n[[table.boundary]]\n\
+                 chain = {{ from = [0, 0], edges = [{edge}] }}\n[[table.boundary]]\n\
+                 chain = {{ from = [1, 1], edges = [{{ line_to = [0, 1] }}] }}\n[particle]\nradius = 0.05\n\
+                 gamma_squared = 0.5\n[[orbit]]\nposition = [0.3, 0.5]\nvelocity = [1, 0.3]\n[run]\ncollisions = 15\n\
+                 [output]\ncollisions = \"csv\"\n"
+            ),
+            &[],
+        );
+        folder.rows()
+    };
+    let [drawn, formula] = ["{ line_to = [1, 0] }", "{ x = \"t\", y = \"0\", over = [0, 1] }"].map(rows);
+    assert_eq!(drawn.len(), formula.len());
+    let numbers = drawn.iter().flatten().zip(formula.iter().flatten());
+    assert!(numbers.clone().count() > 100 && numbers.clone().all(|(a, b)| (a - b).abs() < 1e-11));
+}
+
+#[test]
 fn a_shape_is_turned_by_its_angle() {
     let folder = Folder::new("turned");
     folder.done(
