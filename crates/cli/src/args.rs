@@ -157,7 +157,7 @@ Example of a contact file (TOML or JSON), for a spinning disk that drops onto a 
   dim = 2
   law = \"no-slip\"                     # or rough = [[1, 0]], the rough directions, or as in scenes
   contact_point = [0, 0]
-  normal = [0, 1]                     # from body 2 towards body 1, of any length
+  normal = [0, 1]                     # from body 2 towards body 1, of any length up to 1e150
   bodies = [{ mass = 1, position = [0, 1], inertia = \"1/2\" }, { mass = \"inf\" }]
   pre = [{ v = [0, -1], w = 3 }, { v = [0, 0], w = 0 }]
 
