@@ -70,18 +70,19 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     let plane = scene.dimension == 2;
     writeln!(out, "  table       {}", scene.table)?;
     writeln!(out, "  law         {}, gamma^2 = {}", scene.law, spell(scene.gamma_squared))?;
-    let walls = &scene.walls;
+    let centres = scene.centres.as_ref();
+    let measured = centres.filter(|_| !plane).unwrap_or(&scene.walls);
     let measures = if plane {
-        [("area", measure(walls.area)), ("perimeter", measure(walls.perimeter))]
+        [("area", measure(measured.area)), ("perimeter", measure(measured.perimeter))]
     } else {
-        [("volume", volume(walls.volume)), ("surface", measure(walls.surface))]
+        [("volume", volume(measured.volume)), ("surface", measure(measured.surface))]
     };
-    if !walls.parts.is_empty() {
+    if !measured.parts.is_empty() {
         for (name, x) in measures {
             writeln!(out, "  {name:<12}{x}")?;
         }
     }
-    if !plane && scene.radius > 0.0 && !walls.parts.is_empty() {
+    if !plane && centres.is_some() && !measured.parts.is_empty() {
         writeln!(
             out,
             "  particle    a ball of radius {}; volume and surface are of the region in which its centre moves",
@@ -101,7 +102,7 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
             point(&center, radius)
         )?;
     }
-    if let Some(centres) = &scene.centres {
+    if let Some(centres) = centres.filter(|_| plane) {
         writeln!(out, "  particle    a disk of radius {}; its centre moves in a region of", spell(scene.radius))?;
         let corners = centres.corners.map_or(0, |corners| corners[0]);
         writeln!(

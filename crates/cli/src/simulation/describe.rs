@@ -3,6 +3,7 @@
 use std::fmt;
 
 use billiards::Stop;
+use billiards::geometry::tables::SpatialTable;
 use billiards::geometry::{self, Figure, Lattice, Piece, Vector2, Walls, WithWalls};
 use serde::Serialize;
 
@@ -284,14 +285,12 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
             law: law.to_string(),
         })
         .collect();
-    description.walls.pieces = spatial.pieces.len();
+    description.walls = region_of_space(spatial.built_in.as_ref(), spatial);
+    let named = if let Space::Named(table) = &spatial.centres { Some(table) } else { None };
+    description.centres = (spatial.radius > 0.0).then(|| region_of_space(named, spatial));
     description.engine = match &spatial.centres {
         Space::Named(table) => {
-            let (volume, surface) = (table.volume(), table.surface_area());
-            description.walls.volume = Volume::scaled(volume, spatial.factor);
-            description.walls.surface = finite(out(out(surface)));
-            description.walls.parts = vec![description.walls.volume.and_then(Volume::number)];
-            let ratio = out(volume / surface);
+            let ratio = out(table.volume() / table.surface_area());
             if spatial.strict {
                 // |S⁵|/|B⁵| and |S²|/|B²|
                 let times = [1.875 * core::f64::consts::PI * ratio, 4.0 * ratio];
@@ -313,6 +312,18 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
             })
             .collect()
     });
+}
+
+/// A region of space: measured if it is a built-in table.
+fn region_of_space(table: Option<&SpatialTable>, spatial: &Spatial) -> Region {
+    let volume = table.and_then(|table| Volume::scaled(table.volume(), spatial.factor));
+    Region {
+        pieces: spatial.pieces.len(),
+        volume,
+        surface: table.and_then(|table| finite(table.surface_area() / spatial.factor / spatial.factor)),
+        parts: table.map(|_| volume.and_then(Volume::number)).into_iter().collect(),
+        ..Region::default()
+    }
 }
 
 /// Notes the mean times between collisions, with and without spin, where they describe the orbits of the scene, that is, under strict

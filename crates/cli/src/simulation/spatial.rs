@@ -1,6 +1,6 @@
 //! A ball on a table in space.
 
-use billiards::geometry::parry::{Closest, Room, Solid};
+use billiards::geometry::parry::{Closest, Room, Side, Solid};
 use billiards::geometry::tables::{self, SpatialTable, WallAt};
 use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit};
 use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, Orbit};
@@ -14,12 +14,14 @@ use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::wires::Wall;
 use super::words::short;
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, Span};
 use crate::scene::{self, Arguments, LawKind, Scene, TableShape};
 
 /// A scene in space, ready to run.
 #[derive(Debug)]
 pub(crate) struct Spatial {
+    /// A built-in table as drawn, all lengths multiplied by the factor.
+    pub(crate) built_in: Option<SpatialTable>,
     /// Where centres move, its corner or centre at the origin.
     pub(crate) centres: Space,
     /// Shift from the engine's origin to the user's: the particle's radius, where the table begins at a corner.
@@ -114,7 +116,7 @@ impl Spatial {
     /// Builds everything and checks every start.
     pub(crate) fn new(scene: &Scene) -> Result<Spatial, Vec<Diagnostic>> {
         let factor = to_unity(boundary::lengths(scene));
-        let (centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
+        let (built_in, centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let table = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
                 let ends = table.extent()[1] / factor;
@@ -131,7 +133,7 @@ impl Spatial {
                         error => *boundary::wrong_argument(scene, arguments, &error, factor),
                     }]
                 })?;
-                (Space::Named(centres), shift, walls, pieces, laws)
+                (Some(table), Space::Named(centres), shift, walls, pieces, laws)
             }
             TableShape::Boundary(entries) => {
                 let entered = room::walls(scene, entries)?;
@@ -139,7 +141,7 @@ impl Spatial {
                 let (walls, pieces): (Vec<_>, Vec<_>) =
                     entered.into_iter().map(|entered| (entered.wall, entered.name)).unzip();
                 let laws = entries.iter().map(|entry| entry.law.as_ref().map(|law| law.kind.clone())).collect();
-                (Space::Room(room), Vector3::zeros(), walls, pieces, laws)
+                (None, Space::Room(room), Vector3::zeros(), walls, pieces, laws)
             }
         };
         boundary::own_laws(scene, &mut laws).map_err(|d| vec![*d])?;
@@ -149,7 +151,7 @@ impl Spatial {
         let strict = law.is_strict();
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => {
-                Starts::Given(start::all(orbits, |orbit| checked(scene, &centres, &shift, orbit, factor))?)
+                Starts::Given(start::all(orbits, |orbit| checked(scene, &centres, &walls, &shift, orbit, factor))?)
             }
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone(), Spins::of(&scene.particle)),
         };
@@ -167,6 +169,7 @@ impl Spatial {
         }
         drop(kinds);
         Ok(Spatial {
+            built_in,
             centres,
             shift,
             factor,
@@ -275,6 +278,7 @@ fn drawn(walls: &[Wall]) -> Room {
 fn checked(
     scene: &Scene,
     centres: &Space,
+    walls: &[Wall],
     shift: &Vector3<f64>,
     orbit: &scene::Orbit,
     length: f64,
@@ -285,6 +289,11 @@ fn checked(
     let touched = centres.touched(&point);
     let at = orbit.position.span;
     if let Some((distance, piece)) = touched.outside {
+        // in front of an open mesh, its region of centres ends no farther away than the radius
+        let behind = distance / length - scene.particle.radius.value;
+        if let Some(mesh) = walls.get(piece).filter(|wall| behind > 0.0 && wall.spec.rims() > 0) {
+            return Err(Box::new(start_behind(scene, at, behind, piece, mesh.side)));
+        }
         return Err(Box::new(start::outside(scene, at, distance / length, piece as u64)));
     }
     let velocity = Vector3::from(start.velocity);
@@ -296,6 +305,17 @@ fn checked(
         ));
     }
     Ok(start)
+}
+
+/// The error that a start lies this far behind an open mesh.
+fn start_behind(scene: &Scene, at: Span, distance: f64, piece: usize, side: Side) -> Diagnostic {
+    let what = format!(
+        "the start lies {} behind piece {piece}, an open mesh with the table on its other side",
+        short(distance)
+    );
+    let other = if side == Side::Outside { "inside" } else { "outside" };
+    let help = format!("start in front of it, or exchange its sides with domain = \"{other}\"");
+    scene.source.diagnostic(at, what).with_help(help)
 }
 
 /// The walls of a room, with their curvature, for error estimates.

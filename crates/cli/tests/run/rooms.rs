@@ -219,21 +219,34 @@ fn a_start_between_parts_of_a_mesh_or_along_its_face_is_refused() {
 #[test]
 fn the_volume_in_which_a_centre_moves_is_told_as_that() {
     let folder = Folder::new("centres");
-    let told = |particle: &str| {
+    let told = |particle: &str, form: &[&str]| {
         let scene = format!(
             "law = \"specular\"\n[table]\ndimension = 3\nname = \"ball\"\n{particle}[[orbit]]\nposition = [0, 0, 0]\n\
              velocity = [1, 0, 0]\n[run]\ncollisions = 1\n"
         );
         std::fs::write(folder.0.join("ball.toml"), scene).unwrap();
         let mut check = Command::cargo_bin("billiards").unwrap();
-        let told = check.current_dir(&folder.0).args(["check", "ball.toml"]).output().unwrap();
+        let told = check.current_dir(&folder.0).args(["check", "ball.toml"]).args(form).output().unwrap();
         String::from_utf8(told.stdout).unwrap()
     };
-    let (point, ball) = (told(""), told("[particle]\nradius = 0.1\n"));
+    let with_radius = "[particle]\nradius = 0.1\n";
+    let (point, ball) = (told("", &[]), told(with_radius, &[]));
     // 4π/3, and 0.9³ of it
     assert!(point.contains("volume      4.18879\n") && !point.contains("centre moves"), "{point}");
     let of_centre = "a ball of radius 0.1; volume and surface are of the region in which its centre moves";
     assert!(ball.contains("volume      3.05363\n") && ball.contains(of_centre), "{ball}");
+    for (particle, radius) in [("", 0.0), (with_radius, 0.1)] {
+        let json: serde_json::Value = serde_json::from_str(&told(particle, &["--json"])).unwrap();
+        let is = |found: &serde_json::Value, expected: f64| (found.as_f64().unwrap() / expected - 1.0).abs() < 1e-15;
+        let is_ball = |region: &serde_json::Value, radius: f64| {
+            let volume = 4.0 / 3.0 * PI * radius * radius * radius;
+            is(&region["surface"], 4.0 * PI * radius * radius)
+                && [&region["volume"], &region["parts"][0]].iter().all(|found| is(found, volume))
+        };
+        assert!(is_ball(&json["walls"], 1.0), "{json}");
+        assert_eq!(json["centres"].is_null(), radius == 0.0, "{json}");
+        assert!(radius == 0.0 || is_ball(&json["centres"], 1.0 - radius), "{json}");
+    }
 }
 
 #[test]
@@ -342,6 +355,36 @@ fn a_start_outside_is_told_of_which_piece_and_by_how_much() {
         let told = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{told}");
         assert!(told.contains(what) && told.contains("move the start"), "{told}");
+    }
+}
+
+#[test]
+fn a_start_behind_an_open_mesh_is_told_so_with_what_to_do() {
+    let folder = Folder::new("rooms-behind");
+    std::fs::write(folder.0.join("front.obj"), "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n").unwrap();
+    let mesh = |domain: &str| format!("mesh = {{ file = \"front.obj\", domain = \"{domain}\" }}");
+    let scene = |radius: f64, mesh: &str, height: f64| {
+        let walls = ["sphere = { center = [0, 0, 0], radius = 3 }", mesh];
+        one(&walls, &format!("[0, 0, {height:?}]"), "[1, 0, 0]")
+            .replace("[run]", &format!("[particle]\nradius = {radius}\n[run]"))
+    };
+    for (domain, other, front) in [("outside", "inside", 1.0), ("inside", "outside", -1.0)] {
+        for radius in [0.0, 0.25] {
+            for height in [0.125, 1.5] {
+                let output = folder.run(&scene(radius, &mesh(domain), -front * height), &[]);
+                let told = String::from_utf8_lossy(&output.stderr);
+                assert_eq!(output.status.code(), Some(2), "{told}");
+                let what = format!("the start lies {height} behind piece 1, an open mesh");
+                let help = format!("start in front of it, or exchange its sides with domain = \"{other}\"");
+                assert!(told.contains(&what) && told.contains(&help), "{told}");
+            }
+            folder.done(&scene(radius, &mesh(domain), front * 1.5), &[]);
+            folder.done(&scene(radius, &mesh(other), -front * 1.5), &[]);
+        }
+        // in front, but too near
+        let output = folder.run(&scene(0.25, &mesh(domain), front * 0.125), &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(told.contains("its centre would be 0.125 beyond the limit set by piece 1"), "{told}");
     }
 }
 
