@@ -146,7 +146,7 @@ impl<'a> Sight<'a> {
                 Aim::At(other) => self.place(other, k, 0.754_877_666_246_693).1 - from,
             };
             let direction = direction / libm::hypot(direction.x, direction.y);
-            let facing = direction.dot(&normal);
+            let facing = self.normal_beside(&*copy.piece, &from, direction).dot(&direction);
             if facing.is_nan() || facing.abs() <= GRAZING {
                 continue;
             }
@@ -219,6 +219,13 @@ impl<'a> Sight<'a> {
         })
     }
 
+    /// The normal of a wall at a point of it, as seen from a little way in some direction: on a curve with very steep flanks a point at
+    /// hand tells its side better than one within rounding. A wall without thickness has the table on both sides.
+    fn normal_beside(&self, piece: &dyn Piece, at: &Vector2<f64>, toward: Vector2<f64>) -> Vector2<f64> {
+        let way = if piece.tips().is_some() { 0.0 } else { 8.0 * self.rounding };
+        piece.closest(&(at + toward * way)).normal
+    }
+
     /// All that the line meets from a point of the copy with the given index; beyond the limit perhaps not everything.
     fn ahead(&self, own: usize, from: Vector2<f64>, direction: Vector2<f64>, limit: f64) -> Option<Prospect> {
         let ray = Ray::new(from, direction, true).ok()?;
@@ -242,7 +249,7 @@ impl<'a> Sight<'a> {
                         other_face = Some(copy.number);
                         continue;
                     }
-                    let facing = copy.piece.closest(&m.point).normal.dot(&direction);
+                    let facing = self.normal_beside(&*copy.piece, &m.point, -direction).dot(&direction);
                     let clear = m.kind == MeetingKind::Crossing && facing.abs() > GRAZING;
                     // whichever of its normals a wall without thickness tells, the line arrives from the table
                     let into_table = facing > 0.0 && copy.piece.tips().is_none();
