@@ -40,7 +40,7 @@ collisions = 1
 #[test]
 fn of_very_many_mistakes_the_first_are_shown_and_the_others_counted() {
     let folder = Folder::new("many-mistakes");
-    for (count, end) in [(20, "help"), (21, "\n\nand 1 more error\n"), (3000, "\n\nand 2980 more errors\n")] {
+    for (count, end) in [(20, "float64"), (21, "\n\nand 1 more error\n"), (3000, "\n\nand 2980 more errors\n")] {
         let orbits = "[[orbit]]\nposition = [0.5, 0.5]\nvelocity = [\"np.float64(1)\", 0]\n".repeat(count);
         let output = folder.run(&SQUARE.replace("[[orbit]]", &format!("{orbits}[[orbit]]")), &[]);
         let told = String::from_utf8_lossy(&output.stderr);

@@ -10,6 +10,9 @@ use nalgebra::Vector2;
 /// Fractions of a stretch at which two pieces are compared: not simple ones, since those may be special points of both.
 const PLACES: [f64; 5] = [0.0917, 0.2839, 0.4613, 0.6427, 0.8871];
 
+/// A stretch shorter than this times the distance that counts as none says nothing: on either side of a corner pieces are as near.
+const SHORT: f64 = 1024.0;
+
 /// The numbers of the pieces that coincide, at least in part, with another one that has the table on the other side, where one of the two
 /// is given by a formula.
 pub(super) fn doubles(pieces: &[Translate]) -> Vec<usize> {
@@ -70,7 +73,7 @@ fn stretches(a: &dyn Piece, b: &dyn Piece, within: f64) -> Vec<(f64, InCommon)> 
     let of_stretch = |[from, to]: [f64; 2]| {
         let places = PLACES.map(|place| around(from + place * (to - from)));
         let middle = places[2];
-        if to - from <= slack([a.extent().size()]) {
+        if to - from <= SHORT * within {
             return (middle, InCommon::Nothing);
         }
         let common = places.map(lies_on_b);
