@@ -42,7 +42,7 @@ fn of_very_many_mistakes_the_first_are_shown_and_the_others_counted() {
     let folder = Folder::new("many-mistakes");
     for (count, end) in [(20, "float64"), (21, "\n\nand 1 more error\n"), (3000, "\n\nand 2980 more errors\n")] {
         let orbits = "[[orbit]]\nposition = [0.5, 0.5]\nvelocity = [\"np.float64(1)\", 0]\n".repeat(count);
-        let output = folder.run(&SQUARE.replace("[[orbit]]", &format!("{orbits}[[orbit]]")), &[]);
+        let output = folder.run(&SQUARE.replacen("[[orbit]]", &format!("{orbits}[[orbit]]"), 1), &[]);
         let told = String::from_utf8_lossy(&output.stderr);
         assert_eq!((output.status.code(), told.matches("error: ").count()), (Some(2), 20), "{told}");
         assert!(told.contains(end) && told.contains("more error") == (count > 20), "{told}");
