@@ -1,12 +1,12 @@
 //! Ends that are one vertex but for rounding.
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
+mod formulas;
+
+use formulas::Parabola;
 use geometry::{
     Error, Piece, Table, Vector2,
     parry::{Placed, ShapeSpec, Side},
-    shapes::{
-        Ray, Segment,
-        curve::{Interval, ParametricCurve, ParametricFormula},
-    },
+    shapes::{Ray, Segment, curve::ParametricCurve},
 };
 
 fn v(x: f64, y: f64) -> Vector2<f64> {
@@ -69,19 +69,6 @@ fn two_rays_meet_in_one_vertex() {
         assert_eq!((table.validate(), table.chains().len()), (Ok(()), 1));
     }
     assert!(Table::new(apart(1e-12)).is_err());
-}
-
-/// `(t, t²)`
-#[derive(Clone, Copy, Debug)]
-struct Parabola;
-
-impl ParametricFormula for Parabola {
-    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
-        [[t, t * t], [1.0, 2.0 * t], [0.0, 2.0]]
-    }
-    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
-        [[t, t * t], [Interval::from(1.0), t * 2.0], [Interval::from(0.0), Interval::from(2.0)]]
-    }
 }
 
 #[test]

@@ -1,12 +1,12 @@
 //! Boundaries that stand on one another.
+mod formulas;
+
 use core::f64::consts::PI;
+use formulas::Parabola;
 use geometry::{
     Error, Lattice, Piece, Table, Vector2,
     parry::{Placed, ShapeSpec, Side},
-    shapes::{
-        self, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment,
-        curve::{Interval, ParametricCurve, ParametricFormula},
-    },
+    shapes::{self, Circle, Ellipse, EllipticArc, FullLine, Ray, Segment, curve::ParametricCurve},
 };
 use std::sync::Arc;
 
@@ -211,19 +211,6 @@ fn what_stands_in_an_elliptic_hollow_is_part_of_the_wall() {
     let both = table([hollow(), room]);
     assert_eq!(both.validate(), Ok(()));
     assert!(both.joined().is_none());
-}
-
-/// `(t, t²)`
-#[derive(Clone, Copy, Debug)]
-struct Parabola;
-
-impl ParametricFormula for Parabola {
-    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
-        [[t, t * t], [1.0, 2.0 * t], [0.0, 2.0]]
-    }
-    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
-        [[t, t * t], [Interval::from(1.0), t * 2.0], [Interval::from(0.0), Interval::from(2.0)]]
-    }
 }
 
 /// The parabola from one parameter to another.

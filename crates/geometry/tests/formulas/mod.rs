@@ -10,10 +10,23 @@ use geometry::{
     Extent, Piece, Table, Vector2,
     shapes::{
         Circle, Parallel, Segment,
-        curve::{Implicit, ImplicitFormula, Interval, Polar, PolarFormula},
+        curve::{Implicit, ImplicitFormula, Interval, ParametricFormula, Polar, PolarFormula},
     },
 };
 use std::sync::Arc;
+
+/// `(t, t²)`
+#[derive(Clone, Copy, Debug)]
+pub struct Parabola;
+
+impl ParametricFormula for Parabola {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        [[t, t * t], [1.0, 2.0 * t], [0.0, 2.0]]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        [[t, t * t], [Interval::from(1.0), t * 2.0], [Interval::from(0.0), Interval::from(2.0)]]
+    }
+}
 
 /// `(x/a)⁴ + (y/b)⁴ + twist·(xy/ab) = 1`, lengths in units of `unit`.
 #[derive(Clone, Copy, Debug)]
