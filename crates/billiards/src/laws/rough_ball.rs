@@ -1,6 +1,7 @@
 //! Strict laws of a ball in space: specular, no-slip, and the rough directions between.
-use super::checked_gamma;
+use super::{checked_gamma, slip::Slip};
 use crate::{Error, billiard::BallLaw};
+use collision_laws::{DiskLaw, laws::NoSlip};
 use geometry::WallHit;
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
@@ -15,9 +16,8 @@ use nalgebra::Vector3;
 /// This is the strict law of Cox, Feres and Ward (arXiv:1501.06536) for a ball and a fixed wall; the spin about the normal never changes.
 #[derive(Clone, Copy, Debug)]
 pub struct RoughBall {
-    gamma: f64,
-    /// `2/(1+γ²)`
-    factor: f64,
+    /// What changes spin and tangential velocity, as for a disk.
+    slip: Slip,
     rough: Rough,
 }
 
@@ -28,17 +28,14 @@ enum Rough {
     Along([f64; 3]),
 }
 
-/// 2¹⁰⁰: a ball with any larger γ moves as with this one, within 10⁻³⁰ of its speed, and the square of this is a number.
-const MOST_GAMMA: f64 = (1_u128 << 100) as f64;
-
 impl RoughBall {
     /// No-slip: both tangential directions are rough.
     ///
     /// # Errors
     /// [`Error::Ball`] unless γ is finite and not negative.
     pub fn no_slip(gamma: f64) -> Result<RoughBall, Error> {
-        let gamma = checked_gamma(gamma)?.min(MOST_GAMMA);
-        Ok(RoughBall { gamma, factor: 2.0 / (1.0 + gamma * gamma), rough: Rough::All })
+        let gamma = checked_gamma(gamma)?;
+        Ok(RoughBall { slip: Slip::of(&NoSlip.disk_map(gamma), gamma), rough: Rough::All })
     }
 
     /// Rough along the tangential part of `direction` alone (k = 1), which may have any finite length; smooth where the direction is
@@ -68,10 +65,11 @@ impl BallLaw<3, 3> for RoughBall {
         let n = &hit.unit_normal();
         let vn = dot(velocity, n);
         let wn = cross(spin, n);
-        // γ u without its normal part; W × ν has none
+        let Slip { push: [push_spin, push_tangent], pull: [pull_spin, pull_tangent], .. } = self.slip;
+        // the velocity without its normal part; W × ν has none
         let mut slip = [vn; 3];
         for i in 0..3 {
-            slip[i] = (velocity[i] - vn * n[i]) * self.gamma - wn[i];
+            slip[i] = (velocity[i] - vn * n[i]) * pull_tangent + wn[i] * pull_spin;
         }
         let q = match self.rough {
             Rough::All => slip,
@@ -95,8 +93,8 @@ impl BallLaw<3, 3> for RoughBall {
         let turn = cross(n, &q);
         let twice = vn + vn;
         for i in 0..3 {
-            velocity[i] = velocity[i] - twice * n[i] - q[i] * (self.factor * self.gamma);
-            spin[i] = spin[i] + turn[i] * self.factor;
+            velocity[i] = velocity[i] - twice * n[i] - q[i] * push_tangent;
+            spin[i] = spin[i] - turn[i] * push_spin;
         }
     }
     #[inline(always)]
