@@ -13,6 +13,15 @@ use billiards::geometry::{
     walls::{Cuboid, Scatterers, Slab, Sphere},
 };
 use billiards::laws::{RoughBall, Specular};
+use std::sync::LazyLock;
+
+/// The direction along which one of the balls is rough.
+const ROUGH: [f64; 3] = [0.5, -0.75, 0.25];
+/// The balls whose collisions are checked: no-slip, and rough along a direction. Made once: their coefficients are searched for.
+static BALLS: LazyLock<[RoughBall; 2]> = LazyLock::new(|| {
+    let gamma = libm::sqrt(GAMMA_SQUARED);
+    [RoughBall::no_slip(gamma).unwrap(), RoughBall::along(gamma, ROUGH.into()).unwrap()]
+});
 
 /// Whose hits are measured.
 pub(crate) struct Room<'a> {
@@ -108,16 +117,15 @@ impl Errors {
         let late = small(&(big(hit.time) - &truth.time)).abs() * speed;
         let spin = [0.375, -0.25, 0.5].map(|w| w * speed);
         let gamma = libm::sqrt(GAMMA_SQUARED);
-        let rough = [0.5, -0.75, 0.25];
-        let along = RoughBall::along(gamma, rough.into()).unwrap();
+        let [no_slip, along] = &*BALLS;
         let after = [
             collided(&Specular, &hit, path, spin),
-            collided(&RoughBall::no_slip(gamma).unwrap(), &hit, path, spin),
-            collided(&along, &hit, path, spin),
+            collided(no_slip, &hit, path, spin),
+            collided(along, &hit, path, spin),
         ];
-        let roughness = [Roughness::None, Roughness::All, Roughness::Along(vector(rough))];
+        let roughness = [Roughness::None, Roughness::All, Roughness::Along(vector(ROUGH))];
         // where the rough direction is nearly normal to the wall, its part in the wall turns by more than the normal does
-        let rough = Vector3::from(rough).normalize();
+        let rough = Vector3::from(ROUGH).normalize();
         let in_wall = rough.cross(&Vector3::from(hit.unit_normal())).norm();
         let missed = |law: usize| {
             let exact = bounced(&v, &vector(spin), &truth.normal, gamma, &roughness[law]);

@@ -18,6 +18,7 @@ mod afar;
 mod boundary;
 mod boxes;
 pub mod check;
+mod chord;
 mod components;
 mod copies;
 mod crossing;

@@ -31,6 +31,8 @@ enum Rough {
 impl RoughBall {
     /// No-slip: both tangential directions are rough.
     ///
+    /// This takes some milliseconds: it searches for the rounding of the coefficients that keeps the energy best.
+    ///
     /// # Errors
     /// [`Error::Ball`] unless γ is finite and not negative.
     pub fn no_slip(gamma: f64) -> Result<RoughBall, Error> {

@@ -2,6 +2,7 @@
 use crate::{
     Error,
     afar::{NEWTON, on_circle},
+    chord::is_chord,
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
@@ -115,7 +116,11 @@ impl Circle {
     /// The same, before anything is selected.
     #[inline(always)]
     pub(crate) fn meet<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Candidate<F> {
-        let roots = self.roots(x, v);
+        let mut roots = self.roots(x, v);
+        if self.inside {
+            let Roots { a, b, c, root, .. } = roots;
+            roots.root = is_chord([a, b, c], self.square).select(-b, root);
+        }
         let never = x[0].never();
         self.outward(&roots, never, !never)
     }

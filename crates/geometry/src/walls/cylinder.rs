@@ -2,6 +2,7 @@
 use super::{CORNER, WallHit, Walls, sooner};
 use crate::{
     Error,
+    chord::is_chord,
     plane::{finite, has_square},
 };
 use lanes::{Lane, Mask, dot};
@@ -100,7 +101,7 @@ impl Walls<3> for Cylinder {
             let moment = w[j] * u[i] - w[i] * u[j];
             discriminant = discriminant - moment * moment;
         }
-        let root = discriminant.max(zero).sqrt();
+        let root = is_chord([a, b, c], self.square).select(-b, discriminant.max(zero).sqrt());
         // where `b` and the square root are small, rounding spoils `c` as a product of the roots
         let as_product = zero.lt(b) & !discriminant.lt(-(a * c));
         let moves = zero.lt(a);

@@ -2,6 +2,7 @@
 use super::{Chord, Homogeneous, Swing, WallHit, Walls};
 use crate::{
     Error,
+    chord::is_chord,
     plane::{finite, has_square},
 };
 use lanes::{Double, Lane, Mask, dot, two_sum};
@@ -52,6 +53,7 @@ impl<const N: usize> Walls<N> for Sphere<N> {
         }
         let zero = v[0].same(0.0);
         let (a, b, c) = (dot(v, v), dot(&y, v), dot(&y, &y) - self.square);
+        let c = is_chord([a, b, c], self.square).select(zero, c);
         // the later root of |y + t v|² = r², without cancellation
         let root = (b * b - a * c).max(zero).sqrt();
         let q = b.abs() + root;

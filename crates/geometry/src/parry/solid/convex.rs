@@ -3,6 +3,7 @@ use super::super::convert::{Frame, from_glam3};
 use super::positive;
 use crate::{
     Error, Line,
+    chord::is_chord,
     parry::{Side, polytope::Polytope},
     plane::slack,
     surface::any_across,
@@ -281,7 +282,9 @@ fn round(w: &Vector3<f64>, v: &Vector3<f64>, radius: f64, touches: bool) -> Opti
     }
     let c = (w.norm() - radius) * (w.norm() + radius);
     let (reach, miss) = (radius * libm::sqrt(a), w.cross(v).norm());
-    between(a, b, c, (reach - miss) * (reach + miss), touches)
+    let chord = between(a, b, c, (reach - miss) * (reach + miss), touches)?;
+    let exit = if is_chord([a, b, c], radius * radius) { -2.0 * b / a } else { chord.exit };
+    Some(Chord { exit, ..chord })
 }
 
 /// The axis along which a unit vector points, and whether it points towards greater coordinates.

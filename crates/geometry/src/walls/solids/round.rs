@@ -1,5 +1,5 @@
 //! Balls and tubes.
-use crate::crossing::Candidate;
+use crate::{chord::is_chord, crossing::Candidate};
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
 
@@ -15,12 +15,14 @@ pub(super) struct Round {
 
 /// How the line of a path `x + t v` passes a ball or a tube: inside while `a t² + 2 b t + c ≤ 0`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pass<F> {
+pub(super) struct Pass<F: Lane> {
     a: F,
     pub(super) b: F,
     pub(super) c: F,
     /// `b² − a c`
     discriminant: F,
+    /// Whether it is a chord from the surface.
+    is_chord: F::Mask,
 }
 
 /// The component perpendicular to a unit vector.
@@ -79,7 +81,7 @@ impl<F: Lane> Pass<F> {
             let moment = w[j] * u[i] - w[i] * u[j];
             discriminant = discriminant - moment * moment;
         }
-        Pass { a, b, c, discriminant }
+        Pass { a, b, c, discriminant, is_chord: is_chord([a, b, c], square) }
     }
 
     /// Whether the line comes in at all; undetermined for a line along a tube.
@@ -106,7 +108,7 @@ impl<F: Lane> Pass<F> {
     /// When it goes out: the later root; along a tube +∞.
     #[inline(always)]
     pub(super) fn exit(&self) -> [F; 2] {
-        self.root([self.half_chord() - self.b, self.a], f64::INFINITY)
+        self.root([self.is_chord.select(-self.b, self.half_chord()) - self.b, self.a], f64::INFINITY)
     }
 
     /// Half of the time inside, times `a`.
