@@ -189,6 +189,32 @@ pub trait Mask<F>: Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> +
 }
 
 /// A computation for lanes of any width; see [`dispatch`].
+///
+/// ```
+/// use lanes::{Kernel, Lane, MOST_LANES, dispatch};
+///
+/// /// The lengths of vectors of the plane, as many at a time as there are lanes.
+/// struct Lengths<'a>(&'a [f64], &'a [f64]);
+/// impl Kernel for Lengths<'_> {
+///     type Output = Vec<f64>;
+///     #[inline(always)]
+///     fn run<F: Lane>(self, zero: F) -> Vec<f64> {
+///         let mut lengths = vec![];
+///         for (x, y) in self.0.chunks(F::LANES).zip(self.1.chunks(F::LANES)) {
+///             // the last chunk may be shorter than a vector
+///             let [x, y] = [x, y].map(|a| zero.each(|lane| a.get(lane).copied().unwrap_or(0.0)));
+///             let mut found = [0.0; MOST_LANES];
+///             (x * x + y * y).sqrt().store(&mut found);
+///             lengths.extend(found.into_iter().take(F::LANES));
+///         }
+///         lengths.truncate(self.0.len());
+///         lengths
+///     }
+/// }
+/// let (x, y) = ([3.0, 0.3, -5.0, 0.7, 0.1], [4.0, 0.1, 12.0, 0.9, 0.2]);
+/// let one_by_one: Vec<f64> = x.iter().zip(&y).map(|(x, y)| (x * x + y * y).sqrt()).collect();
+/// assert_eq!(dispatch(Lengths(&x, &y)), one_by_one); // to the last bit, whatever the CPU
+/// ```
 pub trait Kernel {
     /// What it returns.
     type Output;
@@ -200,6 +226,21 @@ pub trait Kernel {
 ///
 /// A trait and not a closure, so that an implementation can be marked `#[inline(always)]`: only then does its code
 /// end up inside the function that is compiled for the instruction set.
+///
+/// ```
+/// use lanes::{Task, vectorized};
+///
+/// /// `1 + x + x² + …`, so many terms.
+/// struct Geometric(f64, u32);
+/// impl Task for Geometric {
+///     type Output = f64;
+///     #[inline(always)]
+///     fn run(self) -> f64 {
+///         (0..self.1).fold(0.0, |sum, _| sum * self.0 + 1.0)
+///     }
+/// }
+/// assert_eq!(vectorized(Geometric(0.7, 50)), Geometric(0.7, 50).run()); // not a bit differs
+/// ```
 pub trait Task {
     /// What it returns.
     type Output;
