@@ -17,6 +17,53 @@ use nalgebra::{SVector, Unit};
 /// assert_eq!(hoop.kinetic_energy(&spinning), 6.0);
 /// # Ok::<(), collision_laws::Error>(())
 /// ```
+///
+/// A body of your own, with velocities of its own:
+///
+/// ```
+/// use collision_laws::{Body, Contact, Delassus, Error, TangentVector, check::{self, Samples}};
+/// use nalgebra::{SMatrix, Unit, Vector2};
+///
+/// /// The angular velocity of a door [T⁻¹], counter-clockwise.
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Turning(f64);
+/// impl TangentVector<2> for Turning {
+///     const DIMENSION: usize = 1;
+///     fn coordinates(&self) -> Vec<f64> {
+///         vec![self.0]
+///     }
+///     fn from_coordinates(coordinates: &[f64]) -> Self {
+///         Turning(coordinates.first().copied().unwrap_or(0.0))
+///     }
+///     fn of_rigid_motion(_: &Vector2<f64>, _: &Vector2<f64>, _: &SMatrix<f64, 2, 2>) -> Self {
+///         unreachable!("a door is not free")
+///     }
+///     fn at(&self, arm: &Vector2<f64>) -> Vector2<f64> {
+///         Vector2::new(-arm.y, arm.x) * self.0
+///     }
+/// }
+/// /// A door with this moment of inertia about its hinge [M L²], from which arms are measured.
+/// struct Door(f64);
+/// impl Body<2> for Door {
+///     type Velocity = Turning;
+///     fn inner_product(&self, v: &Turning, w: &Turning) -> f64 {
+///         self.0 * v.0 * w.0
+///     }
+///     fn apply_impulse(&self, arm: &Vector2<f64>, p: &Vector2<f64>, v: &Turning) -> Turning {
+///         Turning(v.0 + arm.perp(p) / self.0)
+///     }
+///     fn delassus(&self, arm: &Vector2<f64>, _: &Unit<Vector2<f64>>) -> Delassus<2> {
+///         let along = Vector2::new(-arm.y, arm.x);
+///         Delassus::Dense(along * along.transpose() / self.0)
+///     }
+///     fn is_free(&self) -> bool {
+///         false
+///     }
+/// }
+/// let contact = Contact::new(Vector2::zeros(), Vector2::y(), 0)?;
+/// assert!(check::body(&Door(2.0), &contact, &Vector2::new(1.0, -0.3), Samples::default()).worst() < 1e-14);
+/// # Ok::<(), Error>(())
+/// ```
 pub trait Body<const N: usize> {
     /// The body's velocities: `Twist<N>` for a ball, `()` for [`Fixed`].
     type Velocity: TangentVector<N>;
@@ -24,16 +71,16 @@ pub trait Body<const N: usize> {
     /// The kinetic-energy metric `⟨v, w⟩ = m v·w + ½ tr(Λ(Ω) Ω'ᵀ)` \[M L² T⁻²\], `Λ(Ω)` the angular momentum.
     fn inner_product(&self, v: &Self::Velocity, w: &Self::Velocity) -> f64;
 
-    /// The velocity `J v` of the material point at `arm`.
+    /// The velocity `J v` \[L T⁻¹\] of the material point at `arm` \[L\].
     #[inline]
     fn contact_velocity(&self, arm: &SVector<f64, N>, v: &Self::Velocity) -> SVector<f64, N> {
         v.at(arm)
     }
 
-    /// The velocity `v + G⁻¹Jᵀ p` after an impulse `p` at `arm`.
+    /// The velocity `v + G⁻¹Jᵀ p` after an impulse `p` \[M L T⁻¹\] at `arm` \[L\].
     fn apply_impulse(&self, arm: &SVector<f64, N>, p: &SVector<f64, N>, v: &Self::Velocity) -> Self::Velocity;
 
-    /// The Delassus operator `J G⁻¹ Jᵀ` of this body alone.
+    /// The Delassus operator `J G⁻¹ Jᵀ` \[M⁻¹\] of this body alone, at `arm` \[L\]; [`Delassus::ZERO`] for one that cannot move.
     fn delassus(&self, arm: &SVector<f64, N>, normal: &Unit<SVector<f64, N>>) -> Delassus<N>;
 
     /// The kinetic energy `½⟨v, v⟩` \[M L² T⁻²\].

@@ -12,6 +12,27 @@ use std::sync::Arc;
 ///
 /// Where a law is taken by value, [`Through`](crate::Through) passes a pointer to one, and [`AnyLaw`](crate::AnyLaw) one of several
 /// types.
+///
+/// ```
+/// use collision_laws::{CollisionLaw, Contact, Delassus, Fixed, Pair, bodies::Point};
+/// use nalgebra::Vector2;
+///
+/// /// The faster a body hits, the more it loses: `ν·u⁺ = −ν·u/(1 + |ν·u|/c)`, and nothing along the wall.
+/// struct Soft(f64);
+/// impl CollisionLaw<2> for Soft {
+///     fn impulse(&self, contact: &Contact<2>, delassus: &Delassus<2>, u: &Vector2<f64>) -> Vector2<f64> {
+///         let normal = contact.normal.as_ref();
+///         let yields = normal.dot(&delassus.apply(&contact.normal, normal)); // ν·Kν: the change of ν·u by p = ν
+///         let speed = normal.dot(u);
+///         normal * (-speed * (1.0 + 1.0 / (1.0 + speed.abs() / self.0)) / yields)
+///     }
+/// }
+/// let contact = Contact::new(Vector2::zeros(), Vector2::new(0.0, 1.0), 0)?;
+/// let pair = Pair::new(contact, (Point::new(2.0)?, Vector2::zeros()), (Fixed, Vector2::zeros()));
+/// let after = pair.collide(&Soft(1.0), &(Vector2::new(1.0, -3.0), ())).velocities.0;
+/// assert_eq!(after, Vector2::new(1.0, 0.75));
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
 pub trait CollisionLaw<const N: usize> {
     /// The impulse `p` \[M L T⁻¹\] on body 1 (body 2 receives `−p`) at contact velocity `u` \[L T⁻¹\].
     ///
@@ -52,6 +73,27 @@ pub trait CollisionLaw<const N: usize> {
 /// The choice may depend on the contact but not on the velocity, or the collision map would not be linear. It must be a function of the
 /// contact, since a collision may ask for it more than once and the answers must agree: a law drawn from a stream of random numbers at
 /// each call would not conserve energy. [`RandomGrassmannian`](crate::laws::RandomGrassmannian) draws by seed and place.
+///
+/// ```
+/// use collision_laws::{Contact, Fixed, Pair, Roughness, StrictLaw, bodies::Ball, check::{self, Samples}};
+/// use nalgebra::Vector3;
+///
+/// /// Rough along the lines of latitude about the third axis.
+/// struct Latitude;
+/// impl StrictLaw<3> for Latitude {
+///     fn roughness(&self, contact: &Contact<3>) -> Roughness<3> {
+///         let around = Vector3::new(-contact.point.y, contact.point.x, 0.0);
+///         Roughness::of_span(&contact.normal, &[around]) // smooth on the axis
+///     }
+/// }
+/// let point = Vector3::new(0.3, 0.4, 1.0);
+/// let contact = Contact::new(point, -point, 0)?;
+/// assert_eq!(Latitude.roughness(&contact).rank(), 1);
+/// let arm = contact.normal.into_inner() * -0.5;
+/// let pair = Pair::new(contact, (Ball::<3>::uniform(1.0, 0.5)?, arm), (Fixed, Vector3::zeros()));
+/// assert!(check::law(&pair, &Latitude, Samples::default()).is_strict(check::TOLERANCE));
+/// # Ok::<(), collision_laws::Error>(())
+/// ```
 pub trait StrictLaw<const N: usize> {
     /// The rough directions at `contact`, made with its normal: with that of another wall energy would not be conserved.
     fn roughness(&self, contact: &Contact<N>) -> Roughness<N>;

@@ -10,6 +10,19 @@ const LOST: f64 = 64.0 * f64::EPSILON;
 ///
 /// The strict collision maps at a contact are exactly these, k = 0 … N−1, whatever the bodies' inertia: Cox, Feres and Ward
 /// (arXiv:1501.06536), quoted as Theorem 1.1 by Cox and Feres, *No-slip billiards in dimension two*.
+///
+/// ```
+/// use collision_laws::{Error, Roughness};
+/// use nalgebra::{Unit, Vector3};
+///
+/// let normal = Unit::new_normalize(Vector3::new(0.0, 0.0, 3.0));
+/// let along = Roughness::spanned_by(&normal, &[Vector3::new(2.0, 0.0, 5.0)])?; // only the part along the plane counts
+/// assert_eq!((along.rank(), along.projector(&normal) * Vector3::new(1.0, 2.0, 3.0)), (1, Vector3::x()));
+/// assert_eq!(Roughness::spanned_by(&normal, &[Vector3::x(), Vector3::y()])?, Roughness::Rough);
+/// let none = Roughness::spanned_by(&normal, &[Vector3::z()]);
+/// assert_eq!(none, Err(Error::RoughDirectionAlongNormal { index: 0 }));
+/// # Ok::<(), Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Roughness<const N: usize> {
     /// k = 0: only the normal pushes.

@@ -8,7 +8,8 @@ use std::fmt::Debug;
 
 /// A velocity of one body, as a vector with coordinates.
 ///
-/// The engine never asks for coordinates; the checks and the classification do.
+/// The engine never asks for coordinates; the checks and the classification do. [`Body`](crate::Body) has an example of a velocity of your
+/// own.
 pub trait TangentVector<const N: usize>: Copy + Debug + PartialEq {
     /// How many coordinates there are.
     const DIMENSION: usize;
@@ -19,11 +20,11 @@ pub trait TangentVector<const N: usize>: Copy + Debug + PartialEq {
     /// The velocity with these coordinates; missing ones are zero.
     fn from_coordinates(coordinates: &[f64]) -> Self;
 
-    /// The velocity of the body in the rigid motion `x ↦ a + Ω (x − Q)` of all space, where `arm = Q − centre`; called only for bodies
-    /// that are [free](crate::Body::is_free).
+    /// The velocity of the body in the rigid motion `x ↦ a + Ω (x − Q)` of all space, with `a` \[L T⁻¹\] and the spin `Ω` \[T⁻¹\], where
+    /// `arm = Q − centre` \[L\]; called only for bodies that are [free](crate::Body::is_free).
     fn of_rigid_motion(arm: &SVector<f64, N>, a: &SVector<f64, N>, spin: &SMatrix<f64, N, N>) -> Self;
 
-    /// The velocity of the body's material point at `arm`, seen from the centre of mass: `v + Ω r` at `r` for a [`Twist`].
+    /// The velocity \[L T⁻¹\] of the body's material point at `arm` \[L\], seen from the centre of mass: `v + Ω r` at `r` for a [`Twist`].
     fn at(&self, arm: &SVector<f64, N>) -> SVector<f64, N>;
 }
 
