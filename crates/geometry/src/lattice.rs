@@ -8,6 +8,17 @@ use nalgebra::{Matrix2, Vector2};
 
 /// One or two independent translations. The unit cell is `{a ℓ₁ + b ℓ₂ : 0 ≤ a < 1, 0 ≤ b < 1}`, or the band
 /// `0 ≤ a < 1` where there is only one.
+///
+/// ```
+/// use geometry::{Lattice, Vector2};
+///
+/// let lattice = Lattice::new(&[Vector2::new(2.0, 0.0), Vector2::new(1.0, 2.0)])?;
+/// let far = Vector2::new(7.5, -2.5);
+/// let (home, cell) = lattice.reduce(&far);
+/// assert_eq!((home, cell), (Vector2::new(1.5, 1.5), [4.0, -2.0]));
+/// assert_eq!(home + lattice.translation(cell), far);
+/// # Ok::<(), geometry::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lattice {
     vectors: Vec<Vector2<f64>>,

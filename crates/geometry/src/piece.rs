@@ -71,15 +71,38 @@ pub enum Figure {
 ///
 /// A piece is traversed with the table on its left; arc length `s` \[L\] runs from 0 to [`Piece::length`]. Infinite
 /// pieces have infinite length and measure `s` from their end or from a given point, with either sign.
+///
+/// A smooth curve with a formula need not implement all this: [`PolarFormula`](crate::shapes::curve::PolarFormula),
+/// [`ParametricFormula`](crate::shapes::curve::ParametricFormula) and [`ImplicitFormula`](crate::shapes::curve::ImplicitFormula) make
+/// pieces of it. A boundary that is only to be hit is a [`Boundary`](crate::Boundary), of one function.
+/// [`check::piece`](crate::check::piece()) measures how well a piece of your own keeps the promises made here. What they are for a
+/// circle:
+///
+/// ```
+/// use geometry::{Line, Piece, Vector2, shapes::Circle};
+///
+/// let circle: &dyn Piece = &Circle::new(Vector2::zeros(), 2.0, true)?;
+/// let path = Line { point: Vector2::zeros(), velocity: Vector2::new(0.0, 4.0) };
+/// let time = circle.crossing(&path).time();
+/// let top = circle.landing(&path, time);
+/// assert_eq!((time, top.point, top.normal), (0.5, Vector2::new(0.0, 2.0), Vector2::new(0.0, -1.0)));
+/// // it leaves the wall where it starts, and crosses on the other side
+/// let back = Line { point: top.point, velocity: -path.velocity };
+/// assert_eq!(circle.crossing(&back).time(), 1.0);
+/// assert_eq!(circle.curvature(&top.point), 0.5); // focusing
+/// assert!((circle.arc_length_of(&top) - 0.25 * circle.length()).abs() < 1e-15); // a quarter turn to the left
+/// # Ok::<(), geometry::Error>(())
+/// ```
 pub trait Piece: Debug + Send + Sync {
-    /// When the path first crosses the piece **outwards** (from the table's side).
+    /// When \[T\] the path first crosses the piece **outwards** (from the table's side); [`Crossing::NEVER`] where it does not.
     ///
     /// A start that lies outside by no more than rounding crosses at time 0. A start on the piece with a velocity
     /// into the table does not cross there. Neighbours that share a vertex decide by the same sign of
     /// `velocity × (vertex − point)`, so that no path slips through between them.
     fn crossing(&self, path: &Line<2>) -> Crossing;
 
-    /// The point of the piece reached at `time`, projected onto the piece, and the normal there.
+    /// The point of the piece reached at `time` \[T\], that of a [`crossing`](Piece::crossing), projected onto the piece, and the normal
+    /// there.
     fn landing(&self, path: &Line<2>, time: f64) -> Landing;
 
     /// Curvature at a point of the piece \[L⁻¹\]: positive where the table is on the concave side (focusing), negative

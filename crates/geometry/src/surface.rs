@@ -2,6 +2,24 @@
 use nalgebra::Vector3;
 
 /// A boundary in space from which points can be drawn, uniform by area.
+///
+/// ```
+/// use geometry::{Surface, Vector3};
+///
+/// /// The lateral wall of the cylinder of radius 2 about the third axis, of height 1, with the table inside.
+/// struct Pipe;
+/// impl Surface for Pipe {
+///     fn random_point(&self, uniform: &mut dyn FnMut() -> f64) -> (Vector3<f64>, Vector3<f64>) {
+///         let (sin, cos) = libm::sincos(core::f64::consts::TAU * uniform());
+///         let height = uniform();
+///         (Vector3::new(2.0 * cos, 2.0 * sin, height), Vector3::new(-cos, -sin, 0.0))
+///     }
+/// }
+/// let mut numbers = [0.25, 0.75].into_iter();
+/// let (point, normal) = Pipe.random_point(&mut || numbers.next().unwrap_or_default());
+/// assert!((point - Vector3::new(0.0, 2.0, 0.75)).norm() < 1e-15);
+/// assert!((normal.norm() - 1.0).abs() < 1e-15 && normal.dot(&point) < 0.0); // towards the axis
+/// ```
 pub trait Surface: Sync {
     /// A random point of the boundary \[L\], uniform by area, and the unit normal there, into the table.
     ///

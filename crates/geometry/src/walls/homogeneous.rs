@@ -5,11 +5,11 @@ use lanes::{Double, Lane, WHOLE};
 /// A flight from wall to wall.
 #[derive(Clone, Copy, Debug)]
 pub struct Chord<F> {
-    /// Time of flight; infinite where there is no hit.
+    /// Time of flight \[T\]; infinite where there is no hit.
     pub time: F,
     /// Where it ends.
     pub place: [F; 2],
-    /// The tangential velocity in the frame there. The normal velocity is that of the start with the other sign.
+    /// The tangential velocity [L T⁻¹] in the frame there. The normal velocity is that of the start with the other sign.
     pub tangential: F,
 }
 

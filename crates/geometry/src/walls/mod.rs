@@ -73,10 +73,10 @@ use lanes::{Lane, Mask};
 /// The first hit, in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct WallHit<F: Lane, const N: usize> {
-    /// Time of flight; infinite where there is no hit, and then the other fields are meaningless. For a path that starts beyond a wall,
-    /// as only rounding can cause, it may be negative by as much.
+    /// Time of flight \[T\]; infinite where there is no hit, and then the other fields are meaningless. For a path that starts beyond a
+    /// wall, as only rounding can cause, it may be negative by as much.
     pub time: F,
-    /// The point hit, on the wall.
+    /// The point hit, on the wall \[L\].
     pub point: [F; N],
     /// A normal into the table. Its length is whatever the wall can provide cheaply.
     pub normal: [F; N],
@@ -160,8 +160,37 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
 /// What a billiard's particle can hit, as the engine's loop asks it: for one orbit or for many side by side.
 ///
 /// The same code runs in every lane width, so each orbit of an ensemble agrees bit for bit with the same orbit run singly.
+///
+/// ```
+/// use geometry::{Line, SVector, WallHit, Walls};
+/// use lanes::{Lane, Mask, dot};
+///
+/// /// The half-space `n·x > 0`, in any dimension.
+/// struct HalfSpace<const N: usize> {
+///     normal: [f64; N],
+/// }
+/// impl<const N: usize> Walls<N> for HalfSpace<N> {
+///     #[inline(always)]
+///     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
+///         let [zero, one] = [0.0, 1.0].map(|a| x[0].same(a));
+///         let normal = self.normal.map(|n| one.same(n));
+///         let (height, speed) = (dot(x, &normal).max(zero), -dot(v, &normal)); // beyond the wall by rounding: on it
+///         let time = zero.lt(speed).select(height / speed, one.same(f64::INFINITY)); // no branches on data
+///         let point = core::array::from_fn(|i| x[i] + time * v[i]);
+///         let inverse = one / dot(&normal, &normal).sqrt();
+///         WallHit { time, point, normal, inverse, piece: zero, corner: one.never() }
+///     }
+/// }
+/// let walls = HalfSpace { normal: [0.0, 3.0, 4.0] };
+/// let hit = |velocity| walls.hit(&Line { point: SVector::from([0.5, 1.0, 0.5]), velocity: SVector::from(velocity) });
+/// let below = hit([1.0, -3.0, -4.0]).expect("it falls");
+/// assert_eq!(below.time, 0.2);
+/// assert!((below.normal - SVector::from([0.0, 0.6, 0.8])).amax() < 1e-15); // of length 1
+/// assert_eq!(hit([1.0, 4.0, -3.0]), None); // along the wall
+/// ```
 pub trait Walls<const N: usize>: Sync {
-    /// The first hit of the paths `x + t v`, `t ≥ 0`.
+    /// The first hit of the paths `x + t v`, `t ≥ 0` \[T\], `x` \[L\], `v` [L T⁻¹]: [`time`](WallHit::time) is infinite where there is
+    /// none. A path that starts on a wall and points into the table does not hit it there.
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N>;
 
     /// Whether normals have length 1 up to a rounding error that is worth correcting: on an ellipse, where the product of the momenta
@@ -181,7 +210,7 @@ pub trait Walls<const N: usize>: Sync {
         false
     }
 
-    /// The first hit of one path.
+    /// The first hit of one path, with a unit normal; `None` where there is none.
     fn hit(&self, path: &Line<N>) -> Option<Hit<N>> {
         let hit = self.first_hit::<f64>(&path.point.into(), &path.velocity.into());
         (hit.time < f64::INFINITY).then(|| Hit {
@@ -214,6 +243,24 @@ impl<W: Walls<N>, const N: usize> Walls<N> for &W {
 }
 
 /// A computation for walls of any type; see [`Table::with_walls`](crate::Table::with_walls).
+///
+/// ```
+/// use geometry::{Line, Table, Vector2, Walls, WithWalls, tables};
+///
+/// /// The number of the piece that a path from the origin hits first, if any.
+/// struct First(Vector2<f64>);
+/// impl WithWalls<2> for First {
+///     type Output = Option<usize>;
+///     fn run<W: Walls<2>>(self, walls: &W) -> Option<usize> {
+///         walls.hit(&Line { point: Vector2::zeros(), velocity: self.0 }).map(|hit| hit.piece)
+///     }
+/// }
+/// let first = |table: &Table, x, y| table.with_walls(First(Vector2::new(x, y)));
+/// let stadium = tables::stadium(2.0, 1.0)?;
+/// assert_eq!([first(&stadium, 0.1, -1.0), first(&stadium, 1.0, 0.1)], [Some(0), Some(1)]); // lower side, right cap
+/// assert_eq!(first(&tables::ellipse([2.0, 1.0])?, 1.0, 0.1), Some(0));
+/// # Ok::<(), geometry::Error>(())
+/// ```
 pub trait WithWalls<const N: usize> {
     /// What it returns.
     type Output;

@@ -8,6 +8,25 @@
 use super::{Interval, rising_root};
 
 /// A function of one real variable that is twice differentiable, with an enclosure of its second derivative.
+///
+/// ```
+/// use geometry::shapes::curve::{Interval, Smooth, first_rise};
+///
+/// /// `t² − 2`
+/// struct Square;
+/// impl Smooth for Square {
+///     fn jet(&self, t: f64) -> [f64; 2] {
+///         [t * t - 2.0, 2.0 * t]
+///     }
+///     fn second_derivative(&self, _: Interval) -> Interval {
+///         Interval::from(2.0)
+///     }
+/// }
+/// // it falls through 0 at −√2, and rises at √2
+/// let root = first_rise(&Square, Interval { low: -3.0, high: 3.0 }, 0.0).expect("it rises");
+/// assert!((root - 2.0_f64.sqrt()).abs() <= 2.0 * f64::EPSILON);
+/// assert_eq!(first_rise(&Square, Interval { low: -3.0, high: 1.0 }, 0.0), None);
+/// ```
 pub trait Smooth {
     /// Value and first derivative at `t`.
     fn jet(&self, t: f64) -> [f64; 2];
