@@ -15,9 +15,36 @@ use lanes::{Lane, dot};
 /// `S` is the number of components of the scaled spin `γ R ω` that the law needs (see [`Orbit`]). The [`laws`](crate::laws) turn laws of
 /// [`collision_laws`] into ball laws. In the plane and in space a borrowed law, `&L`, is a ball law too, so that several billiards can
 /// share one.
+///
+/// ```
+/// use billiards::{BallLaw, Billiard, Collisions, Orbit, run};
+/// use billiards::geometry::{Vector2, WallHit, walls::Sphere};
+/// use billiards::lanes::{Lane, dot};
+///
+/// /// A smooth wall that brakes the spin: `v⁺ = v − 2 (v·ν) ν`, `v₀⁺ = k v₀`.
+/// struct Brake(f64);
+/// impl BallLaw<2, 1> for Brake {
+///     #[inline(always)]
+///     fn collide<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; 1]) {
+///         // ν = ι n: the normal n has any length, and ι = 1/|n|
+///         let twice = dot(velocity, &hit.normal) * (hit.inverse * hit.inverse) * 2.0;
+///         for (v, n) in velocity.iter_mut().zip(hit.normal) {
+///             *v = *v - twice * n;
+///         }
+///         spin[0] = spin[0] * self.0;
+///     }
+/// }
+/// let circle = Sphere::new(Vector2::zeros(), 4.0, 0)?;
+/// let mut orbit = Orbit::<f64, 2, 1>::new([0.0, 0.0], [0.0, 1.0], [1.0], ());
+/// run(&Billiard { walls: &circle, law: &Brake(0.5) }, &mut orbit, &Collisions(3), &mut ());
+/// assert_eq!((orbit.position, orbit.velocity, orbit.spin), ([0.0, 4.0], [0.0, -1.0], [0.125]));
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait BallLaw<const N: usize, const S: usize>: Sync {
-    /// Turns the velocity and the spin before a collision into those after it. The normal of the hit points into the table, and so must the
-    /// velocity after it: otherwise the orbit ends, as [`Stop::IntoWall`].
+    /// Turns the velocity and the scaled spin [L T⁻¹] before a collision into those after it. The normal of the hit, of any length, points
+    /// into the table, and so must the velocity after it: otherwise the orbit ends, as [`Stop::IntoWall`].
+    ///
+    /// The result must depend on the arguments alone. Lanes without an orbit are computed, too, and discarded.
     fn collide<F: Lane>(&self, hit: &WallHit<F, N>, velocity: &mut [F; N], spin: &mut [F; S]);
 
     /// The same, to the last bit, at a hit whose normal is a unit vector along an axis: for laws that need a shorter chain of products
@@ -30,7 +57,8 @@ pub trait BallLaw<const N: usize, const S: usize>: Sync {
     /// The same in the plane, for the normal and the tangential component of the velocity in the frame of a hit with
     /// unit normal `n` and tangent `J n`.
     ///
-    /// A law that knows its map in this frame answers without a detour through the coordinates of the plane.
+    /// A [`Rolling`](crate::Rolling) motion calls it in place of [`collide`](BallLaw::collide). A law that knows its map in this frame
+    /// answers without a detour through the coordinates of the plane.
     #[inline(always)]
     fn collide_in_frame<F: Lane>(&self, hit: &WallHit<F, 2>, velocity: &mut [F; 2], spin: &mut [F; S])
     where
@@ -50,7 +78,7 @@ pub trait BallLaw<const N: usize, const S: usize>: Sync {
         false
     }
 
-    /// What it does in the frame of a hit in the plane, if it is an involution and the same at every hit.
+    /// What it does in the frame of a hit in the plane, if it is an involution and the same at every hit; `None` otherwise.
     fn mirror(&self) -> Option<Mirror> {
         None
     }
@@ -67,7 +95,8 @@ pub struct Billiard<'a, W, L> {
 
 /// How an orbit gets from one collision to the next.
 ///
-/// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own.
+/// [`Billiard`] needs no more than the orbit itself; [`Rolling`](crate::Rolling) carries coordinates of its own. Code for either is a
+/// [`WithMotion`](crate::WithMotion).
 pub trait Motion<const N: usize, const S: usize> {
     /// Whether a step is so short that a CPU, which looks ahead over some hundred instructions, reaches the next step of the same orbits
     /// before the last one is done, unless many orbits take turns.
@@ -93,7 +122,7 @@ pub trait Motion<const N: usize, const S: usize> {
         carried: &Self::Carried<F>,
     ) -> (WallHit<F, N>, Self::Arrival<F>);
     /// Moves the orbit to the hit and through the collision there. Returns whether it leaves the wall at so flat an angle that the next
-    /// flight cannot be told from rounding, or has stalled: under a strict law, whether the normal speed is not above `slow`.
+    /// flight cannot be told from rounding, or has stalled: under a strict law, whether the normal speed is not above `slow` [L T⁻¹].
     fn collide<F: Lane, K: EnergyKeeper<F, N, S>, T: Track<F, N, S>>(
         &self,
         orbit: &mut Orbit<F, N, S, K, T>,
@@ -102,14 +131,15 @@ pub trait Motion<const N: usize, const S: usize> {
         arrival: &Self::Arrival<F>,
         slow: F,
     ) -> F::Mask;
-    /// The normal speed up to which an orbit of these velocities counts as grazing, under a strict law.
+    /// The normal speed [L T⁻¹] up to which an orbit of these velocities counts as grazing, under a strict law.
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64;
     /// Why an orbit that hits nothing ends: it escapes, it has stalled, it runs along a wall, it ends where two of them meet, or its
     /// velocity is not a number.
     fn without_hit(&self, _position: [f64; N], velocity: [f64; N]) -> Stop {
         ended(&velocity, Stop::Escaped)
     }
-    /// The normal speed with which orbits have left the last wall, if their law is not strict: a strict one lets nothing into a wall.
+    /// The normal speed [L T⁻¹] with which orbits have left the last wall, if their law is not strict: a strict one lets nothing into a
+    /// wall.
     fn leaving<F: Lane>(&self, carried: &Self::Carried<F>) -> F;
     /// Writes into the orbit what `collide` has only carried along; called when the orbit is looked at.
     #[inline(always)]

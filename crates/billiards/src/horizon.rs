@@ -17,6 +17,24 @@ mod spread;
 mod twins;
 
 /// Walls that know how their normal turns, and how large their numbers are.
+///
+/// ```
+/// use billiards::{Bend, Billiard, Horizon, Start, laws::Specular};
+/// use billiards::geometry::{Vector2, WallHit, walls::Sphere};
+///
+/// /// A circle of radius 4, seen from inside: the unit normal is `−x/4`.
+/// struct Round;
+/// impl Bend<2> for Round {
+///     fn bend(&self, _: &WallHit<f64, 2>, _: f64, along: &[f64; 2]) -> [f64; 2] {
+///         along.map(|t| -t / 4.0)
+///     }
+/// }
+/// let circle = Sphere::new(Vector2::zeros(), 4.0, 0)?;
+/// let start = Start { position: [0.1, 0.2], velocity: [0.6, 0.8], spin: [] };
+/// let horizon = Horizon::of(&Billiard { walls: &circle, law: &Specular }, &Round, start, 4.0, [1000.0, f64::INFINITY]);
+/// assert!(!horizon.lost && horizon.error < 1e-8); // with +t/4, all would be lost after some forty collisions
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait Bend<const N: usize> {
     /// The derivative of the unit normal at a hit, after a `flight` of some length \[L\], along a unit vector in the wall
     /// \[L⁻¹\].

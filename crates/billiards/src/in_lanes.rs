@@ -2,7 +2,7 @@
 use crate::orbit::Orbit;
 use lanes::{Double, Lane};
 
-/// Something that belongs to an orbit, in lanes: each lane can be taken out and put in.
+/// Something that belongs to an orbit, in lanes: each lane can be taken out and put in. [`Tracking`](crate::Tracking) has an example.
 pub trait InLanes<F: Lane>: Clone {
     /// What belongs to a single orbit.
     type One: Clone;

@@ -5,6 +5,43 @@ use std::collections::BTreeMap;
 ///
 /// Counts and extremes merge exactly, in any order. Sums and means are rounded, each block in the order of its orbits, and an
 /// [`Ensemble`](crate::Ensemble) merges in the order of the blocks, so its results are the same on any number of threads.
+///
+/// ```
+/// use billiards::{Canonical, Collision, Collisions, Ensemble, Merge, Observer, Orbit, Planar, Starts};
+/// use billiards::{geometry::tables, laws::Specular};
+/// use std::ops::ControlFlow;
+///
+/// /// Collisions, and how many of them hit the same piece as the one before.
+/// #[derive(Default)]
+/// struct Repeats {
+///     collisions: u64,
+///     same: u64,
+///     last: Option<usize>,
+/// }
+/// impl<K, T> Observer<2, 1, K, T> for Repeats {
+///     fn collision(&mut self, collision: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
+///         self.collisions += 1;
+///         self.same += u64::from(self.last.replace(collision.piece()) == Some(collision.piece()));
+///         ControlFlow::Continue(())
+///     }
+/// }
+/// impl Merge for Repeats {
+///     fn merge(self, other: Repeats) -> Repeats {
+///         Repeats { collisions: self.collisions + other.collisions, same: self.same + other.same, ..self }
+///     }
+///     fn next_orbit(&mut self) {
+///         self.last = None;
+///     }
+/// }
+/// let square = Planar { table: tables::square(1.0)?, law: Specular };
+/// let canonical = Canonical::new(&square.table, 1.0, 1)?;
+/// let seen = Ensemble::of(1000).run(Repeats::default, |i, seen| {
+///     let mut orbit: Orbit<f64, 2, 1> = canonical.start(i).orbit(());
+///     square.run(&mut orbit, &Collisions(10), seen);
+/// });
+/// assert_eq!((seen.collisions, seen.same), (10_000, 0)); // no orbit hits a straight side twice in a row
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub trait Merge {
     /// The combination of what was measured here and there; `other` comes after `self`.
     #[must_use]

@@ -19,7 +19,8 @@ fn moves(time: f64) -> bool {
     time.to_bits().wrapping_sub(1) < f64::INFINITY.to_bits() - 1
 }
 
-/// Runs an orbit from collision to collision until the limit, an observer or physics ends it.
+/// Runs an orbit from collision to collision until the limit, an observer or physics ends it, and leaves it where it was right after the
+/// last collision. [`Orbit`] has an example.
 pub fn run<B, const N: usize, const S: usize, K, T, O>(
     billiard: &B,
     orbit: &mut Orbit<f64, N, S, K, T>,

@@ -29,6 +29,24 @@ pub struct Finished<const N: usize, const S: usize, K, T> {
 ///
 /// An orbit ends as it would in [`run`](crate::run()), in the same state to the last bit; its lane goes to the next one at once, so that
 /// neither an early end nor a long run holds up the others.
+///
+/// ```
+/// use billiards::{Billiard, Collisions, Orbit, laws::Specular, run, run_side_by_side};
+/// use billiards::geometry::{Vector2, walls::Sphere};
+///
+/// let circle = Sphere::new(Vector2::zeros(), 1.0, 0)?;
+/// let billiard = Billiard { walls: &circle, law: &Specular };
+/// let start = |i: u64| Orbit::<f64, 2, 0>::new([0.0, 0.005 * i as f64], [1.0, 0.0], [], ());
+/// let mut count = 0;
+/// run_side_by_side(&billiard, &mut (0..100).map(start), &Collisions(1000), &mut (), &mut |finished| {
+///     let mut alone = start(finished.index);
+///     let outcome = run(&billiard, &mut alone, &Collisions(1000), &mut ());
+///     assert_eq!((finished.orbit, finished.outcome), (alone, outcome));
+///     count += 1;
+/// });
+/// assert_eq!(count, 100);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub fn run_side_by_side<B, const N: usize, const S: usize, K, T, L, O>(
     billiard: &B,
     orbits: &mut dyn Iterator<Item = Orbit<f64, N, S, K, T>>,

@@ -32,8 +32,30 @@ impl<const N: usize, const S: usize> Start<N, S> {
 }
 
 /// The starts of an ensemble: each depends on the number of the orbit and on nothing else, not on who runs it or when.
+///
+/// ```
+/// use billiards::{Collisions, Orbit, Planar, Start, Starts, geometry::tables, laws::Specular, observe::Nearest};
+///
+/// /// Disks from the left focus of the ellipse `x₁²/25 + x₂²/9 = 1`, to all sides.
+/// struct Fan;
+/// impl Starts<2, 1> for Fan {
+///     fn start(&self, i: u64) -> Start<2, 1> {
+///         let (sin, cos) = libm::sincos(i as f64); // no direction twice
+///         Start { position: [-4.0, 0.0], velocity: [cos, sin], spin: [0.0] }
+///     }
+/// }
+/// let ellipse = Planar { table: tables::ellipse([5.0, 3.0])?, law: Specular };
+/// for i in 0..100 {
+///     let mut orbit: Orbit<f64, 2, 1> = Fan.start(i).orbit(());
+///     ellipse.run(&mut orbit, &Collisions(1), &mut ());
+///     let mut focus = Nearest::to([4.0, 0.0], &orbit);
+///     ellipse.run(&mut orbit, &Collisions(1), &mut focus);
+///     assert!(focus.distance() < 1e-13); // through the right one
+/// }
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait Starts<const N: usize, const S: usize>: Sync {
-    /// The start of orbit number `i`.
+    /// The start of orbit number `i`: the same whenever it is asked for, in any order.
     fn start(&self, i: u64) -> Start<N, S>;
 }
 

@@ -5,13 +5,32 @@ use lanes::{Double, Lane, MOST_LANES, Mask};
 use std::sync::Arc;
 
 /// Something that each flight from one collision to the next adds to.
+///
+/// ```
+/// use billiards::{Collisions, Orbit, Planar, Track, geometry::{WallHit, tables}, lanes::{Lane, dot}, laws::Specular};
+///
+/// /// The length of the path [L].
+/// #[derive(Clone)]
+/// struct Path<F>(F);
+/// impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Path<F> {
+///     fn fly(&mut self, _: &[F; N], velocity: &[F; N], _: &[F; S], hit: &WallHit<F, N>) {
+///         self.0 = self.0 + dot(velocity, velocity).sqrt() * hit.time;
+///     }
+/// }
+/// let strip = Planar { table: tables::strip(1.0)?, law: Specular };
+/// let mut orbit = Orbit::<_, 2, 1, (), _>::new([0.0, 0.5], [3.0, 4.0], [0.0], Path(0.0));
+/// strip.run(&mut orbit, &Collisions(5), &mut ());
+/// assert_eq!(orbit.track.0, 5.0 * (0.125 + 4.0 * 0.25)); // half a width at speed 5, and four whole ones
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait Track<F: Lane, const N: usize, const S: usize> {
-    /// A flight with this velocity and spin from `from` to the hit.
+    /// A flight from `from` \[L\] to the hit, with this velocity and scaled spin [L T⁻¹], that took the time of the hit \[T\]. On a lattice
+    /// the point of the hit is that in the table's cell, a lattice vector away from `from + time · velocity`.
     fn fly(&mut self, from: &[F; N], velocity: &[F; N], spin: &[F; S], hit: &WallHit<F, N>);
     /// In these lanes a run begins: what was tracked so far may be put in order, so that its value stays.
     #[inline(always)]
     fn begin(&mut self, _lanes: F::Mask) {}
-    /// Whether it looks at position, velocity and spin.
+    /// Whether it looks at position, velocity and spin: if it says no, these may be those of an earlier flight.
     #[inline(always)]
     fn looks(&self) -> bool {
         true
@@ -19,6 +38,44 @@ pub trait Track<F: Lane, const N: usize, const S: usize> {
 }
 
 /// What is tracked along the path of an orbit, with a type for every lane width.
+///
+/// ```
+/// use billiards::{Billiard, Collisions, InLanes, Orbit, Track, Tracking, run, run_side_by_side};
+/// use billiards::{geometry::{Vector2, WallHit, walls::Sphere}, lanes::Lane, laws::Specular};
+///
+/// /// The greatest `|x₁|` [L] of all collisions.
+/// #[derive(Clone, Debug, PartialEq)]
+/// struct Farthest<F = f64>(F);
+/// impl<F: Lane, const N: usize, const S: usize> Track<F, N, S> for Farthest<F> {
+///     fn fly(&mut self, _: &[F; N], _: &[F; N], _: &[F; S], hit: &WallHit<F, N>) {
+///         self.0 = self.0.max(hit.point[0].abs());
+///     }
+/// }
+/// impl<F: Lane> InLanes<F> for Farthest<F> {
+///     type One = Farthest;
+///     fn one(&self, lane: usize) -> Farthest {
+///         Farthest(self.0.lane(lane))
+///     }
+///     fn all(one: &Farthest, zero: F) -> Self {
+///         Farthest(zero.same(one.0))
+///     }
+///     fn put(&mut self, lane: usize, one: &Farthest) {
+///         self.0.put(lane, one.0);
+///     }
+/// }
+/// impl<const N: usize, const S: usize> Tracking<N, S> for Farthest {
+///     type In<F: Lane> = Farthest<F>;
+/// }
+/// let circle = Sphere::new(Vector2::zeros(), 1.0, 0)?;
+/// let billiard = Billiard { walls: &circle, law: &Specular };
+/// let start = |i: u64| Orbit::<_, 2, 0, (), _>::new([0.0, 0.009 * i as f64], [0.6, 0.8], [], Farthest(0.0));
+/// run_side_by_side(&billiard, &mut (0..100).map(start), &Collisions(10), &mut (), &mut |finished| {
+///     let mut alone = start(finished.index);
+///     run(&billiard, &mut alone, &Collisions(10), &mut ());
+///     assert_eq!(finished.orbit.track, alone.track);
+/// });
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait Tracking<const N: usize, const S: usize>: Clone {
     /// The track in lanes of `F`.
     type In<F: Lane>: Track<F, N, S> + InLanes<F, One = Self>;
@@ -230,6 +287,22 @@ impl<const N: usize> Tracking<N, 1> for Angle {
 }
 
 /// The translation accumulated on a lattice, in multiples of its vectors.
+///
+/// ```
+/// use billiards::{Cell, Clock, Collisions, Orbit, Planar, Timed, geometry::{Vector2, tables}, laws::Specular};
+/// use std::sync::Arc;
+///
+/// let torus = Planar { table: tables::sinai_torus(0.25, 1.0)?, law: Specular };
+/// let lattice = Arc::new(torus.table.lattice().expect("a torus has one").clone());
+/// let track = (Clock::new(0.0), Cell::new(lattice.clone(), 0.0));
+/// let mut orbit = Orbit::<_, 2, 1, (), _>::new([0.125, 0.125], [1.0, 0.125], [0.0], track);
+/// torus.run(&mut orbit, &Collisions(1), &mut ());
+/// let (time, cell) = (orbit.track.time(), orbit.track.1.cell);
+/// assert_eq!(cell, [1.0, 0.0]); // past the disk of the first cell to that of the next
+/// let in_the_plane = Vector2::from(orbit.position) + lattice.translation(cell);
+/// assert!((in_the_plane - Vector2::new(0.125 + time, 0.125 + 0.125 * time)).amax() < 1e-15);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell<F = f64> {
     lattice: Arc<Lattice>,

@@ -9,6 +9,20 @@ use geometry::WallHit;
 use lanes::Lane;
 
 /// The disk laws of the pieces, by their numbers; pieces beyond the list have the last law of it.
+///
+/// ```
+/// use billiards::{Collisions, Orbit, Planar, geometry::tables, laws::{Disk, PerPiece}};
+/// use billiards::collision_laws::laws::{NoSlip, Specular};
+///
+/// // a rough floor, everything else smooth; a hoop trades its spin for its tangential velocity there
+/// let law = PerPiece::new(Disk::new(&NoSlip, 1.0)?, [Disk::new(&Specular, 1.0)?]);
+/// let square = Planar { table: tables::square(4.0)?, law };
+/// let mut orbit = Orbit::<f64, 2, 1>::new([1.0, 1.0], [0.0, -1.0], [0.5], ());
+/// square.run(&mut orbit, &Collisions(1), &mut ());
+/// let [v1, v2] = orbit.velocity;
+/// assert!((v1.abs() - 0.5).abs() < 1e-15 && (v2 - 1.0).abs() < 1e-15 && orbit.spin[0].abs() < 1e-15);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct PerPiece {
     in_plane: Table,

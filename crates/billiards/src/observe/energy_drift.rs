@@ -9,6 +9,19 @@ use lanes::{Double, two_prod};
 /// The energy is computed in twice the digits of an `f64`, so that the drift is that of the orbit and not of the
 /// measurement. Between the collisions at which the energy is restored it includes the rounding of the collisions since; see
 /// [`Orbit::restored`].
+///
+/// ```
+/// use billiards::{Collisions, Orbit, Planar, geometry::tables, laws::Disk, observe::EnergyDrift};
+/// use billiards::collision_laws::laws::Restitution;
+///
+/// // half of the normal velocity is lost at each of two collisions
+/// let strip = Planar { table: tables::strip(1.0)?, law: Disk::new(&Restitution::new(0.5, -1.0)?, 1.0)? };
+/// let mut orbit = Orbit::<f64, 2, 1>::new([0.0, 0.5], [0.0, 1.0], [0.0], ());
+/// let mut drift = EnergyDrift::of(&orbit);
+/// strip.run(&mut orbit, &Collisions(2), &mut drift);
+/// assert_eq!(drift.largest(), 1.0 - 1.0 / 16.0);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct EnergyDrift {
     /// Where the orbit began, if there is one.

@@ -7,6 +7,50 @@ use lanes::Lane;
 ///
 /// It sees every collision that an [`Observer`](super::Observer) of the single orbits would see, as many at a time as the CPU has lanes,
 /// those of one orbit in order. It must ignore lanes without an orbit: some are idle where there are fewer orbits than lanes.
+///
+/// ```
+/// use billiards::{Billiard, Collision, Collisions, Keeping, Orbit, Tracking, run, run_side_by_side};
+/// use billiards::{lanes::{Lane, Mask}, laws::Specular, observe::{LaneObserver, Watch}};
+/// use billiards::geometry::{WallHit, walls::Cuboid};
+/// use std::ops::ControlFlow;
+///
+/// /// Counts flights that take longer than 1.
+/// struct Long(u64);
+/// impl<const S: usize, K: Keeping<2, S>, T: Tracking<2, S>> LaneObserver<2, S, K, T> for Long {
+///     /// The lanes with an orbit.
+///     type View<F: Lane> = F::Mask;
+///     fn nobody<F: Lane>(&self, zero: F) -> F::Mask {
+///         zero.never()
+///     }
+///     fn begin<F: Lane>(&mut self, view: &mut F::Mask, here: F::Mask, _: u64, _: &Orbit<f64, 2, S, K, T>) {
+///         *view = *view | here;
+///     }
+///     fn end<F: Lane>(&mut self, view: &mut F::Mask, here: F::Mask) {
+///         *view = *view & !here;
+///     }
+///     fn collision<F: Lane>(
+///         &mut self,
+///         view: &mut F::Mask,
+///         hit: &WallHit<F, 2>,
+///         _: &Orbit<F, 2, S, K::In<F>, T::In<F>>,
+///     ) {
+///         let long = hit.time.same(1.0).lt(hit.time) & *view;
+///         self.0 += u64::from(long.bits().count_ones());
+///     }
+/// }
+/// let rectangle = Cuboid::new([0.0, 0.0], [2.0, 1.0], [[3, 1], [0, 2]])?;
+/// let billiard = Billiard { walls: &rectangle, law: &Specular };
+/// let orbits = || (0..100).map(|i| Orbit::<f64, 2, 0>::new([1.0, 0.5], [1.0, 1.3 - 0.013 * f64::from(i)], [], ()));
+/// let (mut long, mut alone) = (Long(0), 0);
+/// run_side_by_side(&billiard, &mut orbits(), &Collisions(10), &mut long, &mut |_| {});
+/// let mut watch = Watch::new(|collision: &Collision<'_, 2, 0, _, _>| {
+///     alone += u64::from(collision.hit.time > 1.0);
+///     ControlFlow::Continue(())
+/// });
+/// orbits().for_each(|mut orbit| _ = run(&billiard, &mut orbit, &Collisions(10), &mut watch));
+/// assert!(alone > 0 && long.0 == alone);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Tracking<N, S>> {
     /// What it knows of the orbits in the lanes of a vector.
     type View<F: Lane>;
@@ -23,7 +67,8 @@ pub trait LaneObserver<const N: usize, const S: usize, K: Keeping<N, S>, T: Trac
         hit: &WallHit<F, N>,
         orbit: &Orbit<F, N, S, K::In<F>, T::In<F>>,
     );
-    /// Whether it looks at the orbits: if no observer does, they are written down only when they end.
+    /// Whether it looks at the orbits: if no observer does, they are written down only when they end, and before that may be those of
+    /// earlier collisions.
     #[inline(always)]
     fn looks(&self) -> bool {
         true

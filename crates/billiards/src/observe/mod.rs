@@ -54,11 +54,31 @@ impl<const N: usize, const S: usize, K, T> Collision<'_, N, S, K, T> {
     }
 }
 
-/// Watches a run.
+/// Watches a run. ([`Watch`] makes an observer of a function.)
+///
+/// ```
+/// use billiards::{Collision, Collisions, Observer, Orbit, Planar, Stop, geometry::tables, laws::Specular};
+/// use std::ops::ControlFlow;
+///
+/// /// Waits for so many flights that take longer than 1.
+/// struct Wait(u64);
+/// impl<K, T> Observer<2, 1, K, T> for Wait {
+///     fn collision(&mut self, collision: &Collision<'_, 2, 1, K, T>) -> ControlFlow<()> {
+///         self.0 -= u64::from(collision.hit.time > 1.0);
+///         if self.0 == 0 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+///     }
+/// }
+/// let strip = Planar { table: tables::strip(1.0)?, law: Specular };
+/// let mut orbit = Orbit::<f64, 2, 1>::new([0.0, 0.5], [0.6, 0.8], [0.0], ());
+/// let outcome = strip.run(&mut orbit, &Collisions(100), &mut Wait(3));
+/// assert_eq!((outcome.stop, outcome.collisions), (Stop::Observer, 4)); // only the first takes half of 1.25
+/// # Ok::<(), billiards::Error>(())
+/// ```
 pub trait Observer<const N: usize, const S: usize, K, T> {
-    /// A collision has just happened. `Break` ends the orbit.
+    /// A collision has just happened. `Break` ends the orbit, as [`Stop::Observer`](crate::Stop::Observer) if it could go on.
     fn collision(&mut self, collision: &Collision<'_, N, S, K, T>) -> ControlFlow<()>;
-    /// Whether it looks at the orbit: if no observer does, the orbit is written down only at the end.
+    /// Whether it looks at the orbit: if no observer does, the orbit is written down only at the end, and before that may be that of an
+    /// earlier collision.
     #[inline(always)]
     fn looks(&self) -> bool {
         true

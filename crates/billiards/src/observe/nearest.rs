@@ -10,6 +10,17 @@ use core::ops::ControlFlow;
 ///
 /// On a lattice each flight is the straight path that ends at the hit in the table's cell, and the point is a single one: copies of it
 /// that the flight passes in earlier cells are not considered.
+///
+/// ```
+/// use billiards::{Collisions, Orbit, Planar, geometry::tables, laws::Specular, observe::Nearest};
+///
+/// let circle = Planar { table: tables::circle(1.0)?, law: Specular };
+/// let mut orbit = Orbit::<f64, 2, 1>::new([-0.5, 0.25], [1.0, 0.0], [0.0], ());
+/// let mut nearest = Nearest::to([0.0, 0.0], &orbit);
+/// circle.run(&mut orbit, &Collisions(100), &mut nearest);
+/// assert!((nearest.distance() - 0.25).abs() < 1e-14);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<const N: usize, const S: usize> {
     point: [f64; N],

@@ -9,6 +9,19 @@ use geometry::{BoundaryPoint, Perimeter, Table};
 /// Starts lie in the middle of `r²` and `φ`, and at the golden section of `s`: the middle of an arc would often be a vertex where sides
 /// have lengths in simple ratios. From number [`Grid::count`] on the starts repeat. For points, which have no spin, the grid is one in
 /// `(s, vₜ)`.
+///
+/// ```
+/// use billiards::{Grid, Starts, geometry::tables};
+///
+/// let square = tables::square(1.0)?;
+/// let grid = Grid::new(&square, 1.0, [4, 2, 8])?;
+/// let starts: Vec<_> = (0..grid.count()).map(|i| grid.start(i)).collect();
+/// assert_eq!(starts.len(), 4 * 2 * 8);
+/// let on_the_floor = starts.iter().filter(|start| start.position[1] == 0.0);
+/// assert_eq!(on_the_floor.count(), 2 * 8); // one of the four sides
+/// assert_eq!(grid.start(grid.count() + 3), starts[3]);
+/// # Ok::<(), billiards::Error>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Grid<'a, const S: usize = 1> {
     perimeter: Perimeter<'a>,
