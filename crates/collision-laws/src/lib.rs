@@ -4,7 +4,8 @@
 //! touching point minus that of the second, `p ∈ ℝᴺ` the impulse on the first, `v⁺ = v + G⁻¹Jᵀ p` with `G` the kinetic-energy
 //! metric. All a law needs to know of the bodies is the Delassus operator `K = J G⁻¹ Jᵀ`.
 //!
-//! A **strict** collision law conserves energy and momenta, is reversible, and acts at the contact alone. Cox, Feres and Ward
+//! A **strict** collision law is linear in the velocities, conserves energy and momenta, is reversible, and acts at the contact
+//! alone. (Without linearity there are many more: in the plane one for each involution of an interval of angles.) Cox, Feres and Ward
 //! (arXiv:1501.06536) proved that there is one for each subspace of the contact plane `ν⊥`, that of its *rough directions*: with
 //! `P` the projector onto them and `Q = ν νᵀ + P`,
 //!

@@ -31,7 +31,7 @@ pub struct Orbit {
     pub angle: Spanned<f64>,
 }
 
-/// Many starts by rule. Start `i` depends only on `seed` and `i`.
+/// Many starts by rule. Start `i` of a canonical sample depends only on `seed` and `i`, that of a grid only on `count` and `i`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ensemble {
     /// Where `[ensemble]` stands.
