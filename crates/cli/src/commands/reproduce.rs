@@ -65,24 +65,32 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
     if let (true, Some(only)) = (jobs.is_empty(), &arguments.only) {
         return Err(unknown(only, all.map(Job::name)));
     }
+    let files = match &arguments.only {
+        Some(name) => {
+            let measures = jobs.iter().any(|job| matches!(job, Job::Measure(_)));
+            Files { page: format!("{name}.html"), claims: measures.then(|| format!("{name}.json")) }
+        }
+        None => Files { page: "index.html".into(), claims: Some("claims.json".into()) },
+    };
+    work(&jobs, &files, arguments, out)
+}
+
+/// Does the jobs and writes the files, once it is known that they can be written: the work would be lost otherwise.
+fn work(jobs: &[Job], files: &Files, arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Failure> {
+    let unwritable = |error| super::unwritable(&arguments.out, &error);
+    files.probe(jobs, &arguments.out).map_err(unwritable)?;
     let effort = if arguments.quick { Effort::Quick } else { Effort::Full };
     let interrupted = Arc::new(AtomicBool::new(false));
     let flag = Arc::clone(&interrupted);
     super::on_ctrl_c(move || flag.store(true, Ordering::Relaxed))?;
-    let results = in_parallel(&jobs, effort, &interrupted);
+    let results = in_parallel(jobs, effort, &interrupted);
     let Results { drawn, measured, failed } = &results;
-    let files = match &arguments.only {
-        Some(name) => {
-            Files { page: format!("{name}.html"), claims: (!measured.is_empty()).then(|| format!("{name}.json")) }
-        }
-        None => Files { page: "index.html".into(), claims: Some("claims.json".into()) },
-    };
     let mut told = Ok(());
     if !(drawn.is_empty() && measured.is_empty()) {
-        write(&results, effort, &arguments.out, &files).map_err(|error| super::unwritable(&arguments.out, &error))?;
+        write(&results, effort, &arguments.out, files).map_err(unwritable)?;
         let rest = jobs.len() - drawn.len() - measured.len() - failed.len();
         let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
-        let page = arguments.out.join(files.page);
+        let page = arguments.out.join(&files.page);
         let figures = plural(drawn.len() as u64, "figure");
         let claims = plural(measured.len() as u64, "claim");
         told = writeln!(out, "{}: {figures}, {claims}{missing}", page.display());
@@ -189,12 +197,29 @@ struct Files {
     claims: Option<String>,
 }
 
+impl Files {
+    /// Checks whether these files and the pictures can be written.
+    fn probe(&self, jobs: &[Job], folder: &Path) -> io::Result<()> {
+        let pictures = jobs.iter().filter_map(|job| match job {
+            Job::Draw(figure) => Some(picture(figure)),
+            Job::Measure(_) => None,
+        });
+        let names = pictures.chain(self.claims.clone()).chain([self.page.clone()]);
+        names.map(|name| folder.join(name)).try_for_each(|path| WholeFile::probe(&path))
+    }
+}
+
+/// The file name of a figure.
+fn picture(figure: &Figure) -> String {
+    format!("{}.svg", figure.name)
+}
+
 /// Writes the pictures, the claims, and the page that shows them: all or none.
 fn write(results: &Results, effort: Effort, folder: &Path, files: &Files) -> io::Result<()> {
     let Results { drawn, measured, .. } = results;
     let mut whole = vec![];
     for Drawn { figure, svg, .. } in drawn {
-        whole.push(WholeFile::with(&folder.join(format!("{}.svg", figure.name)), svg.as_bytes())?);
+        whole.push(WholeFile::with(&folder.join(picture(figure)), svg.as_bytes())?);
     }
     if let Some(claims) = &files.claims {
         let json = format!("{:#}\n", page::claims_json(measured));
@@ -202,4 +227,36 @@ fn write(results: &Results, effort: Effort, folder: &Path, files: &Files) -> io:
     }
     whole.push(WholeFile::with(&folder.join(&files.page), page::html(drawn, measured, effort).as_bytes())?);
     WholeFile::finish(whole)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::reproduce::BEYOND;
+
+    #[test]
+    fn nothing_is_drawn_where_a_file_cannot_be_written() {
+        static DRAWN: AtomicBool = AtomicBool::new(false);
+        static FIGURE: Figure = Figure {
+            name: "figure",
+            title: "A figure",
+            place: BEYOND,
+            caption: "",
+            parameters: "",
+            draw: |_| {
+                DRAWN.store(true, Ordering::Relaxed);
+                Err("drawn".into())
+            },
+        };
+        let out = std::env::temp_dir().join(format!("billiards-probed-{}", std::process::id()));
+        let files = || Files { page: "figure.html".into(), claims: Some("figure.json".into()) };
+        for name in ["figure.svg", "figure.json", "figure.html"] {
+            std::fs::create_dir_all(out.join(name)).unwrap();
+            let arguments = args::Reproduce { quick: true, only: None, list: false, out: out.clone() };
+            let failed = work(&[Job::Draw(&FIGURE)], &files(), &arguments, &mut io::sink()).unwrap_err().to_string();
+            assert!(failed.contains(&format!("{name} is a folder, not a file")), "{failed}");
+            assert!(!DRAWN.load(Ordering::Relaxed), "{name}");
+            std::fs::remove_dir_all(&out).unwrap();
+        }
+    }
 }
