@@ -35,6 +35,18 @@ pub enum Error {
         /// What it is.
         value: f64,
     },
+    /// A number of sides or petals outside its range.
+    #[error("{name} must be between {least} and {most}, not {value}")]
+    Count {
+        /// The parameter.
+        name: &'static str,
+        /// The smallest number that is possible.
+        least: usize,
+        /// The largest.
+        most: usize,
+        /// What it is.
+        value: usize,
+    },
     /// A length \[L\] outside its range.
     #[error("{name} must be {must}, not {}", short(*value))]
     Length {
@@ -334,6 +346,14 @@ pub enum Error {
         field: String,
         /// What it must be.
         must: &'static str,
+    },
+    /// Two fields of the description of a shape that are one point.
+    #[error("{field} must be another point than {other}")]
+    SamePoint {
+        /// The name of the one, as in [`Error::Field`].
+        field: String,
+        /// The field of the same shape that it must differ from.
+        other: String,
     },
     /// An open surface in space that ends inside the room that other walls enclose.
     #[error(

@@ -11,7 +11,7 @@ fn area(shape: ShapeSpec) -> f64 {
 }
 fn field(shape: ShapeSpec) -> String {
     match Placed::from(shape).pieces(Side::Inside) {
-        Err(Error::Field { field, .. }) => field,
+        Err(Error::Field { field, .. } | Error::SamePoint { field, .. }) => field,
         other => panic!("{other:?}"),
     }
 }
@@ -91,6 +91,7 @@ fn wrong_fields_are_named() {
     assert_eq!(field(ShapeSpec::HalfSpace { normal: [0.0, 0.0] }), "normal");
     let mesh = ShapeSpec::TriMesh { vertices: SQUARE.to_vec(), triangles: vec![[0, 1, 2], [0, 2, 4]] };
     assert_eq!(field(mesh), "triangles[1]");
+    assert_eq!(field(ShapeSpec::Segment { a: [1.0, 0.0], b: [1.0, 0.0] }), "b");
     assert_eq!(field(ShapeSpec::Compound(vec![])), "compound");
     let inner = Placed { shape: ShapeSpec::Ball { radius: 0.0 }, translation: [0.0; 2], rotation: 0.0 };
     let nested = ShapeSpec::Compound(vec![ShapeSpec::Ball { radius: 1.0 }.into(), inner]);

@@ -297,15 +297,16 @@ fn wrong_parameters_are_named() {
         ("rectangle", Values::new().with("size", vec![1.0, 0.0]), "size"),
     ] {
         let error = fails(table, values.clone());
-        match &error {
-            Error::Parameter { name, value, .. } => {
-                assert_eq!(*name, at_fault, "{table}: {error}");
-                let text = error.to_string();
-                assert!(text.starts_with(at_fault) && text.contains(&value.to_string()), "{text}");
-            }
+        let (name, value) = match &error {
+            Error::Parameter { name, value, .. } => (*name, value.to_string()),
+            Error::Count { name, value, .. } => (*name, value.to_string()),
             other => panic!("{table}: {other}"),
-        }
+        };
+        assert_eq!(name, at_fault, "{table}: {error}");
+        let text = error.to_string();
+        assert!(text.starts_with(at_fault) && text.contains(&value), "{text}");
     }
+    assert_eq!(fails("polygon", with("sides", 2.0)).to_string(), "sides must be between 3 and 1000000, not 2");
     let error = fails("stadium", with("width", 1.0));
     assert_eq!(error.to_string(), "stadium has no parameter width; it has half_length, radius");
     assert_eq!(fails("wedge", Values::new()), Error::Missing { name: "angle" });

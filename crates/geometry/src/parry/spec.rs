@@ -126,7 +126,7 @@ impl Placed {
     ///
     /// # Errors
     /// [`Error::Field`] for a field that is wrong, with its name as a path: `half_extents[1]`,
-    /// `compound[0].translation`; otherwise as [`pieces`](super::pieces).
+    /// `compound[0].translation`; [`Error::SamePoint`] for a segment without length; otherwise as [`pieces`](super::pieces).
     ///
     /// ```
     /// use geometry::{parry::{Placed, ShapeSpec, Side}, Table};
@@ -227,7 +227,7 @@ impl ShapeSpec {
                 at.vector("a", a)?;
                 at.vector("b", b)?;
                 if a == b {
-                    return Err(at.wrong("b", "another point than a"));
+                    return Err(Error::SamePoint { field: at.named("b"), other: "a".into() });
                 }
                 Box::new(Segment::new(glam(a), glam(b)))
             }
@@ -300,8 +300,11 @@ struct Fields<'a> {
 }
 
 impl Fields<'_> {
+    fn named(&self, field: &str) -> String {
+        format!("{}{field}", self.path)
+    }
     fn wrong(&self, field: &str, must: &'static str) -> Error {
-        Error::Field { field: format!("{}{field}", self.path), must }
+        Error::Field { field: self.named(field), must }
     }
     fn finite(&self, field: &str, value: f64) -> Result<f64, Error> {
         if value.is_finite() { Ok(value) } else { Err(self.wrong(field, "finite")) }

@@ -11,9 +11,9 @@ use nalgebra::Vector2;
 /// `(±1, ±1)`. With specular reflections it is ergodic where the petals' circles lie inside ([Bunimovich 1979]).
 ///
 /// # Errors
-/// [`Error::Parameter`] unless there are 2 to 1 000 000 petals, of positive and finite size.
+/// [`Error::Count`] unless there are 2 to 1 000 000 petals, [`Error::Parameter`] unless their size is positive and finite.
 pub fn flower(petals: usize, petal_radius: f64, side: f64) -> Result<Table, Error> {
-    let n = number_of("petals", petals, 2, "between 2 and 1000000")?;
+    let n = number_of("petals", petals, 2)?;
     let radius = positive("petal_radius", petal_radius)?;
     let half = 0.5 * positive("side", side)?;
     within("petal_radius", radius, radius >= half, "at least half of side (so that a petal spans it)")?;

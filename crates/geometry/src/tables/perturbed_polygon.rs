@@ -10,10 +10,10 @@ use crate::{Error, Piece, Table, shapes::Bump};
 /// Vertices and angles stay as they are, and the curvature vanishes at the vertices ([`Bump`]).
 ///
 /// # Errors
-/// [`Error::Parameter`] unless there are 3 to 1 000 000 sides, of positive and finite length, and neighbouring bumps do
-/// not meet: `amount > −3125/(6912 tan(π/n))`.
+/// [`Error::Count`] unless there are 3 to 1 000 000 sides, [`Error::Parameter`] unless their length is positive and
+/// finite, and neighbouring bumps do not meet: `amount > −3125/(6912 tan(π/n))`.
 pub fn perturbed_polygon(n: usize, side: f64, amount: f64) -> Result<Table, Error> {
-    number_of("sides", n, 3, "between 3 and 1000000")?;
+    number_of("sides", n, 3)?;
     positive("side", side)?;
     // each bump stays on its own side of the lines from the centre to the vertices: u / p(u) ≥ 3125/6912
     let [cos, sin] = root_of_unity(1, 2 * n);

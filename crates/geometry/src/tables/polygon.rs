@@ -7,9 +7,9 @@ use crate::{Error, Table};
 /// vertex i. Area `n a²/(4 tan(π/n))`, perimeter `n a`.
 ///
 /// # Errors
-/// [`Error::Parameter`] unless there are 3 to 1 000 000 sides, of positive and finite length.
+/// [`Error::Count`] unless there are 3 to 1 000 000 sides, [`Error::Parameter`] unless their length is positive and finite.
 pub fn polygon(n: usize, side: f64) -> Result<Table, Error> {
-    number_of("sides", n, 3, "between 3 and 1000000")?;
+    number_of("sides", n, 3)?;
     positive("side", side)?;
     Table::new(regular(n, side)?)
 }

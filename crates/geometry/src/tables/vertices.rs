@@ -34,9 +34,12 @@ pub(super) fn regular(n: usize, side: f64) -> Result<Vec<Box<dyn Piece>>, Error>
 pub const MOST_VERTICES: usize = 1_000_000;
 
 /// A number of sides or petals.
-pub(super) fn number_of(name: &'static str, n: usize, least: usize, must: &'static str) -> Result<usize, Error> {
-    within(name, n as f64, (least..=MOST_VERTICES).contains(&n), must)?;
-    Ok(n)
+pub(super) fn number_of(name: &'static str, n: usize, least: usize) -> Result<usize, Error> {
+    if (least..=MOST_VERTICES).contains(&n) {
+        Ok(n)
+    } else {
+        Err(Error::Count { name, least, most: MOST_VERTICES, value: n })
+    }
 }
 
 /// `(cos 2πk/n, sin 2πk/n)` to within 1 ulp of 1, with the exact mirror symmetries of the n-gon.

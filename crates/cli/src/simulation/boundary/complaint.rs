@@ -31,7 +31,8 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
-        Error::Field { field, must } => Error::Field { field: key(&field), must: in_keys(must) },
+        Error::Field { field, must } => Error::Field { field: key(&field), must },
+        Error::SamePoint { field, other } => Error::SamePoint { field: key(&field), other: key(&other) },
         Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
         Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },
         other => other,
@@ -55,10 +56,6 @@ fn key(field: &str) -> String {
         format!("{name}{number}")
     });
     keys.collect::<Vec<_>>().join(".")
-}
-
-fn in_keys(must: &'static str) -> &'static str {
-    if must == "another point than a" { "another point than from" } else { must }
 }
 
 /// An error of the geometry, expressed as one about the scene, given where its pieces come from.
@@ -258,7 +255,9 @@ pub(crate) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error
             .source
             .diagnostic(arguments.span("vertices"), "the vertices run clockwise or lie on one line")
             .with_help("list them counter-clockwise: exchange two of them"),
-        Error::Form { name, .. } => scene.source.diagnostic(arguments.span(name), error.to_string()),
+        Error::Form { name, .. } | Error::Count { name, .. } => {
+            scene.source.diagnostic(arguments.span(name), error.to_string())
+        }
         other => scene.source.diagnostic(*span, in_user_units(other, factor).to_string()),
     })
 }
