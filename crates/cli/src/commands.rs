@@ -13,9 +13,12 @@ pub mod tables;
 use std::fmt;
 use std::io;
 use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::document::Diagnostic;
+use crate::spelling;
 use crate::whole_file;
 
 /// Why a command failed.
@@ -121,9 +124,26 @@ fn unwritable(path: &Path, error: &io::Error) -> Failure {
     Failure::Work(format!("{what}\nhelp: {help}"))
 }
 
+/// The failure that `--only` names nothing that there is; `known` tells what there is, for names that resemble none of it.
+fn unknown<'a>(what: &str, only: &str, names: impl IntoIterator<Item = &'a str>, known: &str) -> Failure {
+    let problem = Diagnostic::of_file("--only", format!("there is no {what} `{only}`"));
+    Failure::Input(vec![match spelling::closest(only, names) {
+        Some(near) => problem.with_help(format!("did you mean `{near}`?")),
+        None => problem.with_help(known),
+    }])
+}
+
 /// Signals within this time count as one request: launchers such as `timeout` send one to the program and another to its
 /// group.
 const ONE_REQUEST: Duration = Duration::from_millis(500);
+
+/// The flag that Ctrl-C sets: what is being done then is the last that is done.
+fn interruption() -> Result<Arc<AtomicBool>, Failure> {
+    let interrupted = Arc::new(AtomicBool::new(false));
+    let flag = Arc::clone(&interrupted);
+    on_ctrl_c(move || flag.store(true, Ordering::Relaxed))?;
+    Ok(interrupted)
+}
 
 /// The first Ctrl-C calls `interrupt`, which ends the work; a later one that is not part of the same request ends the program
 /// at once.

@@ -2,17 +2,15 @@
 
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use indicatif::ProgressBar;
 
-use super::{Failure, unwritable};
+use super::{Failure, interruption, unwritable};
 use crate::args;
 use crate::bench::score::Score;
 use crate::bench::{self, Effort, case, chart, report, stress};
 use crate::document::Diagnostic;
-use crate::spelling;
 use crate::whole_file::WholeFile;
 
 /// Times every method on every table, or runs the stress cases, and prints the results.
@@ -99,14 +97,6 @@ fn under_stress(arguments: &args::Bench, out: &mut impl Write) -> Result<(), Fai
     }
 }
 
-/// The flag that Ctrl-C sets: the current table or case is then the last one.
-fn interruption() -> Result<Arc<AtomicBool>, Failure> {
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    super::on_ctrl_c(move || flag.store(true, Ordering::Relaxed))?;
-    Ok(interrupted)
-}
-
 /// Fails where Ctrl-C has cut the work short: the results so far are kept, but they are incomplete.
 fn whole(done: usize, of: usize, what: &str) -> Result<(), Failure> {
     if done == of { Ok(()) } else { Err(Failure::Work(format!("interrupted: {done} of {of} {what} are done"))) }
@@ -165,9 +155,6 @@ fn progress() -> ProgressBar {
 }
 
 fn unknown(name: &str, what: &str, names: impl Iterator<Item = &'static str> + Clone) -> Failure {
-    let problem = Diagnostic::of_file("--only", format!("there is no {what} `{name}`"));
-    Failure::Input(vec![match spelling::closest(name, names.clone()) {
-        Some(near) => problem.with_help(format!("did you mean `{near}`?")),
-        None => problem.with_help(format!("known names: {}", names.collect::<Vec<_>>().join(", "))),
-    }])
+    let known = format!("known names: {}", names.clone().collect::<Vec<_>>().join(", "));
+    super::unknown(what, name, names, &known)
 }

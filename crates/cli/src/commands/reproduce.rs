@@ -3,8 +3,8 @@
 use std::io::{self, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
 use std::thread;
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -12,11 +12,9 @@ use paper::{Claim, Measurement, claims};
 
 use super::Failure;
 use crate::args;
-use crate::document::Diagnostic;
 use crate::reproduce::page::{self, Drawn, Measured};
 use crate::reproduce::{Effort, Figure, figures};
 use crate::simulation::plural;
-use crate::spelling;
 use crate::whole_file::WholeFile;
 
 /// One job: a figure or a claim.
@@ -63,7 +61,8 @@ pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Fail
     let jobs: Vec<Job> =
         all.clone().filter(|job| arguments.only.as_deref().is_none_or(|only| job.name() == only)).collect();
     if let (true, Some(only)) = (jobs.is_empty(), &arguments.only) {
-        return Err(unknown(only, all.map(Job::name)));
+        let list = "`billiards reproduce --list` lists them";
+        return Err(super::unknown("figure or claim", only, all.map(Job::name), list));
     }
     let files = match &arguments.only {
         Some(name) => {
@@ -80,9 +79,7 @@ fn work(jobs: &[Job], files: &Files, arguments: &args::Reproduce, out: &mut impl
     let unwritable = |error| super::unwritable(&arguments.out, &error);
     files.probe(jobs, &arguments.out).map_err(unwritable)?;
     let effort = if arguments.quick { Effort::Quick } else { Effort::Full };
-    let interrupted = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&interrupted);
-    super::on_ctrl_c(move || flag.store(true, Ordering::Relaxed))?;
+    let interrupted = super::interruption()?;
     let results = in_parallel(jobs, effort, &interrupted);
     let Results { drawn, measured, failed } = &results;
     let mut told = Ok(());
@@ -108,14 +105,6 @@ fn disagreement(Measured { claim, measurement }: &Measured) -> Option<String> {
     let off: Vec<String> = measurement.quantities.iter().filter(|q| !q.agrees()).map(ToString::to_string).collect();
     (!measurement.is_consistent())
         .then(|| format!("{}: the measurement disagrees with the verdict\n  {}", claim.name, off.join("\n  ")))
-}
-
-fn unknown(name: &str, names: impl Iterator<Item = &'static str>) -> Failure {
-    let problem = Diagnostic::of_file("--only", format!("there is no figure or claim `{name}`"));
-    Failure::Input(vec![match spelling::closest(name, names) {
-        Some(near) => problem.with_help(format!("did you mean `{near}`?")),
-        None => problem.with_help("`billiards reproduce --list` lists them"),
-    }])
 }
 
 fn list(out: &mut impl Write) -> io::Result<()> {
