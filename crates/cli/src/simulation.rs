@@ -27,6 +27,7 @@ mod same_bits;
 mod scale;
 mod schedule;
 mod sectors;
+mod setup;
 mod spatial;
 mod start;
 mod stretches;
@@ -69,6 +70,7 @@ use work::{Launch, Work};
 pub use describe::{Description, First, PieceOf, Region, StartOf, Volume};
 pub use horizon::{Horizons, OfOrbit};
 pub use same_bits::{OtherBits, SameBits};
+pub use setup::Setup;
 pub use summary::Summary;
 pub(crate) use words::{plural, point, short};
 

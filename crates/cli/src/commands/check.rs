@@ -67,9 +67,9 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     if let Some(title) = &scene.title {
         writeln!(out, "{}", plain(title))?;
     }
-    let plane = scene.dimension == 2;
-    writeln!(out, "  table       {}", scene.table)?;
-    writeln!(out, "  law         {}, gamma^2 = {}", scene.law, spell(scene.gamma_squared))?;
+    let plane = scene.setup.dimension == 2;
+    writeln!(out, "  table       {}", scene.setup.table)?;
+    writeln!(out, "  law         {}, gamma^2 = {}", scene.setup.law, spell(scene.setup.gamma_squared))?;
     let centres = scene.centres.as_ref();
     let measured = centres.filter(|_| !plane).unwrap_or(&scene.walls);
     let measures = if plane {
@@ -86,7 +86,7 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
         writeln!(
             out,
             "  particle    a ball of radius {}; volume and surface are of the region in which its centre moves",
-            spell(scene.radius)
+            spell(scene.setup.radius)
         )?;
     }
     if let Some([corners, inwards]) = scene.walls.corners {
@@ -103,7 +103,7 @@ fn describe(scene: &Description, out: &mut impl Write) -> io::Result<()> {
         )?;
     }
     if let Some(centres) = centres.filter(|_| plane) {
-        writeln!(out, "  particle    a disk of radius {}; its centre moves in a region of", spell(scene.radius))?;
+        writeln!(out, "  particle    a disk of radius {}; its centre moves in a region of", spell(scene.setup.radius))?;
         let corners = centres.corners.map_or(0, |corners| corners[0]);
         writeln!(
             out,
@@ -161,13 +161,13 @@ const MOST_PIECES: usize = 100;
 fn pieces(scene: &Description, out: &mut impl Write) -> io::Result<()> {
     for (i, piece) in scene.pieces.iter().enumerate().take(MOST_PIECES) {
         let mut line = format!("    {i:>3}  {:<17} {}", piece.kind, piece.place);
-        if scene.dimension == 2 {
+        if scene.setup.dimension == 2 {
             let _ = write!(line, ", length {}", measure(piece.length));
         }
         if let Some(normal) = piece.normal {
             let _ = write!(line, ", normal half-way {}", point(&normal, 0.0));
         }
-        if piece.law != scene.law {
+        if piece.law != scene.setup.law {
             let _ = write!(line, ", law {}", piece.law);
         }
         writeln!(out, "{}", line.trim_end())?;

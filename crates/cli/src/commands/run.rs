@@ -64,8 +64,8 @@ fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Wr
     if let Some(title) = &simulation.scene().title {
         writeln!(out, "{}", plain(title))?;
     }
-    writeln!(out, "  table       {}", summary.table)?;
-    writeln!(out, "  law         {}, gamma^2 = {}", summary.law, spell(summary.gamma_squared))?;
+    writeln!(out, "  table       {}", summary.setup.table)?;
+    writeln!(out, "  law         {}, gamma^2 = {}", summary.setup.law, spell(summary.setup.gamma_squared))?;
     let stops: Vec<_> = summary.stops.iter().map(|(name, count)| format!("{count} {name}")).collect();
     writeln!(out, "  orbits      {}: {}", summary.orbits, stops.join(", "))?;
     let seconds = Duration::from_secs_f64(summary.seconds);

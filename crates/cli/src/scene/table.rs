@@ -63,6 +63,16 @@ pub enum TableShape {
     Boundary(Vec<Entry>),
 }
 
+impl TableShape {
+    /// The name of a built-in table, or else `boundary`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            TableShape::Named { model, .. } => model.name,
+            TableShape::Boundary(_) => "boundary",
+        }
+    }
+}
+
 /// The dimension a table declares: 2 unless it says otherwise. A misspelt key is reported at once, before vectors of another
 /// dimension are taken for mistakes.
 pub(super) fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {

@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::engine::{Engine, Until, Watch};
 use super::frame::Frame;
 use super::planar::Planar;
+use super::setup::Setup;
 use super::spatial::{Space, Spatial};
 use super::start::Spins;
 use super::trail::Trail;
@@ -17,7 +18,7 @@ use super::words::{point, short};
 use super::work::Launch;
 use super::{Body, Simulation};
 
-use crate::scene::{Scene, Starts, TableShape};
+use crate::scene::{Scene, Starts};
 
 /// Most starts that are described.
 const MOST_STARTS: u64 = 10;
@@ -28,16 +29,9 @@ pub struct Description {
     /// The scene's title, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub title: Option<String>,
-    /// Dimension of space.
-    pub dimension: usize,
-    /// The table by name, or `boundary`.
-    pub table: String,
-    /// The law of every piece without one of its own.
-    pub law: String,
-    /// γ² = I/(m R²).
-    pub gamma_squared: f64,
-    /// Radius of the particle.
-    pub radius: f64,
+    /// Table, law and particle.
+    #[serde(flatten)]
+    pub setup: Setup,
     /// The pieces as drawn.
     pub pieces: Vec<PieceOf>,
     /// The walls as drawn.
@@ -193,14 +187,7 @@ impl Simulation {
         let scene = &self.scene;
         let mut description = Description {
             title: scene.title.clone(),
-            dimension: scene.dimension,
-            table: match &scene.table.shape {
-                TableShape::Named { model, .. } => model.name.into(),
-                TableShape::Boundary(_) => "boundary".into(),
-            },
-            law: scene.law.kind.to_string(),
-            gamma_squared: scene.particle.gamma_squared.value,
-            radius: scene.particle.radius.value,
+            setup: Setup::of(scene),
             pieces: vec![],
             walls: Region::default(),
             centres: None,

@@ -8,7 +8,8 @@ use serde::Serialize;
 
 use super::harvest::Totals;
 use super::horizon::Horizons;
-use crate::scene::{Limit, Scene, Starts, TableShape};
+use super::setup::Setup;
+use crate::scene::{Limit, Scene, Starts};
 
 /// A run on one page. Two runs of the same scene differ at most in the last six fields.
 #[derive(Clone, Debug, Serialize)]
@@ -25,16 +26,9 @@ pub struct Summary {
     pub version: &'static str,
     /// Seed of the starts, 0 where they are given one by one. (That of a random law stands with the law.)
     pub seed: u64,
-    /// Dimension of space.
-    pub dimension: usize,
-    /// The table by name, or `boundary`.
-    pub table: String,
-    /// The law of every piece without one of its own.
-    pub law: String,
-    /// γ² = I/(m R²).
-    pub gamma_squared: f64,
-    /// Radius of the particle.
-    pub radius: f64,
+    /// Table, law and particle.
+    #[serde(flatten)]
+    pub setup: Setup,
     /// Number of collisions after which an orbit ends, if that was requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub collisions_per_orbit: Option<u64>,
@@ -111,14 +105,7 @@ impl Summary {
                 Starts::Ensemble(ensemble) => ensemble.seed,
                 Starts::Orbits(_) => 0,
             },
-            dimension: scene.dimension,
-            table: match &scene.table.shape {
-                TableShape::Named { model, .. } => model.name.into(),
-                TableShape::Boundary(_) => "boundary".into(),
-            },
-            law: scene.law.kind.to_string(),
-            gamma_squared: scene.particle.gamma_squared.value,
-            radius: scene.particle.radius.value,
+            setup: Setup::of(scene),
             collisions_per_orbit,
             time_per_orbit,
             orbits,
