@@ -20,7 +20,7 @@ pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
 pub use law::{LAWS, Law, LawKind, LawModel};
 pub(crate) use law::{is_one_direction, named as read_law};
 pub use output::{Output, RecordFormat};
-pub use parameters::{Argument, Arguments, Constant, Default, Kind, Model, Parameter};
+pub use parameters::{Argument, Arguments, Constant, IfAbsent, Kind, Model, Parameter};
 pub use particle::{INERTIAS, Inertia, Particle};
 pub use run::Limit;
 pub use shapes::{Build, SHAPES, Shape};
@@ -62,7 +62,7 @@ pub struct Request {
     pub needs_limit: bool,
 }
 
-impl std::default::Default for Request {
+impl Default for Request {
     fn default() -> Self {
         Self { law: None, collisions: None, needs_limit: true }
     }

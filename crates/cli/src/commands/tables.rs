@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::scene::{Constant, Default, Model, SHAPES, TABLES};
+use crate::scene::{Constant, IfAbsent, Model, SHAPES, TABLES};
 
 /// Lists tables and shapes.
 ///
@@ -52,10 +52,10 @@ fn list<'a, B: 'a>(models: impl Iterator<Item = &'a Model<B>>, out: &mut impl Wr
 fn as_json<B>(model: &Model<B>) -> Value {
     let parameter = |parameter: &crate::scene::Parameter| {
         let default = match parameter.default {
-            Default::Required(_) => Value::Null,
-            Default::Value(Constant::Numbers([x])) => json!(x),
-            Default::Value(Constant::Numbers(xs)) => json!(xs),
-            Default::Value(Constant::Points(points)) => json!(points),
+            IfAbsent::Required(_) => Value::Null,
+            IfAbsent::Value(Constant::Numbers([x])) => json!(x),
+            IfAbsent::Value(Constant::Numbers(xs)) => json!(xs),
+            IfAbsent::Value(Constant::Points(points)) => json!(points),
         };
         json!({ "name": parameter.name, "default": default })
     };

@@ -28,7 +28,7 @@ pub struct Parameter {
     /// What values it takes.
     pub kind: Kind,
     /// Its value if absent.
-    pub default: Default,
+    pub default: IfAbsent,
 }
 
 /// What values a parameter takes.
@@ -68,7 +68,7 @@ pub enum Kind {
 
 /// What a parameter is if absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Default {
+pub enum IfAbsent {
     /// It must be given. With the defaults of the others, this example makes a table or a shape; where there is none, one follows from
     /// its kind.
     Required(Option<Constant>),
@@ -117,19 +117,19 @@ impl std::fmt::Display for Constant {
 impl Parameter {
     /// A parameter that must be given.
     pub const fn required(name: &'static str, kind: Kind) -> Self {
-        Self { name, kind, default: Default::Required(None) }
+        Self { name, kind, default: IfAbsent::Required(None) }
     }
 
     /// A parameter with a default.
     pub const fn with_default(name: &'static str, kind: Kind, default: &'static [f64]) -> Self {
-        Self { name, kind, default: Default::Value(Constant::Numbers(default)) }
+        Self { name, kind, default: IfAbsent::Value(Constant::Numbers(default)) }
     }
 
     /// How to write it: `size = [2, 1]`, or the name alone if it has no default.
     pub fn signature(&self) -> String {
         match self.default {
-            Default::Required(_) => self.name.into(),
-            Default::Value(value) => format!("{} = {value}", self.name),
+            IfAbsent::Required(_) => self.name.into(),
+            IfAbsent::Value(value) => format!("{} = {value}", self.name),
         }
     }
 
@@ -140,7 +140,7 @@ impl Parameter {
 
     /// An example of it in this dimension: values that make a shape together with the examples of the other parameters.
     fn example(&self, dimension: usize) -> String {
-        if let Default::Required(Some(example)) = self.default {
+        if let IfAbsent::Required(Some(example)) = self.default {
             return format!("{} = {example}", self.name);
         }
         let value = match self.kind {
@@ -251,13 +251,13 @@ pub(super) fn arguments<B>(
     let mut complete = true;
     for parameter in model.parameters.iter() {
         let given = match parameter.default {
-            Default::Required(_) => section.required(parameter.name, &parameter.example(model.dimension)),
-            Default::Value(_) => section.optional(parameter.name),
+            IfAbsent::Required(_) => section.required(parameter.name, &parameter.example(model.dimension)),
+            IfAbsent::Value(_) => section.optional(parameter.name),
         };
         let value = match (given, parameter.default) {
             (Some(item), _) => argument(item, parameter.kind, model.dimension, problems),
-            (None, Default::Value(value)) => Some(Spanned::new(value.argument(span), span)),
-            (None, Default::Required(_)) => None,
+            (None, IfAbsent::Value(value)) => Some(Spanned::new(value.argument(span), span)),
+            (None, IfAbsent::Required(_)) => None,
         };
         complete &= value.is_some();
         values.extend(value.map(|value| (parameter.name, value)));

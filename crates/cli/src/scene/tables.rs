@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use billiards::geometry::tables::{self, Entry, Kind as Measure, Value};
 
-use super::parameters::{Constant, Default, Kind, Model, Parameter};
+use super::parameters::{Constant, IfAbsent, Kind, Model, Parameter};
 
 /// Every built-in table.
 pub static TABLES: LazyLock<Vec<Model>> = LazyLock::new(|| tables::all().iter().map(model).collect());
@@ -35,9 +35,9 @@ fn parameter(of: &'static tables::Parameter) -> Parameter {
     };
     let default = match (of.required, of.kind) {
         // for angles, no example: it would be written without pi
-        (true, Measure::Angle) => Default::Required(None),
-        (true, _) => Default::Required(Some(value)),
-        (false, _) => Default::Value(value),
+        (true, Measure::Angle) => IfAbsent::Required(None),
+        (true, _) => IfAbsent::Required(Some(value)),
+        (false, _) => IfAbsent::Value(value),
     };
     Parameter { name: of.name, kind, default }
 }
@@ -54,10 +54,10 @@ mod tests {
             Box::leak(Box::new(tables::Parameter { name: "vertices", kind, value, required }))
         };
         let optional = parameter(of(false));
-        assert_eq!(optional.default, Default::Value(Constant::Points(four)));
+        assert_eq!(optional.default, IfAbsent::Value(Constant::Points(four)));
         assert_eq!(optional.signature(), "vertices = [[0, 0], [2, 0], [2, 1], [0, 1.5]]");
         let required = parameter(of(true));
-        assert_eq!(required.default, Default::Required(Some(Constant::Points(four))));
+        assert_eq!(required.default, IfAbsent::Required(Some(Constant::Points(four))));
         assert_eq!(required.signature(), "vertices");
     }
 }

@@ -3,7 +3,7 @@
 use super::{BOUNDARY, NAMED, SPATIAL, SQUARE, parse};
 use billiards_cli::document::Source;
 use billiards_cli::scene::{
-    Border, Curve, Default, Domain, EdgePath, LAWS, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES,
+    Border, Curve, Domain, EdgePath, IfAbsent, LAWS, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES,
     TableShape, Turn,
 };
 
@@ -82,9 +82,9 @@ fn every_law_is_read_as_itself_from_its_example() {
 fn every_built_in_table_is_read_with_its_required_parameters_alone() {
     for model in TABLES.iter() {
         let required = model.parameters.iter().filter_map(|parameter| match parameter.default {
-            Default::Required(Some(example)) => Some(format!("{} = {example}", parameter.name)),
-            Default::Required(None) => Some(format!("{} = \"pi/3\"", parameter.name)),
-            Default::Value(_) => None,
+            IfAbsent::Required(Some(example)) => Some(format!("{} = {example}", parameter.name)),
+            IfAbsent::Required(None) => Some(format!("{} = \"pi/3\"", parameter.name)),
+            IfAbsent::Value(_) => None,
         });
         let extra: Vec<_> = required.collect();
         let extra = extra.join(", ");
