@@ -103,7 +103,7 @@ impl Control {
         Control { threads, interrupted: AtomicBool::new(false), done: AtomicU64::new(0) }
     }
 
-    /// Approximate number of orbits done so far, in millionths of an orbit.
+    /// Approximate number of orbits done so far, in units of 2⁻²⁰ of an orbit.
     pub fn steps_done(&self) -> u64 {
         self.done.load(std::sync::atomic::Ordering::Relaxed)
     }
