@@ -66,7 +66,7 @@ pub enum Error {
         position: Vec<f64>,
     },
     /// A piece that the table does not have.
-    #[error("the table has no piece {piece}; its pieces are 0 to {}", pieces - 1)]
+    #[error("the table has no piece {piece}; it has {pieces}, counted from 0")]
     Piece {
         /// The number given.
         piece: usize,

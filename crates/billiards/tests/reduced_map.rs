@@ -239,6 +239,8 @@ fn impossible_states_are_refused() {
     assert!(matches!(billiard.map(&state), Err(Error::Tangential { .. })));
     let nowhere = ReducedState { piece: 4, v0: 0.0, ..state };
     assert_eq!(billiard.map(&nowhere), Err(Error::Piece { piece: 4, pieces: 4 }));
+    let said = |pieces| Error::Piece { piece: 4, pieces }.to_string();
+    assert_eq!([4, 0].map(said), [4, 0].map(|n| format!("the table has no piece 4; it has {n}, counted from 0")));
     assert!(billiard.map(&ReducedState { speed: f64::NAN, ..state }).is_err());
     for s in [1.7, -0.1, f64::NAN, f64::INFINITY] {
         let beside = billiard.map(&ReducedState { s, v0: 0.0, ..state });
