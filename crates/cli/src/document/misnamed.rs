@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::Diagnostic;
 use crate::spelling::closest;
+use crate::whole_file::folder_of;
 
 /// Adds the name of the file that may have been meant to the error that another one could not be read.
 pub fn with_file_meant(diagnostic: Diagnostic, error: &io::Error, path: &Path) -> Diagnostic {
@@ -17,8 +18,7 @@ pub fn with_file_meant(diagnostic: Diagnostic, error: &io::Error, path: &Path) -
 /// The file in the same folder whose name differs from this one only by its extension, or else only
 /// slightly.
 fn meant(path: &Path) -> Option<String> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let files = folder.read_dir().ok()?.filter_map(Result::ok).filter(|entry| !entry.path().is_dir());
+    let files = folder_of(path).read_dir().ok()?.filter_map(Result::ok).filter(|entry| !entry.path().is_dir());
     let mut names: Vec<_> = files.filter_map(|entry| entry.file_name().into_string().ok()).collect();
     names.sort();
     let stem = path.file_stem()?;

@@ -3,10 +3,10 @@
 use core::f64::consts::PI;
 use core::ops::RangeInclusive;
 
-use billiards::geometry::shapes::curve::{Interval, PolarFormula};
+use billiards::geometry::shapes::curve::Interval;
 
 use super::{Item, Problems, Span, Spanned, Value};
-use crate::expression::{self, Expression, PolarCurve};
+use crate::expression::{self, Expression};
 
 /// Smallest accepted length or speed.
 pub const SMALLEST: f64 = 1e-150;
@@ -93,9 +93,8 @@ fn real_formula(text: &Spanned<String>, over: [f64; 2], help: &str, problems: &m
 
 /// An angle at which a radius is outside the range of lengths, and the radius there.
 fn beyond(radius: &Expression) -> Option<(f64, f64)> {
-    let curve = PolarCurve::new(radius);
     let angles = (0..PLACES).map(|k| 2.0 * PI * f64::from(k) / f64::from(PLACES));
-    let mut radii = angles.map(|angle| (angle, curve.jet(angle)[0]));
+    let mut radii = angles.map(|angle| (angle, radius.evaluate(&[angle])));
     radii.find(|(_, r)| *r > LARGEST || (0.0 < *r && *r < SMALLEST))
 }
 

@@ -85,7 +85,7 @@ impl Horizons {
             OfOrbit { orbit, collisions, time: scale.time_out(known), error, lost }
         };
         let orbits: Vec<OfOrbit> = (0..looked_at).map(horizon).collect();
-        let first = orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions).copied();
+        let first = first_lost(&orbits);
         let unit = UNITS[usize::from(size == f64::INFINITY)];
         Horizons { collisions: first.map(|first| first.collisions), time: first.map(|first| first.time), orbits, unit }
     }
@@ -106,13 +106,12 @@ impl Horizons {
             1 => format!(" of the first of {orbits} orbits"),
             _ => format!(" of the first {looked_at} of {orbits} orbits"),
         };
-        let lost = self.orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions);
-        if let Some(OfOrbit { orbit, collisions, time, .. }) = lost {
+        if let Some(OfOrbit { orbit, collisions, time, .. }) = first_lost(&self.orbits) {
             let first = if among.is_empty() { String::new() } else { format!(", the first{among} to be lost") };
-            let collisions = plural(*collisions, "collision");
+            let collisions = plural(collisions, "collision");
             return format!(
                 "of orbit {orbit} last for {collisions} (t = {}){first}; what follows is one of many possible orbits",
-                short(*time)
+                short(time)
             );
         }
         let worst = self.orbits.iter().reduce(|a, b| if b.error > a.error { b } else { a });
@@ -125,6 +124,11 @@ impl Horizons {
         let error = if *error == 0.0 { "0".into() } else { format!("{error:.0e}") };
         format!("accurate to {error} of {} {after}{of}", self.unit)
     }
+}
+
+/// The orbit that is lost after the fewest collisions.
+fn first_lost(orbits: &[OfOrbit]) -> Option<OfOrbit> {
+    orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions).copied()
 }
 
 /// How many collisions an orbit makes until then, run in blocks as always: where a particle slowed down by a law creeps along a wall,

@@ -91,9 +91,8 @@ fn record([length, speed]: [f64; 2], collisions: u64) -> Result<Vec<[f64; 10]>, 
         v(0.75),
         v(0.25),
     );
-    let request = Request { law: None, collisions: None, needs_limit: true };
     let all = |wrong: Vec<_>| crate::commands::Failure::Input(wrong);
-    let scene = Scene::parse(&Source::new("stress.toml", &text), &request).map_err(all)?;
+    let scene = Scene::parse(&Source::new("stress.toml", &text), &Request::default()).map_err(all)?;
     let folder = Folder::new();
     Simulation::new(scene).map_err(all)?.run(&folder.0, &Control::new(1))?;
     let csv = std::fs::read_to_string(folder.0.join("collisions.csv"))?;
