@@ -9,6 +9,9 @@ pub(crate) const UNIFORM: f64 = 0.5;
 /// (2/5), a disk with most of its mass inside, and one with most of it near the rim.
 pub(crate) const OTHERS: [f64; 3] = [0.4, 0.15, 0.85];
 
+/// All of them.
+pub(crate) const ALL: [f64; 4] = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]];
+
 /// `cos β = (1−γ²)/(1+γ²)`
 pub(crate) fn cos_beta(gamma_squared: f64) -> f64 {
     (1.0 - gamma_squared) / (1.0 + gamma_squared)

@@ -2,7 +2,7 @@
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     circle::{caustic, next_tangential, state},
-    law::{OTHERS, UNIFORM},
+    law::ALL,
     motion::{bounces, no_slip},
     random::Stream,
     statistics::{Range, worst},
@@ -29,7 +29,7 @@ fn measure(effort: Effort) -> Measurement {
     let mut negative = 0;
     for sample in 0..orbits {
         let mut stream = Stream::new(230, sample);
-        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma_squared = ALL[sample % 4];
         let radius = stream.between(0.1, 10.0);
         let circle = no_slip(tables::circle(radius), gamma_squared);
         let [v0, tau] = stream.in_disk();

@@ -2,7 +2,7 @@
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     circle::{caustic, state},
-    law::{OTHERS, UNIFORM},
+    law::ALL,
     motion::{bounces, distance, no_slip, specular},
     random::Stream,
     statistics::worst,
@@ -28,7 +28,7 @@ fn measure(effort: Effort) -> Measurement {
     let (mut standard, mut spin, mut one, mut back, mut turned) = (vec![], vec![], vec![], vec![], vec![]);
     for sample in 0..orbits {
         let mut stream = Stream::new(231, sample);
-        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma_squared = ALL[sample % 4];
         let gamma = libm::sqrt(gamma_squared);
         let circle = no_slip(tables::circle(1.0), gamma_squared);
         let (phi, tau) = (stream.between(0.0, TAU), stream.between(0.1, 0.3));

@@ -3,7 +3,7 @@ use super::wedge_periods::apart;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     circle::state,
-    law::{OTHERS, UNIFORM, cos_beta, sin_beta},
+    law::{ALL, cos_beta, sin_beta},
     motion::{bounces, distance, no_slip},
     random::Stream,
     statistics::{Range, worst},
@@ -29,7 +29,7 @@ fn measure(effort: Effort) -> Measurement {
     let (mut families, mut families_early) = (vec![], Range::EMPTY);
     for sample in 0..orbits {
         let mut stream = Stream::new(232, sample);
-        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma_squared = ALL[sample % 4];
         let gamma = libm::sqrt(gamma_squared);
         let circle = no_slip(tables::circle(1.0), gamma_squared);
         let phi = stream.between(0.0, TAU);

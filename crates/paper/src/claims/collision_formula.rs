@@ -1,7 +1,7 @@
 //! The collision in vectors.
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM, cos_beta, sin_beta},
+    law::{ALL, cos_beta, sin_beta},
     random::Stream,
     statistics::worst,
 };
@@ -25,7 +25,7 @@ fn measure(effort: Effort) -> Measurement {
     let (mut formula, mut contact, mut energy) = (vec![], vec![], vec![]);
     for sample in 0..effort.of(1000, 100_000) {
         let mut stream = Stream::new(208, sample);
-        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma_squared = ALL[sample % 4];
         let (mass, radius) = (stream.between(0.1, 10.0), stream.between(0.1, 10.0));
         let disk = Ball::<2>::with_gamma_squared(mass, radius, gamma_squared).expect("a disk");
         let angle = stream.between(0.0, core::f64::consts::TAU);

@@ -2,7 +2,7 @@
 use super::strip_width::{random_start, rounding};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM, beta},
+    law::{ALL, UNIFORM, beta},
     motion::{bounces, no_slip},
     random::Stream,
     statistics::{Range, worst},
@@ -24,7 +24,7 @@ fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(30, 300), effort.of(1000_u32, 3000));
     let rounding = rounding(f64::from(collisions));
     let mut quantities = vec![];
-    for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {
+    for gamma_squared in ALL {
         let strip = no_slip(tables::strip(1.0), gamma_squared);
         let mut off = vec![];
         let mut slopes = [Range::EMPTY; 2];

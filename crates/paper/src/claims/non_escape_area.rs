@@ -78,24 +78,23 @@ fn measure(effort: Effort) -> Measurement {
     let falls = falling.windows(2).filter(|two| two[1] < two[0]).count();
     let at_third = quantities[7].measured;
     let noise = quantities[7].bound;
-    let cap = |theta: f64| non_escape_area(theta, UNIFORM, None);
+    let formula = |theta: f64| non_escape_area(theta, UNIFORM, None);
     quantities.extend([
         Quantity::count("decreases from each of seven non-periodic angles to the next", falls, 6),
-        Quantity::at_least("area of one region at π/3, above the caps nearby", at_third, cap(FRAC_PI_3), -noise),
-        Quantity::at_least("area of one region at π/3, above the cap at θ = 1", at_third, cap(1.0), -noise),
+        Quantity::at_least("area of one region at π/3, above the caps nearby", at_third, formula(FRAC_PI_3), -noise),
+        Quantity::at_least("area of one region at π/3, above the cap at θ = 1", at_third, formula(1.0), -noise),
     ]);
     quantities.push(Quantity::differs("area of one region at π/2, against the paper's 0", at_right_angle, 0.0, 0.5));
-    let at = |theta: f64| non_escape_area(theta, UNIFORM, None);
     // near its ends the area is 2π − √3 πθ, and π(π−θ)²/12 up to the square of π−θ relatively
     quantities.extend([
         Quantity::equal(
             "formula at π/2 against 2π(1 − √3/2)",
-            at(FRAC_PI_2),
+            formula(FRAC_PI_2),
             TAU * (1.0 - 0.5 * libm::sqrt(3.0)),
             1e-14,
         ),
-        Quantity::equal("formula at θ = 10⁻⁹ against 2π", at(1e-9), TAU, 6e-9),
-        Quantity::equal("formula at θ = π − 10⁻³ against π·10⁻⁶/12", at(PI - 1e-3), PI * 1e-6 / 12.0, 1e-12),
+        Quantity::equal("formula at θ = 10⁻⁹ against 2π", formula(1e-9), TAU, 6e-9),
+        Quantity::equal("formula at θ = π − 10⁻³ against π·10⁻⁶/12", formula(PI - 1e-3), PI * 1e-6 / 12.0, 1e-12),
     ]);
     quantities.into()
 }

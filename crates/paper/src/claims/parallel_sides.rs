@@ -1,4 +1,5 @@
 //! Tables with two parallel sides.
+use super::strip_width::phase;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::UNIFORM,
@@ -62,12 +63,9 @@ fn watched(billiard: &Billiard, pieces: [usize; 2], start: State, most: usize) -
     })
 }
 
-fn measure(effort: Effort) -> Measurement {
-    let (samples, collisions) = (effort.of(2000, 20_000), effort.of(2000, 20_000));
-    let gamma_squared = UNIFORM;
-    let half_width = 0.5 * libm::sqrt(1.0 + gamma_squared) / libm::sqrt(gamma_squared);
-    let mut quantities = vec![];
-    for sides in [
+/// The tables.
+fn cases() -> [Sides; 4] {
+    [
         Sides {
             name: "stadium",
             table: tables::stadium(1.0, 1.0),
@@ -100,49 +98,49 @@ fn measure(effort: Effort) -> Measurement {
             from: [2.0, 0.0],
             upright: true,
         },
-    ] {
-        let billiard = no_slip(sides.table.clone(), gamma_squared);
-        let strip = no_slip(tables::strip(sides.gap), gamma_squared);
-        let pieces = sides.pieces(&billiard.table);
-        // slopes that have a chance to fit: those of flights shorter than the sides
-        let steepest = sides.length / sides.gap;
-        let (mut fit, mut fitting_leave, mut others_stay) = (0, 0, 0);
-        for sample in 0..samples {
-            let mut stream = Stream::new(140, sample);
-            let [a, b] = stream.in_disk();
-            let scale = steepest.min(1.0);
-            let (v0, v1) = (a * scale, b * scale);
-            let x1 = sides.length * stream.uniform();
-            let start = State { x: [0.0, x1, 0.0], v: [v0, v1, libm::sqrt(1.0 - v0 * v0 - v1 * v1)] };
-            let two = bounces(&strip, start, 2);
-            let (middle, reach) = (centre(gamma_squared, &two[0], &two[1])[1], half_width * sides.gap * ladder(&start));
-            let fits = middle - reach > 0.0 && middle + reach < sides.length;
-            let stop = watched(&billiard, pieces, sides.place(start), collisions);
-            fit += usize::from(fits);
-            fitting_leave += usize::from(fits && stop != Stop::Finished);
-            // an orbit fills its width up to the square of 10π/n of it, as in the claim strip-width
-            let phase = 10.0 * core::f64::consts::PI / (0.5 * collisions as f64);
-            let by_far =
-                middle - reach * (1.0 - phase * phase) < 0.0 || middle + reach * (1.0 - phase * phase) > sides.length;
-            others_stay += usize::from(by_far && stop != Stop::Observer);
-        }
-        let label = |what: &str| format!("{}: {what}", sides.name);
-        let share = fit as f64 / samples as f64;
-        quantities.extend([
-            // some to follow: forty of the smaller sample
-            Quantity::at_least(
-                label("share of steep enough starts on a side whose width fits on it"),
-                share,
-                0.02,
-                0.0,
-            ),
-            Quantity::count(
-                label(&format!("of these {fit}, not staying for {collisions} collisions")),
-                fitting_leave,
-                0,
-            ),
-            Quantity::count(label("starts whose width does not fit, not seen to leave"), others_stay, 0),
-        ]);
+    ]
+}
+
+/// Which orbits stay between the sides of a table.
+fn staying(sides: &Sides, samples: usize, collisions: u32) -> [Quantity; 3] {
+    let gamma_squared = UNIFORM;
+    let half_width = 0.5 * libm::sqrt(1.0 + gamma_squared) / libm::sqrt(gamma_squared);
+    let billiard = no_slip(sides.table.clone(), gamma_squared);
+    let strip = no_slip(tables::strip(sides.gap), gamma_squared);
+    let pieces = sides.pieces(&billiard.table);
+    // slopes that have a chance to fit: those of flights shorter than the sides
+    let steepest = sides.length / sides.gap;
+    // an orbit fills its width up to the square of this
+    let phase = phase(f64::from(collisions));
+    let (mut fit, mut fitting_leave, mut others_stay) = (0, 0, 0);
+    for sample in 0..samples {
+        let mut stream = Stream::new(140, sample);
+        let [a, b] = stream.in_disk();
+        let scale = steepest.min(1.0);
+        let (v0, v1) = (a * scale, b * scale);
+        let x1 = sides.length * stream.uniform();
+        let start = State { x: [0.0, x1, 0.0], v: [v0, v1, libm::sqrt(1.0 - v0 * v0 - v1 * v1)] };
+        let two = bounces(&strip, start, 2);
+        let (middle, reach) = (centre(gamma_squared, &two[0], &two[1])[1], half_width * sides.gap * ladder(&start));
+        let fits = middle - reach > 0.0 && middle + reach < sides.length;
+        let stop = watched(&billiard, pieces, sides.place(start), collisions as usize);
+        fit += usize::from(fits);
+        fitting_leave += usize::from(fits && stop != Stop::Finished);
+        let by_far =
+            middle - reach * (1.0 - phase * phase) < 0.0 || middle + reach * (1.0 - phase * phase) > sides.length;
+        others_stay += usize::from(by_far && stop != Stop::Observer);
     }
-    quantities.into()
+    let label = |what: &str| format!("{}: {what}", sides.name);
+    let share = fit as f64 / samples as f64;
+    [
+        // some to follow: forty of the smaller sample
+        Quantity::at_least(label("share of steep enough starts on a side whose width fits on it"), share, 0.02, 0.0),
+        Quantity::count(label(&format!("of these {fit}, not staying for {collisions} collisions")), fitting_leave, 0),
+        Quantity::count(label("starts whose width does not fit, not seen to leave"), others_stay, 0),
+    ]
+}
+
+fn measure(effort: Effort) -> Measurement {
+    let (samples, collisions) = (effort.of(2000, 20_000), effort.of(2000, 20_000));
+    cases().iter().flat_map(|sides| staying(sides, samples, collisions)).collect::<Vec<_>>().into()
 }

@@ -2,7 +2,7 @@
 use super::strip_width::random_start;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM, beta},
+    law::{ALL, UNIFORM, beta},
     motion::{Bounce, bounces, no_slip},
     random::Stream,
     strip::{centre, contact_direction, seen},
@@ -52,7 +52,7 @@ fn longest_runs<const N: usize>(values: impl IntoIterator<Item = usize>) -> [usi
 fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(60, 300), effort.of(1000, 3000));
     let mut quantities = vec![];
-    for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {
+    for gamma_squared in ALL {
         let strip = no_slip(tables::strip(1.0), gamma_squared);
         let (mut same_way, mut quadrants) = ([0; 2], [0; 4]);
         for sample in 0..orbits {

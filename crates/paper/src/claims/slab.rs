@@ -129,8 +129,7 @@ fn measure(effort: Effort) -> Measurement {
     }
     // as in a strip, with ℓ² between 0.1 and 24
     let rounding = 2.0 * super::strip_width::rounding(f64::from(collisions));
-    // as in a strip: one contact of each plane is within half a gap of phases, 10π/n, of the extreme
-    let phase = 10.0 * core::f64::consts::PI / (0.5 * f64::from(collisions));
+    let phase = super::strip_width::phase(f64::from(collisions));
     [
         // ℓ > 0.3 is a rise below 0.957 without spin; with it the spin may be most of the rest
         Quantity::at_least("orbits with ℓ > 0.3", long as f64, 0.75 * orbits as f64, 0.0),

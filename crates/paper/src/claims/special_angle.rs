@@ -1,7 +1,7 @@
 //! The angle β of the collision cone.
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM, beta, cos_beta, no_slip, sin_beta},
+    law::{ALL, UNIFORM, beta, cos_beta, no_slip, sin_beta},
     random::Stream,
     statistics::worst,
 };
@@ -34,7 +34,7 @@ fn measure(effort: Effort) -> Measurement {
     for sample in 0..effort.of(100, 10_000) {
         let angle = Stream::new(2, sample).between(0.0, core::f64::consts::TAU);
         let normal = [libm::cos(angle), libm::sin(angle)];
-        for gamma_squared in OTHERS.into_iter().chain([UNIFORM]) {
+        for gamma_squared in ALL {
             defects.push((construction(beta(gamma_squared), normal) - no_slip(gamma_squared, normal)).amax());
         }
     }

@@ -2,7 +2,7 @@
 use super::strip_width::random_start;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM, beta, no_slip},
+    law::{ALL, UNIFORM, beta, no_slip},
     motion::{self, bounces},
     random::Stream,
     statistics::{Range, worst},
@@ -35,7 +35,7 @@ fn measure(effort: Effort) -> Measurement {
         (two_collisions(UNIFORM) - paper).amax(),
         rounding,
     )];
-    for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {
+    for gamma_squared in ALL {
         let strip = motion::no_slip(tables::strip(1.0), gamma_squared);
         let (mut angles, mut off) = (Range::EMPTY, vec![]);
         for sample in 0..effort.of(30, 300) {

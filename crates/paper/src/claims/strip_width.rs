@@ -1,7 +1,7 @@
 //! How far an orbit of the strip goes sideways.
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM},
+    law::{ALL, UNIFORM},
     motion::{Billiard, State, fly, no_slip},
     random::Stream,
     statistics::Range,
@@ -44,6 +44,15 @@ pub(super) fn rounding(collisions: f64) -> f64 {
     32.0 * f64::EPSILON * collisions
 }
 
+/// How far in phase, in radians, the contact points of a wall end from an extreme of the orbit at most.
+///
+/// They lie where a cosine is sampled at the multiples of 2β. For the β at hand the largest gap between n such phases, n half the
+/// collisions, is less than 10/n turns, so one is within 10π/n of the top of the cosine, which has fallen by (10π/n)²/2 there; and as much
+/// at the bottom.
+pub(super) fn phase(collisions: f64) -> f64 {
+    10.0 * PI / (0.5 * collisions)
+}
+
 /// The widths of an orbit in `x₁` and `x₀`, over ℓ.
 fn widths(strip: &Billiard, sample: usize, collisions: usize) -> [f64; 2] {
     let start = random_start(&mut Stream::new(201, sample));
@@ -58,14 +67,11 @@ fn widths(strip: &Billiard, sample: usize, collisions: usize) -> [f64; 2] {
 
 fn measure(effort: Effort) -> Measurement {
     let (orbits, collisions) = (effort.of(10, 100), effort.of(10_000_u32, 100_000));
-    // The contact points of a wall lie where a cosine is sampled at the multiples of 2β. For the β at hand the largest gap between n
-    // such phases is less than 10/n turns, so one is within 10π/n of the top of the cosine, which has fallen by (10π/n)²/2
-    // there; and as much at the bottom.
-    let phase = 10.0 * PI / (0.5 * f64::from(collisions));
+    let phase = phase(f64::from(collisions));
     let short = phase * phase;
     let rounding = rounding(f64::from(collisions));
     let mut quantities = vec![];
-    for gamma_squared in [UNIFORM].into_iter().chain(OTHERS) {
+    for gamma_squared in ALL {
         let strip = no_slip(tables::strip(1.0), gamma_squared);
         let (mut x1, mut x0) = (Range::EMPTY, Range::EMPTY);
         for sample in 0..orbits {

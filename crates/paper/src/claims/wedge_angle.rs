@@ -1,7 +1,7 @@
 //! How far two hits in a wedge turn the velocity.
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM, beta},
+    law::{ALL, UNIFORM, beta},
     motion::bounces,
     random::Stream,
     statistics::worst,
@@ -20,15 +20,20 @@ pub(super) const CLAIM: Claim = Claim {
     measure,
 };
 
+/// The paper's `cos α`, a polynomial of degree 4 in `cos(θ/2)`.
+fn quartic(theta: f64) -> f64 {
+    let square = libm::cos(0.5 * theta) * libm::cos(0.5 * theta);
+    32.0 / 9.0 * square * square - 16.0 / 3.0 * square + 1.0
+}
+
 fn measure(effort: Effort) -> Measurement {
-    let (mut quartic, mut general, mut by_delta, mut orbits) = (vec![], vec![], vec![], vec![]);
+    let (mut by_quartic, mut general, mut by_delta, mut orbits) = (vec![], vec![], vec![], vec![]);
     for sample in 0..effort.of(200, 20_000) {
         let mut stream = Stream::new(221, sample);
         let theta = stream.between(0.01, PI - 0.01);
-        let square = libm::cos(0.5 * theta) * libm::cos(0.5 * theta);
         let cos = 0.5 * (two_hits(theta, UNIFORM).trace() - 1.0);
-        quartic.push((cos - (32.0 / 9.0 * square * square - 16.0 / 3.0 * square + 1.0)).abs());
-        for gamma_squared in OTHERS.into_iter().chain([UNIFORM, 1.0]) {
+        by_quartic.push((cos - quartic(theta)).abs());
+        for gamma_squared in ALL.into_iter().chain([1.0]) {
             let cos = 0.5 * (two_hits(theta, gamma_squared).trace() - 1.0);
             let half = (gamma_squared - libm::cos(theta)) / (1.0 + gamma_squared);
             general.push((cos - (2.0 * half * half - 1.0)).abs());
@@ -40,21 +45,18 @@ fn measure(effort: Effort) -> Measurement {
         let orbit = bounces(&billiard(theta, UNIFORM), start, 5);
         let b = Vector3::from(axis(theta, UNIFORM));
         let off = |i: usize| Vector3::from(orbit[i].state.v) - b * b.dot(&Vector3::from(orbit[i].state.v));
-        let square = libm::cos(0.5 * theta) * libm::cos(0.5 * theta);
-        let expected = 32.0 / 9.0 * square * square - 16.0 / 3.0 * square + 1.0;
         // an angle between short vectors is as uncertain as they are short
-        orbits.push((off(1).dot(&off(3)) - expected * off(1).norm_squared()).abs());
+        orbits.push((off(1).dot(&off(3)) - quartic(theta) * off(1).norm_squared()).abs());
     }
-    // the strip is the wedge of angle 0
-    let strip = 32.0 / 9.0 - 16.0 / 3.0 + 1.0;
     // traces of products of two matrices, a few dozen roundings of numbers up to 4
     let rounding = 64.0 * f64::EPSILON;
     [
-        Quantity::residual("cos α of the law's matrices against the paper's quartic", worst(quartic), rounding),
+        Quantity::residual("cos α of the law's matrices against the paper's quartic", worst(by_quartic), rounding),
         Quantity::residual("cos α of orbits against the paper's quartic", worst(orbits), rounding),
+        // the strip is the wedge of angle 0
         Quantity::equal(
             "quartic at θ = 0, against cos α of the strip",
-            strip,
+            quartic(0.0),
             libm::cos(2.0 * beta(UNIFORM)),
             rounding,
         ),

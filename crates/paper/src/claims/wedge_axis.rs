@@ -1,7 +1,7 @@
 //! The axis of periodicity.
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM},
+    law::ALL,
     motion::{State, bounces, distance},
     random::Stream,
     statistics::worst,
@@ -28,7 +28,7 @@ fn measure(effort: Effort) -> Measurement {
     for sample in 0..wedges {
         let mut stream = Stream::new(220, sample);
         let theta = stream.between(0.05, PI - 0.05);
-        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma_squared = ALL[sample % 4];
         let (b, s) = (Vector3::from(axis(theta, gamma_squared)), two_hits(theta, gamma_squared));
         fixed.push((s * b - b).amax());
 

@@ -2,7 +2,7 @@
 use super::wedge_periods::apart;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
-    law::{OTHERS, UNIFORM},
+    law::{ALL, UNIFORM},
     motion::{Bounce, bounces},
     random::Stream,
     statistics::{Range, worst},
@@ -31,7 +31,7 @@ fn measure(effort: Effort) -> Measurement {
     let periodic = opening(3.0 * PI / 8.0, UNIFORM).unwrap_or(f64::NAN);
     for sample in 0..effort.of(200, 2000) {
         let mut stream = Stream::new(226, sample);
-        let gamma_squared = [UNIFORM, OTHERS[0], OTHERS[1], OTHERS[2]][sample % 4];
+        let gamma_squared = ALL[sample % 4];
         let theta = stream.between(0.3, 2.8);
         let start = bounded_start(theta, gamma_squared, 0.9, &mut stream);
         let orbit = bounces(&billiard(theta, gamma_squared), start, collisions);
