@@ -1,7 +1,7 @@
 //! A billiard: a table's walls and a ball's law.
 use crate::{
     creep::{creeps, follows, meets_a_vertex},
-    energy::{Arrived, EnergyKeeper, speed, sum},
+    energy::{Arrived, EnergyKeeper, taxicab, taxicab_with_spin},
     laws::Mirror,
     orbit::Orbit,
     stop::{GRAZING, ROUNDED, Stop, ended, has_stalled},
@@ -152,7 +152,8 @@ pub(crate) fn slow<const N: usize, const S: usize>(
     velocity: &[f64; N],
     spin: &[f64; S],
 ) -> f64 {
-    GRAZING * if law.mirror().is_some_and(Mirror::is_specular) { sum(velocity) } else { speed(velocity, spin) }
+    let is_specular = law.mirror().is_some_and(Mirror::is_specular);
+    GRAZING * if is_specular { taxicab(velocity) } else { taxicab_with_spin(velocity, spin) }
 }
 
 impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S> for Billiard<'_, W, L> {
@@ -183,8 +184,11 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         orbit.position = hit.point;
         let normal_speed = dot(&orbit.velocity, &hit.normal);
         let reverses = self.law.is_strict();
-        let (owed, before) =
-            if reverses { (*owed, slow) } else { (orbit.keeper.rounded_off(*owed), sum(&orbit.velocity) * ROUNDED) };
+        let (owed, before) = if reverses {
+            (*owed, slow)
+        } else {
+            (orbit.keeper.rounded_off(*owed), taxicab(&orbit.velocity) * ROUNDED)
+        };
         let arrived = Arrived { owed, normal_speed, reverses };
         if self.walls.is_along_axes() {
             self.law.collide_along_axis(hit, &mut orbit.velocity, &mut orbit.spin);
@@ -204,9 +208,9 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         }
         // a ball that a law leaves moving into the wall counts as flat, too
         *leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
-        let speed = sum(&orbit.velocity);
-        let flat = !(speed * ROUNDED).max(before).lt(*leaving);
-        flat | creeps(hit, [normal_speed * hit.inverse, *leaving], speed) | has_stalled(&orbit.velocity)
+        let after = taxicab(&orbit.velocity);
+        let flat = !(after * ROUNDED).max(before).lt(*leaving);
+        flat | creeps(hit, [normal_speed * hit.inverse, *leaving], after) | has_stalled(&orbit.velocity)
     }
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64 {
         slow(self.law, velocity, spin)

@@ -1,5 +1,5 @@
 //! Motion along a wall, and past its end, within rounding.
-use crate::energy::sum;
+use crate::energy::taxicab;
 use geometry::{WallHit, Walls};
 use lanes::{Lane, dot};
 
@@ -11,13 +11,13 @@ const FLAT: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
 const NEAR: f64 = 4.0 * f64::EPSILON;
 
 /// Whether a particle that a law has slowed down creeps along a focusing wall: it came from that wall on a flight that rose above it by
-/// no more than rounding, and leaves it at as flat an angle, judged by the normal speeds of arrival and departure. From then on rounding
-/// determines the lengths of chords.
+/// no more than rounding, and leaves it at as flat an angle, judged by the normal speeds of arrival and departure and the [`taxicab`] norm
+/// of the velocity of departure, its `size`. From then on rounding determines the lengths of chords.
 #[inline(always)]
-pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, leaving]: [F; 2], speed: F) -> F::Mask {
+pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, leaving]: [F; 2], size: F) -> F::Mask {
     // how far it rose is a fourth of this
     let rise = hit.time * arrival.abs();
-    leaving.lt(speed * FLAT) & rise.lt(sum(&hit.point) * NEAR)
+    leaving.lt(size * FLAT) & rise.lt(taxicab(&hit.point) * NEAR)
 }
 
 /// Whether a path that meets no wall starts on a focusing one and runs along it, within rounding: paths that are turned a little out of
@@ -27,7 +27,7 @@ pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, lea
 pub(crate) fn follows<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {
     axes().filter_map(|axis| wall_there(walls, position, &turned(velocity, &axis))).any(|(normal, piece)| {
         let again = walls.first_hit(position, &turned(velocity, &normal));
-        dot(velocity, &normal).abs() <= sum(velocity) * FLAT && again.time < f64::INFINITY && again.piece == piece
+        dot(velocity, &normal).abs() <= taxicab(velocity) * FLAT && again.time < f64::INFINITY && again.piece == piece
     })
 }
 
@@ -36,7 +36,7 @@ pub(crate) fn follows<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N
 #[cold]
 #[inline(never)]
 pub(crate) fn meets_a_vertex<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {
-    let step = sum(position) * NEAR;
+    let step = taxicab(position) * NEAR;
     axes().filter_map(|axis| wall_there(walls, position, &axis)).any(|(normal, _)| {
         let inside = core::array::from_fn(|i| position[i] + step * normal[i]);
         walls.first_hit(&inside, velocity).time < f64::INFINITY
@@ -60,11 +60,11 @@ fn wall_there<W: Walls<N>, const N: usize>(
 ) -> Option<([f64; N], f64)> {
     let hit: WallHit<f64, N> = walls.first_hit(position, direction);
     let normal = hit.unit_normal();
-    (hit.time * dot(direction, &normal).abs() <= sum(position) * NEAR).then_some((normal, hit.piece))
+    (hit.time * dot(direction, &normal).abs() <= taxicab(position) * NEAR).then_some((normal, hit.piece))
 }
 
 /// A velocity turned by 2⁻²⁰: far more than [`FLAT`], and still along a wall that it is along.
 fn turned<const N: usize>(velocity: &[f64; N], by: &[f64; N]) -> [f64; N] {
-    let turn = sum(velocity) / 1_048_576.0;
+    let turn = taxicab(velocity) / 1_048_576.0;
     core::array::from_fn(|i| velocity[i] + turn * by[i])
 }

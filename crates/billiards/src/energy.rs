@@ -110,20 +110,20 @@ fn square<F: Lane, const N: usize>(zero: F, of: &[F; N]) -> F {
     of.iter().fold(zero, |sum, x| sum + *x * *x)
 }
 
-/// The sum of the absolute values of all components. It lies between the length of `(velocity, spin)` and that length times the root of
-/// their number, and needs no squares, which may over- or underflow.
+/// The taxicab norm of velocity and spin together.
 #[inline(always)]
-pub(crate) fn speed<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
-    let mut all = sum(velocity);
+pub(crate) fn taxicab_with_spin<F: Lane, const N: usize, const S: usize>(velocity: &[F; N], spin: &[F; S]) -> F {
+    let mut all = taxicab(velocity);
     for w in spin {
         all = all + w.abs();
     }
     all
 }
 
-/// The sum of the absolute values of the components.
+/// The taxicab norm: the sum of the absolute values of the components. It lies between the length and that length times the root of
+/// their number, and needs no squares, which may over- or underflow.
 #[inline(always)]
-pub(crate) fn sum<F: Lane, const N: usize>(of: &[F; N]) -> F {
+pub(crate) fn taxicab<F: Lane, const N: usize>(of: &[F; N]) -> F {
     let mut sum = of[0].abs();
     for x in &of[1..] {
         sum = sum + x.abs();

@@ -272,10 +272,10 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
             return !slow.lt(arrival.abs());
         }
         let (leaving, tangential) = (carried.normal, carried.even.tangential);
-        let speed = leaving.abs() + tangential.abs();
+        let after = leaving.abs() + tangential.abs();
         let before = arrival.abs() + chord.tangential.abs();
-        let flat = !(speed.max(before) * ROUNDED).max(speed.same(LEAST)).lt(leaving);
-        if W::ROUND { flat | creeps(hit, [arrival, leaving], speed) } else { flat }
+        let flat = !(after.max(before) * ROUNDED).max(after.same(LEAST)).lt(leaving);
+        if W::ROUND { flat | creeps(hit, [arrival, leaving], after) } else { flat }
     }
     fn slow(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
         slow(self.law, velocity, spin)

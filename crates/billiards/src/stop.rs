@@ -1,5 +1,5 @@
 //! Why an orbit ends.
-use crate::energy::sum;
+use crate::energy::taxicab;
 use lanes::{Lane, dot};
 
 /// Why an orbit ended.
@@ -54,7 +54,7 @@ pub struct Outcome {
 /// This many consecutive flights of zero length count as no motion: two curves that touch can hold a particle for ever.
 pub(crate) const MOST_IDLE: u32 = 64;
 
-/// A normal speed up to this fraction of the speed (the sum of the absolute values of all components) cannot be told from rounding.
+/// A normal speed up to this fraction of the speed (in the [`taxicab`] norm) cannot be told from rounding.
 pub(crate) const GRAZING: f64 = f64::EPSILON;
 
 /// Rounding under a law may leave a normal speed of up to this fraction of the speeds before and after: the normal component is a sum of
@@ -87,6 +87,6 @@ pub(crate) fn ended<const N: usize>(velocity: &[f64; N], why: Stop) -> Stop {
 
 /// Why an orbit of this velocity does not get away from a wall that it leaves with this normal speed.
 pub(crate) fn stays<const N: usize>(velocity: &[f64; N], leaving: f64) -> Stop {
-    let leaves_inwards = leaving < -INWARDS * sum(velocity);
+    let leaves_inwards = leaving < -INWARDS * taxicab(velocity);
     ended(velocity, if leaves_inwards { Stop::IntoWall } else { Stop::Grazing })
 }
