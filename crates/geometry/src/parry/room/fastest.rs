@@ -16,8 +16,10 @@ enum Container {
     Ball { center: Vector3<f64>, radius: f64, piece: usize },
     /// The inside of a cylinder about a unit vector, with its number.
     Cylinder { center: Vector3<f64>, axis: Vector3<f64>, radius: f64, half_height: f64, piece: usize },
-    /// All points between two corners, which may lie at infinity, with the numbers of the lower and the upper wall across each axis.
+    /// All points between two corners, with the numbers of the lower and the upper wall across each axis.
     Box { low: Vector3<f64>, high: Vector3<f64>, pieces: [[usize; 2]; 3] },
+    /// All points between two planes perpendicular to an axis, with the numbers of the lower and the upper one.
+    Slab { axis: usize, low: f64, high: f64, pieces: [usize; 2] },
 }
 
 impl Room {
@@ -80,20 +82,25 @@ impl Room {
                 return None;
             }
         }
-        let [mut low, mut high] = [f64::NEG_INFINITY, f64::INFINITY].map(Vector3::repeat);
-        let mut pieces = [[usize::MAX; 2]; 3];
-        for axis in 0..3 {
-            match ends[axis] {
+        let mut slabs = vec![];
+        for (axis, ends) in ends.into_iter().enumerate() {
+            match ends {
                 [None, None] => {}
-                [Some(a), Some(b)] if a.0 < b.0 => {
-                    (low[axis], high[axis], pieces[axis]) = (a.0, b.0, [a.1, b.1]);
+                [Some((low, below)), Some((high, above))] if low < high => {
+                    slabs.push((axis, [low, high], [below, above]));
                 }
                 _ => return None,
             }
         }
-        // an infinite channel has no walls in lanes
-        let walls = high.iter().filter(|end| end.is_finite()).count();
-        (walls == 1 || walls == 3).then_some(Container::Box { low, high, pieces })
+        match slabs[..] {
+            [(axis, [low, high], pieces)] => Some(Container::Slab { axis, low, high, pieces }),
+            [(_, x, of_x), (_, y, of_y), (_, z, of_z)] => {
+                let [low, high] = [0, 1].map(|end| Vector3::new(x[end], y[end], z[end]));
+                Some(Container::Box { low, high, pieces: [of_x, of_y, of_z] })
+            }
+            // an infinite channel has no walls in lanes
+            _ => None,
+        }
     }
 }
 
@@ -130,12 +137,10 @@ impl Container {
             Container::Cylinder { center, axis, radius, half_height, piece } => {
                 Vessel::Cylinder(Cylinder::new(center, axis, radius, half_height, piece)?)
             }
-            Container::Box { low, high, pieces } => match [0, 1, 2].map(|axis| high[axis] < f64::INFINITY) {
-                [true, true, true] => Vessel::Box(Cuboid::new(low.into(), high.into(), pieces)?),
-                [true, _, _] => Vessel::Slab1(Slab::new(low.x, high.x, pieces[0])?),
-                [_, true, _] => Vessel::Slab2(Slab::new(low.y, high.y, pieces[1])?),
-                _ => Vessel::Slab3(Slab::new(low.z, high.z, pieces[2])?),
-            },
+            Container::Box { low, high, pieces } => Vessel::Box(Cuboid::new(low.into(), high.into(), pieces)?),
+            Container::Slab { axis: 0, low, high, pieces } => Vessel::Slab1(Slab::new(low, high, pieces)?),
+            Container::Slab { axis: 1, low, high, pieces } => Vessel::Slab2(Slab::new(low, high, pieces)?),
+            Container::Slab { low, high, pieces, .. } => Vessel::Slab3(Slab::new(low, high, pieces)?),
         })
     }
 
@@ -144,6 +149,7 @@ impl Container {
         match self {
             Container::Ball { piece, .. } | Container::Cylinder { piece, .. } => number == *piece,
             Container::Box { pieces, .. } => pieces.as_flattened().contains(&number),
+            Container::Slab { pieces, .. } => pieces.contains(&number),
         }
     }
 
@@ -161,6 +167,7 @@ impl Container {
                 height.abs() < half_height - off && (away - axis * height).norm() < radius - off
             }),
             Container::Box { low, high, .. } => low.add_scalar(off) < min && max < high.add_scalar(-off),
+            Container::Slab { axis, low, high, .. } => low + off < min[*axis] && max[*axis] < high - off,
         })
     }
 }
