@@ -22,8 +22,22 @@ pub enum Error {
     OffCircle {
         /// Distance of the start.
         start: f64,
-        /// Distance of the end, or the radius given.
+        /// Distance of the end.
         end: f64,
+    },
+    /// An end of an arc that does not lie on the circle of the given radius.
+    #[error("an end of the arc lies {distance} from its centre; its radius is {radius}")]
+    OffRadius {
+        /// Distance of the end.
+        distance: f64,
+        /// The radius.
+        radius: f64,
+    },
+    /// An end of an elliptic arc that does not lie on the ellipse.
+    #[error("an end of the arc does not lie on its ellipse, but on one {ratio} times as large")]
+    OffEllipse {
+        /// The size of the ellipse about the same centre through the end, in units of the given one.
+        ratio: f64,
     },
     /// A parameter outside its range.
     #[error("{name} must be {must}, not {}", short(*value))]

@@ -430,7 +430,7 @@ impl<'a> Arrangement<'a> {
             let to = if closes { start } else { place(section.sites[1], *cell) };
             let piece = self.piece(section, *cell, [from, to]).map_err(|error| match (error, to.or(from)) {
                 // the rest of a piece between vertices that are equal up to rounding
-                (Error::ZeroLength | Error::OffCircle { .. }, Some(at)) => {
+                (Error::ZeroLength | Error::OffRadius { .. }, Some(at)) => {
                     Error::Undecided { radius: self.radius, at: at.into() }
                 }
                 (other, _) => other,

@@ -90,7 +90,8 @@ impl Arc {
     /// The same with the radius given, for vertices that were computed from it.
     ///
     /// # Errors
-    /// As [`Arc::new`].
+    /// As [`Arc::new`], but [`Error::OffRadius`] for a vertex whose distance from the centre differs from the radius by more than 10⁻⁹ of
+    /// it.
     pub fn with_radius(
         center: Vector2<f64>,
         radius: f64,
@@ -106,7 +107,7 @@ impl Arc {
             let distance = libm::hypot(vertex.x - center.x, vertex.y - center.y);
             // a circle far from the origin for its size has vertices with the rounding of its position
             if (distance - radius).abs() > 1e-9 * radius + circle.slack {
-                return Err(Error::OffCircle { start: distance, end: radius });
+                return Err(Error::OffRadius { distance, radius });
             }
         }
         let (start, end) = (circle.angle(&a), circle.angle(&b));
@@ -314,6 +315,21 @@ mod tests {
         // almost a whole circle between vertices off by 10⁻¹⁰ may be anywhere
         let slit = Arc::new(Vector2::zeros(), a, v(1.0 + 1e-10, -1e-6), true);
         assert!(matches!(slit, Err(Error::OffCircle { .. })));
+    }
+
+    #[test]
+    fn an_end_off_the_given_circle_is_told_from_ends_at_different_distances() {
+        let (origin, a) = (Vector2::zeros(), v(1.0, 0.0));
+        let error = |arc: Result<Arc, Error>| arc.unwrap_err().to_string();
+        assert_eq!(
+            error(Arc::new(origin, a, v(0.0, 2.0), true)),
+            "the ends of the arc lie 1 and 2 from its centre; they must be equally far"
+        );
+        // both are equally far
+        assert_eq!(
+            error(Arc::with_radius(origin, 3.0, a, v(0.0, 1.0), true)),
+            "an end of the arc lies 1 from its centre; its radius is 3"
+        );
     }
 
     #[test]

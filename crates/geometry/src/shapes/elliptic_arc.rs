@@ -37,20 +37,19 @@ impl EllipticArc {
     /// The vertices are kept as they are, since neighbours share them.
     ///
     /// # Errors
-    /// [`Error::ZeroLength`] if `a = b` (use [`Ellipse`]), and [`Error::OffCircle`] for a vertex that is off the
-    /// ellipse by more than 10⁻⁹ of its size: such data are taken for a mistake. The distances in that error are
-    /// measured in the picture where the ellipse is the unit circle.
+    /// [`Error::ZeroLength`] if `a = b` (use [`Ellipse`]), and [`Error::OffEllipse`] for a vertex that is off the
+    /// ellipse by more than 10⁻⁹ of its size: such data are taken for a mistake.
     pub fn new(ellipse: Ellipse, a: Vector2<f64>, b: Vector2<f64>) -> Result<EllipticArc, Error> {
         if a == b {
             return Err(Error::ZeroLength);
         }
         let ends = [a, b].map(|vertex| ellipse.eccentric(&vertex));
         let [ra, rb] = ends.map(|y| libm::hypot(y[0], y[1]));
-        for r in [ra, rb] {
+        for ratio in [ra, rb] {
             // in units of the semi-axes; far from the origin, the rounding of coordinates there
             let tolerance = 1e-9_f64.max(ellipse.unit().slack);
-            if (r - 1.0).abs() > tolerance || r.is_nan() {
-                return Err(Error::OffCircle { start: r, end: 1.0 });
+            if (ratio - 1.0).abs() > tolerance || ratio.is_nan() {
+                return Err(Error::OffEllipse { ratio });
             }
         }
         let turn = ellipse.unit().turn();
@@ -251,7 +250,9 @@ mod tests {
 
     #[test]
     fn vertices_must_lie_on_the_ellipse() {
-        let off = EllipticArc::new(tilted(true), Vector2::new(0.25, -0.5), tilted(true).point_at(1.0));
-        assert!(matches!(off, Err(Error::OffCircle { .. })));
+        let ellipse = Ellipse::new(Vector2::new(5.0, 0.0), [4.0, 2.0], 0.0, true).unwrap();
+        // the ends are equally far from the centre
+        let off = EllipticArc::new(ellipse, Vector2::new(9.0, 0.0), Vector2::new(5.0, 4.0)).unwrap_err();
+        assert_eq!(off.to_string(), "an end of the arc does not lie on its ellipse, but on one 2 times as large");
     }
 }

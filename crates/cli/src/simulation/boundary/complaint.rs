@@ -19,6 +19,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         }
         Error::PolarRadius { angle, radius, certain } => Error::PolarRadius { angle, radius: back(radius), certain },
         Error::OffCircle { start, end } => Error::OffCircle { start: back(start), end: back(end) },
+        Error::OffRadius { distance, radius } => Error::OffRadius { distance: back(distance), radius: back(radius) },
         Error::Open { piece, starts, gap } => Error::Open { piece, starts, gap: back(gap) },
         Error::Crossing { first, second, at } => Error::Crossing { first, second, at: at.map(back) },
         Error::Faces { first, second, at } => Error::Faces { first, second, at: at.map(back) },
