@@ -59,7 +59,7 @@ pub(super) fn split(
         let Some(beyond) = beyond else { continue };
         if left == 0 {
             return Err(Error::Triangle {
-                triangle: k,
+                triangle: origin[k],
                 problem: "has no area, and neither do others around it: remove them",
             });
         }
@@ -88,4 +88,18 @@ pub(super) fn split(
     let is_left = |k: &usize| !gone[*k];
     let left: Vec<usize> = (0..triangles.len()).filter(is_left).collect();
     Ok(left.iter().map(|&k| (triangles[k], origin[k])).unzip())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_triangle_at_fault_is_one_of_those_given() {
+        // all on one line, with two vertices at either end: the parts of the last triangle are as long as itself
+        let vertices = [2.0, 2.0, 8.0, 8.0].map(|x| Vector3::new(x, 0.0, 0.0));
+        let triangles = vec![[0, 1, 2], [2, 0, 3], [2, 3, 1], [0, 3, 1], [3, 2, 1]];
+        let error = split(&vertices, triangles).unwrap_err();
+        assert!(matches!(error, Error::Triangle { triangle: 4, .. }), "{error}");
+    }
 }
