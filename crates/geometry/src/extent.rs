@@ -18,6 +18,9 @@ impl<const N: usize> Extent<N> {
         max: SVector::from_array_storage(ArrayStorage([[f64::NEG_INFINITY; N]; 1])),
     };
 
+    /// The whole space.
+    pub(crate) const WHOLE: Extent<N> = Extent { min: Extent::EMPTY.max, max: Extent::EMPTY.min };
+
     /// The smallest box around some points.
     pub fn of(points: impl IntoIterator<Item = SVector<f64, N>>) -> Extent<N> {
         points.into_iter().fold(Extent::EMPTY, |e, p| Extent { min: e.min.inf(&p), max: e.max.sup(&p) })

@@ -1,5 +1,6 @@
 //! Products of plane vectors, in lanes.
-use crate::Error;
+use crate::{Error, Extent};
+use core::ops::RangeInclusive;
 use lanes::{Double, Lane, two_sum};
 use nalgebra::SVector;
 
@@ -57,12 +58,22 @@ pub(crate) fn finite<const N: usize>(name: &'static str, point: &SVector<f64, N>
     }
 }
 
-/// Refuses a length whose square, or what is computed from it, would over- or underflow.
+/// The lengths \[L\] whose squares, and what is computed from them, neither over- nor underflow.
+pub(crate) const LENGTHS: RangeInclusive<f64> = 1e-150..=1e150;
+
+/// What such a length must be, in words.
+pub(crate) const MUST_HAVE_SQUARE: &str = "between 1e-150 and 1e150";
+
+/// Refuses a length that is not one of [`LENGTHS`].
 pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
-    if (1e-150..=1e150).contains(&value) {
-        return Ok(());
-    }
-    Err(Error::Length { name, must: "between 1e-150 and 1e150", value })
+    if LENGTHS.contains(&value) { Ok(()) } else { Err(Error::Length { name, must: MUST_HAVE_SQUARE, value }) }
+}
+
+/// The same for the greatest finite coordinate of a boundary, given the boxes around its parts; 0 is the size of lines and planes
+/// through the origin.
+pub(crate) fn has_squares<const N: usize>(boxes: impl IntoIterator<Item = Extent<N>>) -> Result<(), Error> {
+    let size = boxes.into_iter().map(|extent| extent.size()).fold(0.0, f64::max);
+    if size == 0.0 { Ok(()) } else { has_square("the greatest coordinate of the boundary", size) }
 }
 
 /// The unit vector from `a` to `b`, each component correct to its last digit, and the distance; `None` where there is no direction.

@@ -16,7 +16,7 @@ use crate::{
     enclosed_area,
     lattice::multiples,
     nearest::{Nearest, nearest_of},
-    plane::{has_square, is_finite, slack},
+    plane::{has_squares, is_finite, slack},
     walls::{Pieces, Polygon},
 };
 pub use cell::FundamentalCell;
@@ -63,9 +63,7 @@ fn are_places(pieces: &[Box<dyn Piece>]) -> Result<(), Error> {
     if let Some(value) = ends().find(|x| x.is_nan()) {
         return Err(Error::Parameter { name: "a coordinate of the end of a piece", must: "a number", value });
     }
-    let coordinates = pieces.iter().map(|piece| piece.extent()).flat_map(|e| [e.min.x, e.min.y, e.max.x, e.max.y]);
-    let value = coordinates.map(f64::abs).filter(|x| x.is_finite()).fold(0.0, f64::max);
-    if value == 0.0 { Ok(()) } else { has_square("the greatest coordinate of the boundary", value) }
+    has_squares(pieces.iter().map(|piece| piece.extent()))
 }
 
 impl Table {

@@ -4,7 +4,7 @@ mod random;
 
 use core::f64::consts::PI;
 use geometry::{
-    Boundary, Error, Line, Vector3,
+    Boundary, Error, Extent, Line, Vector3,
     parry::{
         Room, Side, Solid, SolidSpec,
         parry3d_f64::{
@@ -218,7 +218,7 @@ fn no_place_is_so_far_from_a_solid_that_it_seems_to_lie_inside() {
     let tetrahedron: Box<dyn Shape> = Box::new(tetrahedron.unwrap());
     for (name, shape) in bodies().into_iter().chain([("tetrahedron", tetrahedron)]) {
         let solid = Solid::new(&*shape, &here(), Side::Inside).unwrap();
-        if !solid.extent().iter().all(|corner| corner.iter().all(|x| x.is_finite())) {
+        if !solid.extent().is_finite() {
             continue;
         }
         for far in [1e8, 1e10, 1e12, 1e16, 1e100, 1e150] {
@@ -309,7 +309,7 @@ fn between_hundreds_of_planes_a_room_has_the_box_of_its_corners() {
     // all of them touch the unit ball
     let planes = (0..700).map(|_| direction(&mut random));
     let plane = |n: Vector3<f64>| SolidSpec::HalfSpace { normal: (-n).into() }.solid(n.into(), Side::Outside).unwrap();
-    let [low, high] = Room::new(planes.map(plane).collect()).extent();
+    let Extent { min: low, max: high } = Room::new(planes.map(plane).collect()).extent();
     assert!(
         low.iter().all(|x| (-1.1..-1.0).contains(x)) && high.iter().all(|x| (1.0..1.1).contains(x)),
         "{low} {high}"
@@ -473,7 +473,49 @@ fn shapes_without_volume_say_what_to_use_instead() {
     let (a, b, c) = (Vector::X, Vector::Y, Vector::Z);
     assert!(refused(&Triangle::new(a, b, c)));
     assert!(refused(&geometry::parry::parry3d_f64::shape::Segment::new(a, b)));
-    assert!(matches!(Solid::new(&Ball::new(-1.0), &here(), Side::Inside), Err(Error::Parameter { .. })));
+    assert!(matches!(Solid::new(&Ball::new(-1.0), &here(), Side::Inside), Err(Error::Length { .. })));
+}
+
+#[test]
+fn solids_whose_squares_are_no_numbers_are_refused() {
+    for size in [1e-151, 1e151, 1e-200, 1e200] {
+        let ([x, y, z], half) = ([size, 0.3 * size, 0.7 * size], 0.5 * size);
+        let hull = [[x, 0.0, 0.0], [0.0, x, 0.0], [0.0, 0.0, x], [0.0; 3]];
+        let mesh = |margin: f64| SolidSpec::TriMesh {
+            vertices: hull.to_vec(),
+            triangles: vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
+            margin,
+        };
+        let described = [
+            SolidSpec::Ball { radius: size },
+            SolidSpec::Cuboid { size: [x, y, z], rounding: 0.0 },
+            SolidSpec::Cuboid { size: [1.0; 3], rounding: size },
+            SolidSpec::Capsule { from: [0.0; 3], to: [1.0; 3], radius: size },
+            SolidSpec::Cylinder { radius: size, height: 1.0, rounding: 0.0 },
+            SolidSpec::Cone { radius: 1.0, height: size, rounding: 0.0 },
+            SolidSpec::ConvexHull { points: hull.to_vec(), rounding: 0.0 },
+            mesh(0.0),
+            mesh(size),
+        ];
+        for spec in described {
+            let error = spec.solid([0.0; 3], Side::Outside).err();
+            assert!(matches!(error, Some(Error::Field { .. } | Error::Length { .. })), "{spec:?}: {error:?}");
+        }
+        let of_parry: [Box<dyn Shape>; 4] = [
+            Box::new(Ball::new(size)),
+            Box::new(Cuboid::new([half; 3].into())),
+            Box::new(Cone::new(half, 1.0)),
+            Box::new(RoundShape { inner_shape: Cylinder::new(half, 1.0), border_radius: 0.1 }),
+        ];
+        for shape in of_parry {
+            let error = Solid::new(&*shape, &here(), Side::Inside).err();
+            assert!(matches!(error, Some(Error::Length { .. })), "{:?}: {error:?}", shape.shape_type());
+        }
+    }
+    // a far centre, too; but planes through the origin have no size
+    let (ball, plane) = (SolidSpec::Ball { radius: 1.0 }, SolidSpec::HalfSpace { normal: [0.0, 1e150, 1e150] });
+    assert!(matches!(ball.solid([0.0, 1e200, 0.0], Side::Outside), Err(Error::Field { .. })));
+    assert_eq!(plane.solid([0.0; 3], Side::Outside).unwrap().distance(&Vector3::y()), libm::sqrt(0.5));
 }
 
 /// An ellipsoid of which only the support map is known.

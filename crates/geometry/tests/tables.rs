@@ -3,8 +3,8 @@
 
 use core::f64::consts::PI;
 use geometry::{
-    Boundary, Error, Figure, Landing, Lattice, Line, Outline, Piece, SVector, Table, Vector2, Vector3, WallHit, Walls,
-    WithWalls,
+    Boundary, Error, Extent, Figure, Landing, Lattice, Line, Outline, Piece, SVector, Table, Vector2, Vector3, WallHit,
+    Walls, WithWalls,
     parry::{Room, Side, SolidSpec},
     shapes::{Arc, Bump, Circle, Ellipse, FullLine, Ray, Segment},
     tables::{self, Build, Kind, Value, Values},
@@ -369,7 +369,8 @@ fn spatial() -> impl Iterator<Item = tables::SpatialTable> {
 
 /// Points in a table in space and around it, on no plane of symmetry.
 fn points_about(table: &tables::SpatialTable) -> impl Iterator<Item = Vector3<f64>> {
-    let [low, high] = table.extent().map(|corner| corner.map(|x| x.clamp(-1.0e3, 1.0e3)));
+    let Extent { min, max } = table.extent();
+    let [low, high] = [min, max].map(|corner| corner.map(|x| x.clamp(-1.0e3, 1.0e3)));
     let shares = [-0.21, 0.03, 0.26, 0.57, 0.83, 0.98, 1.3];
     let along = move |axis: usize, share: f64| low[axis] + (high[axis] - low[axis]) * share;
     let shares = move |by: f64| shares.into_iter().map(move |share| share + by);
@@ -644,7 +645,10 @@ fn tables_whose_squares_are_no_numbers_are_refused() {
         let [x, y] = [Vector2::new(size, 0.0), Vector2::new(0.0, size)];
         let capsule = walls::Capsule::new(Vector2::zeros(), 1.0, size, [0; 4]).err();
         let can = walls::Cylinder::new(Vector3::zeros(), Vector3::x(), size, 1.0, 0).err();
-        for error in [tables::ball(size).err(), capsule, can, Lattice::new(&[x]).err(), Lattice::new(&[y, x]).err()] {
+        let disk = walls::Scatterer::new(Vector2::zeros(), size, 0).err();
+        for error in
+            [tables::ball(size).err(), capsule, can, disk, Lattice::new(&[x]).err(), Lattice::new(&[y, x]).err()]
+        {
             assert!(matches!(error, Some(Error::Length { .. })), "{error:?}");
         }
     }

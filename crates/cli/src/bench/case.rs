@@ -186,7 +186,7 @@ impl Case {
         match &self.space {
             Space::Plane(_) if self.name == "ellipse" => Some(Textbook::ellipse(SEMI_AXES, law)),
             Space::Plane(table) => Textbook::new(table, law),
-            Space::Room(table) => Some(Textbook::slab(table.extent()[1].z, law)),
+            Space::Room(table) => Some(Textbook::slab(table.extent().max.z, law)),
         }
     }
 

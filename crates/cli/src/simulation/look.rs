@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use billiards::geometry::Vector3;
+use billiards::geometry::{Extent, Vector3};
 
 use super::harvest::Seen;
 use super::planar::Planar;
@@ -90,7 +90,7 @@ impl<'a> Solid<'a> {
     pub(crate) fn draw(&self, material: &mut Material) {
         let spatial = self.spatial;
         let radius = spatial.radius;
-        let [low, high] = spatial.extent();
+        let Extent { min: low, max: high } = spatial.extent();
         let shown = self.part(low, high);
         let view = View { place: projected, page: [0, 1].map(|i| Vector3::from_fn(|k, _| AXES[k][i])) };
         let walls = wires::of(&spatial.walls, shown, &view);

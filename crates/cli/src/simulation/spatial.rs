@@ -2,7 +2,7 @@
 
 use billiards::geometry::parry::{Closest, Room, Side, Solid};
 use billiards::geometry::tables::{self, SpatialTable, WallAt};
-use billiards::geometry::{Boundary as _, Error, Line, Surface, Vector3, WallHit};
+use billiards::geometry::{Boundary as _, Error, Extent, Line, Surface, Vector3, WallHit};
 use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, Orbit};
 
 use super::boundary;
@@ -104,7 +104,7 @@ impl Space {
     }
 
     /// A box around the region; infinite where the region is.
-    pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
+    pub(crate) fn extent(&self) -> Extent<3> {
         match self {
             Space::Named(table) => table.extent(),
             Space::Room(room) => room.extent(),
@@ -119,7 +119,7 @@ impl Spatial {
         let (built_in, centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let table = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
-                let ends = table.extent()[1] / factor;
+                let ends = table.extent().max / factor;
                 let sizes = ["size_1", "size_2", "size_3"].into_iter().zip(ends.iter().copied().map(short));
                 let with_sizes =
                     |name: &&str| sizes.clone().fold(String::from(*name), |name, (of, x)| name.replace(of, &x));
@@ -189,7 +189,7 @@ impl Spatial {
     }
 
     /// A box around the walls as drawn, in the scene's unit; infinite where they are.
-    pub(crate) fn extent(&self) -> [Vector3<f64>; 2] {
+    pub(crate) fn extent(&self) -> Extent<3> {
         drawn(&self.walls).extent()
     }
 
@@ -230,8 +230,8 @@ impl Spatial {
     /// How long the digits of the first orbits last, within a number of collisions and a time.
     pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
         let starts = self.starts()?;
-        let [low, high] = self.centres.extent();
-        let size = horizon::size(low.as_slice(), high.as_slice());
+        let Extent { min, max } = self.centres.extent();
+        let size = horizon::size(min.as_slice(), max.as_slice());
         Ok(self.with_engine(|engine| {
             let billiard: &dyn Bounce<3, 3> = engine;
             let of_room;

@@ -2,7 +2,7 @@
 use super::place::{Imported, Place};
 use crate::{
     BoxTree, Error, Extent, Landing, Meeting, MeetingKind, Piece, enclosed_area, meetings,
-    plane::slack,
+    plane::{LENGTHS, MUST_HAVE_SQUARE, slack},
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
     validate::crosses_itself,
@@ -73,10 +73,10 @@ pub(super) enum Form {
 pub(super) fn in_range<'a>(coordinates: impl IntoIterator<Item = &'a f64>, place: &str) -> Result<(), Error> {
     let finite = |x: &f64| if x.is_nan() { f64::INFINITY } else { x.abs() };
     let size = coordinates.into_iter().map(finite).fold(0.0, f64::max);
-    if size == 0.0 || (1e-150..=1e150).contains(&size) {
+    if size == 0.0 || LENGTHS.contains(&size) {
         return Ok(());
     }
-    let problem = format!("its largest coordinate is {size:e}, which is not between 1e-150 and 1e150");
+    let problem = format!("its largest coordinate is {size:e}, which is not {MUST_HAVE_SQUARE}");
     Err(Error::Import { place: place.into(), problem })
 }
 

@@ -6,7 +6,7 @@ use super::{
     ears,
     place::{Imported, Place},
 };
-use crate::{Error, parry::SolidSpec};
+use crate::{Error, parry::SolidSpec, plane::LENGTHS};
 use nalgebra::Vector3;
 
 /// The faces of an OBJ file: a [`SolidSpec::TriMesh`], and for each of its triangles the line of the face. All objects and groups are taken
@@ -101,7 +101,7 @@ fn point(numbers: &[&str]) -> Result<Vector3<f64>, String> {
     let mut point = Vector3::zeros();
     for (x, text) in point.iter_mut().zip(numbers) {
         match text.parse::<f64>() {
-            Ok(value) if value.abs() <= 1e150 => *x = value,
+            Ok(value) if value.abs() <= *LENGTHS.end() => *x = value,
             _ => return Err(format!("{text:?} is not a coordinate: write a number between -1e150 and 1e150")),
         }
     }

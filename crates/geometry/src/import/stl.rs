@@ -1,7 +1,10 @@
 //! Surfaces from STL.
 //!
 //! The reader is our own: `stl_io` reads only the first solid of a text file, and trusts the length stated in a binary file.
-use super::place::{Imported, Place};
+use super::{
+    contour::in_range,
+    place::{Imported, Place},
+};
 use crate::{Error, parry::SolidSpec, plane::key};
 use std::collections::HashMap;
 
@@ -38,6 +41,7 @@ pub fn stl(bytes: &[u8]) -> Result<Imported<SolidSpec>, Error> {
     if facets.is_empty() {
         return Err(Error::Empty);
     }
+    in_range(facets.as_flattened().as_flattened(), "the file")?;
     let (mut vertices, mut numbers) = (vec![], HashMap::new());
     let mut number = |corner: [f64; 3]| {
         *numbers.entry(key(corner)).or_insert_with(|| {

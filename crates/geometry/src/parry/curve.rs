@@ -45,7 +45,7 @@ impl DistancePiece {
             Some(shape) => Distance::new(Box::new(Planar { shape }), *frame, scale, side),
             None => Distance::new(Box::new(own), *frame, 1.0, side),
         };
-        let [min, max] = distance.extent();
+        let Extent { min, max } = distance.extent();
         if min.iter().zip(&max).any(|(low, high)| low.is_nan() || high.is_nan() || low > high) {
             return Err(Error::Shape { shape: "shape", why: "its bounding box is empty or not a number" });
         }
@@ -91,9 +91,9 @@ impl Field<2> for Planar {
             self.shape.as_support_map().map(|s| move |n: &Vector2<f64>| from_glam2(s.local_support_point(to_glam2(n))));
         projected(x, (from_glam2(projection.point), projection.is_inside), support)
     }
-    fn extent(&self) -> [Vector2<f64>; 2] {
+    fn extent(&self) -> Extent {
         let extent = self.shape.compute_local_aabb();
-        [from_glam2(extent.mins), from_glam2(extent.maxs)]
+        Extent { min: from_glam2(extent.mins), max: from_glam2(extent.maxs) }
     }
     fn is_convex(&self) -> bool {
         self.shape.is_convex() || self.shape.as_support_map().is_some()
@@ -109,7 +109,7 @@ impl Piece for DistancePiece {
     }
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
         let at = self.closest(point);
-        let [min, max] = self.distance.extent();
+        let Extent { min, max } = self.distance.extent();
         // the extrapolated quotient has an error of h⁴ in its scale and a rounding error divided by h: both about 10⁻¹²
         let h = 1e-3 * (max - min).norm();
         (4.0 * self.turn(&at, 0.5 * h) - self.turn(&at, h)) / 3.0
@@ -131,8 +131,7 @@ impl Piece for DistancePiece {
         None
     }
     fn extent(&self) -> Extent {
-        let [min, max] = self.distance.extent();
-        Extent { min, max }
+        self.distance.extent()
     }
     fn area(&self) -> f64 {
         self.traced().area()

@@ -8,7 +8,7 @@
 //! Every stretch is certified free, so the crossing found is the first; near a smooth wall the convergence is
 //! quadratic.
 use super::{Side, convert::Frame};
-use crate::Line;
+use crate::{Extent, Line};
 use core::fmt::Debug;
 use nalgebra::SVector;
 
@@ -16,8 +16,8 @@ use nalgebra::SVector;
 pub(crate) trait Field<const N: usize>: Debug + Send + Sync {
     /// The point of the surface closest to `x`, and whether `x` lies inside of the shape.
     fn project(&self, x: &SVector<f64, N>) -> (SVector<f64, N>, bool);
-    /// A box around the shape: least and greatest coordinates.
-    fn extent(&self) -> [SVector<f64, N>; 2];
+    /// A box around the shape.
+    fn extent(&self) -> Extent<N>;
     /// Whether the shape is convex: then it is queried only from outside.
     fn is_convex(&self) -> bool {
         false
@@ -35,7 +35,7 @@ pub(crate) struct Distance<const N: usize> {
     sign: f64,
     /// In the field's coordinates: half the diagonal of the box, its sides, and the rounding of a distance.
     pub(super) size: f64,
-    extent: [SVector<f64, N>; 2],
+    extent: Extent<N>,
     pub(super) rounding: f64,
 }
 
@@ -58,10 +58,10 @@ impl<const N: usize> Distance<N> {
     /// `field` holds the shape multiplied by `scale`, a power of two, in its own frame.
     pub(crate) fn new(field: Box<dyn Field<N>>, frame: Frame<N>, scale: f64, side: Side) -> Self {
         let extent = field.extent();
-        let size = 0.5 * (extent[1] - extent[0]).norm();
+        let size = 0.5 * (extent.max - extent.min).norm();
         // an infinite shape has no scale except its own curvature, which is unknown
         let size = if size > 0.0 && size.is_finite() { size } else { 1.0 };
-        let far = extent[0].amax().max(extent[1].amax()).min(1e3 * size) + scale * frame.translation.amax();
+        let far = extent.min.amax().max(extent.max.amax()).min(1e3 * size) + scale * frame.translation.amax();
         Distance {
             field,
             frame,
@@ -74,8 +74,8 @@ impl<const N: usize> Distance<N> {
     }
 
     /// The power of two that brings a shape of this extent to size 1.
-    pub(crate) fn unit(extent: &[SVector<f64, N>; 2]) -> f64 {
-        to_unit(0.5 * (extent[1] - extent[0]).amax())
+    pub(crate) fn unit(extent: &Extent<N>) -> f64 {
+        to_unit(0.5 * (extent.max - extent.min).amax())
     }
 
     fn inward(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
@@ -117,14 +117,10 @@ impl<const N: usize> Distance<N> {
     }
 
     /// The box around the shape in space, as its corners' bounds.
-    pub(crate) fn extent(&self) -> [SVector<f64, N>; 2] {
-        let mut bounds: [SVector<f64, N>; 2] = [SVector::repeat(f64::INFINITY), SVector::repeat(f64::NEG_INFINITY)];
-        for corner in 0..1_usize << N {
-            let y = SVector::from_fn(|i, _| self.extent[(corner >> i) & 1][i]);
-            let x = self.outward(&y);
-            bounds = [bounds[0].inf(&x), bounds[1].sup(&x)];
-        }
-        bounds
+    pub(crate) fn extent(&self) -> Extent<N> {
+        let Extent { min, max } = self.extent;
+        let corner = |k: usize| SVector::from_fn(|i, _| if (k >> i) & 1 == 0 { min[i] } else { max[i] });
+        Extent::of((0..1 << N).map(|k| self.outward(&corner(k))))
     }
 
     /// The unit normal into the table at the closest point of `y`.
@@ -296,7 +292,7 @@ impl<const N: usize> Distance<N> {
         let margin = 1e-6 * self.size;
         let (mut enter, mut leave) = (0.0_f64, f64::INFINITY);
         for i in 0..N {
-            let (low, high) = (self.extent[0][i] - margin - start[i], self.extent[1][i] + margin - start[i]);
+            let (low, high) = (self.extent.min[i] - margin - start[i], self.extent.max[i] + margin - start[i]);
             if along[i] == 0.0 {
                 if low > 0.0 || high < 0.0 {
                     return None;

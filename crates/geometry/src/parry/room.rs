@@ -8,12 +8,7 @@ use super::{
     first::first_in,
     solid::{area::Trials, bound::Bound},
 };
-use crate::{
-    Boundary, BoxTree, Error, Extent, Hit, Line,
-    plane::{is_finite, slack},
-    random,
-    surface::Surface,
-};
+use crate::{Boundary, BoxTree, Error, Extent, Hit, Line, plane::slack, random, surface::Surface};
 use nalgebra::{Matrix3, Vector3};
 
 /// The points on the table's side of all of some solids: inside a container and around obstacles, between planes, ...
@@ -41,7 +36,7 @@ pub struct Room {
 impl Room {
     /// The room between solids.
     pub fn new(solids: Vec<Solid>) -> Room {
-        let tree = BoxTree::new(solids.iter().map(boxed));
+        let tree = BoxTree::new(solids.iter().map(Solid::extent));
         let sheets = solids.iter().any(Solid::has_two_sides);
         Room { solids, tree, sheets }
     }
@@ -56,17 +51,15 @@ impl Room {
         self.solids.iter().map(|solid| solid.distance(point)).fold(f64::INFINITY, f64::min)
     }
 
-    /// A box around the room: least and greatest coordinates. A box around the boundary where the room is not known to be bounded;
-    /// infinite where the boundary is.
-    pub fn extent(&self) -> [Vector3<f64>; 2] {
+    /// A box around the room. A box around the boundary where the room is not known to be bounded; infinite where the boundary is.
+    pub fn extent(&self) -> Extent<3> {
         let room = container(self.solids.iter());
-        if room.iter().all(is_finite) {
+        if room.is_finite() {
             return room;
         }
-        let none = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
-        let boundary =
-            self.solids.iter().map(Solid::extent).fold(none, |[low, high], [a, b]| [low.inf(&a), high.sup(&b)]);
-        [0, 1].map(|end| room[end].zip_map(&boundary[end], |room, wall| if room.is_finite() { room } else { wall }))
+        let boundary = self.solids.iter().map(Solid::extent).fold(Extent::EMPTY, Extent::union);
+        let known = |room: f64, wall: f64| if room.is_finite() { room } else { wall };
+        Extent { min: room.min.zip_map(&boundary.min, known), max: room.max.zip_map(&boundary.max, known) }
     }
 
     /// Random points of the boundary.
@@ -102,24 +95,17 @@ impl Room {
 }
 
 /// A box around the room between solids; infinite where the room is not known to be bounded.
-fn container<'a>(solids: impl Iterator<Item = &'a Solid> + Clone) -> [Vector3<f64>; 2] {
-    let all = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
-    let inner = solids.clone().filter(|solid| solid.side() == Side::Inside);
-    let [low, high] = inner.map(Solid::extent).fold(all, |[low, high], [a, b]| [low.sup(&a), high.inf(&b)]);
-    if is_finite(&low) && is_finite(&high) { [low, high] } else { between(&planes(solids)) }
+fn container<'a>(solids: impl Iterator<Item = &'a Solid> + Clone) -> Extent<3> {
+    let inner = solids.clone().filter(|solid| solid.side() == Side::Inside).map(Solid::extent);
+    let common = inner.fold(Extent::<3>::WHOLE, |a, b| Extent { min: a.min.sup(&b.min), max: a.max.inf(&b.max) });
+    if common.is_finite() { common } else { between(&planes(solids)) }
 }
 
 /// The sides of the planes among solids.
 fn planes<'a>(solids: impl Iterator<Item = &'a Solid>) -> Vec<Half> {
-    let planes = solids.filter(|solid| solid.extent().iter().flatten().any(|x| x.is_infinite()));
+    let planes = solids.filter(|solid| !solid.extent().is_finite());
     let foot = planes.map(|solid| solid.closest(&Vector3::zeros()));
     foot.map(|foot| (foot.normal, foot.normal.dot(&foot.point))).collect()
-}
-
-/// The box around the boundary of a solid.
-fn boxed(solid: &Solid) -> Extent<3> {
-    let [min, max] = solid.extent();
-    Extent { min, max }
 }
 
 /// Trials after which nothing is expected to be found.
@@ -129,11 +115,11 @@ const MOST_TRIALS: u32 = 100_000;
 type Half = (Vector3<f64>, f64);
 
 /// A box around the intersection of half-spaces. Where that is unbounded, only walls perpendicular to an axis bound the box.
-fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
+fn between(halves: &[Half]) -> Extent<3> {
     // normals that are parallel to within this count as parallel
     let little = 1e-9;
     let size = halves.iter().map(|(_, d)| d.abs()).fold(0.0, f64::max);
-    let [mut low, mut high] = [Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)];
+    let Extent { mut min, mut max } = Extent::<3>::EMPTY;
     // if there is a way to infinity, then there is one along two of the planes, or all planes have a direction in common
     let mut spanned = false;
     for (i, a) in halves.iter().enumerate() {
@@ -151,7 +137,7 @@ fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
                         let normals = Matrix3::from_rows(&[a.0, b.0, halves[third].0].map(|n| n.transpose()));
                         if let Some(inverse) = normals.try_inverse() {
                             let vertex = inverse * Vector3::new(a.1, b.1, halves[third].1);
-                            (low, high) = (low.inf(&vertex), high.sup(&vertex));
+                            (min, max) = (min.inf(&vertex), max.sup(&vertex));
                         }
                     }
                 }
@@ -163,24 +149,24 @@ fn between(halves: &[Half]) -> [Vector3<f64>; 2] {
         return across_axes(halves);
     }
     // half-spaces without a common point have no vertex
-    if low <= high { [low, high] } else { [Vector3::zeros(); 2] }
+    if min <= max { Extent { min, max } } else { Extent { min: Vector3::zeros(), max: Vector3::zeros() } }
 }
 
 /// The box bounded by those half-spaces whose planes are perpendicular to an axis, within rounding.
-fn across_axes(halves: &[Half]) -> [Vector3<f64>; 2] {
-    let [mut low, mut high] = [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)];
+fn across_axes(halves: &[Half]) -> Extent<3> {
+    let Extent { mut min, mut max } = Extent::WHOLE;
     for (n, d) in halves {
         let axis = n.iamax();
         if n[axis].abs() < 1.0 - f64::EPSILON {
             continue;
         }
         if n[axis] > 0.0 {
-            low[axis] = low[axis].max(*d);
+            min[axis] = min[axis].max(*d);
         } else {
-            high[axis] = high[axis].min(-d);
+            max[axis] = max[axis].min(-d);
         }
     }
-    [low, high]
+    Extent { min, max }
 }
 
 /// Which half-spaces bound the line along which two of them meet, from behind and from ahead; `None` where nothing is left of it.
@@ -435,22 +421,22 @@ mod tests {
     #[test]
     fn a_room_without_end_ends_at_the_walls_across_an_axis() {
         let slab = || vec![plane([0.0, 0.0, 1.0], [3.0, 0.0, -1.0]), plane([0.0, 0.0, -2.0], [0.0, 5.0, 1.0])];
-        let [low, high] = Room::new(slab()).extent();
+        let around = Room::new(slab()).extent();
         let free = f64::INFINITY;
-        assert_eq!((low, high), (Vector3::new(-free, -free, -1.0), Vector3::new(free, free, 1.0)));
+        assert_eq!(around, Extent { min: Vector3::new(-free, -free, -1.0), max: Vector3::new(free, free, 1.0) });
         let with_balls = slab().into_iter().chain([[0.0; 3], [9.0, 0.0, 0.0]].map(|at| ball(0.9, at, Side::Outside)));
-        assert_eq!(Room::new(with_balls.collect()).extent(), [low, high]);
+        assert_eq!(Room::new(with_balls.collect()).extent(), around);
         let tube =
             slab().into_iter().chain([plane([0.0, 1.0, 0.0], [0.0; 3]), plane([0.0, -1.0, 0.0], [0.0, 4.0, 0.0])]);
-        let [low, high] = Room::new(tube.collect()).extent();
-        assert_eq!((low, high), (Vector3::new(-free, 0.0, -1.0), Vector3::new(free, 4.0, 1.0)));
+        let around = Room::new(tube.collect()).extent();
+        assert_eq!(around, Extent { min: Vector3::new(-free, 0.0, -1.0), max: Vector3::new(free, 4.0, 1.0) });
     }
 
     #[test]
     fn a_box_around_a_room_between_planes_is_known() {
         let n = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [-1.0, -1.0, -1.0]];
         let corner = Room::new(n.map(|n| plane(n, if n[0] < 0.0 { [1.0, 0.0, 0.0] } else { [0.0; 3] })).into());
-        let [low, high] = corner.extent();
-        assert!(low.amax() < 1e-15 && (high - Vector3::repeat(1.0)).amax() < 1e-15);
+        let Extent { min, max } = corner.extent();
+        assert!(min.amax() < 1e-15 && (max - Vector3::repeat(1.0)).amax() < 1e-15);
     }
 }

@@ -18,7 +18,7 @@ use super::{
 };
 use crate::{
     Boundary, Error, Extent, Hit, Line,
-    plane::{finite, is_finite, slack},
+    plane::{finite, has_square, has_squares, is_finite, slack},
     walls::ConvexBody,
 };
 use convex::Convex;
@@ -93,8 +93,9 @@ impl Solid {
     /// # Errors
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border),
     /// and the inside of a compound with members that are not convex; [`Error::Triangle`] for triangles of a mesh that do not form a
-    /// surface or are not oriented alike, and closed meshes with contradictory parts; [`Error::Parameter`] for sizes that are not positive
-    /// and finite, or a translation that is not finite.
+    /// surface or are not oriented alike, and closed meshes with contradictory parts; [`Error::Length`] for a size, or a greatest coordinate
+    /// of the boundary, that is not between 10⁻¹⁵⁰ and 10¹⁵⁰, since squares would over- or underflow; [`Error::Parameter`] for a
+    /// translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;
         Solid::placed(shape, &Frame::from(pose), side)
@@ -102,7 +103,7 @@ impl Solid {
 
     /// The boundary of a convex polyhedron in a frame, perhaps rounded.
     pub(super) fn polytope(polytope: &Polytope, rounding: f64, frame: &Frame<3>, side: Side) -> Result<Solid, Error> {
-        Ok(Solid { members: vec![Body::polytope(polytope, rounding, frame, side)?], side })
+        Solid::of(vec![Body::polytope(polytope, rounding, frame, side)?], side)
     }
 
     /// The boundary of a shape in a frame.
@@ -112,6 +113,11 @@ impl Solid {
         if side == Side::Inside && members.len() > 1 && members.iter().any(|m| !matches!(m, Body::Convex(..))) {
             return Err(unsupported("compound", "the inside of a union is known for convex members only"));
         }
+        Solid::of(members, side)
+    }
+
+    fn of(members: Vec<Body>, side: Side) -> Result<Solid, Error> {
+        has_squares(members.iter().map(Body::extent))?;
         Ok(Solid { members, side })
     }
 
@@ -122,7 +128,7 @@ impl Solid {
     /// corner. Behind an open mesh there is no table, but its triangles also keep off a ball that comes round its rim.
     ///
     /// # Errors
-    /// [`Error::Shape`] for other shapes, [`Error::Parameter`] unless the margin is positive and finite.
+    /// [`Error::Shape`] for other shapes, [`Error::Length`] unless the margin is between 10⁻¹⁵⁰ and 10¹⁵⁰.
     ///
     /// ```
     /// use geometry::{parry::{parry3d_f64::shape::{Cuboid, TriMesh}, Side, Solid}, Boundary, Line, Vector3};
@@ -144,8 +150,7 @@ impl Solid {
                 "kept_off is for surfaces of triangles only; around other shapes, use SolidSpec::parallel",
             )),
         };
-        let members = members.into_iter().map(parallel).collect::<Result<_, _>>()?;
-        Ok(Solid { members, side })
+        Solid::of(members.into_iter().map(parallel).collect::<Result<_, _>>()?, side)
     }
 
     /// The side on which the table lies.
@@ -185,8 +190,7 @@ impl Solid {
         if point.amax() <= FAR * self.size() {
             return *point;
         }
-        let [min, max] = self.extent();
-        Extent { min, max }.beside(point)
+        self.extent().beside(point)
     }
 
     /// How far off the boundary \[L\] a point may lie and still count as on it: the rounding of its coordinates and of those of the
@@ -197,9 +201,12 @@ impl Solid {
 
     /// The largest of the numbers \[L\] that define it: for a half-space, a coordinate of the point given on its plane.
     pub fn size(&self) -> f64 {
-        let sizes = self.members.iter().map(|member| match member {
-            Body::Convex(convex, _) => convex.size(),
-            _ => member.extent().iter().map(Vector3::amax).fold(0.0, f64::max),
+        let sizes = self.members.iter().map(|member| {
+            if let Body::Convex(convex, _) = member {
+                return convex.size();
+            }
+            let Extent { min, max } = member.extent();
+            min.amax().max(max.amax())
         });
         sizes.fold(0.0, f64::max)
     }
@@ -209,12 +216,9 @@ impl Solid {
         is_finite(point) && self.closest(&self.beside(point)).distance > 0.0
     }
 
-    /// A box around the boundary: least and greatest coordinates, infinite for a half-space.
-    pub fn extent(&self) -> [Vector3<f64>; 2] {
-        let boxes = self.members.iter().map(Body::extent);
-        boxes.fold([Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY)], |[a, b], [c, d]| {
-            [a.inf(&c), b.sup(&d)]
-        })
+    /// A box around the boundary, infinite for a half-space.
+    pub fn extent(&self) -> Extent<3> {
+        self.members.iter().map(Body::extent).fold(Extent::EMPTY, Extent::union)
     }
 
     fn meshes(&self) -> impl Iterator<Item = &Mesh> {
@@ -358,13 +362,11 @@ impl Body {
         Closest { distance, point: foot, normal }
     }
 
-    fn extent(&self) -> [Vector3<f64>; 2] {
+    fn extent(&self) -> Extent<3> {
         match self {
             Body::Rounded(rounded) => rounded.extent(),
             Body::Parallel(parallel) => parallel.extent(),
-            Body::Convex(convex, _) if convex.is_half_space() => {
-                [Vector3::repeat(f64::NEG_INFINITY), Vector3::repeat(f64::INFINITY)]
-            }
+            Body::Convex(convex, _) if convex.is_half_space() => Extent::WHOLE,
             Body::Convex(_, distance) | Body::Mesh(_, distance) | Body::Distance(distance) => distance.extent(),
         }
     }
@@ -385,7 +387,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
     let round = |rounded: Result<Rounded, Error>| rounded.map(Body::Rounded);
     match shape.as_typed_shape() {
         TypedShape::Ball(ball) => {
-            positive("the radius", ball.radius)?;
+            has_square("the radius", ball.radius)?;
             exact(Convex::ball(frame.translation, ball.radius), members);
         }
         TypedShape::Cuboid(cuboid) => exact(Convex::cuboid(cuboid, frame)?, members),
@@ -420,7 +422,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         TypedShape::RoundCylinder(r) => members.push(round(Rounded::cylinder(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundCone(r) => members.push(round(Rounded::cone(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundConvexPolyhedron(r) => {
-            positive("the border radius", r.border_radius)?;
+            has_square("the border radius", r.border_radius)?;
             members.push(Body::polytope(&polytope(&r.inner_shape)?, r.border_radius, frame, side)?);
         }
         TypedShape::Segment(_) => return Err(unsupported("segment", "a curve is no wall in space: use a capsule")),
@@ -442,13 +444,4 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
 fn polytope(hull: &ConvexPolyhedron) -> Result<Polytope, Error> {
     let points: Vec<Vector3<f64>> = hull.points().iter().map(|&p| from_glam3(p)).collect();
     Polytope::hull(&points).ok_or_else(|| unsupported("convex polyhedron", "its points lie in a plane"))
-}
-
-/// A size must be positive and finite.
-fn positive(name: &'static str, value: f64) -> Result<(), Error> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(Error::Parameter { name, must: "positive and finite", value })
-    }
 }

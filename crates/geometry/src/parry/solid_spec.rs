@@ -8,7 +8,10 @@ use super::{
     convert::{Frame, to_glam3},
     polytope::Polytope,
 };
-use crate::Error;
+use crate::{
+    Error,
+    plane::{LENGTHS, MUST_HAVE_SQUARE},
+};
 use nalgebra::{Matrix3, Vector3};
 use parry3d_f64::{
     math::Vector as Glam,
@@ -87,7 +90,8 @@ impl SolidSpec {
     /// The boundary of the shape, moved by `center`, with the table inside or outside of it.
     ///
     /// # Errors
-    /// [`Error::Field`] for a field that is wrong; otherwise as [`Solid::new`].
+    /// [`Error::Field`] for a field that is wrong: a size must be between 10⁻¹⁵⁰ and 10¹⁵⁰, and a coordinate no larger; otherwise as
+    /// [`Solid::new`].
     ///
     /// ```
     /// use geometry::{Vector3, parry::{Side, SolidSpec}};
@@ -97,7 +101,7 @@ impl SolidSpec {
     /// # Ok::<(), geometry::Error>(())
     /// ```
     pub fn solid(&self, center: [f64; 3], side: Side) -> Result<Solid, Error> {
-        finite("center", &center)?;
+        in_range("center", &center)?;
         // parry's axes of revolution lie along x₂; a quaternion for the quarter turn would be inexact
         let upright = Matrix3::new(1.0, 0.0, 0.0, 0.0, 0.0, -1.0, 0.0, 1.0, 0.0);
         let rotation = match self {
@@ -107,30 +111,30 @@ impl SolidSpec {
         let frame = Frame { rotation, translation: center.into() };
         let placed = |shape: &dyn Shape| Solid::placed(shape, &frame, side);
         match self {
-            SolidSpec::Ball { radius } => placed(&Ball::new(positive("radius", *radius)?)),
-            SolidSpec::Cuboid { size, rounding } => {
-                size.iter().try_for_each(|x| positive("size", *x).map(|_| ()))?;
-                placed(&*round(Cuboid::new(glam(size) * 0.5), *rounding)?)
+            SolidSpec::Ball { radius } => placed(&Ball::new(size("radius", *radius)?)),
+            SolidSpec::Cuboid { size: edges, rounding } => {
+                edges.iter().try_for_each(|x| size("size", *x).map(|_| ()))?;
+                placed(&*round(Cuboid::new(glam(edges) * 0.5), *rounding)?)
             }
             SolidSpec::Capsule { from, to, radius } => {
-                finite("from", from)?;
-                finite("to", to)?;
-                placed(&Capsule::new(glam(from), glam(to), positive("radius", *radius)?))
+                in_range("from", from)?;
+                in_range("to", to)?;
+                placed(&Capsule::new(glam(from), glam(to), size("radius", *radius)?))
             }
             SolidSpec::Cylinder { radius, height, rounding } => {
-                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
+                let (half, radius) = (0.5 * size("height", *height)?, size("radius", *radius)?);
                 placed(&*round(Cylinder::new(half, radius), *rounding)?)
             }
             SolidSpec::Cone { radius, height, rounding } => {
-                let (half, radius) = (0.5 * positive("height", *height)?, positive("radius", *radius)?);
+                let (half, radius) = (0.5 * size("height", *height)?, size("radius", *radius)?);
                 placed(&*round(Cone::new(half, radius), *rounding)?)
             }
             SolidSpec::ConvexHull { points, rounding } => {
-                let rounding = if *rounding == 0.0 { 0.0 } else { positive("rounding", *rounding)? };
+                let rounding = if *rounding == 0.0 { 0.0 } else { size("rounding", *rounding)? };
                 Solid::polytope(&hull(points)?, rounding, &frame, side)
             }
             SolidSpec::TriMesh { vertices, triangles, margin } => {
-                vertices.iter().try_for_each(|p| finite("vertices", p))?;
+                vertices.iter().try_for_each(|p| in_range("vertices", p))?;
                 let number = |v: usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
                 let numbers = triangles.iter().map(|[a, b, c]| Some([number(*a)?, number(*b)?, number(*c)?]));
                 let numbers: Vec<[u32; 3]> = numbers
@@ -138,10 +142,10 @@ impl SolidSpec {
                     .ok_or_else(|| wrong("triangles", "vertex numbers, counted from 0"))?;
                 let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
                 let solid = placed(&mesh.map_err(|_| wrong("triangles", "a list of at least one triangle"))?)?;
-                if *margin == 0.0 { Ok(solid) } else { solid.kept_off(positive("margin", *margin)?) }
+                if *margin == 0.0 { Ok(solid) } else { solid.kept_off(size("margin", *margin)?) }
             }
             SolidSpec::HalfSpace { normal } => {
-                finite("normal", normal)?;
+                in_range("normal", normal)?;
                 let [x, y, z] = *normal;
                 let length = libm::hypot(libm::hypot(x, y), z);
                 if length == 0.0 {
@@ -185,7 +189,7 @@ impl SolidSpec {
 
 /// The convex hull of points that do not lie in a plane.
 fn hull(points: &[[f64; 3]]) -> Result<Polytope, Error> {
-    points.iter().try_for_each(|p| finite("points", p))?;
+    points.iter().try_for_each(|p| in_range("points", p))?;
     let points: Vec<Vector3<f64>> = points.iter().map(|p| Vector3::from(*p)).collect();
     Polytope::hull(&points).ok_or_else(|| wrong("points", "at least four points that do not lie in a plane"))
 }
@@ -199,7 +203,7 @@ where
     if rounding == 0.0 {
         return Ok(Box::new(inner_shape));
     }
-    Ok(Box::new(RoundShape { inner_shape, border_radius: positive("rounding", rounding)? }))
+    Ok(Box::new(RoundShape { inner_shape, border_radius: size("rounding", rounding)? }))
 }
 
 fn glam(v: &[f64; 3]) -> Glam {
@@ -210,13 +214,15 @@ fn wrong(field: &str, must: &'static str) -> Error {
     Error::Field { field: field.into(), must }
 }
 
-/// A length must be positive, and in the range in which computations with it neither over- nor underflow.
-fn positive(field: &str, value: f64) -> Result<f64, Error> {
-    if value > 0.0 && value < 1e300 { Ok(value) } else { Err(wrong(field, "positive and less than 1e300")) }
+/// A size must be one of [`LENGTHS`].
+fn size(field: &str, value: f64) -> Result<f64, Error> {
+    if LENGTHS.contains(&value) { Ok(value) } else { Err(wrong(field, MUST_HAVE_SQUARE)) }
 }
 
-fn finite(field: &str, value: &[f64; 3]) -> Result<(), Error> {
-    if value.iter().all(|x| x.is_finite()) { Ok(()) } else { Err(wrong(field, "finite")) }
+/// No coordinate may be larger than the greatest of [`LENGTHS`].
+fn in_range(field: &str, value: &[f64; 3]) -> Result<(), Error> {
+    let is_one = |x: &f64| x.abs() <= *LENGTHS.end();
+    if value.iter().all(is_one) { Ok(()) } else { Err(wrong(field, "made of numbers between -1e150 and 1e150")) }
 }
 
 #[cfg(test)]
@@ -255,7 +261,7 @@ mod tests {
     #[test]
     fn a_wrong_field_is_named() {
         let error = SolidSpec::Cone { radius: 1.0, height: 0.0, rounding: 0.0 }.solid([0.0; 3], Side::Inside);
-        assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "positive and less than 1e300" });
+        assert_eq!(error.unwrap_err(), Error::Field { field: "height".into(), must: "between 1e-150 and 1e150" });
         let flat = SolidSpec::ConvexHull { points: vec![[0.0; 3]; 3], rounding: 0.0 };
         assert!(flat.solid([0.0; 3], Side::Inside).is_err());
     }

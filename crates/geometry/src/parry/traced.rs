@@ -3,7 +3,7 @@
 //! Smooth stretches are accurate to 10⁻¹². At a corner a stretch is accepted as straight when its end lies 10⁻⁸ of
 //! the shape's size beyond the corner, so each corner adds an error of that size.
 use super::distance::Distance;
-use crate::{Landing, plane::cross};
+use crate::{Extent, Landing, plane::cross};
 use nalgebra::Vector2;
 use std::collections::HashMap;
 
@@ -53,7 +53,7 @@ impl Traced {
             Landing { point, normal }
         };
         let size = {
-            let [min, max] = distance.extent();
+            let Extent { min, max } = distance.extent();
             (max - min).norm()
         };
         let mut traced = Traced { nodes: vec![], area: 0.0 };
@@ -136,7 +136,7 @@ impl Traced {
 
 /// Rough points along each loop, in the order of traversal with the table on the left.
 fn loops(distance: &Distance<2>) -> Vec<Vec<Vector2<f64>>> {
-    let [min, max] = distance.extent();
+    let Extent { min, max } = distance.extent();
     let width = (max - min).amax();
     if !(width > 0.0 && width < 1e100) {
         return vec![];

@@ -1,7 +1,7 @@
 //! Tables in space whose walls are hit in closed form.
 use super::{ball, cuboid, slab};
 use crate::{
-    Error,
+    Error, Extent,
     parry::{Side, SolidSpec},
     plane::{is_finite, slack},
     surface::{Surface, direction},
@@ -91,14 +91,15 @@ impl SpatialTable {
         }
     }
 
-    /// Opposite corners of a box around the table \[L\]; infinite where the table is.
-    pub fn extent(&self) -> [Vector3<f64>; 2] {
+    /// A box around the table \[L\]; infinite where the table is.
+    pub fn extent(&self) -> Extent<3> {
         let inf = f64::INFINITY;
-        match self.figure {
-            Figure::Slab { height, .. } => [Vector3::new(-inf, -inf, 0.0), Vector3::new(inf, inf, height)],
-            Figure::Cuboid { size, .. } => [Vector3::zeros(), size.into()],
-            Figure::Ball { radius, .. } => [Vector3::repeat(-radius), Vector3::repeat(radius)],
-        }
+        let (min, max) = match self.figure {
+            Figure::Slab { height, .. } => (Vector3::new(-inf, -inf, 0.0), Vector3::new(inf, inf, height)),
+            Figure::Cuboid { size, .. } => (Vector3::zeros(), size.into()),
+            Figure::Ball { radius, .. } => (Vector3::repeat(-radius), Vector3::repeat(radius)),
+        };
+        Extent { min, max }
     }
 
     /// The distance from the boundary \[L\], negative outside the table.
@@ -172,7 +173,7 @@ impl SpatialTable {
     /// ```
     /// use geometry::{Vector3, tables};
     /// let (centres, origin) = tables::cuboid([1.0, 2.0, 3.0])?.offset(0.25)?;
-    /// assert_eq!(centres.extent()[1], Vector3::new(0.5, 1.5, 2.5));
+    /// assert_eq!(centres.extent().max, Vector3::new(0.5, 1.5, 2.5));
     /// assert_eq!(origin, Vector3::repeat(0.25));
     /// # Ok::<(), geometry::Error>(())
     /// ```

@@ -2,7 +2,7 @@
 use super::{WallHit, Walls};
 use crate::{
     Error,
-    plane::{finite, slack},
+    plane::{finite, has_square, slack},
 };
 use lanes::{Double, Lane, Mask, dot};
 use nalgebra::SVector;
@@ -43,12 +43,14 @@ impl<const N: usize> Scatterer<N> {
     /// The scatterer about `center` \[L\] with a positive radius \[L\].
     ///
     /// # Errors
-    /// [`Error::Radius`] unless the radius is positive and finite, [`Error::Parameter`] for a centre that is not finite.
+    /// [`Error::Radius`] unless the radius is positive and finite, [`Error::Length`] unless it is between 10⁻¹⁵⁰ and 10¹⁵⁰,
+    /// [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
         finite("center", &center)?;
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::Radius { radius });
         }
+        has_square("the radius", radius)?;
         let square = radius * radius;
         // the inverse of the length that a normal really has, so that the energy changes as little as possible at every hit
         let inverse = Double::new(1.0).over(Double::new(square).root()).value();

@@ -151,6 +151,11 @@ fn stl_is_read_to_its_end_or_refused() {
     let text = solid(&facets);
     refused(text.split("endsolid").next().unwrap().as_bytes(), "the file", "ends before \"endsolid\"");
     refused(text.replacen("VERTEX 0 0", "VERTEX 0", 1).as_bytes(), "line 4", "three finite numbers");
+    refused(
+        text.replace("VERTEX 0 0", "VERTEX 0 1e300").as_bytes(),
+        "the file",
+        "which is not between 1e-150 and 1e150",
+    );
     refused(text.replacen("endloop", "VERTEX 0 0 0", 1).as_bytes(), "line 7", "expected \"endloop\"");
     refused(format!("{text}rest").as_bytes(), &format!("line {}", text.lines().count() + 1), "expected \"solid\"");
     assert!(matches!(import::stl(b"solid a\nendsolid\n"), Err(Error::Empty)));

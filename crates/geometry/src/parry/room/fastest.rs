@@ -1,5 +1,5 @@
 //! The walls of a room in lanes, where a simple container surrounds everything else.
-use super::{Room, boxed};
+use super::Room;
 use crate::{
     Boundary, BoxTree, Error, Extent, Hit, Line,
     afar::NEWTON,
@@ -61,7 +61,7 @@ impl Room {
             return None;
         }
         let known = self.solids.iter().enumerate().filter_map(|(number, solid)| {
-            Some(Member { body: solid.body()?, extent: boxed(solid), inside: solid.side() == Side::Inside, number })
+            Some(Member { body: solid.body()?, extent: solid.extent(), inside: solid.side() == Side::Inside, number })
         });
         let (mut members, obstacles): (Vec<_>, Vec<_>) = known.partition(|member| member.inside);
         if obstacles.iter().map(|member| member.body.surfaces()).sum::<usize>() <= MOST {
@@ -157,7 +157,7 @@ impl Container {
     fn holds_the_rest_of(&self, room: &Room) -> bool {
         let (own, others): (Vec<_>, Vec<_>) = room.solids.iter().enumerate().partition(|(number, _)| self.has(*number));
         let off = own.iter().map(|(_, solid)| off(solid)).fold(0.0, f64::max);
-        others.iter().map(|(_, solid)| boxed(solid)).all(|Extent { min, max }| match self {
+        others.iter().map(|(_, solid)| solid.extent()).all(|Extent { min, max }| match self {
             Container::Ball { center, radius, .. } => {
                 (center - min).abs().sup(&(max - center).abs()).norm() < radius - off
             }
@@ -195,7 +195,7 @@ impl<'a> Obstacles<'a> {
     /// Some solids of a room.
     fn of(room: &'a Room, which: impl Fn(usize) -> bool) -> Self {
         let solids: Vec<_> = room.solids.iter().enumerate().filter(|(number, _)| which(*number)).collect();
-        let tree = BoxTree::new(solids.iter().map(|(_, solid)| boxed(solid)));
+        let tree = BoxTree::new(solids.iter().map(|(_, solid)| solid.extent()));
         Obstacles { room, solids, tree }
     }
 
@@ -212,7 +212,7 @@ impl<'a> Obstacles<'a> {
         }
         let reach = self.solids.iter().map(|(_, solid)| off(solid)).fold(0.0, f64::max);
         let is_apart = |(a, (center, radius, _)): (usize, &(Vector3<f64>, f64, usize))| {
-            let (own, mut apart) = (boxed(self.solids[a].1), true);
+            let (own, mut apart) = (self.solids[a].1.extent(), true);
             self.tree.search(
                 |other| own.meets(other, reach),
                 |b| apart &= a == b || (balls[b].0 - center).norm() > radius + balls[b].1 + reach,

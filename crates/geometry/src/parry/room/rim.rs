@@ -1,6 +1,6 @@
 //! Open surfaces that end inside a room.
 use super::Room;
-use crate::{parry::Solid, plane::is_finite};
+use crate::parry::Solid;
 use nalgebra::Vector3;
 
 impl Room {
@@ -11,8 +11,7 @@ impl Room {
             let others =
                 || self.solids.iter().enumerate().filter(move |(other, _)| *other != k).map(|(_, solid)| solid);
             let is_inside = |x: &Vector3<f64>| others().all(|solid: &Solid| solid.closest(x).distance > solid.slack(x));
-            self.solids[k].ways_round().any(|way| way.iter().all(is_inside))
-                && super::container(others()).iter().all(is_finite)
+            self.solids[k].ways_round().any(|way| way.iter().all(is_inside)) && super::container(others()).is_finite()
         })
     }
 }

@@ -1,9 +1,9 @@
 //! Points on a solid, uniform by area.
 use super::{super::Side, Body, Closest, Solid, bound::Bound, parallel::Parallel, strata::Stratum, unsupported};
 use crate::{
-    Error, Line,
+    Error, Extent, Line,
     parry::{distance::to_unit, mesh::Mesh},
-    plane::{is_finite, slack},
+    plane::slack,
     surface::in_disk,
 };
 use core::f64::consts::PI;
@@ -21,7 +21,7 @@ pub(in crate::parry) struct Trials<'a> {
 enum Kind<'a> {
     /// Isotropic random lines through a box, which enter a convex body through each part of its surface in proportion to its area
     /// (Cauchy, Crofton). With a box around a thin body fewer lines miss than with a ball.
-    Lines { body: &'a Body, extent: [Vector3<f64>; 2] },
+    Lines { body: &'a Body, extent: Extent<3> },
     /// The part of a plane in a disk about a point of it.
     Disk { about: Closest, radius: f64 },
     /// Triangles, with their cumulative areas.
@@ -39,7 +39,7 @@ impl Solid {
         let trials = self.members.iter().enumerate().map(|(member, body)| {
             let kind = match body {
                 Body::Convex(..) | Body::Rounded(_) => match (body.extent(), bound) {
-                    (extent, _) if extent.iter().all(is_finite) => Kind::Lines { body, extent },
+                    (extent, _) if extent.is_finite() => Kind::Lines { body, extent },
                     (_, Some(bound)) => {
                         let about = self.closest(&bound.center);
                         Kind::Disk { about, radius: bound.radius }
@@ -47,8 +47,8 @@ impl Solid {
                     (_, None) => return Err(Error::Unbounded { what: "the area of the walls" }),
                 },
                 Body::Parallel(parallel) => {
-                    let [low, high] = parallel.extent();
-                    let unit = to_unit((high - low).amax());
+                    let Extent { min, max } = parallel.extent();
+                    let unit = to_unit((max - min).amax());
                     let strata = parallel.strata();
                     let sums = sums(strata.iter().map(|stratum| parallel.area(stratum, unit)));
                     Kind::Strata { parallel, strata, unit, sums }
@@ -90,7 +90,7 @@ impl Trials<'_> {
     /// The area that would correspond to every trial finding a point, in units of a length whose inverse is `unit`.
     pub(in crate::parry) fn area(&self, unit: f64) -> f64 {
         match &self.kind {
-            Kind::Lines { extent: [low, high], .. } => 2.0 * sides(&((high - low) * unit)).sum(),
+            Kind::Lines { extent: Extent { min, max }, .. } => 2.0 * sides(&((max - min) * unit)).sum(),
             Kind::Disk { radius, .. } => PI * (radius * unit) * (radius * unit),
             Kind::Triangles { unit: own, sums, .. } | Kind::Strata { unit: own, sums, .. } => {
                 sums[sums.len() - 1] * (unit / own) * (unit / own)
@@ -101,7 +101,7 @@ impl Trials<'_> {
     /// The greatest length in it.
     pub(in crate::parry) fn size(&self) -> f64 {
         match &self.kind {
-            Kind::Lines { extent: [low, high], .. } => (high - low).amax(),
+            Kind::Lines { extent: Extent { min, max }, .. } => (max - min).amax(),
             Kind::Disk { radius, .. } => *radius,
             Kind::Triangles { unit, .. } | Kind::Strata { unit, .. } => 1.0 / unit,
         }
@@ -138,14 +138,14 @@ fn sides(size: &Vector3<f64>) -> Vector3<f64> {
 
 /// A random line that meets a box, starting outside: it enters each part of the surface in proportion to its area, with directions
 /// distributed by the cosine of the angle of incidence.
-fn line_into([low, high]: &[Vector3<f64>; 2], uniform: &mut dyn FnMut() -> f64) -> Line<3> {
-    let size = high - low;
+fn line_into(Extent { min, max }: &Extent<3>, uniform: &mut dyn FnMut() -> f64) -> Line<3> {
+    let size = max - min;
     let areas = sides(&(size * to_unit(size.amax())));
     let axis = pick(&sums(areas.iter().copied()), uniform);
     let mut inwards = Vector3::zeros();
     inwards[axis] = if uniform() < 0.5 { 1.0 } else { -1.0 };
-    let mut point = low + Vector3::from_fn(|i, _| uniform() * size[i]);
-    point[axis] = if inwards[axis] > 0.0 { low[axis] } else { high[axis] };
+    let mut point = min + Vector3::from_fn(|i, _| uniform() * size[i]);
+    point[axis] = if inwards[axis] > 0.0 { min[axis] } else { max[axis] };
     let across = in_disk(&inwards, uniform);
     let velocity = across + inwards * libm::sqrt((1.0 - across.norm_squared()).max(0.0));
     Line { point: point - velocity * size.norm(), velocity }

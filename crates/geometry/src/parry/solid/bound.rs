@@ -11,9 +11,9 @@ pub(in crate::parry) struct Bound {
 
 impl Bound {
     /// A ball around a box, if that is finite.
-    pub(in crate::parry) fn of([low, high]: [Vector3<f64>; 2]) -> Option<Bound> {
-        let (center, half) = (low * 0.5 + high * 0.5, high * 0.5 - low * 0.5);
-        let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([low.amax(), high.amax()]);
+    pub(in crate::parry) fn of(Extent { min, max }: Extent<3>) -> Option<Bound> {
+        let (center, half) = (min * 0.5 + max * 0.5, max * 0.5 - min * 0.5);
+        let radius = libm::hypot(libm::hypot(half.x, half.y), half.z) + slack([min.amax(), max.amax()]);
         Some(Bound { center, radius }).filter(|ball| ball.radius.is_finite())
     }
 

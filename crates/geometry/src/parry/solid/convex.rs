@@ -1,11 +1,10 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
 use super::super::convert::{Frame, from_glam3};
-use super::positive;
 use crate::{
     Error, Line,
     chord::is_chord,
     parry::{Side, polytope::Polytope},
-    plane::slack,
+    plane::{has_square, slack},
     surface::any_across,
     walls::{CORNER, ConvexBody},
 };
@@ -316,7 +315,7 @@ impl Convex {
         let half = from_glam3(cuboid.half_extents);
         let mut faces = vec![];
         for i in 0..3 {
-            positive("a half extent", half[i])?;
+            has_square("an edge", 2.0 * half[i])?;
             for sign in [-1.0, 1.0] {
                 let mut e = Vector3::zeros();
                 e[i] = sign;
@@ -390,8 +389,8 @@ impl Convex {
     }
 
     pub(super) fn cylinder(cylinder: &Cylinder, frame: &Frame<3>) -> Result<Convex, Error> {
-        positive("the half height", cylinder.half_height)?;
-        positive("the radius", cylinder.radius)?;
+        has_square("the height", 2.0 * cylinder.half_height)?;
+        has_square("the radius", cylinder.radius)?;
         let axis = frame.direction(&Vector3::y());
         let cap = |sign: f64| Face::Plane {
             through: frame.point(&(Vector3::y() * (sign * cylinder.half_height))),
@@ -403,8 +402,8 @@ impl Convex {
     }
 
     pub(super) fn cone(cone: &Cone, frame: &Frame<3>) -> Result<Convex, Error> {
-        positive("the half height", cone.half_height)?;
-        positive("the radius", cone.radius)?;
+        has_square("the height", 2.0 * cone.half_height)?;
+        has_square("the radius", cone.radius)?;
         let down = frame.direction(&-Vector3::y());
         let apex = frame.point(&(Vector3::y() * cone.half_height));
         let middle = frame.point(&(Vector3::y() * -cone.half_height));
@@ -417,7 +416,7 @@ impl Convex {
 
     pub(super) fn capsule(capsule: &Capsule, frame: &Frame<3>) -> Result<Convex, Error> {
         let radius = capsule.radius;
-        positive("the radius", radius)?;
+        has_square("the radius", radius)?;
         let [a, b] = [capsule.segment.a, capsule.segment.b].map(|p| frame.point(&from_glam3(p)));
         let length = (b - a).norm();
         if length == 0.0 {

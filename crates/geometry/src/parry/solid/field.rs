@@ -8,7 +8,7 @@ use super::super::{
     polytope::Polytope,
 };
 use super::unsupported;
-use crate::Error;
+use crate::{Error, Extent};
 use core::fmt;
 use nalgebra::{Matrix3, Vector3};
 use parry3d_f64::{
@@ -40,9 +40,9 @@ impl Field<3> for Spatial {
             .map(|s| move |n: &Vector3<f64>| from_glam3(s.local_support_point(to_glam3(n))));
         projected(x, (from_glam3(projection.point), projection.is_inside), support)
     }
-    fn extent(&self) -> [Vector3<f64>; 2] {
+    fn extent(&self) -> Extent<3> {
         let extent = self.shape.compute_local_aabb();
-        [from_glam3(extent.mins), from_glam3(extent.maxs)]
+        Extent { min: from_glam3(extent.mins), max: from_glam3(extent.maxs) }
     }
     fn is_convex(&self) -> bool {
         self.shape.is_convex() || self.shape.as_support_map().is_some()
@@ -90,8 +90,7 @@ fn oriented(vertices: Vec<Glam>, triangles: Vec<[u32; 3]>) -> Result<TriMesh, Er
 impl Scaled {
     /// Triangles scaled to size 1 before parry computes its normals from them.
     fn of_triangles(points: &[Glam], triangles: &[[u32; 3]]) -> Result<Scaled, Error> {
-        let [low, high] = points.iter().fold([Glam::INFINITY, Glam::NEG_INFINITY], |[a, b], p| [a.min(*p), b.max(*p)]);
-        let scale = Distance::<3>::unit(&[low, high].map(from_glam3));
+        let scale = Distance::unit(&Extent::of(points.iter().map(|p| from_glam3(*p))));
         let points = points.iter().map(|p| *p * scale).collect();
         Ok(Scaled { field: Box::new(Spatial { shape: Box::new(oriented(points, triangles.to_vec())?) }), scale })
     }

@@ -35,15 +35,12 @@ pub(super) struct Parallel {
 
 impl Parallel {
     /// # Errors
-    /// [`Error::Parameter`] unless the margin is positive and finite.
+    /// [`Error::Length`] unless the margin is between 10⁻¹⁵⁰ and 10¹⁵⁰.
     pub(super) fn new(mesh: Mesh, distance: Distance<3>, margin: f64) -> Result<Parallel, Error> {
         let plate =
             |(t, normal): (&[usize; 3], &Vector3<f64>)| Rounded::plate(t.map(|v| mesh.vertices[v]), *normal, margin);
         let plates = mesh.triangles.iter().zip(&mesh.normals).map(plate).collect::<Result<Vec<_>, _>>()?;
-        let tree = BoxTree::new(plates.iter().map(|plate| {
-            let [min, max] = plate.extent();
-            Extent { min, max }
-        }));
+        let tree = BoxTree::new(plates.iter().map(Rounded::extent));
         let balls = mesh.triangles.iter().map(|t| Bound::around(t.map(|v| mesh.vertices[v]), margin)).collect();
         let size = mesh.vertices.iter().map(Vector3::amax).fold(0.0, f64::max) + margin;
         Ok(Parallel { mesh, plates, balls, tree, distance, margin, slack: slack([size]), size, near: CORNER * size })
@@ -160,9 +157,9 @@ impl Parallel {
     }
 
     /// A box around it.
-    pub(super) fn extent(&self) -> [Vector3<f64>; 2] {
-        let [low, high] = self.distance.extent();
-        [low.add_scalar(-self.margin), high.add_scalar(self.margin)]
+    pub(super) fn extent(&self) -> Extent<3> {
+        let Extent { min, max } = self.distance.extent();
+        Extent { min: min.add_scalar(-self.margin), max: max.add_scalar(self.margin) }
     }
 }
 

@@ -16,9 +16,9 @@ use super::{
         mesh::across,
         polytope::Polytope,
     },
-    Closest, positive, unsupported,
+    Closest, unsupported,
 };
-use crate::{Error, Line};
+use crate::{Error, Extent, Line, plane::has_square};
 use brick::Brick;
 use core::fmt::Debug;
 use hull::Hull;
@@ -51,7 +51,7 @@ pub(in crate::parry) trait Core: Debug + Send + Sync {
     /// Its surface, seen from inside, if the point lies inside.
     fn inner(&self, x: &Vector3<f64>) -> Option<View>;
     /// A box around it.
-    fn extent(&self) -> [Vector3<f64>; 2];
+    fn extent(&self) -> Extent<3>;
 }
 
 impl Core for Box<dyn Core> {
@@ -61,7 +61,7 @@ impl Core for Box<dyn Core> {
     fn inner(&self, x: &Vector3<f64>) -> Option<View> {
         (**self).inner(x)
     }
-    fn extent(&self) -> [Vector3<f64>; 2] {
+    fn extent(&self) -> Extent<3> {
         (**self).extent()
     }
 }
@@ -71,7 +71,7 @@ impl Core for Box<dyn Core> {
 pub(super) struct Rounded<C = Box<dyn Core>> {
     core: C,
     radius: f64,
-    extent: [Vector3<f64>; 2],
+    extent: Extent<3>,
     /// Within this distance of the surface the next step of Newton's method is the last: it leaves an error of a quarter of an
     /// ulp where the path goes sixteen ulp deep, and less where it goes deeper.
     near: f64,
@@ -114,16 +114,16 @@ impl Rounded<Plate> {
 
 impl<C: Core> Rounded<C> {
     fn new(core: C, radius: f64) -> Result<Self, Error> {
-        positive("the border radius", radius)?;
-        let [low, high] = core.extent();
+        has_square("the border radius", radius)?;
+        let Extent { min, max } = core.extent();
         let border = Vector3::repeat(radius);
-        let extent = [low - border, high + border];
-        let near = 4.0 * f64::EPSILON * extent[0].amax().max(extent[1].amax());
+        let extent = Extent { min: min - border, max: max + border };
+        let near = 4.0 * f64::EPSILON * extent.size();
         Ok(Rounded { core, radius, extent, near })
     }
 
     /// A box around it.
-    pub(super) fn extent(&self) -> [Vector3<f64>; 2] {
+    pub(super) fn extent(&self) -> Extent<3> {
         self.extent
     }
 
@@ -171,7 +171,7 @@ impl<C: Core> Rounded<C> {
 
     fn leaves(&self, path: &Line<3>) -> f64 {
         // a point beyond the box, wherever inside it the path starts
-        let [low, high] = &self.extent;
+        let Extent { min: low, max: high } = &self.extent;
         let mut time = 2.0 * (high - low).norm() / path.velocity.norm();
         for _ in 0..MOST_STEPS {
             let View { height, normal } = self.on_path(path, time);

@@ -1,11 +1,9 @@
 //! A box.
 use super::{Core, View};
 use crate::{
-    Error,
-    parry::{
-        convert::{Frame, from_glam3},
-        solid::positive,
-    },
+    Error, Extent,
+    parry::convert::{Frame, from_glam3},
+    plane::has_square,
 };
 use nalgebra::Vector3;
 use parry3d_f64::shape::Cuboid;
@@ -21,7 +19,7 @@ pub(super) struct Brick {
 impl Brick {
     pub(super) fn new(cuboid: &Cuboid, frame: &Frame<3>) -> Result<Brick, Error> {
         let half: [f64; 3] = from_glam3(cuboid.half_extents).into();
-        half.iter().try_for_each(|&x| positive("a half extent", x))?;
+        half.iter().try_for_each(|&x| has_square("an edge", 2.0 * x))?;
         let axes = [Vector3::x(), Vector3::y(), Vector3::z()].map(|e| frame.direction(&e));
         Ok(Brick { center: frame.translation, axes, half })
     }
@@ -60,8 +58,8 @@ impl Core for Brick {
         (side.height <= 0.0).then_some(side)
     }
 
-    fn extent(&self) -> [Vector3<f64>; 2] {
+    fn extent(&self) -> Extent<3> {
         let reach: Vector3<f64> = (0..3).map(|i| self.axes[i].abs() * self.half[i]).sum();
-        [self.center - reach, self.center + reach]
+        Extent { min: self.center - reach, max: self.center + reach }
     }
 }

@@ -51,8 +51,7 @@ impl Core for Hull {
         (height <= 0.0).then_some(View { height, normal: outmost.normal() })
     }
 
-    fn extent(&self) -> [Vector3<f64>; 2] {
-        let Extent { min, max } = Extent::of(self.triangles.iter().flat_map(Facet::corners));
-        [min, max]
+    fn extent(&self) -> Extent<3> {
+        Extent::of(self.triangles.iter().flat_map(Facet::corners))
     }
 }

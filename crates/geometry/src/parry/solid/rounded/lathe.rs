@@ -1,9 +1,6 @@
 //! Solids of revolution.
 use super::{Core, View};
-use crate::{
-    Error,
-    parry::{convert::Frame, solid::positive},
-};
+use crate::{Error, Extent, parry::convert::Frame, plane::has_square};
 use nalgebra::{Vector2, Vector3};
 use parry3d_f64::shape::{Cone, Cylinder};
 
@@ -47,8 +44,8 @@ impl Lathe {
     }
 
     fn new(half: f64, radius: f64, corners: &[[f64; 2]], frame: &Frame<3>) -> Result<Lathe, Error> {
-        positive("the half height", half)?;
-        positive("the radius", radius)?;
+        has_square("the height", 2.0 * half)?;
+        has_square("the radius", radius)?;
         let side = |pair: &[[f64; 2]]| {
             let ends = [pair[0], pair[1]].map(Vector2::from);
             let along = ends[1] - ends[0];
@@ -101,7 +98,7 @@ impl Core for Lathe {
         (height <= 0.0).then(|| self.in_space(height, outmost.outward(), &out))
     }
 
-    fn extent(&self) -> [Vector3<f64>; 2] {
+    fn extent(&self) -> Extent<3> {
         let corners = self.sides.iter().flat_map(|side| side.ends);
         let reach = corners.fold(Vector3::zeros(), |reach: Vector3<f64>, corner| {
             // a circle's reach along a coordinate axis is its radius times the length of that axis
@@ -109,6 +106,6 @@ impl Core for Lathe {
             let of_circle = self.axis.map(|a| corner.x * libm::sqrt((1.0 - a * a).max(0.0)));
             reach.sup(&(self.axis.abs() * corner.y.abs() + of_circle))
         });
-        [self.center - reach, self.center + reach]
+        Extent { min: self.center - reach, max: self.center + reach }
     }
 }

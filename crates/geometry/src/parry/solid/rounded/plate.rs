@@ -23,8 +23,7 @@ impl Core for Plate {
         None
     }
 
-    fn extent(&self) -> [Vector3<f64>; 2] {
-        let Extent { min, max } = self.0.extent();
-        [min, max]
+    fn extent(&self) -> Extent<3> {
+        self.0.extent()
     }
 }
