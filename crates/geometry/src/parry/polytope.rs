@@ -176,7 +176,9 @@ mod tests {
                         }
                     })
                     .collect();
-                if let Some(axis) = (n > 8).then(|| Vector3::from_fn(|_, _| random())) {
+                // few points in a drum, on rods or of coarse coordinates may all lie in a plane
+                if n > 8 || !matches!(kind, 2 | 4 | 5) {
+                    let axis = Vector3::from_fn(|_, _| random());
                     hull(&points);
                     hull(&points.iter().map(|p| turned(p, &axis, 1.0)).collect::<Vec<_>>());
                 }
