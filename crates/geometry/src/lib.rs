@@ -23,6 +23,7 @@ mod components;
 mod copies;
 mod crossing;
 mod describe;
+pub mod edges;
 mod error;
 mod extent;
 pub mod import;

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use billiards::geometry::Vector3;
+use billiards::geometry::edges::{chains, merged, sides};
 
 /// Up to this many triangles are shown individually; of more, one sees the shape and not the triangles.
 const FEW: usize = 1000;
@@ -21,20 +22,20 @@ pub(super) struct Seen {
 
 /// The visible part of triangles seen from far away; `towards` points to the eye.
 pub(super) fn seen(vertices: &[[f64; 3]], triangles: &[[usize; 3]], towards: &Vector3<f64>) -> Seen {
-    let (points, number) = merged(vertices);
+    let number = merged(vertices.iter().copied());
+    let points: Vec<Vector3<f64>> = vertices.iter().map(|vertex| Vector3::from(*vertex)).collect();
     let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len())).map(|t| t.map(|v| number[v]));
     // a triangle without an area has no side
     let normal =
         |t: &[usize; 3]| (points[t[1]] - points[t[0]]).cross(&(points[t[2]] - points[t[0]])).try_normalize(0.0);
     let faces: Vec<([usize; 3], Vector3<f64>)> = known.filter_map(|t| Some((t, normal(&t)?))).collect();
-    let sides_of = |[a, b, c]: [usize; 3]| [[a, b], [b, c], [c, a]];
     let owner: HashMap<[usize; 2], usize> =
-        faces.iter().enumerate().flat_map(|(k, face)| sides_of(face.0).map(|side| (side, k))).collect();
+        faces.iter().enumerate().flat_map(|(k, face)| sides(face.0).map(|side| (side, k))).collect();
     let faces_eye = |k: usize| faces[k].1.dot(towards) > 0.0;
     let bent = BENT[usize::from(faces.len() > FEW)];
     let (mut lines, mut borders, mut is_open) = (vec![], [vec![], vec![]], false);
     for (k, face) in faces.iter().enumerate() {
-        for [a, b] in sides_of(face.0) {
+        for [a, b] in sides(face.0) {
             let beyond = owner.get(&[b, a]).copied();
             is_open |= beyond.is_none();
             let is_border = beyond.is_none_or(|beyond| faces_eye(beyond) != faces_eye(k));
@@ -53,50 +54,11 @@ pub(super) fn seen(vertices: &[[f64; 3]], triangles: &[[usize; 3]], towards: &Ve
             }
         }
     }
-    let chains = |edges: &[[usize; 2]]| -> Vec<Vec<Vector3<f64>>> {
-        walked(edges).iter().map(|chain| chain.iter().map(|point| points[*point]).collect()).collect()
+    let drawn = |edges: &[[usize; 2]]| -> Vec<Vec<Vector3<f64>>> {
+        chains(edges).iter().map(|chain| chain.iter().map(|point| points[*point]).collect()).collect()
     };
     let areas = borders.iter().take(if is_open { 2 } else { 1 }).filter(|border| !border.is_empty());
-    Seen { areas: areas.map(|border| chains(border)).collect(), lines: chains(&lines) }
-}
-
-/// The distinct points, and the number of each given point among them.
-fn merged(vertices: &[[f64; 3]]) -> (Vec<Vector3<f64>>, Vec<usize>) {
-    let (mut points, mut known) = (vec![], HashMap::new());
-    let mut number = |vertex: &[f64; 3]| {
-        // −0 is 0
-        *known.entry(vertex.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
-            points.push(Vector3::from(*vertex));
-            points.len() - 1
-        })
-    };
-    let numbers = vertices.iter().map(&mut number).collect();
-    (points, numbers)
-}
-
-/// Edges as chains, each of which continues as long as an edge begins where the last one ends.
-fn walked(edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
-    let mut from: HashMap<usize, Vec<usize>> = HashMap::new();
-    for (k, edge) in edges.iter().enumerate().rev() {
-        from.entry(edge[0]).or_default().push(k);
-    }
-    let mut is_gone = vec![false; edges.len()];
-    let mut chains = vec![];
-    for first in 0..edges.len() {
-        let mut next = Some(first).filter(|first| !is_gone[*first]);
-        let mut chain = vec![edges[first][0]];
-        while let Some(k) = next {
-            is_gone[k] = true;
-            let end = edges[k][1];
-            chain.push(end);
-            let mut later = from.get_mut(&end);
-            next = core::iter::from_fn(|| later.as_mut()?.pop()).find(|k| !is_gone[*k]);
-        }
-        if chain.len() > 1 {
-            chains.push(chain);
-        }
-    }
-    chains
+    Seen { areas: areas.map(|border| drawn(border)).collect(), lines: drawn(&lines) }
 }
 
 #[cfg(test)]

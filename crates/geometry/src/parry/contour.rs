@@ -2,7 +2,8 @@
 use super::convert::{Frame, from_glam2};
 use crate::{
     Error, Extent, Figure, Piece,
-    plane::{cross, key, slack},
+    edges::{chains, merged, sides},
+    plane::{cross, slack},
     shapes::{Arc, Circle, FullLine, Ray, Segment},
     validate::crosses_itself,
 };
@@ -181,39 +182,16 @@ fn rounded(points: &[Vector2<f64>], radius: f64, frame: &Frame<2>) -> Vec<Figure
     figures
 }
 
-/// Numbers points so that equal ones (bit for bit, with −0 = 0) have equal numbers.
-fn merged(points: &[Vector2<f64>]) -> Vec<usize> {
-    let mut known = HashMap::new();
-    points.iter().enumerate().map(|(i, p)| *known.entry(key(*p)).or_insert(i)).collect()
-}
-
-/// Directed edges in the order of traversal, loop after loop.
-fn chained(edges: &[[usize; 2]]) -> Vec<[usize; 2]> {
-    let mut starting: HashMap<usize, Vec<usize>> = HashMap::new();
-    for (k, e) in edges.iter().enumerate().rev() {
-        starting.entry(e[0]).or_default().push(k);
-    }
-    let mut used = vec![false; edges.len()];
-    let mut out = Vec::with_capacity(edges.len());
-    for first in 0..edges.len() {
-        let mut at = Some(first);
-        while let Some(k) = at.filter(|&k| !used[k]) {
-            used[k] = true;
-            out.push(edges[k]);
-            let candidates = starting.entry(edges[k][1]).or_default();
-            while candidates.last().is_some_and(|&c| used[c]) {
-                candidates.pop();
-            }
-            at = candidates.last().copied();
-        }
-    }
-    out
+/// Segments along directed edges in the order of traversal, loop after loop; `place` finds the points by their numbers.
+fn chained(edges: &[[usize; 2]], place: impl Fn(usize) -> Vector2<f64>) -> Vec<Figure> {
+    let chains = chains(edges);
+    segments(chains.iter().flat_map(|chain| chain.windows(2)).map(|w| [place(w[0]), place(w[1])]))
 }
 
 /// Closed loops bound an interior (nested ones alternate: an island in a hole in a solid); all else is a screen.
 fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
     let points: Vec<Vector2<f64>> = line.vertices().iter().map(|&p| frame.point(&from_glam2(p))).collect();
-    let id = merged(&points);
+    let id = merged(points.iter().copied());
     let mut edges: Vec<[usize; 2]> =
         line.indices().iter().map(|&[a, b]| [id[a as usize], id[b as usize]]).filter(|[a, b]| a != b).collect();
     // an edge traversed there and back is one wall
@@ -290,7 +268,7 @@ fn polyline(line: &Polyline, frame: &Frame<2>) -> Result<Contour, Error> {
 /// The edges that belong to one triangle only.
 fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Result<Vec<Figure>, Error> {
     let points: Vec<Vector2<f64>> = mesh.vertices().iter().map(|&p| frame.point(&from_glam2(p))).collect();
-    let id = merged(&points);
+    let id = merged(points.iter().copied());
     let mut edges = vec![];
     let mut inner = HashSet::new();
     for triangle in mesh.indices() {
@@ -302,7 +280,7 @@ fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Result<Vec<Figure>, Error> 
         if signed < 0.0 {
             t.swap(1, 2);
         }
-        for edge in [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]] {
+        for edge in sides(t) {
             inner.insert(edge);
             edges.push(edge);
         }
@@ -311,7 +289,7 @@ fn mesh_outline(mesh: &TriMesh, frame: &Frame<2>) -> Result<Vec<Figure>, Error> 
         return Err(Error::Shape { shape: "triangle mesh", why: "it has no triangle of positive area" });
     }
     edges.retain(|&[a, b]| !inner.contains(&[b, a]));
-    Ok(segments(chained(&edges).into_iter().map(|e| e.map(|v| points[v]))))
+    Ok(chained(&edges, |v| points[v]))
 }
 
 /// The sides of full cells that adjoin empty ones.
@@ -344,5 +322,5 @@ fn voxel_outline(voxels: &Voxels, frame: &Frame<2>) -> Vec<Figure> {
         let [i, j] = vertices[v];
         frame.point(&Vector2::new(i as f64 * size.x, j as f64 * size.y))
     };
-    segments(chained(&edges).into_iter().map(|e| e.map(place)))
+    chained(&edges, place)
 }

@@ -12,7 +12,8 @@ mod winding;
 use super::distance::to_unit;
 use crate::{
     BoxTree, Crossing, Error, Extent, Line,
-    plane::{is_finite, key, slack},
+    edges::{merged, sides},
+    plane::{is_finite, slack},
     walls::CORNER,
 };
 use nalgebra::Vector3;
@@ -75,22 +76,12 @@ impl Shear {
     }
 }
 
-/// Numbers points so that equal ones have equal numbers.
-pub(crate) fn merged(points: &[Vector3<f64>]) -> Vec<usize> {
-    let mut known = HashMap::new();
-    points.iter().enumerate().map(|(i, p)| *known.entry(key(*p)).or_insert(i)).collect()
-}
-
 /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed. Triangles without area count, since
 /// they may lie between a long side and the two short ones beyond it; one with a corner twice is a single side with nothing beyond it.
 pub(crate) fn rims(triangles: &[[usize; 3]]) -> usize {
     let real = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
-    let known: HashSet<[usize; 2]> = real.flat_map(sides).collect();
+    let known: HashSet<[usize; 2]> = real.copied().flat_map(sides).collect();
     known.iter().filter(|[a, b]| !known.contains(&[*b, *a])).count()
-}
-
-fn sides([a, b, c]: &[usize; 3]) -> [[usize; 2]; 3] {
-    [[*a, *b], [*b, *c], [*c, *a]]
 }
 
 /// `(b − a) × (c − a)` in units of the longest edge rounded up to a power of two, and that unit, so that no product over- or
@@ -115,7 +106,7 @@ impl Mesh {
         if vertices.iter().any(|v| !is_finite(v)) {
             return error("a vertex is not finite");
         }
-        let id = merged(&vertices);
+        let id = merged(vertices.iter().copied());
         let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
         let closed = rims(&triangles) == 0;
@@ -131,7 +122,7 @@ impl Mesh {
         }
         let mut at: HashMap<[usize; 2], usize> = HashMap::new();
         for (k, t) in triangles.iter().enumerate() {
-            for side in sides(t) {
+            for side in sides(*t) {
                 if at.insert(side, k).is_some() && !loose {
                     return Err(manifold::problem(&triangles, k, &numbers));
                 }
@@ -159,7 +150,7 @@ impl Mesh {
         let edge = |k: usize, [a, b]: [usize; 2]| !at.get(&[b, a]).is_some_and(|&j| smooth(k, j));
         let shell = if closed && !loose { shells::shells(&triangles, &at) } else { vec![] };
         let mut edges: Vec<[bool; 3]> =
-            triangles.iter().enumerate().map(|(k, t)| sides(t).map(|side| edge(k, side))).collect();
+            triangles.iter().enumerate().map(|(k, t)| sides(*t).map(|side| edge(k, side))).collect();
         if turned {
             for t in &mut triangles {
                 t.swap(1, 2);

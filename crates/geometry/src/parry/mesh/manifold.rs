@@ -1,6 +1,5 @@
 //! Why triangles do not form a two-sided surface.
-use super::sides;
-use crate::Error;
+use crate::{Error, edges::sides};
 use std::collections::{HashMap, HashSet};
 
 /// The error where two triangles run along one edge in the same direction, of which `number` is the latter; `numbers`
@@ -17,7 +16,7 @@ pub(super) fn problem(triangles: &[[usize; 3]], number: usize, numbers: &[usize]
     }
     let mut on_edge: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
     for (k, t) in triangles.iter().enumerate() {
-        for [a, b] in sides(t) {
+        for [a, b] in sides(*t) {
             on_edge.entry([a.min(b), a.max(b)]).or_default().push(k);
         }
     }
@@ -52,10 +51,10 @@ fn wrong_way(triangles: &[[usize; 3]], on_edge: &HashMap<[usize; 2], Vec<usize>>
         let (mut part, mut next) = (vec![first], 0);
         while let Some(&k) = part.get(next) {
             next += 1;
-            for side in sides(&triangles[k]) {
+            for side in sides(triangles[k]) {
                 let [a, b] = side;
                 for &other in on_edge[&[a.min(b), a.max(b)]].iter().filter(|&&other| other != k) {
-                    let same = sides(&triangles[other]).contains(&side);
+                    let same = sides(triangles[other]).contains(&side);
                     let turn = turned[k].map(|turn| turn != same);
                     match turned[other] {
                         None => {

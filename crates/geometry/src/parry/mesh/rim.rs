@@ -1,5 +1,6 @@
 //! Where a surface of triangles ends.
-use super::{Mesh, sides};
+use super::Mesh;
+use crate::edges::sides;
 use nalgebra::Vector3;
 use std::collections::HashSet;
 
@@ -43,8 +44,8 @@ impl Mesh {
     }
 
     fn open_sides(&self) -> Vec<OpenSide> {
-        let known: HashSet<[usize; 2]> = self.triangles.iter().flat_map(sides).collect();
-        let of = |triangle: usize| sides(&self.triangles[triangle]).map(|side| (triangle, side));
+        let known: HashSet<[usize; 2]> = self.triangles.iter().copied().flat_map(sides).collect();
+        let of = |triangle: usize| sides(self.triangles[triangle]).map(|side| (triangle, side));
         let open = (0..self.triangles.len()).flat_map(of).filter(|(_, [a, b])| !known.contains(&[*b, *a]));
         let described = |(triangle, [a, b]): (usize, [usize; 2])| {
             let [start, end] = [a, b].map(|v| self.vertices[v]);

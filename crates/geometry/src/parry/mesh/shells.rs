@@ -1,6 +1,6 @@
 //! Closed meshes of several parts: which lie outside of one another, and which bound cavities.
-use super::{Mesh, across, sides};
-use crate::{BoxTree, Error, Extent};
+use super::{Mesh, across};
+use crate::{BoxTree, Error, Extent, edges::sides};
 use nalgebra::Vector3;
 use std::collections::HashMap;
 
@@ -15,7 +15,7 @@ pub(super) fn shells(triangles: &[[usize; 3]], at: &HashMap<[usize; 2], usize>) 
         shell[first] = first;
         open.push(first);
         while let Some(k) = open.pop() {
-            for [a, b] in sides(&triangles[k]) {
+            for [a, b] in sides(triangles[k]) {
                 if let Some(&other) = at.get(&[b, a]).filter(|&&other| shell[other] == usize::MAX) {
                     shell[other] = first;
                     open.push(other);

@@ -1,6 +1,6 @@
 //! Triangles without area, whose long side adjoins other triangles than the two short ones do.
-use super::{across, sides};
-use crate::Error;
+use super::across;
+use crate::{Error, edges::sides};
 use core::cmp::Reverse;
 use nalgebra::Vector3;
 use std::collections::{BinaryHeap, HashMap};
@@ -25,7 +25,7 @@ pub(super) fn split(
     let is_flat = |t: &[usize; 3]| !(across(t.map(|v| vertices[v])).0.norm_squared() > 0.0);
     let is_point = |[a, b, c]: &[usize; 3]| a == b || b == c || c == a;
     let lengths = |t: &[usize; 3]| {
-        sides(t).map(|[a, b]| {
+        sides(*t).map(|[a, b]| {
             let [x, y, z] = (vertices[b] - vertices[a]).into();
             libm::hypot(libm::hypot(x, y), z)
         })
@@ -41,7 +41,7 @@ pub(super) fn split(
     }
     let mut at: HashMap<[usize; 2], usize> = HashMap::new();
     for (k, t) in triangles.iter().enumerate().filter(|(_, t)| !is_point(t)) {
-        at.extend(sides(t).map(|side| (side, k)));
+        at.extend(sides(*t).map(|side| (side, k)));
     }
     let mut gone = vec![false; triangles.len()];
     let mut left = SPLITS * flat.len();
@@ -79,7 +79,7 @@ pub(super) fn split(
         gone.push(false);
         origin.push(origin[beyond]);
         for (part, number) in parts.iter().zip([beyond, triangles.len() - 1]) {
-            at.extend(sides(part).map(|side| (side, number)));
+            at.extend(sides(*part).map(|side| (side, number)));
             if is_flat(part) {
                 flat.push(entry(number, part));
             }

@@ -1,5 +1,6 @@
 //! Triangles of one plane joined into faces.
 use super::Face;
+use crate::edges::sides;
 use lanes::{Double, two_sum};
 use nalgebra::Vector3;
 use std::collections::{BTreeMap, HashMap};
@@ -33,17 +34,16 @@ fn across([a, b, c]: [&Vector3<f64>; 3]) -> Vector3<f64> {
 
 /// Faces of a closed convex surface of triangles: neighbours within the `tolerance` of one plane form one face.
 pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Face> {
-    let sides = |t: &[usize; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]];
     let by_side: HashMap<[usize; 2], usize> =
-        triangles.iter().enumerate().flat_map(|(k, t)| sides(t).map(|side| (side, k))).collect();
-    let beyond = |k: usize| sides(&triangles[k]).map(|[a, b]| by_side[&[b, a]]);
+        triangles.iter().enumerate().flat_map(|(k, t)| sides(*t).map(|side| (side, k))).collect();
+    let beyond = |k: usize| sides(triangles[k]).map(|[a, b]| by_side[&[b, a]]);
     let normals: Vec<Vector3<f64>> = triangles.iter().map(|t| across(t.map(|k| &points[k]))).collect();
     let length = |[a, b]: [usize; 2]| (points[a] - points[b]).norm();
     let is_thin: Vec<bool> = triangles
         .iter()
         .zip(&normals)
         .map(|(t, normal)| {
-            let longest = sides(t).map(length).into_iter().fold(0.0, f64::max);
+            let longest = sides(*t).map(length).into_iter().fold(0.0, f64::max);
             normal.norm() <= THIN * longest * longest
         })
         .collect();
@@ -79,7 +79,7 @@ pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], toleranc
     }
     // a thin triangle that is left over joins the face beyond its longest side
     while let Some((k, plane)) = (0..triangles.len()).filter(|k| plane_of[*k].is_none()).find_map(|k| {
-        let known = sides(&triangles[k]).into_iter().filter_map(|[a, b]| Some(([a, b], plane_of[by_side[&[b, a]]]?)));
+        let known = sides(triangles[k]).into_iter().filter_map(|[a, b]| Some(([a, b], plane_of[by_side[&[b, a]]]?)));
         known.max_by(|a, b| length(a.0).total_cmp(&length(b.0))).map(|(_, plane)| (k, plane))
     }) {
         plane_of[k] = Some(plane);
@@ -89,7 +89,7 @@ pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], toleranc
     for (number, plane) in planes.iter().enumerate() {
         let mut rim = BTreeMap::new();
         for &k in &plane.members {
-            let outer = sides(&triangles[k]).into_iter().filter(|[a, b]| plane_of[by_side[&[*b, *a]]] != Some(number));
+            let outer = sides(triangles[k]).into_iter().filter(|[a, b]| plane_of[by_side[&[*b, *a]]] != Some(number));
             rim.extend(outer.map(|[a, b]| (a, b)));
         }
         rings.push(longest_chain(rim));

@@ -1,7 +1,6 @@
 //! Where a surface of triangles ends.
 use super::SolidSpec;
-use crate::parry::mesh::{self, merged};
-use nalgebra::Vector3;
+use crate::{edges::merged, parry::mesh};
 
 impl SolidSpec {
     /// How many sides of triangles have no other triangle beyond them: 0 where the surface is closed, as it is for all other
@@ -29,8 +28,7 @@ impl SolidSpec {
             | SolidSpec::ConvexHull { .. }
             | SolidSpec::HalfSpace { .. } => return 0,
         };
-        let points: Vec<Vector3<f64>> = vertices.iter().map(|v| Vector3::from(*v)).collect();
-        let number = merged(&points);
+        let number = merged(vertices.iter().copied());
         let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len()));
         mesh::rims(&known.map(|t| t.map(|v| number[v])).collect::<Vec<_>>())
     }
