@@ -55,10 +55,7 @@ fn unbounded<F: PolarFormula>(formula: &F, sectors: &[(Interval, [Interval; 3])]
         if parts.len() > MOST {
             break;
         }
-        let halves = parts.iter().flat_map(|&Interval { low, high }| {
-            let middle = 0.5 * (low + high);
-            [Interval { low, high: middle }, Interval { low: middle, high }]
-        });
+        let halves = parts.iter().flat_map(|part| part.halves());
         parts = halves.filter(|half| !is_bounded(&formula.jet_over(*half))).collect();
     }
     parts

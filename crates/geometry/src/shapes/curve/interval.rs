@@ -62,6 +62,12 @@ impl Interval {
         self.low.abs().max(self.high.abs())
     }
 
+    /// Its halves, lower and upper.
+    pub(crate) fn halves(self) -> [Interval; 2] {
+        let middle = 0.5 * (self.low + self.high);
+        [Interval { low: self.low, high: middle }, Interval { low: middle, high: self.high }]
+    }
+
     /// `high − low`
     pub fn width(self) -> f64 {
         self.high - self.low

@@ -39,9 +39,7 @@ fn rough(part: Interval, calm: impl Fn(Interval) -> bool) -> Vec<Interval> {
     if part.width() <= NARROW {
         return vec![part];
     }
-    let middle = 0.5 * (part.low + part.high);
-    let halves = [Interval { low: part.low, high: middle }, Interval { low: middle, high: part.high }];
-    halves.into_iter().filter(|half| !calm(*half)).collect()
+    part.halves().into_iter().filter(|half| !calm(*half)).collect()
 }
 
 /// Where, within rounding, some parts of a turn are not `calm`, in rising order. `None` where more than `most` parts of one width are not.

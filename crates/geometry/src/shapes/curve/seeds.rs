@@ -39,10 +39,9 @@ pub(super) fn seeds(
             break;
         }
         let mut narrower = vec![];
-        for Interval { low, high } in open {
-            let middle = 0.5 * (low + high);
-            seeds.extend([low, middle, high]);
-            let halves = [Interval { low, high: middle }, Interval { low: middle, high }];
+        for part in open {
+            let halves = part.halves();
+            seeds.extend([part.low, halves[0].high, part.high]);
             narrower.extend(halves.into_iter().filter(|half| !known(half, jet(*half))));
         }
         open = narrower;
