@@ -6,7 +6,7 @@
 //! contact velocity, so that nothing could correct it later. Rounding of `p` itself is harmless: its effect on the spin shows in the
 //! contact velocity, and [`Pair::collide`](crate::Pair::collide) removes it. (In the plane this is true of the whole error.)
 
-use lanes::two_prod;
+use crate::product::product;
 use nalgebra::{SMatrix, SVector};
 
 /// `p − r (r·p)/(r·r)`; zero if the arm is zero.
@@ -30,10 +30,8 @@ pub(crate) fn across<const N: usize>(p: &SVector<f64, N>, r: &SVector<f64, N>) -
 /// `a b − c d`, without the rounding of the products.
 #[inline]
 fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
-    let ((ab, left), (cd, over)) = (two_prod(a, b), two_prod(c, d));
-    let error = left - over;
-    // no correction where splitting a factor beyond 2⁹⁹⁶ overflows
-    (ab - cd) + if error.is_finite() { error } else { 0.0 }
+    let ((ab, left), (cd, over)) = (product(a, b), product(c, d));
+    (ab - cd) + (left - over)
 }
 
 #[cfg(test)]

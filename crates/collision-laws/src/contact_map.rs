@@ -5,8 +5,8 @@
 //! leave there would be taken for an approach of the bodies. Rounding of the coordinates of a velocity is harmless: `Ω r` stays across the
 //! arm for every skew `Ω`.
 
-use crate::{Body, Pair};
-use lanes::{Double, two_prod};
+use crate::{Body, Pair, product::product};
+use lanes::Double;
 use nalgebra::{DVector, SVector};
 
 /// `J`, the matrix from the [coordinates](Pair::coordinates) of the velocities to the contact velocity.
@@ -23,10 +23,9 @@ impl<const N: usize> ContactMap<N> {
         SVector::from_fn(|i, _| {
             let mut sum = Double::new(0.0);
             for (column, x) in self.0.iter().zip(x) {
-                let (product, error) = two_prod(column[i], *x);
+                let (product, error) = product(column[i], *x);
                 sum.add(product);
-                // no correction where splitting a factor beyond 2⁹⁹⁶ overflows
-                sum.add(if error.is_finite() { error } else { 0.0 });
+                sum.add(error);
             }
             sum.value()
         })

@@ -60,6 +60,7 @@ mod law;
 pub mod laws;
 mod near;
 mod pair;
+mod product;
 mod random;
 mod roughness;
 mod symmetric;

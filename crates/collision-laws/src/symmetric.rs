@@ -1,4 +1,4 @@
-//! Eigenvectors of symmetric matrices of any fixed size, by Jacobi's rotations.
+//! Symmetric matrices of any fixed size, and their eigenvectors, by Jacobi's rotations.
 //!
 //! nalgebra's own decomposition does not compile for a generic N; this one also computes small eigenvalues of positive
 //! matrices to more digits, and uses only + − × ÷ √.
@@ -7,6 +7,11 @@ use nalgebra::{SMatrix, SVector};
 
 /// Sweeps converge quadratically: 5 or 6 suffice for random matrices of N = 5; the bound only guards against NaN.
 const MOST_SWEEPS: usize = 40;
+
+/// `(a + aᵀ)/2`, exactly symmetric; halved first: the sum may overflow.
+pub(crate) fn symmetric_part<const N: usize>(a: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+    a * 0.5 + a.transpose() * 0.5
+}
 
 /// The eigenvalues of a symmetric matrix, and its eigenvectors as the columns of an orthogonal matrix.
 pub(crate) fn eigenframe<const N: usize>(mut a: SMatrix<f64, N, N>) -> (SVector<f64, N>, SMatrix<f64, N, N>) {

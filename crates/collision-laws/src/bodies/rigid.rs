@@ -1,7 +1,11 @@
 //! A rigid body in any dimension.
 
 use super::positive;
-use crate::{Body, Delassus, Error, Twist, across::across, symmetric::eigenframe};
+use crate::{
+    Body, Delassus, Error, Twist,
+    across::across,
+    symmetric::{eigenframe, symmetric_part},
+};
 use nalgebra::{Matrix3, Rotation, SMatrix, SVector, Unit};
 
 /// How a body resists turning, in one of the forms in use.
@@ -150,7 +154,7 @@ pub(super) fn symmetric<const N: usize>(
     if defect > 4.0 * f64::EPSILON * a.amax() {
         return Err(Error::InertiaNotSymmetric { quantity, defect });
     }
-    Ok(a * 0.5 + a.transpose() * 0.5) // halved first: the sum may overflow
+    Ok(symmetric_part(a))
 }
 
 impl<const N: usize> Body<N> for RigidBody<N> {
@@ -187,7 +191,7 @@ impl<const N: usize> Body<N> for RigidBody<N> {
             k[(j, i)] = k[(i, j)];
         }
         let k = self.frame * k * self.frame.transpose();
-        Delassus::Dense(k * 0.5 + k.transpose() * 0.5) // halved first: the sum may overflow
+        Delassus::Dense(symmetric_part(&k))
     }
 }
 

@@ -4,7 +4,7 @@ use super::{
     RigidBody, positive,
     rigid::{Inertia, symmetric},
 };
-use crate::{Body, Delassus, Error, Twist, across::across};
+use crate::{Body, Delassus, Error, Twist, across::across, symmetric::symmetric_part};
 use nalgebra::{Matrix3, Rotation3, SVector, Unit};
 
 /// A rigid body in space, of any shape: mass and inertia tensor about the centre of mass, in the space frame.
@@ -45,10 +45,7 @@ impl Spatial {
     /// As with [`RigidBody::turned`], the rounding errors of successive turns accumulate.
     #[must_use]
     pub fn turned(&self, by: &Rotation3<f64>) -> Self {
-        let turn = |of: &Matrix3<f64>| {
-            let turned = by.matrix() * of * by.matrix().transpose();
-            turned * 0.5 + turned.transpose() * 0.5 // exactly symmetric; halved first: the sum may overflow
-        };
+        let turn = |of: &Matrix3<f64>| symmetric_part(&(by.matrix() * of * by.matrix().transpose()));
         Self { mass: self.mass, tensor: turn(&self.tensor), inverse: turn(&self.inverse) }
     }
 }
@@ -73,7 +70,7 @@ impl Body<3> for Spatial {
         for i in 0..3 {
             k[(i, i)] += 1.0 / self.mass;
         }
-        Delassus::Dense(k * 0.5 + k.transpose() * 0.5) // halved first: the sum may overflow
+        Delassus::Dense(symmetric_part(&k))
     }
 }
 
