@@ -20,7 +20,7 @@ impl<A: Walls<N>, B: Walls<N>, const N: usize> Walls<N> for Around<A, B> {
     #[inline(always)]
     fn first_hit<F: Lane>(&self, x: &[F; N], v: &[F; N]) -> WallHit<F, N> {
         let inner = self.obstacles.first_hit(x, v);
-        let missed = !inner.time.lt(inner.time.same(f64::INFINITY));
+        let missed = inner.missed();
         if missed.any() { inner.or(missed, &self.container.first_hit(x, v)) } else { inner }
     }
 }

@@ -62,7 +62,7 @@ impl Walls<2> for Enclosure<'_> {
             Obstacles::Pieces(pieces) => Some(pieces.first_hit(x, v)),
         };
         if let Some(inner) = &inner
-            && !missed(inner).any()
+            && !inner.missed().any()
         {
             return *inner;
         }
@@ -76,13 +76,7 @@ impl Walls<2> for Enclosure<'_> {
         }
         match &inner {
             None => outer,
-            Some(inner) => inner.or(missed(inner), &outer),
+            Some(inner) => inner.or(inner.missed(), &outer),
         }
     }
-}
-
-/// The lanes in which no obstacle is hit.
-#[inline(always)]
-fn missed<F: Lane>(inner: &WallHit<F, 2>) -> F::Mask {
-    !inner.time.lt(inner.time.same(f64::INFINITY))
 }

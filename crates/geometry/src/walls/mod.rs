@@ -141,6 +141,12 @@ impl<F: Lane, const N: usize> WallHit<F, N> {
         }
     }
 
+    /// The lanes without a hit.
+    #[inline(always)]
+    pub fn missed(&self) -> F::Mask {
+        !self.time.lt(self.time.same(f64::INFINITY))
+    }
+
     /// This hit, or `other` in the lanes where `second` is set.
     #[inline(always)]
     #[must_use]
