@@ -69,7 +69,7 @@ fn rectangle(sides: &[Segment], numbers: &[usize]) -> Option<Hull> {
     let bound = |i: usize, pick: fn(f64, f64) -> f64| all.iter().map(|p| p[i]).reduce(pick).unwrap_or(0.0);
     let (low, high) = ([bound(0, f64::min), bound(1, f64::min)], [bound(0, f64::max), bound(1, f64::max)]);
     // the walls in the order of the axes, lower before upper
-    let mut pieces = [[usize::MAX; 2]; 2];
+    let mut pieces = [[None; 2]; 2];
     for (k, s) in sides.iter().enumerate() {
         let n = s.inward_normal();
         let axis = usize::from(n[0] == 0.0);
@@ -81,12 +81,10 @@ fn rectangle(sides: &[Segment], numbers: &[usize]) -> Option<Hull> {
         if s.start()[axis] != [low, high][side][axis] {
             return None;
         }
-        pieces[axis][side] = numbers[k];
+        pieces[axis][side] = Some(numbers[k]);
     }
-    if pieces.iter().flatten().any(|&p| p == usize::MAX) {
-        return None;
-    }
-    Cuboid::new(low, high, pieces).ok().map(Hull::Rectangle)
+    let [[Some(left), Some(right)], [Some(below), Some(above)]] = pieces else { return None };
+    Cuboid::new(low, high, [[left, right], [below, above]]).ok().map(Hull::Rectangle)
 }
 
 fn capsule(figures: &[Figure], numbers: &[usize], alone: bool) -> Option<Container> {

@@ -47,15 +47,6 @@ impl SpatialTable {
         SpatialTable { figure: Figure::Ball { radius, walls } }
     }
 
-    /// Its name in scene files.
-    pub fn name(&self) -> &'static str {
-        match self.figure {
-            Figure::Slab { .. } => "slab",
-            Figure::Cuboid { .. } => "box",
-            Figure::Ball { .. } => "ball",
-        }
-    }
-
     /// What its pieces are, in the order of their numbers.
     pub fn pieces(&self) -> &'static [&'static str] {
         match self.figure {
