@@ -69,7 +69,8 @@ impl Bump {
         (point - self.a).dot(&along) / self.length
     }
 
-    fn landing_at(&self, u: f64) -> Landing {
+    /// The landing at a fraction of the side.
+    fn at_fraction(&self, u: f64) -> Landing {
         let [point, tangent] = self.graph().at(u);
         Landing { point, normal: Vector2::new(-tangent.y, tangent.x) / libm::hypot(tangent.x, tangent.y) }
     }
@@ -190,7 +191,7 @@ impl Piece for Bump {
         if ours { Crossing { num: enter + time, den: 1.0 } } else { Crossing::NEVER }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
-        self.landing_at(self.fraction(&path.at(time)).clamp(0.0, 1.0))
+        self.at_fraction(self.fraction(&path.at(time)).clamp(0.0, 1.0))
     }
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
         let [_, slope, second] = shape(self.fraction(point).clamp(0.0, 1.0));
@@ -208,7 +209,7 @@ impl Piece for Bump {
         self.table.at_parameter(&self.graph(), self.table.closest(&self.graph(), point))
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
-        self.landing_at(self.table.closest(&self.graph(), point))
+        self.at_fraction(self.table.closest(&self.graph(), point))
     }
     fn ends(&self) -> Option<[Vector2<f64>; 2]> {
         Some([self.a, self.b])
