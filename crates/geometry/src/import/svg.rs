@@ -39,7 +39,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
     })?;
     let root = document.root_element();
     if root.tag_name().name() != "svg" || root.tag_name().namespace().is_some_and(|name| name != NAMESPACE) {
-        return Err(place(&root).fail("an SVG drawing must have <svg> as its outermost element"));
+        return Err(Element::of(&root).fail("an SVG drawing must have <svg> as its outermost element"));
     }
     let is_own = |node: &Node| node.is_element() && node.tag_name().namespace() == root.tag_name().namespace();
     root.descendants().filter(is_own).try_for_each(|node| rules_nothing(&node))?;
@@ -57,10 +57,12 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
         if let Some(property) = style::placing(&node) {
             let problem =
                 format!("{property:?} is read from an attribute only, not from a style: write it as an attribute");
-            return Err(place(&node).fail(problem));
+            return Err(Element::of(&node).fail(problem));
         }
         if node.has_attribute("transform-origin") {
-            return Err(place(&node).fail("a transform-origin is not read: include its translations in the transform"));
+            return Err(
+                Element::of(&node).fail("a transform-origin is not read: include its translations in the transform")
+            );
         }
         let is_visible = match style::value(&node, "visibility").as_deref() {
             None | Some("inherit") => is_visible,
@@ -70,8 +72,8 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
             None | Some("inherit") => is_filled,
             Some(fill) => fill != "none",
         };
-        let here =
-            outer.after(&affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| place(&node).fail(e))?);
+        let here = outer
+            .after(&affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| Element::of(&node).fail(e))?);
         if GROUPS.contains(&name) {
             let here = if node == root { here } else { here.after(&nested(&node)?) };
             let children = node.children().filter(is_own);
@@ -91,7 +93,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
                 true => Fill::Some,
             };
             outlines.extend(element(name, &node)?.into_iter().map(|drawn| Outline {
-                place: place(&node),
+                element: Element::of(&node),
                 drawn,
                 here,
                 fill,
@@ -117,17 +119,16 @@ const DRAWN: [&str; 8] = ["path", "polygon", "polyline", "circle", "ellipse", "r
 
 /// Line and name of an element.
 #[derive(Clone, Debug)]
-struct Place(String);
+struct Element(String);
 
-impl Place {
+impl Element {
+    fn of(node: &Node) -> Element {
+        let line = node.document().text_pos_at(node.range().start).row;
+        Element(format!("line {line}, <{}>", node.tag_name().name()))
+    }
     fn fail(&self, problem: impl Into<String>) -> Error {
         Error::Import { place: self.0.clone(), problem: problem.into() }
     }
-}
-
-fn place(node: &Node) -> Place {
-    let line = node.document().text_pos_at(node.range().start).row;
-    Place(format!("line {line}, <{}>", node.tag_name().name()))
 }
 
 /// The text of a style sheet; of any other element, nothing.
@@ -141,7 +142,7 @@ fn rules_nothing(node: &Node) -> Result<(), Error> {
         let problem = format!(
             "style sheets are not read, and this one sets {property:?}: let the drawing program write it as an attribute of each element"
         );
-        Err(place(node).fail(problem))
+        Err(Element::of(node).fail(problem))
     })
 }
 
@@ -151,7 +152,7 @@ fn nested(node: &Node) -> Result<Affine, Error> {
         return Ok(Affine::IDENTITY);
     }
     if node.attribute("viewBox").is_some() {
-        return Err(place(node).fail("a nested drawing may be moved but must not have a viewBox"));
+        return Err(Element::of(node).fail("a nested drawing may be moved but must not have a viewBox"));
     }
     Ok(Affine::translation(length(node, "x", 0.0)?, length(node, "y", 0.0)?))
 }
@@ -174,11 +175,15 @@ fn length(node: &Node, name: &str, or: f64) -> Result<f64, Error> {
         "mm" => 96.0 / 25.4,
         "cm" => 96.0 / 2.54,
         "Q" => 96.0 / 101.6,
-        _ => return Err(place(node).fail(format!("{name}=\"{text}\" must be a number, with an absolute unit if any"))),
+        _ => {
+            return Err(
+                Element::of(node).fail(format!("{name}=\"{text}\" must be a number, with an absolute unit if any"))
+            );
+        }
     };
     match number.parse::<f64>() {
         Ok(value) if value.is_finite() => Ok(value * scale),
-        _ => Err(place(node).fail(format!("{name}=\"{text}\" must be a number between -1e150 and 1e150"))),
+        _ => Err(Element::of(node).fail(format!("{name}=\"{text}\" must be a number between -1e150 and 1e150"))),
     }
 }
 
@@ -192,14 +197,14 @@ enum Drawn {
 /// The outlines that an element draws.
 fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
     let v = Vector2::new;
-    let fail = |problem: String| Err(place(node).fail(problem));
+    let fail = |problem: String| Err(Element::of(node).fail(problem));
     Ok(match name {
         "path" => {
-            let subpaths = path::parse(node.attribute("d").unwrap_or("")).map_err(|e| place(node).fail(e))?;
+            let subpaths = path::parse(node.attribute("d").unwrap_or("")).map_err(|e| Element::of(node).fail(e))?;
             subpaths.into_iter().map(Drawn::Path).collect()
         }
         "polygon" | "polyline" => {
-            let points = path::points(node.attribute("points").unwrap_or("")).map_err(|e| place(node).fail(e))?;
+            let points = path::points(node.attribute("points").unwrap_or("")).map_err(|e| Element::of(node).fail(e))?;
             let Some((first, rest)) = points.split_first() else { return Ok(vec![]) };
             vec![Drawn::Path(Subpath {
                 start: *first,
@@ -278,7 +283,7 @@ enum Fill {
 /// An outline, and the map that takes it into the table.
 #[derive(Clone, Debug)]
 struct Outline {
-    place: Place,
+    element: Element,
     drawn: Drawn,
     here: Affine,
     fill: Fill,
@@ -296,7 +301,7 @@ impl Outline {
 
     /// The closed outline in the plane of the table; `None` for a path without edges.
     fn contour(&self, fit: &Fit) -> Result<Option<Contour>, Error> {
-        in_range(self.points().iter().flatten(), &self.place.0)?;
+        in_range(self.points().iter().flatten(), &self.element.0)?;
         let oval = |center: Vector2<f64>, radii: [f64; 2], tilt: f64| {
             let (semi_axes, angle) = self.here.ellipse(radii, tilt);
             Oval { center: self.here.apply(center), semi_axes, angle }
@@ -333,18 +338,18 @@ impl Outline {
                     Fill::None if is_open => {
                         let problem = "the outline is open and nothing fills it: close it (a path with Z), or give it a fill, \
                                        which closes it by a straight edge";
-                        return Err(self.place.fail(problem));
+                        return Err(self.element.fail(problem));
                     }
                     Fill::Unknown if is_open => {
                         let problem = "the outline is open, and style sheets, which are not read, leave some outlines without a fill: \
                                        close it (a path with Z), or write its fill in its attribute \"style\"";
-                        return Err(self.place.fail(problem));
+                        return Err(self.element.fail(problem));
                     }
                     _ => {}
                 }
                 pen.close()
             }
         };
-        Ok(form.map(|form| Contour { place: self.place.0.clone(), form, role: Role::Nested, positions: vec![] }))
+        Ok(form.map(|form| Contour { place: self.element.0.clone(), form, role: Role::Nested, positions: vec![] }))
     }
 }

@@ -539,8 +539,8 @@ mod tests {
                 let off = Vector2::new(p.y - q.y, q.x - p.x) * (0.01 / (q - p).norm());
                 for k in 1..10 {
                     let path = Line { point: p + (q - p) * (0.1 * f64::from(k)) + off, velocity: -off };
-                    let ray = curve::Ray::new(path.point.into(), path.velocity.into());
-                    let meeting = graph.local.meet(&ray, true, true, 0.0);
+                    let aimed = curve::Aimed::new(path.point.into(), path.velocity.into());
+                    let meeting = graph.local.meet(&aimed, true, true, 0.0);
                     let (point, normal) = (Vector2::from(meeting.point), Vector2::from(meeting.unit_normal()));
                     let turned = turning(&normal, &base.closest(&point).normal).abs();
                     // the angle for a position known to a few roundings, on an arc of radius 0.05

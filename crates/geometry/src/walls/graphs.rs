@@ -7,7 +7,7 @@ use super::{
 use crate::{
     Boundary, Hit, Line,
     plane::slack,
-    shapes::curve::{Graph, Local, Meeting, Ray, Row, at_least, grazes, turn},
+    shapes::curve::{Aimed, Graph, Local, Meeting, Row, at_least, grazes, turn},
 };
 use core::hint::select_unpredictable;
 use lanes::{Kernel, Lane, MOST_LANES, Mask, Twin, stored};
@@ -198,11 +198,11 @@ impl All {
     fn before<F: Lane>(
         &self,
         zero: F,
-        ray: &Ray<f64>,
+        aimed: &Aimed<f64>,
         groups: &[u32],
         (mut time, another): (f64, usize),
     ) -> Option<(Meeting<f64>, usize)> {
-        let (x, v) = ([zero.same(ray.x[0]), zero.same(ray.x[1])], [zero.same(ray.v[0]), zero.same(ray.v[1])]);
+        let (x, v) = ([zero.same(aimed.x[0]), zero.same(aimed.x[1])], [zero.same(aimed.v[0]), zero.same(aimed.v[1])]);
         let mut best = None;
         for group in groups {
             let first = *group as usize;
@@ -211,10 +211,10 @@ impl All {
             while maybe != 0 {
                 let k = maybe.trailing_zeros() as usize;
                 maybe &= maybe - 1;
-                if first + k == another || time < ways[k] * ray.inverse {
+                if first + k == another || time < ways[k] * aimed.inverse {
                     continue;
                 }
-                let meeting = self.local(first + k).meet(ray, through >> k & 1 == 1, true, self.slack);
+                let meeting = self.local(first + k).meet(aimed, through >> k & 1 == 1, true, self.slack);
                 if meeting.time < time {
                     time = meeting.time;
                     best = Some((meeting, first + k));
@@ -237,36 +237,36 @@ struct Pick {
 
 /// Whether another graph may be crossed before this time.
 #[inline(always)]
-fn is_doubtful<F: Lane>(ray: &Ray<F>, time: F, others: F) -> F::Mask {
-    others.lt(others.same(f64::INFINITY)) & !time.lt(others * ray.inverse)
+fn is_doubtful<F: Lane>(aimed: &Aimed<F>, time: F, others: F) -> F::Mask {
+    others.lt(others.same(f64::INFINITY)) & !time.lt(others * aimed.inverse)
 }
 
 /// The search for the first graph that one path crosses.
 struct Search<'a> {
     all: &'a All,
-    ray: Ray<f64>,
+    aimed: Aimed<f64>,
 }
 
 impl Kernel for Search<'_> {
     type Output = (Meeting<f64>, usize);
     #[inline(always)]
     fn run<F: Lane>(self, zero: F) -> Self::Output {
-        let Search { all, ray } = self;
-        let cell = all.lines.cell(all.lines.number(ray.x, ray.v));
+        let Search { all, aimed } = self;
+        let cell = all.lines.cell(all.lines.number(aimed.x, aimed.v));
         if !cell.is_open() {
             let first = cell.first();
             let graph = if cell.is_long() {
-                all.of_run::<LONG_RUN, _>(zero, ray.x, ray.v, first)
+                all.of_run::<LONG_RUN, _>(zero, aimed.x, aimed.v, first)
             } else {
-                all.of_run::<SHORT_RUN, _>(zero, ray.x, ray.v, first)
+                all.of_run::<SHORT_RUN, _>(zero, aimed.x, aimed.v, first)
             };
-            return (all.local(graph).meet(&ray, true, true, all.slack), graph);
+            return (all.local(graph).meet(&aimed, true, true, all.slack), graph);
         }
         let groups = all.lines.groups(cell);
-        let pick = all.pick(zero, ray.x, ray.v, groups);
-        let meeting = all.local(pick.graph).meet(&ray, pick.through, pick.way < f64::INFINITY, all.slack);
-        let sooner = if is_doubtful(&ray, meeting.time, pick.others) {
-            all.before(zero, &ray, groups, (meeting.time, pick.graph))
+        let pick = all.pick(zero, aimed.x, aimed.v, groups);
+        let meeting = all.local(pick.graph).meet(&aimed, pick.through, pick.way < f64::INFINITY, all.slack);
+        let sooner = if is_doubtful(&aimed, meeting.time, pick.others) {
+            all.before(zero, &aimed, groups, (meeting.time, pick.graph))
         } else {
             None
         };
@@ -276,14 +276,14 @@ impl Kernel for Search<'_> {
 
 impl Boundary<2> for All {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
-        let ray = Ray::new(path.point.into(), path.velocity.into());
-        let (best, graph) = lanes::dispatch(Search { all: self, ray });
+        let aimed = Aimed::new(path.point.into(), path.velocity.into());
+        let (best, graph) = lanes::dispatch(Search { all: self, aimed });
         (best.time < f64::INFINITY).then(|| Hit {
             time: best.time,
             point: best.point.into(),
             normal: best.unit_normal().into(),
             piece: self.numbers[graph] as usize,
-            corner: self.is_corner(graph, ray.x, best.point),
+            corner: self.is_corner(graph, aimed.x, best.point),
         })
     }
 }
@@ -334,12 +334,12 @@ impl All {
         v: &[[f64; MOST_LANES]; 2],
         hits: &mut Hits,
     ) {
-        let ray = Ray::new(
+        let aimed = Aimed::new(
             [zero.load(&x[0][from..]), zero.load(&x[1][from..])],
             [zero.load(&v[0][from..]), zero.load(&v[1][from..])],
         );
         let mut numbers = [0.0; MOST_LANES];
-        self.lines.number(ray.x, ray.v).store(&mut numbers);
+        self.lines.number(aimed.x, aimed.v).store(&mut numbers);
         let mut cells = [Cell::NONE; MOST_LANES];
         let mut graph = [0; MOST_LANES];
         let (mut open, mut long) = (0_u64, 0_u64);
@@ -373,8 +373,8 @@ impl All {
         }
         let (local, [low, high]) = Local::of(zero, |lane| &self.rows[graph[lane]]);
         let wanted = zero.load(&ways).lt(zero.same(f64::INFINITY));
-        let best = local.meet(&ray, zero.lt(zero.load(&through)), wanted, self.slack);
-        let doubtful = is_doubtful(&ray, best.time, zero.load(&others));
+        let best = local.meet(&aimed, zero.lt(zero.load(&through)), wanted, self.slack);
+        let doubtful = is_doubtful(&aimed, best.time, zero.load(&others));
         best.time.store(&mut hits.time[from..]);
         let normal = best.unit_normal();
         for i in 0..2 {
@@ -382,16 +382,16 @@ impl All {
             normal[i].store(&mut hits.normal[i][from..]);
         }
         hits.graph[from..from + F::LANES].copy_from_slice(&graph[..F::LANES]);
-        let far = zero.same(ROOM * self.size).lt(ray.x[0].abs().max(ray.x[1].abs()));
+        let far = zero.same(ROOM * self.size).lt(aimed.x[0].abs().max(aimed.x[1].abs()));
         let mut doubtful = doubtful.bits();
         hits.doubtful |= ((best.place.lt(low) | high.lt(best.place) | far).bits() | doubtful) << from;
         while doubtful != 0 {
             let lane = doubtful.trailing_zeros() as usize;
             doubtful &= doubtful - 1;
             let at = from + lane;
-            let ray = Ray::new([x[0][at], x[1][at]], [v[0][at], v[1][at]]);
+            let aimed = Aimed::new([x[0][at], x[1][at]], [v[0][at], v[1][at]]);
             let groups = self.lines.groups(cells[lane]);
-            let Some((best, graph)) = self.before(narrow, &ray, groups, (hits.time[at], hits.graph[at])) else {
+            let Some((best, graph)) = self.before(narrow, &aimed, groups, (hits.time[at], hits.graph[at])) else {
                 continue;
             };
             let normal = best.unit_normal();

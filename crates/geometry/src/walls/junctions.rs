@@ -34,7 +34,7 @@ const TIP: f64 = 0.5;
 const TOUCHING: f64 = 1e-8;
 
 /// A wall, and the unit directions in which it leaves a place.
-struct Ray {
+struct Arm {
     number: usize,
     double: bool,
     directions: Vec<Vector2<f64>>,
@@ -77,20 +77,20 @@ impl Junctions {
         ends.dedup();
         for place in ends {
             let near = is_near(&tree, &place);
-            let rays: Vec<Ray> =
-                near.iter().filter_map(|&i| Ray::of(i, &*pieces[i].1, &place, within(&place))).collect();
-            found.add(place, &rays, within(&place));
+            let arms: Vec<Arm> =
+                near.iter().filter_map(|&i| Arm::of(i, &*pieces[i].1, &place, within(&place))).collect();
+            found.add(place, &arms, within(&place));
         }
         found
     }
 
-    fn add(&mut self, place: Vector2<f64>, rays: &[Ray], rounding: f64) {
+    fn add(&mut self, place: Vector2<f64>, arms: &[Arm], rounding: f64) {
         let mut reach: Option<f64> = None;
-        for a in rays.iter().filter(|ray| ray.double) {
-            if rays.len() == 1 {
+        for a in arms.iter().filter(|arm| arm.double) {
+            if arms.len() == 1 {
                 reach = Some(TIP * rounding);
             }
-            for b in rays.iter().filter(|b| b.number != a.number) {
+            for b in arms.iter().filter(|b| b.number != a.number) {
                 let pairs = a.directions.iter().flat_map(|d| b.directions.iter().map(move |e| (d, e)));
                 for (d, e) in pairs {
                     let (sine, cosine) = (d.perp(e).abs(), d.dot(e));
@@ -142,9 +142,9 @@ impl Junctions {
     }
 }
 
-impl Ray {
+impl Arm {
     /// How a piece leaves a place that lies on it, within rounding.
-    fn of(number: usize, piece: &dyn Piece, place: &Vector2<f64>, rounding: f64) -> Option<Ray> {
+    fn of(number: usize, piece: &dyn Piece, place: &Vector2<f64>, rounding: f64) -> Option<Arm> {
         let foot = piece.closest(place);
         if (foot.point - place).amax() > rounding {
             return None;
@@ -160,6 +160,6 @@ impl Ray {
             Some([_, b]) if is_end(&b) => vec![-along],
             _ => vec![along, -along],
         };
-        Some(Ray { number, double: piece.has_two_sides(), directions })
+        Some(Arm { number, double: piece.has_two_sides(), directions })
     }
 }

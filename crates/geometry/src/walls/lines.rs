@@ -1,9 +1,5 @@
 //! Which of many graphs a line may cross, looked up by its direction and distance.
-use crate::{
-    Extent,
-    plane::{cross, dot},
-    shapes::curve::Graph,
-};
+use crate::{Extent, plane::{cross, dot}, shapes::curve::Graph};
 use lanes::{Lane, Mask, WHOLE};
 use std::collections::HashMap;
 
@@ -237,7 +233,7 @@ mod tests {
     use crate::{
         Piece,
         plane::slack,
-        shapes::curve::{Interval, Polar, PolarFormula, Ray},
+        shapes::curve::{Aimed, Interval, Polar, PolarFormula},
     };
     use nalgebra::Vector2;
 
@@ -298,9 +294,9 @@ mod tests {
                         v = [q[0] - p[0] + 0.01 * v[0] * (q[1] - p[1]), q[1] - p[1] - 0.01 * v[0] * (q[0] - p[0])];
                     }
                 }
-                let ray = Ray::new(x, v);
+                let aimed = Aimed::new(x, v);
                 let time =
-                    graphs.iter().map(|(_, graph)| graph.time(&ray, slack([size]))).fold(f64::INFINITY, f64::min);
+                    graphs.iter().map(|(_, graph)| graph.time(&aimed, slack([size]))).fold(f64::INFINITY, f64::min);
                 let found = walls.first_hit(&x, &v).time;
                 assert_eq!(found, time, "{number} {x:?} {v:?}");
             }
@@ -327,9 +323,9 @@ mod tests {
                 let v = [(c * cos - d * sin) / length, (c * sin + d * cos) / length];
                 let x = [0, 1].map(|i| p[i] + along * (q[i] - p[i]) - back * v[i]);
                 if inside(x) {
-                    let ray = Ray::new(x, v);
+                    let aimed = Aimed::new(x, v);
                     let slack = slack([1.0 + a]);
-                    let time = graphs.iter().map(|(_, graph)| graph.time(&ray, slack)).fold(f64::INFINITY, f64::min);
+                    let time = graphs.iter().map(|(_, graph)| graph.time(&aimed, slack)).fold(f64::INFINITY, f64::min);
                     assert_eq!(walls.first_hit(&x, &v).time, time, "{a} {n} {x:?} {v:?}");
                     looked += 1;
                 }

@@ -61,17 +61,17 @@ impl<F: Lane> Meeting<F> {
 
 /// A path, prepared for meeting graphs.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Ray<F> {
+pub(crate) struct Aimed<F> {
     pub(crate) x: [F; 2],
     pub(crate) v: [F; 2],
     /// `1/|v|²`
     pub(crate) inverse: F,
 }
 
-impl<F: Lane> Ray<F> {
+impl<F: Lane> Aimed<F> {
     #[inline(always)]
     pub(crate) fn new(x: [F; 2], v: [F; 2]) -> Self {
-        Ray { x, v, inverse: v[0].same(1.0) / (v[0] * v[0] + v[1] * v[1]) }
+        Aimed { x, v, inverse: v[0].same(1.0) / (v[0] * v[0] + v[1] * v[1]) }
     }
 }
 
@@ -161,15 +161,15 @@ impl Graph {
     }
 
     /// When a path crosses it outwards; infinite if it does not.
-    pub(crate) fn time(&self, ray: &Ray<f64>, slack: f64) -> f64 {
-        let turns = self.ends.map(|end| turn(ray.x, ray.v, end));
+    pub(crate) fn time(&self, path: &Aimed<f64>, slack: f64) -> f64 {
+        let turns = self.ends.map(|end| turn(path.x, path.v, end));
         let [start, end] = turns.map(|turn| 0.0 < turn);
         let through = !start && end;
         let backwards = start && !end;
-        if !through && (backwards || !grazes(turns, self.near, at_least(ray.v))) {
+        if !through && (backwards || !grazes(turns, self.near, at_least(path.v))) {
             return f64::INFINITY;
         }
-        self.local.meet(ray, through, true, slack).time
+        self.local.meet(path, through, true, slack).time
     }
 
     /// The same moved by a vector \[L\].
@@ -285,8 +285,8 @@ impl<F: Lane> Local<F> {
     /// the osculating parabola the one with a slope ≥ 0 is the right one, and the iteration converges cubically, even where a path
     /// nearly grazes (Euler's method). Near a root that is not grazed a step of Chebyshev's method is as good.
     #[inline(always)]
-    pub(crate) fn meet(&self, ray: &Ray<F>, through: F::Mask, wanted: F::Mask, slack: f64) -> Meeting<F> {
-        let Ray { x, v, inverse } = *ray;
+    pub(crate) fn meet(&self, path: &Aimed<F>, through: F::Mask, wanted: F::Mask, slack: f64) -> Meeting<F> {
+        let Aimed { x, v, inverse } = *path;
         let [n0, n1] = self.outward;
         let [zero, one] = [v[0].same(0.0), v[0].same(1.0)];
         let from = [x[0] - self.origin[0], x[1] - self.origin[1]];

@@ -31,7 +31,7 @@ pub use arc_length::Parametric;
 pub use fit::graphs;
 pub(crate) use fit::rough_graphs;
 pub use graph::Graph;
-pub(crate) use graph::{Local, Meeting, Ray, Row, at_least, grazes, turn};
+pub(crate) use graph::{Aimed, Local, Meeting, Row, at_least, grazes, turn};
 pub use implicit::{Implicit, ImplicitFormula};
 pub use interval::Interval;
 pub use majorant::{Smooth, first_rise};

@@ -1,6 +1,6 @@
 //! A curve given by its point as a function of a parameter.
 use super::{
-    ArcLength, Graph, Interval, Parametric, Ray,
+    Aimed, ArcLength, Graph, Interval, Parametric,
     cusp::Cusp,
     kinks::{Scale, Variation, kinks, places},
     rough_graphs,
@@ -456,8 +456,7 @@ fn endless_rate<F: ParametricFormula>(formula: &InTurns<F>, size: f64) -> Option
     let is_open = |part: &Interval| formula.jet_over(*part)[1].iter().any(|x| !x.magnitude().is_finite());
     let place = |mut part: Interval| {
         while part.width() > NARROW {
-            let middle = 0.5 * (part.low + part.high);
-            part = [Interval::new(part.low, middle), Interval::new(middle, part.high)].into_iter().find(is_open)?;
+            part = part.halves().into_iter().find(is_open)?;
         }
         // not at the place itself, but beside it
         let rates = [part.low - NARROW, part.high + NARROW].map(|u| formula.jet(u.clamp(0.0, 2.0 * PI))[1].amax());
@@ -472,8 +471,8 @@ fn failing<F: ParametricFormula>(formula: &InTurns<F>, u: f64, must: ParametricR
 
 impl<F: ParametricFormula + 'static> Piece for ParametricCurve<F> {
     fn crossing(&self, path: &Line<2>) -> Crossing {
-        let ray = Ray::new(path.point.into(), path.velocity.into());
-        let times = self.graphs.iter().map(|graph| graph.time(&ray, self.slack));
+        let aimed = Aimed::new(path.point.into(), path.velocity.into());
+        let times = self.graphs.iter().map(|graph| graph.time(&aimed, self.slack));
         Crossing { num: times.fold(f64::INFINITY, f64::min), den: 1.0 }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {

@@ -1,5 +1,5 @@
 //! Part of a polar curve, between two kinks.
-use super::{ArcLength, Graph, Interval, Polar, PolarFormula, Ray};
+use super::{Aimed, ArcLength, Graph, Interval, Polar, PolarFormula};
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -119,8 +119,8 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
 
 impl<F: PolarFormula + Clone + 'static> Piece for PolarArc<F> {
     fn crossing(&self, path: &Line<2>) -> Crossing {
-        let ray = Ray::new(path.point.into(), path.velocity.into());
-        let times = self.graphs.iter().map(|graph| graph.time(&ray, self.slack));
+        let aimed = Aimed::new(path.point.into(), path.velocity.into());
+        let times = self.graphs.iter().map(|graph| graph.time(&aimed, self.slack));
         Crossing { num: times.fold(f64::INFINITY, f64::min), den: 1.0 }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
