@@ -4,7 +4,7 @@ mod whole;
 use crate::{
     path::Line,
     piece::{Extent, Piece},
-    plane::is_finite,
+    plane::{GOLDEN_RATIO, PLASTIC_RATIOS, is_finite},
 };
 use core::f64::consts::PI;
 use nalgebra::Vector2;
@@ -92,10 +92,9 @@ pub fn piece(piece: &dyn Piece, region: Extent, paths: u32) -> PieceReport {
     let divides = piece.ends().is_none_or(|ends| ends.iter().all(|end| !end.amax().is_finite()));
     let mut report = PieceReport::default();
     for k in 0..paths {
-        // a two-dimensional golden ratio fills the square evenly [Roberts 2018]
         let k = f64::from(k) + 0.5;
-        let part = [0.754_877_666_246_693, 0.569_840_290_998_053_2].map(|a| k * a - libm::floor(k * a));
-        let angle = 2.0 * PI * (k * 0.618_033_988_749_894_9);
+        let part = PLASTIC_RATIOS.map(|a| k * a - libm::floor(k * a));
+        let angle = 2.0 * PI * (k * GOLDEN_RATIO);
         let path = Line {
             point: region.min + span.component_mul(&Vector2::from(part)),
             velocity: Vector2::new(libm::cos(angle), libm::sin(angle)) * (0.5 + part[0]),

@@ -8,8 +8,16 @@ use nalgebra::SVector;
 /// intended angle is this small.
 pub(crate) const SAME_DIRECTION: f64 = 1e-9;
 
-/// The smaller part of 1 in the golden section.
-pub(crate) const GOLDEN: f64 = 0.381_966_011_250_105;
+/// `(3 − √5)/2`, the smaller part of 1 in the golden section: a place at which little that is drawn begins or ends, since vertices lie at
+/// halves, thirds and quarters.
+pub(crate) const GOLDEN_SECTION: f64 = 0.381_966_011_250_105;
+
+/// `1/ρ` and `1/ρ²` with `ρ³ = ρ + 1`: the fractional parts of their multiples fill the square evenly, as those of the golden ratio,
+/// [`GOLDEN_RATIO`], fill an interval [Roberts 2018].
+pub(crate) const PLASTIC_RATIOS: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053_2];
+
+/// `(√5 − 1)/2`
+pub(crate) const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 
 /// `a · b`
 #[inline(always)]

@@ -4,7 +4,7 @@ use crate::{
     copies::{Copies, finite_extent},
     meetings,
     piece::rounding,
-    plane::{GOLDEN, SAME_DIRECTION, is_finite, slack},
+    plane::{GOLDEN_SECTION, PLASTIC_RATIOS, SAME_DIRECTION, is_finite, slack},
     shapes::Ray,
 };
 use nalgebra::Vector2;
@@ -15,6 +15,9 @@ const GRAZING: f64 = 1e-6;
 
 /// Number of tries to find a line of sight that grazes nothing and meets no vertex.
 const TRIES: usize = 16;
+
+/// `√5 − 2`: by so much of its length, the places tried on a piece wander from the first to the last.
+const WANDER: f64 = 0.236_067_977_499_79;
 
 /// Each further try along a normal leans by about this much more (radians).
 const LEAN: f64 = 0.0625;
@@ -131,76 +134,81 @@ impl<'a> Sight<'a> {
     /// whether the line escapes beyond the last of them, or leaves the region where all translates are known. `None` where no line
     /// is clear.
     pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
-        'tries: for k in 0..TRIES {
-            let (index, from) = self.place(chain, k, GOLDEN);
-            let (copy, _) = self.copies.get(index);
-            let normal = copy.piece.closest(&from).normal;
-            // the normals of a circle all meet in one point, where walls may touch
-            let leaning = normal + Vector2::new(-normal.y, normal.x) * (LEAN * k as f64);
-            let direction = match aim {
-                Aim::Inward => leaning,
-                Aim::Outward => -leaning,
-                Aim::Along(direction) => direction,
-                // not the fraction complementary to that of the start: lines between circles that touch would pass through the point
-                // of contact
-                Aim::At(other) => self.place(other, k, 0.754_877_666_246_693).1 - from,
-            };
-            let direction = direction / libm::hypot(direction.x, direction.y);
-            let facing = self.normal_beside(&*copy.piece, &from, direction).dot(&direction);
-            if facing.is_nan() || facing.abs() <= GRAZING {
-                continue;
-            }
-            let rounding = 4.0 * self.rounding.max(slack(from.iter().copied()));
-            let everything = 16.0 * (self.size + from.amax());
-            let mut limit = 4.0 * self.width(chain);
-            loop {
-                if !(limit < everything && self.known.is_none()) {
-                    limit = f64::INFINITY;
-                }
-                let Some(Prospect { other_face, ahead }) = self.ahead(index, from, direction, limit) else {
-                    continue 'tries;
-                };
-                // of the two faces of one wall, the line starts on the one that it leaves
-                let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
-                let has_two = other_face.is_some() || copy.piece.tips().is_some();
-                let mut walls = vec![Wall { number, into_table: facing > 0.0 || has_two }];
-                for met in ahead.chunk_by(|a, b| b.far - a.far <= rounding / a.sine.min(b.sine)) {
-                    if met.iter().any(|wall| wall.far + rounding > limit) {
-                        break;
-                    }
-                    let found = match *met {
-                        [Ahead { wall: Some(wall), .. }] => [Some(wall), None],
-                        // two faces of one wall: the line arrives at the one and goes on from the other
-                        [Ahead { far, index: i, wall: Some(a), .. }, Ahead { index: j, wall: Some(b), .. }]
-                            if a.into_table != b.into_table
-                                && self.coincide([i, j], from + direction * far, rounding) =>
-                        {
-                            if a.into_table {
-                                [Some(b), Some(a)]
-                            } else {
-                                [Some(a), Some(b)]
-                            }
-                        }
-                        // a corner, or one wall that is seen twice
-                        _ => continue 'tries,
-                    };
-                    if met[0].far <= rounding {
-                        continue 'tries;
-                    }
-                    for wall in found.into_iter().flatten() {
-                        walls.push(wall);
-                        if until(&wall) {
-                            return Some((walls, false));
-                        }
-                    }
-                }
-                if limit == f64::INFINITY {
-                    return Some((walls, true));
-                }
-                limit *= 8.0;
-            }
+        (0..TRIES).find_map(|k| self.look_along(chain, aim, k, &until))
+    }
+
+    /// The same along the `k`-th line tried; `None` where that is not clear.
+    fn look_along(
+        &self,
+        chain: usize,
+        aim: Aim,
+        k: usize,
+        until: &impl Fn(&Wall) -> bool,
+    ) -> Option<(Vec<Wall>, bool)> {
+        let (index, from) = self.place(chain, k, GOLDEN_SECTION);
+        let (copy, _) = self.copies.get(index);
+        let normal = copy.piece.closest(&from).normal;
+        // the normals of a circle all meet in one point, where walls may touch
+        let leaning = normal + Vector2::new(-normal.y, normal.x) * (LEAN * k as f64);
+        let direction = match aim {
+            Aim::Inward => leaning,
+            Aim::Outward => -leaning,
+            Aim::Along(direction) => direction,
+            // not the fraction complementary to that of the start: lines between circles that touch would pass through the point
+            // of contact
+            Aim::At(other) => self.place(other, k, PLASTIC_RATIOS[0]).1 - from,
+        };
+        let direction = direction / libm::hypot(direction.x, direction.y);
+        let facing = self.normal_beside(&*copy.piece, &from, direction).dot(&direction);
+        if facing.is_nan() || facing.abs() <= GRAZING {
+            return None;
         }
-        None
+        let rounding = 4.0 * self.rounding.max(slack(from.iter().copied()));
+        let everything = 16.0 * (self.size + from.amax());
+        let mut limit = 4.0 * self.width(chain);
+        loop {
+            if !(limit < everything && self.known.is_none()) {
+                limit = f64::INFINITY;
+            }
+            let Prospect { other_face, ahead } = self.ahead(index, from, direction, limit)?;
+            // of the two faces of one wall, the line starts on the one that it leaves
+            let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
+            let has_two = other_face.is_some() || copy.piece.tips().is_some();
+            let mut walls = vec![Wall { number, into_table: facing > 0.0 || has_two }];
+            for met in ahead.chunk_by(|a, b| b.far - a.far <= rounding / a.sine.min(b.sine)) {
+                if met.iter().any(|wall| wall.far + rounding > limit) {
+                    break;
+                }
+                let found = self.met_at_once(met, from + direction * met[0].far, rounding)?;
+                if met[0].far <= rounding {
+                    return None;
+                }
+                for wall in found.into_iter().flatten() {
+                    walls.push(wall);
+                    if until(&wall) {
+                        return Some((walls, false));
+                    }
+                }
+            }
+            if limit == f64::INFINITY {
+                return Some((walls, true));
+            }
+            limit *= 8.0;
+        }
+    }
+
+    /// The walls of what a line of sight meets at one point; `None` for a corner, or one wall that is seen twice.
+    fn met_at_once(&self, met: &[Ahead], point: Vector2<f64>, rounding: f64) -> Option<[Option<Wall>; 2]> {
+        match *met {
+            [Ahead { wall: Some(wall), .. }] => Some([Some(wall), None]),
+            // two faces of one wall: the line arrives at the one and goes on from the other
+            [Ahead { index: i, wall: Some(a), .. }, Ahead { index: j, wall: Some(b), .. }]
+                if a.into_table != b.into_table && self.coincide([i, j], point, rounding) =>
+            {
+                Some(if a.into_table { [Some(b), Some(a)] } else { [Some(a), Some(b)] })
+            }
+            _ => None,
+        }
     }
 
     /// The sum of the sides of the box around a chain.
@@ -268,7 +276,7 @@ impl<'a> Sight<'a> {
         let chain = &self.chains[chain];
         let i = chain[k * chain.len() / TRIES];
         let piece = &self.table.pieces()[i];
-        let part = part + 0.236_067_977_499_79 * (k as f64 / TRIES as f64);
+        let part = part + WANDER * (k as f64 / TRIES as f64);
         let length = piece.length();
         if let Some(lattice) = self.table.shortest().filter(|_| !length.is_finite()) {
             return (self.copies.home(i), in_cell(&**piece, lattice, self.middle, part));

@@ -2,7 +2,7 @@
 use super::place::{Imported, Place};
 use crate::{
     BoxTree, Error, Extent, Landing, Meeting, MeetingKind, Piece, enclosed_area, meetings,
-    plane::{LENGTHS, MUST_HAVE_SQUARE, slack},
+    plane::{GOLDEN_SECTION, LENGTHS, MUST_HAVE_SQUARE, slack},
     shapes::{Arc, Circle, Ellipse, EllipticArc, Ray, Segment},
     sight::is_hit,
     validate::crosses_itself,
@@ -245,9 +245,6 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piec
 
 /// Number of tries to find a ray from an outline that touches no other one.
 const RAYS: usize = 16;
-/// The fraction of a piece (the golden section) at which the first ray begins; the others begin later. Drawings have vertices at halves,
-/// thirds and quarters, and outlines that share parts mostly meet there.
-const FIRST_PLACE: f64 = 0.381_966;
 /// A direction at 54° to the first axis: drawn sides often lie along the axes and their diagonals.
 const AWAY: Vector2<f64> = Vector2::new(0.587_785_252_292_473, 0.809_016_994_374_947);
 
@@ -270,7 +267,7 @@ fn nesting(
     let mut nesting = Nesting { is_odd: false, is_clear: false };
     for k in 0..RAYS {
         let piece = &outline[k * outline.len() / RAYS];
-        let on_wall = piece.landing_at(piece.length() * (FIRST_PLACE + k as f64 / (2 * RAYS) as f64));
+        let on_wall = piece.landing_at(piece.length() * (GOLDEN_SECTION + k as f64 / (2 * RAYS) as f64));
         let seen = from(&on_wall).and_then(|from| outlines.seen(from, AWAY, |i| outlines.owners[i] != own));
         let Some(seen) = seen else { return nesting };
         let is_clear = seen.iter().all(|m| m.kind == MeetingKind::Crossing);
@@ -314,6 +311,6 @@ impl Outlines<'_> {
         let here = 4.0 * slack(on_wall.point.iter().copied());
         let seen = self.seen(on_wall.point, inward, |_| true)?;
         let next = seen.iter().map(|m| m.at[0]).filter(|s| *s > here).min_by(f64::total_cmp)?;
-        Some(on_wall.point + inward * (FIRST_PLACE * next))
+        Some(on_wall.point + inward * (GOLDEN_SECTION * next))
     }
 }

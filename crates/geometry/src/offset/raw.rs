@@ -11,7 +11,7 @@ use crate::{
     intersect::along,
     joints::{Joint, joints},
     piece::rounding,
-    plane::{GOLDEN, is_finite, slack},
+    plane::{GOLDEN_SECTION, is_finite, slack},
     shapes::{self, Parallel, curve::rising_root},
 };
 use nalgebra::Vector2;
@@ -187,7 +187,7 @@ fn places(length: f64, function: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
 
 /// A place where a function that falls and rises again is not positive, if there is one, by golden-section search towards its minimum.
 fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Option<f64> {
-    let [mut a, mut b] = [low + GOLDEN * (high - low), high - GOLDEN * (high - low)];
+    let [mut a, mut b] = [low + GOLDEN_SECTION * (high - low), high - GOLDEN_SECTION * (high - low)];
     let [mut at_a, mut at_b] = [function(a), function(b)];
     // to the square root of rounding: a minimum cannot be located more closely
     for _ in 0..40 {
@@ -199,11 +199,11 @@ fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Op
         }
         if at_a < at_b {
             (high, b, at_b) = (b, a, at_a);
-            a = low + GOLDEN * (high - low);
+            a = low + GOLDEN_SECTION * (high - low);
             at_a = function(a);
         } else {
             (low, a, at_a) = (a, b, at_b);
-            b = high - GOLDEN * (high - low);
+            b = high - GOLDEN_SECTION * (high - low);
             at_b = function(b);
         }
     }

@@ -8,7 +8,7 @@ use crate::{
     copies::{Copies, Translate, finite_extent},
     intersect::direction_at,
     meetings,
-    plane::{GOLDEN, is_finite, key, slack},
+    plane::{GOLDEN_SECTION, is_finite, key, slack},
 };
 use nalgebra::Vector2;
 use std::{
@@ -169,10 +169,10 @@ fn is_way_back(piece: &dyn Piece, other: &dyn Piece, near: f64) -> bool {
 /// An arc length between two others, at no special fraction; where one is infinite, at a distance of about the table's size from the other.
 fn well_between([from, to]: [f64; 2], size: f64) -> f64 {
     match (from.is_finite(), to.is_finite()) {
-        (true, true) => from + GOLDEN * (to - from),
-        (true, false) => from + GOLDEN * size,
-        (false, true) => to - GOLDEN * size,
-        (false, false) => GOLDEN * size,
+        (true, true) => from + GOLDEN_SECTION * (to - from),
+        (true, false) => from + GOLDEN_SECTION * size,
+        (false, true) => to - GOLDEN_SECTION * size,
+        (false, false) => GOLDEN_SECTION * size,
     }
 }
 
