@@ -19,12 +19,6 @@ pub(crate) const PLASTIC_RATIOS: [f64; 2] = [0.754_877_666_246_693, 0.569_840_29
 /// `(√5 − 1)/2`
 pub(crate) const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 
-/// `a · b`
-#[inline(always)]
-pub(crate) fn dot<F: Lane>(a: [F; 2], b: [F; 2]) -> F {
-    a[0] * b[0] + a[1] * b[1]
-}
-
 /// `a × b = a₁ b₂ − a₂ b₁`: positive where `b` points to the left of `a`.
 #[inline(always)]
 pub(crate) fn cross<F: Lane>(a: [F; 2], b: [F; 2]) -> F {

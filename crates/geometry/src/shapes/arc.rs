@@ -4,11 +4,11 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{cross, direction, dot, finite, from, moved, slack},
+    plane::{cross, direction, finite, from, moved, slack},
     shapes::{Circle, Shape},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
-use lanes::Lane;
+use lanes::{Lane, dot};
 use nalgebra::Vector2;
 
 /// The arc from `a` to `b`: counter-clockwise with the table inside the circle, or clockwise with the table outside.
@@ -48,7 +48,7 @@ impl Bulge {
     #[inline(always)]
     pub(crate) fn meets<F: Lane>(&self, v: [F; 2], a_left: F::Mask, b_left: F::Mask) -> F::Mask {
         let forward = v[0] * self.chord[0] + v[1] * self.chord[1];
-        let (forward, least) = (forward * forward.abs(), dot(v, v) * self.square);
+        let (forward, least) = (forward * forward.abs(), dot(&v, &v) * self.square);
         (a_left & b_left & least.lt(forward)) | (!a_left & !b_left & forward.lt(-least))
     }
 }

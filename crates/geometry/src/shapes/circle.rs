@@ -6,11 +6,11 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{along, cross, dot, finite, from, moved, slack},
+    plane::{along, cross, finite, from, moved, slack},
     shapes::{Ground, Shape},
 };
 use core::f64::consts::PI;
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
 
 /// A circle of radius `r` about `c`.
@@ -75,8 +75,8 @@ impl Circle {
     pub(crate) fn roots<F: Lane>(&self, x: [F; 2], v: [F; 2]) -> Roots<F> {
         let [y0, y1] = from(x, self.center);
         let y = [-y0, -y1];
-        let (a, b) = (dot(v, v), dot(y, v));
-        let c = dot(y, y) - self.square;
+        let (a, b) = (dot(&v, &v), dot(&y, &v));
+        let c = dot(&y, &y) - self.square;
         // b² − a c = |v|² r² − (y × v)², in which the distance of a far start does not cancel
         let moment = cross(y, v);
         let discriminant = a * self.square - moment * moment;

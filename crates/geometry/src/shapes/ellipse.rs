@@ -8,11 +8,11 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{along, dot, finite, from, moved, slack},
+    plane::{along, finite, from, moved, slack},
     shapes::{Circle, Shape, curve::rising_root_near, elliptic_integral::second_kind},
 };
 use core::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
-use lanes::{Lane, Mask};
+use lanes::{Lane, Mask, dot};
 use nalgebra::{Vector1, Vector2};
 
 /// The ellipse `|A (x − c)| = 1` with `A = diag(1/a, 1/b) R(−angle)`.
@@ -170,14 +170,14 @@ impl Ellipse {
             let (far, normal) = self.far_landing(y, rows(self.to_unit, v));
             (p, n) = ([0, 1].map(|i| afar.select(far[i], p[i])), [0, 1].map(|i| afar.select(normal[i], n[i])));
         }
-        let length = dot(n, n).sqrt();
+        let length = dot(&n, &n).sqrt();
         ([p[0] + self.center[0], p[1] + self.center[1]], [n[0] / length, n[1] / length])
     }
 
     /// The way along the direction `n` of the normal to the wall, for a point that is `off` it.
     #[inline(always)]
     fn step<F: Lane>(&self, off: F, n: [F; 2]) -> [F; 2] {
-        let step = off / dot(n, n).max(off.same(f64::MIN_POSITIVE)) * self.width;
+        let step = off / dot(&n, &n).max(off.same(f64::MIN_POSITIVE)) * self.width;
         n.map(|n| n * step)
     }
 
@@ -349,7 +349,7 @@ impl Ellipse {
     /// The greatest `d · (x − c)` of its points.
     pub(crate) fn reach(&self, d: [f64; 2]) -> f64 {
         let [u, w] = self.from_unit;
-        libm::hypot(dot(d, u), dot(d, w))
+        libm::hypot(dot(&d, &u), dot(&d, &w))
     }
 
     /// The points of greatest and least coordinates.

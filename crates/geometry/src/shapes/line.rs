@@ -4,10 +4,10 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{self, Behind, along, dot, from, moved, slack},
+    plane::{self, Behind, along, from, moved, slack},
     shapes::Shape,
 };
-use lanes::Lane;
+use lanes::{Lane, dot};
 use nalgebra::Vector2;
 
 /// The straight line through `p` along a unit vector, table on its left.
@@ -52,7 +52,7 @@ impl FullLine {
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let n = self.normal.map(|n| time.same(n));
-        let off = dot(from(p, self.through), n);
+        let off = dot(&from(p, self.through), &n);
         (along(p, n, off), n)
     }
 

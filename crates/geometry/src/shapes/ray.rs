@@ -4,10 +4,10 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{self, Behind, along, cross, dot, from, moved, slack},
+    plane::{self, Behind, along, cross, from, moved, slack},
     shapes::Shape,
 };
-use lanes::Lane;
+use lanes::{Lane, dot};
 use nalgebra::Vector2;
 
 /// The ray from `a` along a unit vector `d`, table on its left or on its right.
@@ -91,7 +91,7 @@ impl Ray {
     pub fn land<F: Lane>(&self, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
         let n = self.inward_normal().map(|n| time.same(n));
-        let off = dot(from(p, self.from), n);
+        let off = dot(&from(p, self.from), &n);
         (along(p, n, off), n)
     }
 

@@ -3,9 +3,9 @@ use super::{Segment, Shape};
 use crate::{
     Crossing, Error, Extent, Landing, Line, Piece,
     crossing::Candidate,
-    plane::{cross, dot, from},
+    plane::{cross, from},
 };
-use lanes::Lane;
+use lanes::{Lane, dot};
 use nalgebra::Vector2;
 
 /// A straight segment that is a wall on both of its sides.
@@ -119,7 +119,7 @@ impl Piece for Screen {
     }
     /// On the face with that normal.
     fn arc_length_of(&self, landing: &Landing) -> f64 {
-        let right = dot(self.faces[0].inward_normal(), landing.normal.into()) < 0.0;
+        let right = dot(&self.faces[0].inward_normal(), &landing.normal.into()) < 0.0;
         self.arc_length_along(usize::from(right), &landing.point)
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {

@@ -4,10 +4,10 @@ use crate::{
     crossing::{Candidate, Crossing},
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{along, cross, direction, dot, finite, from, moved, slack},
+    plane::{along, cross, direction, finite, from, moved, slack},
     shapes::Shape,
 };
-use lanes::Lane;
+use lanes::{Lane, dot};
 use nalgebra::Vector2;
 
 /// Whether a path's line crosses the segment from `a` to `b` (outwards, if ahead): `a` is not on its left and `b` is.
@@ -37,7 +37,7 @@ pub(crate) fn meet<F: Lane>(between: F::Mask, to_a: [F; 2], v: [F; 2], normal: [
 pub(crate) fn landing<F: Lane>(x: [F; 2], v: [F; 2], time: F, a: [f64; 2], normal: [f64; 2]) -> [F; 2] {
     let p = along(x, v, time);
     let n = normal.map(|n| time.same(n));
-    along(p, n, dot(from(p, a), n))
+    along(p, n, dot(&from(p, a), &n))
 }
 
 /// The segment from `a` to `b`, table on its left.
@@ -73,7 +73,7 @@ impl Segment {
     /// the line.
     pub(crate) fn of_line(a: Vector2<f64>, b: Vector2<f64>, normal: [f64; 2]) -> Result<Segment, Error> {
         let segment = Segment::new(a, b)?;
-        let same = dot(segment.normal, normal);
+        let same = dot(&segment.normal, &normal);
         let sign = 1.0_f64.copysign(same);
         Ok(if same == 0.0 { segment } else { Segment { normal: normal.map(|n| n * sign), ..segment } })
     }
@@ -106,9 +106,9 @@ impl Segment {
     /// There no side of a two-sided wall is crossed; at a one-sided wall the path crosses another wall that shares this end.
     pub(crate) fn edge_on(&self, x: [f64; 2], v: [f64; 2]) -> Option<Crossing> {
         let to = self.vertices().map(|end| from(x, *end));
-        let ahead = to.map(|to| dot(to, v));
+        let ahead = to.map(|to| dot(&to, &v));
         let along = to.iter().all(|to| cross(v, *to) == 0.0) && ahead.iter().all(|ahead| *ahead > 0.0);
-        along.then(|| Crossing { num: ahead[0].min(ahead[1]), den: dot(v, v) })
+        along.then(|| Crossing { num: ahead[0].min(ahead[1]), den: dot(&v, &v) })
     }
 
     /// The landing point and the normal; see [`Piece::landing`].

@@ -1,6 +1,6 @@
 //! Which of many graphs a line may cross, looked up by its direction and distance.
-use crate::{Extent, plane::{cross, dot}, shapes::curve::Graph};
-use lanes::{Lane, Mask, WHOLE};
+use crate::{Extent, plane::cross, shapes::curve::Graph};
+use lanes::{Lane, Mask, WHOLE, dot};
 use std::collections::HashMap;
 
 /// Numbers of cells, by direction in a quadrant and by distance.
@@ -82,7 +82,7 @@ impl Stretch {
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
         for n in self.normals {
             for d in directions {
-                let speed = dot(n, d);
+                let speed = dot(&n, &d);
                 range = [range[0].min(speed), range[1].max(speed)];
             }
         }

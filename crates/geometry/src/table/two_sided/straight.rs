@@ -1,7 +1,8 @@
 //! Straight walls that coincide.
 use super::stretch::{Stretch, doubles as doubles_of};
-use crate::plane::{SAME_DIRECTION, cross, direction, dot, from, slack};
+use crate::plane::{SAME_DIRECTION, cross, direction, from, slack};
 use core::f64::consts::PI;
+use lanes::dot;
 use nalgebra::Vector2;
 
 /// A straight piece, to be compared with others of its direction.
@@ -51,8 +52,8 @@ impl Side {
 
     /// Its beginning and end along a direction near its own.
     fn stretch(&self, d: [f64; 2]) -> Stretch {
-        let far = if dot(self.along, d) > 0.0 { f64::INFINITY } else { -f64::INFINITY };
-        let [a, b] = self.ends.map(|end| dot(end, d));
+        let far = if dot(&self.along, &d) > 0.0 { f64::INFINITY } else { -f64::INFINITY };
+        let [a, b] = self.ends.map(|end| dot(&end, &d));
         let [a, b] = [if self.finite[0] { a } else { -far }, if self.finite[1] { b } else { far }];
         Stretch::new(self.number, self.forward, [a.min(b), a.max(b)])
     }
