@@ -25,6 +25,41 @@ struct Contacts {
     faces: Option<Error>,
 }
 
+impl Contacts {
+    /// Adds where two pieces with these numbers touch, but for a joint of one with the next. Returns the error that they cross, if they
+    /// do.
+    fn add(
+        &mut self,
+        pieces: [&dyn Piece; 2],
+        [first, second]: [usize; 2],
+        is_joint: impl Fn(&Meeting) -> bool,
+    ) -> Option<Error> {
+        let found = meetings(pieces[0], pieces[1]);
+        if self.faces.is_none() && pieces.iter().any(|p| !p.has_two_sides()) {
+            self.faces = side_by_side(pieces, &found).map(|at| Error::Faces { first, second, at: at.into() });
+        }
+        let mut error = None;
+        for m in found {
+            let crossing = Error::Crossing { first, second, at: m.point.into() };
+            match m.kind {
+                MeetingKind::Crossing => error = Some(crossing),
+                MeetingKind::Overlap => {
+                    let [t, u] = pieces.map(|p| direction_at(p, &m.point));
+                    // two sides of one wall may coincide, the same side twice may not; a wall without thickness already has both
+                    if t.dot(&u) > 0.0 || pieces.iter().any(|p| p.tips().is_some()) {
+                        error = Some(crossing);
+                    }
+                    self.junctions.push(m.point);
+                }
+                MeetingKind::End if is_joint(&m) => {}
+                MeetingKind::End => self.junctions.push(m.point),
+                MeetingKind::Tangency => {}
+            }
+        }
+        error
+    }
+}
+
 impl Table {
     /// Checks that the boundary bounds a table: no piece is shorter or flatter than rounding, no two pieces cross (they may touch),
     /// and the table lies on the left of all of them.
@@ -84,20 +119,22 @@ impl Table {
     /// Fails where two pieces cross.
     fn contacts(&self, sight: &Sight) -> Result<Contacts, Error> {
         let copies = sight.copies();
-        let mut follows = vec![usize::MAX; self.pieces().len()];
+        let mut follows = vec![None; self.pieces().len()];
         for chain in &sight.chains {
             for w in chain.windows(2) {
-                follows[w[0]] = w[1];
+                follows[w[0]] = Some(w[1]);
             }
             if self.is_closed(chain) {
-                follows[chain[chain.len() - 1]] = chain[0];
+                follows[chain[chain.len() - 1]] = Some(chain[0]);
             }
         }
         let joint = |i: usize, j: usize, m: &Meeting| {
             let ends = |k: usize| self.pieces()[k].ends();
-            follows[i] == j && ends(i).is_some_and(|[_, b]| b == m.point) && ends(j).is_some_and(|[a, _]| a == m.point)
+            follows[i] == Some(j)
+                && ends(i).is_some_and(|[_, b]| b == m.point)
+                && ends(j).is_some_and(|[a, _]| a == m.point)
         };
-        let (mut junctions, mut faces) = (vec![], None);
+        let mut contacts = Contacts { junctions: vec![], faces: None };
         let mut error = None;
         for index in copies.order() {
             let (copy, extent) = copies.get(index);
@@ -114,30 +151,8 @@ impl Table {
                     if error.is_some() || j < i || (j == i && other.cell <= [0.0; 2]) {
                         return;
                     }
-                    let pieces = [&*copy.piece, &*other.piece];
-                    let found = meetings(pieces[0], pieces[1]);
-                    if faces.is_none() && pieces.iter().any(|p| !p.has_two_sides()) {
-                        let at = side_by_side(pieces, &found);
-                        faces = at.map(|at| Error::Faces { first: i, second: j, at: at.into() });
-                    }
-                    for m in found {
-                        let crossing = Error::Crossing { first: i, second: j, at: m.point.into() };
-                        match m.kind {
-                            MeetingKind::Crossing => error = Some(crossing),
-                            MeetingKind::Overlap => {
-                                let [t, u] = pieces.map(|p| direction_at(p, &m.point));
-                                // two sides of one wall may coincide, the same side twice may not; a wall without thickness already has
-                                // both
-                                if t.dot(&u) > 0.0 || pieces.iter().any(|p| p.tips().is_some()) {
-                                    error = Some(crossing);
-                                }
-                                junctions.push(m.point);
-                            }
-                            MeetingKind::End if other.cell == [0.0; 2] && (joint(i, j, &m) || joint(j, i, &m)) => {}
-                            MeetingKind::End => junctions.push(m.point),
-                            MeetingKind::Tangency => {}
-                        }
-                    }
+                    let is_joint = |m: &Meeting| other.cell == [0.0; 2] && (joint(i, j, m) || joint(j, i, m));
+                    error = contacts.add([&*copy.piece, &*other.piece], [i, j], is_joint);
                 },
             );
             if let Some(error) = error {
@@ -145,8 +160,8 @@ impl Table {
             }
         }
         let mut seen = HashSet::new();
-        junctions.retain(|p| seen.insert(key(*p)));
-        Ok(Contacts { junctions, faces })
+        contacts.junctions.retain(|p| seen.insert(key(*p)));
+        Ok(contacts)
     }
 
     /// Fails where a piece has the table on its right.

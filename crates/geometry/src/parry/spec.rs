@@ -210,7 +210,6 @@ impl ShapeSpec {
     }
 
     fn contour(&self, frame: &Frame<2>, at: &Fields<'_>) -> Result<Contour, Error> {
-        let glam = |v: &[f64; 2]| Glam::new(v[0], v[1]);
         let shape: Box<dyn Shape> = match self {
             ShapeSpec::Ball { radius } => Box::new(Ball::new(at.positive("radius", *radius)?)),
             ShapeSpec::Cuboid { half_extents } => Box::new(Cuboid::new(at.extents("half_extents", half_extents)?)),
@@ -249,14 +248,7 @@ impl ShapeSpec {
                 let radius = at.positive("border_radius", *border_radius)?;
                 return Ok(Contour::convex("round convex polygon", &points, radius, frame));
             }
-            ShapeSpec::Polyline { vertices, closed } => {
-                at.points("vertices", vertices, if *closed { 3 } else { 2 })?;
-                let number = |i: usize| u32::try_from(i).map_err(|_| at.wrong("vertices", "at most 2³² points"));
-                let n = vertices.len();
-                let edges = (0..if *closed { n } else { n - 1 }).map(|i| Ok([number(i)?, number((i + 1) % n)?]));
-                let edges = edges.collect::<Result<Vec<[u32; 2]>, Error>>()?;
-                Box::new(Polyline::new(vertices.iter().map(glam).collect(), Some(edges)))
-            }
+            ShapeSpec::Polyline { vertices, closed } => Box::new(polyline(vertices, *closed, at)?),
             ShapeSpec::HalfSpace { normal } => {
                 at.vector("normal", normal)?;
                 let length = libm::hypot(normal[0], normal[1]);
@@ -265,19 +257,7 @@ impl ShapeSpec {
                 }
                 Box::new(HalfSpace { normal: Glam::new(normal[0] / length, normal[1] / length) })
             }
-            ShapeSpec::TriMesh { vertices, triangles } => {
-                at.points("vertices", vertices, 3)?;
-                let mut numbers = vec![];
-                for (i, triangle) in triangles.iter().enumerate() {
-                    let known = |&v: &usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
-                    let [Some(a), Some(b), Some(c)] = [0, 1, 2].map(|k| known(&triangle[k])) else {
-                        return Err(at.wrong(&format!("triangles[{i}]"), "three vertex numbers, counted from 0"));
-                    };
-                    numbers.push([a, b, c]);
-                }
-                let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
-                Box::new(mesh.map_err(|_| at.wrong("triangles", "a list of at least one triangle"))?)
-            }
+            ShapeSpec::TriMesh { vertices, triangles } => Box::new(mesh(vertices, triangles, at)?),
             ShapeSpec::HeightField { heights, scale } => {
                 if heights.len() < 2 {
                     return Err(at.wrong("heights", "a list of at least two numbers"));
@@ -292,6 +272,33 @@ impl ShapeSpec {
         };
         Contour::of(&shape.as_typed_shape(), frame)?.ok_or_else(|| at.wrong("shape", "made of segments and arcs"))
     }
+}
+
+fn glam(v: &[f64; 2]) -> Glam {
+    Glam::new(v[0], v[1])
+}
+
+fn polyline(vertices: &[[f64; 2]], closed: bool, at: &Fields<'_>) -> Result<Polyline, Error> {
+    at.points("vertices", vertices, if closed { 3 } else { 2 })?;
+    let number = |i: usize| u32::try_from(i).map_err(|_| at.wrong("vertices", "at most 2³² points"));
+    let n = vertices.len();
+    let edges = (0..if closed { n } else { n - 1 }).map(|i| Ok([number(i)?, number((i + 1) % n)?]));
+    let edges = edges.collect::<Result<Vec<[u32; 2]>, Error>>()?;
+    Ok(Polyline::new(vertices.iter().map(glam).collect(), Some(edges)))
+}
+
+fn mesh(vertices: &[[f64; 2]], triangles: &[[usize; 3]], at: &Fields<'_>) -> Result<TriMesh, Error> {
+    at.points("vertices", vertices, 3)?;
+    let mut numbers = vec![];
+    for (i, triangle) in triangles.iter().enumerate() {
+        let known = |&v: &usize| u32::try_from(v).ok().filter(|_| v < vertices.len());
+        let [Some(a), Some(b), Some(c)] = [0, 1, 2].map(|k| known(&triangle[k])) else {
+            return Err(at.wrong(&format!("triangles[{i}]"), "three vertex numbers, counted from 0"));
+        };
+        numbers.push([a, b, c]);
+    }
+    TriMesh::new(vertices.iter().map(glam).collect(), numbers)
+        .map_err(|_| at.wrong("triangles", "a list of at least one triangle"))
 }
 
 /// Checks fields and names those that are wrong.
