@@ -481,21 +481,15 @@ fn solids_whose_squares_are_no_numbers_are_refused() {
     for size in [1e-151, 1e151, 1e-200, 1e200] {
         let ([x, y, z], half) = ([size, 0.3 * size, 0.7 * size], 0.5 * size);
         let hull = [[x, 0.0, 0.0], [0.0, x, 0.0], [0.0, 0.0, x], [0.0; 3]];
-        let mesh = |margin: f64| SolidSpec::TriMesh {
-            vertices: hull.to_vec(),
-            triangles: vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
-            margin,
-        };
+        let (vertices, triangles) = (hull.to_vec(), vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
         let described = [
             SolidSpec::Ball { radius: size },
             SolidSpec::Cuboid { size: [x, y, z], rounding: 0.0 },
-            SolidSpec::Cuboid { size: [1.0; 3], rounding: size },
             SolidSpec::Capsule { from: [0.0; 3], to: [1.0; 3], radius: size },
             SolidSpec::Cylinder { radius: size, height: 1.0, rounding: 0.0 },
             SolidSpec::Cone { radius: 1.0, height: size, rounding: 0.0 },
             SolidSpec::ConvexHull { points: hull.to_vec(), rounding: 0.0 },
-            mesh(0.0),
-            mesh(size),
+            SolidSpec::TriMesh { vertices, triangles, margin: 0.0 },
         ];
         for spec in described {
             let error = spec.solid([0.0; 3], Side::Outside).err();
@@ -511,6 +505,13 @@ fn solids_whose_squares_are_no_numbers_are_refused() {
             let error = Solid::new(&*shape, &here(), Side::Inside).err();
             assert!(matches!(error, Some(Error::Length { .. })), "{:?}: {error:?}", shape.shape_type());
         }
+    }
+    // a border may be narrow, but not as wide as that
+    for (rounding, fits) in [(1e-200, true), (1e151, false)] {
+        let brick = SolidSpec::Cuboid { size: [1.0; 3], rounding }.solid([0.0; 3], Side::Outside);
+        let inner = Cuboid::new([0.5; 3].into());
+        let round = Solid::new(&RoundShape { inner_shape: inner, border_radius: rounding }, &here(), Side::Outside);
+        assert!(brick.is_ok() == fits && round.is_ok() == fits, "{rounding}");
     }
     // a far centre, too; but planes through the origin have no size
     let (ball, plane) = (SolidSpec::Ball { radius: 1.0 }, SolidSpec::HalfSpace { normal: [0.0, 1e150, 1e150] });

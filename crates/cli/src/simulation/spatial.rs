@@ -162,7 +162,7 @@ impl Spatial {
             }
             if let Space::Room(room) = &centres {
                 room.surface().map_err(|error| match error {
-                    Error::Vanished if drawn(&walls).surface().is_ok() => vec![room::no_place(scene)],
+                    Error::Vanished if drawn(&walls, factor).surface().is_ok() => vec![room::no_place(scene)],
                     other => vec![start::undrawable(scene, ensemble, &other)],
                 })?;
             }
@@ -190,7 +190,8 @@ impl Spatial {
 
     /// A box around the walls as drawn, in the scene's unit; infinite where they are.
     pub(crate) fn extent(&self) -> Extent<3> {
-        drawn(&self.walls).extent()
+        let Extent { min, max } = drawn(&self.walls, self.factor).extent();
+        Extent { min: min / self.factor, max: max / self.factor }
     }
 
     /// The start of an orbit, by its number.
@@ -269,9 +270,10 @@ fn named(scene: &Scene, name: &str, arguments: &Arguments, factor: f64) -> Resul
     entry.spatial(&values).map_err(|error| wrong(&error))
 }
 
-/// The room between walls as drawn, in the scene's unit.
-fn drawn(walls: &[Wall]) -> Room {
-    Room::new(walls.iter().filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok()).collect())
+/// The room between walls as drawn, all lengths multiplied by a factor.
+fn drawn(walls: &[Wall], factor: f64) -> Room {
+    let scaled = walls.iter().map(|wall| wall.scaled(factor));
+    Room::new(scaled.filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok()).collect())
 }
 
 /// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.

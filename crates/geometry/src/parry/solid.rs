@@ -94,7 +94,8 @@ impl Solid {
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border),
     /// and the inside of a compound with members that are not convex; [`Error::Triangle`] for triangles of a mesh that do not form a
     /// surface or are not oriented alike, and closed meshes with contradictory parts; [`Error::Length`] for a size, or a greatest coordinate
-    /// of the boundary, that is not between 10⁻¹⁵⁰ and 10¹⁵⁰, since squares would over- or underflow; [`Error::Parameter`] for a
+    /// of the boundary, that is not between 10⁻¹⁵⁰ and 10¹⁵⁰, since squares would over- or underflow, and for a border that is not positive
+    /// or is wider than that; [`Error::Parameter`] for a
     /// translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;
@@ -128,7 +129,7 @@ impl Solid {
     /// corner. Behind an open mesh there is no table, but its triangles also keep off a ball that comes round its rim.
     ///
     /// # Errors
-    /// [`Error::Shape`] for other shapes, [`Error::Length`] unless the margin is between 10⁻¹⁵⁰ and 10¹⁵⁰.
+    /// [`Error::Shape`] for other shapes, [`Error::Length`] unless the margin is positive and at most 10¹⁵⁰.
     ///
     /// ```
     /// use geometry::{parry::{parry3d_f64::shape::{Cuboid, TriMesh}, Side, Solid}, Boundary, Line, Vector3};
@@ -422,8 +423,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         TypedShape::RoundCylinder(r) => members.push(round(Rounded::cylinder(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundCone(r) => members.push(round(Rounded::cone(&r.inner_shape, r.border_radius, frame))?),
         TypedShape::RoundConvexPolyhedron(r) => {
-            has_square("the border radius", r.border_radius)?;
-            members.push(Body::polytope(&polytope(&r.inner_shape)?, r.border_radius, frame, side)?);
+            members.push(round(Rounded::polytope(&polytope(&r.inner_shape)?, r.border_radius, frame))?);
         }
         TypedShape::Segment(_) => return Err(unsupported("segment", "a curve is no wall in space: use a capsule")),
         TypedShape::Polyline(_) => return Err(unsupported("polyline", "a curve is no wall in space: use capsules")),

@@ -90,8 +90,8 @@ impl SolidSpec {
     /// The boundary of the shape, moved by `center`, with the table inside or outside of it.
     ///
     /// # Errors
-    /// [`Error::Field`] for a field that is wrong: a size must be between 10⁻¹⁵⁰ and 10¹⁵⁰, and a coordinate no larger; otherwise as
-    /// [`Solid::new`].
+    /// [`Error::Field`] for a field that is wrong: a size must be between 10⁻¹⁵⁰ and 10¹⁵⁰, a border and a coordinate no
+    /// larger; otherwise as [`Solid::new`].
     ///
     /// ```
     /// use geometry::{Vector3, parry::{Side, SolidSpec}};
@@ -130,8 +130,7 @@ impl SolidSpec {
                 placed(&*round(Cone::new(half, radius), *rounding)?)
             }
             SolidSpec::ConvexHull { points, rounding } => {
-                let rounding = if *rounding == 0.0 { 0.0 } else { size("rounding", *rounding)? };
-                Solid::polytope(&hull(points)?, rounding, &frame, side)
+                Solid::polytope(&hull(points)?, border("rounding", *rounding)?, &frame, side)
             }
             SolidSpec::TriMesh { vertices, triangles, margin } => {
                 vertices.iter().try_for_each(|p| in_range("vertices", p))?;
@@ -142,7 +141,7 @@ impl SolidSpec {
                     .ok_or_else(|| wrong("triangles", "vertex numbers, counted from 0"))?;
                 let mesh = TriMesh::new(vertices.iter().map(glam).collect(), numbers);
                 let solid = placed(&mesh.map_err(|_| wrong("triangles", "a list of at least one triangle"))?)?;
-                if *margin == 0.0 { Ok(solid) } else { solid.kept_off(size("margin", *margin)?) }
+                if border("margin", *margin)? == 0.0 { Ok(solid) } else { solid.kept_off(*margin) }
             }
             SolidSpec::HalfSpace { normal } => {
                 in_range("normal", normal)?;
@@ -200,10 +199,8 @@ where
     S: Shape,
     RoundShape<S>: Shape,
 {
-    if rounding == 0.0 {
-        return Ok(Box::new(inner_shape));
-    }
-    Ok(Box::new(RoundShape { inner_shape, border_radius: size("rounding", rounding)? }))
+    let border_radius = border("rounding", rounding)?;
+    Ok(if border_radius == 0.0 { Box::new(inner_shape) } else { Box::new(RoundShape { inner_shape, border_radius }) })
 }
 
 fn glam(v: &[f64; 3]) -> Glam {
@@ -217,6 +214,11 @@ fn wrong(field: &str, must: &'static str) -> Error {
 /// A size must be one of [`LENGTHS`].
 fn size(field: &str, value: f64) -> Result<f64, Error> {
     if LENGTHS.contains(&value) { Ok(value) } else { Err(wrong(field, MUST_HAVE_SQUARE)) }
+}
+
+/// A border may be as narrow as one likes, but no wider than the greatest of [`LENGTHS`].
+fn border(field: &str, value: f64) -> Result<f64, Error> {
+    if (0.0..=*LENGTHS.end()).contains(&value) { Ok(value) } else { Err(wrong(field, "between 0 and 1e150")) }
 }
 
 /// No coordinate may be larger than the greatest of [`LENGTHS`].

@@ -35,7 +35,7 @@ pub(super) struct Parallel {
 
 impl Parallel {
     /// # Errors
-    /// [`Error::Length`] unless the margin is between 10⁻¹⁵⁰ and 10¹⁵⁰.
+    /// [`Error::Length`] unless the margin is positive and at most 10¹⁵⁰.
     pub(super) fn new(mesh: Mesh, distance: Distance<3>, margin: f64) -> Result<Parallel, Error> {
         let plate =
             |(t, normal): (&[usize; 3], &Vector3<f64>)| Rounded::plate(t.map(|v| mesh.vertices[v]), *normal, margin);

@@ -18,7 +18,7 @@ use super::{
     },
     Closest, unsupported,
 };
-use crate::{Error, Extent, Line, plane::has_square};
+use crate::{Error, Extent, Line, plane::LENGTHS};
 use brick::Brick;
 use core::fmt::Debug;
 use hull::Hull;
@@ -114,7 +114,10 @@ impl Rounded<Plate> {
 
 impl<C: Core> Rounded<C> {
     fn new(core: C, radius: f64) -> Result<Self, Error> {
-        has_square("the border radius", radius)?;
+        // its square is nowhere needed, so a border may be as narrow as one likes
+        if !(radius > 0.0 && radius <= *LENGTHS.end()) {
+            return Err(Error::Length { name: "the border radius", must: "positive and at most 1e150", value: radius });
+        }
         let Extent { min, max } = core.extent();
         let border = Vector3::repeat(radius);
         let extent = Extent { min: min - border, max: max + border };
