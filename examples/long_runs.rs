@@ -21,7 +21,7 @@ fn main() -> Result<(), Error> {
     while n <= count as f64 {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "positive and below 2⁵³")]
         checkpoints.push(2 * (0.5 * n) as u64);
-        n *= 10.0_f64.powf(0.2);
+        n *= libm::pow(10.0, 0.2);
     }
     let turns = 100 * count;
     for (name, law, gamma) in phase::laws() {

@@ -27,7 +27,7 @@ fn portrait(table: Table) -> Result<f64, Error> {
         println!("{}", low.iter().zip(high).map(|(a, b)| if a + b > 0 { '*' } else { '.' }).collect::<String>());
     }
     let middle = |i: usize| (i as f64 + 0.5) / SIZE as f64 * 2.0 - 1.0;
-    let in_disk = |(cell, _): &(usize, &u64)| middle(cell % SIZE).hypot(middle(cell / SIZE)) < 1.0;
+    let in_disk = |(cell, _): &(usize, &u64)| libm::hypot(middle(cell % SIZE), middle(cell / SIZE)) < 1.0;
     let (visited, all) = counts
         .iter()
         .enumerate()

@@ -18,7 +18,7 @@ fn diameter(velocity: [f64; 3], spin: [f64; 3]) -> Result<f64, Error> {
         ControlFlow::Continue(())
     });
     slab.run(&mut orbit, &Collisions(1000), &mut watch);
-    let pairs = contacts.iter().flat_map(|a| contacts.iter().map(move |b| (a[0] - b[0]).hypot(a[1] - b[1])));
+    let pairs = contacts.iter().flat_map(|a| contacts.iter().map(move |b| libm::hypot(a[0] - b[0], a[1] - b[1])));
     Ok(pairs.fold(0.0, f64::max))
 }
 

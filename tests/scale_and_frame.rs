@@ -41,7 +41,7 @@ fn every_planar_table_scaled_by_a_power_of_two_gives_the_same_bits() {
                 .map(|velocity| Start { position: [0.03, 0.5], velocity, spin: [0.25] })
                 .to_vec(),
         };
-        for (length, speed) in SCALES.map(|(l, s)| (2.0_f64.powi(l), 2.0_f64.powi(s))) {
+        for (length, speed) in SCALES.map(|(l, s)| (libm::ldexp(1.0, l), libm::ldexp(1.0, s))) {
             let large = entry.planar(&entry.scaled(&values, length)).unwrap();
             for (law, start) in laws().into_iter().flat_map(|law| starts.iter().map(move |start| (law, start))) {
                 let (at, time, outcome) = play(&table, law, start, 60);
@@ -65,7 +65,7 @@ fn every_table_in_space_scaled_by_a_power_of_two_gives_the_same_bits() {
         let values = entry.typical();
         let table = entry.spatial(&values).unwrap();
         let canonical = CanonicalSpatial::new(&table, 1.0, 7).unwrap();
-        for (length, speed) in SCALES.map(|(l, s)| (2.0_f64.powi(l), 2.0_f64.powi(s))) {
+        for (length, speed) in SCALES.map(|(l, s)| (libm::ldexp(1.0, l), libm::ldexp(1.0, s))) {
             let large = entry.spatial(&entry.scaled(&values, length)).unwrap();
             for start in (0..5).map(|i| canonical.start(i)) {
                 let run = |table: &tables::SpatialTable, [length, speed]: [f64; 2]| {

@@ -127,7 +127,7 @@ impl Core {
     /// The same at `p` alone: the difference quotient of a step so small that 200 bits are enough.
     fn turn_at(&self, p: &Vector<3>, [n, first, second]: &[Vector<3>; 3]) -> f64 {
         let outward = |p: &Vector<3>| self.outward(p);
-        let step = norm(&sub(p, &self.closest(p))) * big(2.0_f64.powi(-60));
+        let step = norm(&sub(p, &self.closest(p))) * big(libm::ldexp(1.0, -60));
         let [along, across] = [first, second].map(|t| {
             let change = scale(&sub(&outward(&add(p, &scale(t, &step))), n), &(big(1.0) / &step));
             [first, second].map(|t| small(&dot(&change, t)))

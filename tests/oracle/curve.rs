@@ -68,7 +68,7 @@ pub(crate) struct Cut<C> {
 impl<C: Curve> Cut<C> {
     pub(crate) fn new(curve: C) -> Cut<C> {
         let steps = f64::from(curve.steps());
-        let step = big(2.0_f64.powi(-60));
+        let step = big(libm::ldexp(1.0, -60));
         let nodes = |part| {
             // which way the tangent turns
             let turning = |u: &Big| cross(&curve.at(part, u)[1], &curve.at(part, &(u + &step))[1]);

@@ -80,7 +80,7 @@ pub(crate) fn direction(x: f64) -> Vector {
 pub(crate) fn sign_change(f: impl Fn(&Big) -> Big, [mut a, mut b]: [Big; 2], [mut fa, mut fb]: [Big; 2]) -> Big {
     let rising = is_positive(&fb);
     let half = big(0.5);
-    let enough = (&b - &a) * big(2.0_f64.powi(-150));
+    let enough = (&b - &a) * big(libm::ldexp(1.0, -150));
     let mut moved = None;
     for step in 1..2000 {
         if &b - &a <= enough {

@@ -385,7 +385,7 @@ fn ends(table: &geometry::Table, law: &(impl BallLaw<2, 1> + Clone), orbits: u32
     let billiard = Planar { table: table.clone(), law: law.clone() };
     let start = |k: u32| {
         let angle = 0.3 + 1.7 * f64::from(k);
-        Orbit::<f64, 2, 1>::new([0.1, 0.325], [angle.cos(), angle.sin()], [0.3], ())
+        Orbit::<f64, 2, 1>::new([0.1, 0.325], [libm::cos(angle), libm::sin(angle)], [0.3], ())
     };
     let mut ended = vec![];
     for k in 0..orbits {
@@ -434,7 +434,7 @@ fn a_ball_that_a_law_makes_faster_and_faster_ends_where_squares_of_speeds_do() {
         let billiard = Planar { table: table.unwrap(), law: Custom::disk(Wrong { restitution: 1.5 }, 0.7).unwrap() };
         for k in 0..60 {
             let angle = 0.3 + 1.7 * f64::from(k);
-            let mut orbit = Orbit::<f64, 2, 1>::new([0.1, 0.325], [angle.cos(), angle.sin()], [0.3], ());
+            let mut orbit = Orbit::<f64, 2, 1>::new([0.1, 0.325], [libm::cos(angle), libm::sin(angle)], [0.3], ());
             let outcome = billiard.run(&mut orbit, &Collisions(100_000), &mut ());
             assert!(
                 matches!(outcome.stop, Stop::NotFinite | Stop::Corner | Stop::Grazing),

@@ -258,7 +258,7 @@ fn in_space_the_curvature_of_walls_counts() {
     for table in [tables::slab(1.0).unwrap(), tables::ball(1.0).unwrap()] {
         let billiard = Spatial { table, law };
         let horizon = billiard.table.with_walls(Look(&law, &billiard.table, start));
-        assert!(!horizon.lost && horizon.error < 1e-11, "{}: {horizon:?}", billiard.table.name());
+        assert!(!horizon.lost && horizon.error < 1e-11, "{:?}: {horizon:?}", billiard.table);
         assert_eq!(billiard.horizon(start, 1.0, [200.0, f64::INFINITY]), horizon);
     }
     // the same ball outside: a scatterer in a box

@@ -31,7 +31,7 @@ mod tests {
         for _ in 0..draws {
             let x = gaussian(&mut stream);
             for (k, moment) in (1..=4).zip(&mut moments) {
-                *moment += x.powi(k) / f64::from(draws);
+                *moment += libm::pow(x, f64::from(k)) / f64::from(draws);
             }
         }
         // the variances of x, x², x³, x⁴ are 1, 2, 15, 96; five standard errors bound each mean; the seed is fixed

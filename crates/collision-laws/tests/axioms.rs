@@ -45,10 +45,10 @@ fn any_vector<const N: usize>() -> impl Strategy<Value = SVector<f64, N>> + Clon
 fn any_body<const N: usize>() -> impl Strategy<Value = RigidBody<N>> {
     (-6.0..6.0_f64, vec(-1.0..1.0_f64, N), vec(any_vector::<N>(), N)).prop_map(|(mass, decades, columns)| {
         let frame = SMatrix::<f64, N, N>::from_columns(&columns);
-        let moments = SVector::<f64, N>::from_iterator(decades.iter().map(|d| 10.0_f64.powf(*d)));
+        let moments = SVector::<f64, N>::from_iterator(decades.iter().map(|d| libm::pow(10.0, *d)));
         // a random symmetric positive matrix: the frame need not be orthogonal
         let s = frame * SMatrix::from_diagonal(&moments) * frame.transpose() + SMatrix::identity() * 0.01;
-        RigidBody::new(10.0_f64.powf(mass), Inertia::SecondMoments((s + s.transpose()) * 0.5)).expect("a body")
+        RigidBody::new(libm::pow(10.0, mass), Inertia::SecondMoments((s + s.transpose()) * 0.5)).expect("a body")
     })
 }
 
@@ -173,7 +173,7 @@ fn restitution_loses_energy<const N: usize>(scene: &Scene<N>, normal: f64, tange
     for axiom in [Axiom::LinearMomentum, Axiom::AngularMomentum, Axiom::ContactImpulse, Axiom::Linearity] {
         assert!(report.defect(axiom).is_some_and(|defect| defect <= bound), "{axiom}\n{report}");
     }
-    let expected_ratio = normal * normal * tangential.abs().powi(i32::try_from(N - 1).expect("small"));
+    let expected_ratio = normal * normal * libm::pow(tangential.abs(), (N - 1) as f64);
     assert!(
         (report.measure_ratio() - expected_ratio).abs() <= 512.0 * bound,
         "{} for {expected_ratio}",
@@ -285,7 +285,7 @@ fn inertia_tensor(body: &[f64; 6]) -> Matrix3<f64> {
 
 /// The same scene in other units: lengths in 2ᵃ, masses in 4ᵇ, times in 2ᶜ. A slim body's radius of gyration is √`slim` of its size.
 fn units_do_not_matter<const N: usize>(scene: &Scene<N>, [a, b, c]: [i32; 3], slim: f64) {
-    let (length, mass, speed) = (2.0_f64.powi(a), 4.0_f64.powi(b), 2.0_f64.powi(a - c));
+    let (length, mass, speed) = (libm::ldexp(1.0, a), libm::ldexp(1.0, 2 * b), libm::ldexp(1.0, a - c));
     let law = RoughPlane::new(&scene.rough).expect("rough directions");
     let v = Twist::from_coordinates(&scene.arms[1].iter().cycle().copied().take(N * (N + 1) / 2).collect::<Vec<_>>());
     let s = SMatrix::<f64, N, N>::from_fn(|i, j| if i == j { 1.0 } else { 0.1 + 0.05 * (i + j) as f64 }) * slim;
@@ -325,8 +325,8 @@ fn units_do_not_matter_to_a_slim_body_either() {
 #[test]
 fn planar_bodies_keep_their_contract() {
     for_all((-6.0..6.0_f64, -2.0..2.0_f64, scene::<2>()), |(mass, moment, scene)| {
-        let mass = 10.0_f64.powf(mass);
-        let body = Planar::new(mass, mass * 10.0_f64.powf(moment)).expect("a body");
+        let mass = libm::pow(10.0, mass);
+        let body = Planar::new(mass, mass * libm::pow(10.0, moment)).expect("a body");
         let report = check::body(&body, &scene.contact, &scene.arms[0], scene.samples);
         assert!(report.worst() <= 1e3 * ROUNDING, "{report:?}");
     });
@@ -336,7 +336,7 @@ fn planar_bodies_keep_their_contract() {
 fn spatial_bodies_are_rigid_bodies_in_three_dimensions() {
     let entries = prop::array::uniform6(-1.0..1.0_f64);
     for_all((-6.0..6.0_f64, entries, scene::<3>()), |(mass, entries, scene)| {
-        let mass = 10.0_f64.powf(mass);
+        let mass = libm::pow(10.0, mass);
         let tensor = inertia_tensor(&entries) * mass; // its condition number is at most 600
         let spatial = Spatial::new(mass, tensor).expect("a body");
         let rigid = RigidBody::<3>::new(mass, Inertia::Tensor(tensor)).expect("a body");

@@ -269,8 +269,8 @@ fn restitution_loses_the_energy_it_says_also_where_bodies_hardly_resist_turning(
         let turned = SVector::<f64, 2>::new(-arm.y, arm.x);
         let u = pair.contact_velocity(&before);
         // for m = 1 K = 1 + t tᵀ/I with t = J r, so K⁻¹ = 1 − t tᵀ/(I + t·t)
-        let whole = u.norm_squared() - turned.dot(&u).powi(2) / (moment + turned.norm_squared());
-        let along = nu.dot(&u).powi(2) / (1.0 + turned.dot(&nu).powi(2) / moment);
+        let whole = u.norm_squared() - libm::pow(turned.dot(&u), 2.0) / (moment + turned.norm_squared());
+        let along = libm::pow(nu.dot(&u), 2.0) / (1.0 + libm::pow(turned.dot(&nu), 2.0) / moment);
         for (normal, tangential) in
             [(1.0, 0.5), (0.5, 0.5), (0.25, 0.75), (0.0, 0.0), (0.0, 1.0), (0.5, -0.5), (0.5, -1.0)]
         {

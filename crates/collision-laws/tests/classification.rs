@@ -98,7 +98,7 @@ fn a_turn_within_the_impulse_space_is_not_reversible() {
     let second = space.impulse_space().column(1);
     let off = second - space.normal() * space.normal().dot(&second);
     let b = (&off - &a * a.dot(&off)).normalize();
-    let (sin, cos) = (0.1_f64.sin(), 0.1_f64.cos());
+    let (sin, cos) = (libm::sin(0.1), libm::cos(0.1));
     let turn = DMatrix::identity(12, 12)
         + (&a * a.transpose() + &b * b.transpose()) * (cos - 1.0)
         + (&b * a.transpose() - &a * b.transpose()) * sin;
@@ -150,7 +150,7 @@ fn a_reflection_of_non_slipping_velocities_is_an_impulse_elsewhere() {
     let space = pair.tangent_space();
     let (translations, rotations) = (space.translations().expect("free"), space.rotations().expect("free"));
     let off = |x: DVector<f64>, basis: &DMatrix<f64>| &x - basis * basis.tr_mul(&x);
-    let start = DVector::from_fn(12, |i, _| (i as f64 + 0.5).sin());
+    let start = DVector::from_fn(12, |i, _| libm::sin(i as f64 + 0.5));
     let internal = off(off(off(start, space.impulse_space()), translations), rotations).normalize();
     let reflect = |x: &DVector<f64>| DMatrix::identity(12, 12) - x * x.transpose() * 2.0;
     let found = broken(&pair, &(strict_map(&pair) * reflect(&internal)));

@@ -56,7 +56,7 @@ fn rough_directions_that_vary_in_space_keep_the_measure() {
     keeps_measure(&always(Grooved::new(|contact: &Contact<3>| contact.point)), 1);
     let turning = |contact: &Contact<3>| {
         let angle = 2.0 * contact.point.x - 1.5 * contact.point.y * contact.point.y;
-        Vector3::new(angle.cos(), angle.sin(), 0.0)
+        Vector3::new(libm::cos(angle), libm::sin(angle), 0.0)
     };
     keeps_measure(&always(Grooved::new(turning)), 1);
 }
@@ -82,7 +82,7 @@ fn approach(psi: f64) -> (Pair<Ball<3>, Fixed, 3>, (Twist<3>, ())) {
     let pair = Pair::new(contact, (ball(), arm), (Fixed, Vector3::zeros()));
     // turn the angle of one velocity into psi
     let zero = slip_angle(&contact, &Vector3::x());
-    let v = Vector3::new((psi - zero).cos(), (psi - zero).sin(), -0.8);
+    let v = Vector3::new(libm::cos(psi - zero), libm::sin(psi - zero), -0.8);
     let slip = slip_angle(&contact, &v);
     assert!((slip - psi).abs() < 1e-14, "angles add in an oriented frame");
     (pair, (Twist::spatial(v, Vector3::zeros()), ()))
@@ -130,7 +130,7 @@ fn flagged_at(normal: Vector3<f64>) {
 /// One step in the unit circle, in arc length and velocities at unit 3-speed.
 fn circle_step(law: &dyn CollisionLaw<2>, state: &DVector<f64>) -> DVector<f64> {
     let (disk, (s, v0, vt)) = (Ball::<2>::uniform(1.0, 0.25).expect("a disk"), (state[0], state[1], state[2]));
-    let inward = |s: f64| Vector2::new(-s.cos(), -s.sin());
+    let inward = |s: f64| Vector2::new(-libm::cos(s), -libm::sin(s));
     let turned = |x: Vector2<f64>| Vector2::new(-x.y, x.x);
     let vn = (1.0 - v0 * v0 - vt * vt).sqrt();
     let v = inward(s) * vn + turned(inward(s)) * vt;
@@ -139,7 +139,7 @@ fn circle_step(law: &dyn CollisionLaw<2>, state: &DVector<f64>) -> DVector<f64> 
     let contact = Contact::new(centre * 1.25, -centre, 0).expect("a normal");
     let pair = Pair::new(contact, (disk, centre * 0.25), (Fixed, Vector2::zeros()));
     let after = pair.collide(law, &(disk.with_scaled_spin(v, v0), ())).velocities.0;
-    let s = s + std::f64::consts::PI + 2.0 * vt.atan2(vn); // v is ν turned by atan2(vₜ, vₙ)
+    let s = s + std::f64::consts::PI + 2.0 * libm::atan2(vt, vn); // v is ν turned by atan2(vₜ, vₙ)
     assert!((centre + inward(s)).norm() < 1e-14);
     dvector![s, disk.scaled_spin(&after), after.linear.dot(&turned(-centre))]
 }

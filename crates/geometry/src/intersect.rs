@@ -288,7 +288,7 @@ mod tests {
             all.extend(meetings(&a, &c));
             all
         };
-        let small = 2.0_f64.powi(-200);
+        let small = libm::ldexp(1.0, -200);
         let (one, tiny) = (scaled(1.0), scaled(small));
         assert!(!one.is_empty() && one.len() == tiny.len());
         for (m, n) in one.iter().zip(&tiny) {

@@ -137,14 +137,14 @@ mod tests {
     #[test]
     fn a_direction_has_the_nearest_numbers_at_any_scale() {
         // of 5, 12 and 13: exact except for the division
-        for scale in [1.0, 2.0_f64.powi(1000), 2.0_f64.powi(-1060)] {
+        for scale in [1.0, libm::ldexp(1.0, 1000), libm::ldexp(1.0, -1060)] {
             let far = [7.0 * scale, -3.0 * scale];
             let (unit, length) = direction(far, moved(far, [5.0 * scale, -12.0 * scale])).unwrap();
             assert_eq!((unit, length), ([5.0 / 13.0, -12.0 / 13.0], 13.0 * scale));
         }
         // the difference of the first coordinates, 1 − 2⁻⁶⁰, is no f64
-        let (unit, _) = direction([2.0_f64.powi(-60), 0.0], [1.0, 2.0_f64.powi(-30)]).unwrap();
-        assert_eq!(unit, [1.0, 2.0_f64.powi(-30)]);
+        let (unit, _) = direction([libm::ldexp(1.0, -60), 0.0], [1.0, libm::ldexp(1.0, -30)]).unwrap();
+        assert_eq!(unit, [1.0, libm::ldexp(1.0, -30)]);
     }
 
     #[test]

@@ -201,7 +201,7 @@ fn exactly(formula: &Sum, angle: f64) -> [f64; 2] {
     formula.0.iter().fold([1.0, 0.0], |[r, slope], &Wave { amount, count, phase, kinks }| {
         let turned = count * angle;
         let sum = turned + phase;
-        let rest = count.mul_add(angle, -turned)
+        let rest = libm::fma(count, angle, -turned)
             + if turned.abs() < phase.abs() { phase - sum + turned } else { turned - sum + phase };
         let (sin, cos) = libm::sincos(sum);
         let (sin, cos) = (sin + rest * cos, cos - rest * sin);

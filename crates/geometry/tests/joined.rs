@@ -247,7 +247,7 @@ fn rounded_shapes_stand_on_a_floor_as_cusps() {
     }
     // the disk stays out of the cusps: where it touches floor and capsule, the centres are 0.5 + r apart and 0.5 − r in height
     let centres = joined.offset(0.125).unwrap().table;
-    let half = 0.5 + (0.625_f64.powi(2) - 0.375_f64.powi(2)).sqrt();
+    let half = 0.5 + (libm::pow(0.625_f64, 2.0) - libm::pow(0.375_f64, 2.0)).sqrt();
     let on_floor = |piece: &&Arc<dyn Piece>| piece.ends().is_some_and(|ends| ends.iter().all(|end| end.y == -1.875));
     let floor: Vec<f64> = centres.pieces().iter().filter(on_floor).map(Piece::length).collect();
     assert!(floor.len() == 2 && floor.iter().all(|length| (length - (1.875 - half)).abs() < 1e-14), "{floor:?}");

@@ -240,7 +240,7 @@ fn keeps_its_invariant(piece: &dyn Piece, a: f64, b: f64) {
             let time = piece.crossing(&path).time();
             assert!(time > 1e-3 && time < 4.5, "{time} {path:?}");
             let landing = piece.landing(&path, time);
-            let off = (landing.point.x / a).powi(2) + (landing.point.y / b).powi(2) - 1.0;
+            let off = libm::pow(landing.point.x / a, 2.0) + libm::pow(landing.point.y / b, 2.0) - 1.0;
             assert!(off.abs() < 1e-14, "{off:e}");
             let gradient = Vector2::new(landing.point.x / (a * a), landing.point.y / (b * b));
             let normal = -gradient / gradient.norm();

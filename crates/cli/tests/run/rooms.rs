@@ -96,7 +96,7 @@ fn a_ball_moves_around_triangles_and_in_a_hull() {
     let within = format!("{}{hull}\n{}", &around[..start], &around[end..]).replace("radius = 0.25", "radius = 0.1");
     // the corner of a cube and Steiner's formula around it; within, the tetrahedron about the same inscribed ball
     let [volume, area] = [1.0 / 6.0, 1.5 + 0.75_f64.sqrt()];
-    let bent = 0.5 * (1.5 * PI + 3.0 * 2.0_f64.sqrt() * (PI - (1.0 / 3.0_f64.sqrt()).acos()));
+    let bent = 0.5 * (1.5 * PI + 3.0 * 2.0_f64.sqrt() * (PI - libm::acos(1.0 / 3.0_f64.sqrt())));
     let r: f64 = 0.25;
     let left = 1.0 - 0.1 * area / (3.0 * volume);
     let outer = [

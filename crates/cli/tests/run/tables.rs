@@ -380,7 +380,7 @@ fn ensembles_start_on_both_faces_of_a_wall_without_thickness() {
                 faces[usize::from(along[0] * w - along[1] * v < 0.0)] += 1.0;
             }
         }
-        let length = along[0].hypot(along[1]);
+        let length = libm::hypot(along[0], along[1]);
         let each = 10_000.0 * length / (2.0 * length + 4.0 * std::f64::consts::PI);
         assert!(faces.iter().all(|face: &f64| (face - each).abs() < 4.0 * each.sqrt()), "{faces:?}, {each} each");
     }
@@ -520,7 +520,7 @@ fn a_disk_rolls_around_the_corner_where_a_turn_of_a_formula_ends() {
         // the corner is at (1, 0), and points into the table
         let row = &folder.rows()[0];
         let (x, y) = (row[5], row[6]);
-        assert!((f64::hypot(x - 1.0, y) - 0.2).abs() < 1e-14 && (y - 0.02).abs() < 1e-15, "{formula}: {x} {y}");
+        assert!((libm::hypot(x - 1.0, y) - 0.2).abs() < 1e-14 && (y - 0.02).abs() < 1e-15, "{formula}: {x} {y}");
     }
 }
 

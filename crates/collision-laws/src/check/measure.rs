@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 /// use collision_laws::check::jacobian_determinant;
 /// use nalgebra::{DVector, dvector};
 ///
-/// let polar = |x: &DVector<f64>| dvector![x[0] * x[1].cos(), x[0] * x[1].sin()];
+/// let polar = |x: &DVector<f64>| dvector![x[0] * libm::cos(x[1]), x[0] * libm::sin(x[1])];
 /// assert!((jacobian_determinant(polar, &dvector![2.0, 0.7], 1e-2) - 2.0).abs() < 1e-12);
 /// ```
 pub fn jacobian_determinant(map: impl Fn(&DVector<f64>) -> DVector<f64>, at: &DVector<f64>, step: f64) -> f64 {

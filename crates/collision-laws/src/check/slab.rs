@@ -16,7 +16,7 @@ use nalgebra::{DVector, Quaternion, UnitQuaternion, Vector2, Vector3};
 /// let state = SlabState::new(Vector2::new(0.2, -0.3), UnitQuaternion::identity(), Vector2::new(0.31, -0.22), spin);
 ///
 /// // a rough direction that turns from place to place keeps the measure, a loss of speed does not
-/// let grooves = |at: &Contact<3>| Vector3::new(at.point.x.cos(), at.point.x.sin(), 0.0);
+/// let grooves = |at: &Contact<3>| Vector3::new(libm::cos(at.point.x), libm::sin(at.point.x), 0.0);
 /// let kept = slab.determinant(&|_| Box::new(Grooved::new(grooves)), &state, 1e-3);
 /// assert!((kept.abs() - 1.0).abs() < 1e-9);
 /// let lost = slab.determinant(&|_| Box::new(Restitution::new(1.0, 0.5).unwrap()), &state, 1e-3);

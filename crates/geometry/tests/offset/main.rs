@@ -182,7 +182,7 @@ fn a_tiny_disk_has_the_table_itself() {
     for entry in tables::all().iter().filter(|e| e.dimension() == 2) {
         let drawn = entry.planar(&entry.typical()).unwrap();
         assert_eq!(drawn.offset(0.0).unwrap().origins.len(), drawn.pieces().len());
-        let radius = 2.0_f64.powi(-30);
+        let radius = libm::ldexp(1.0, -30);
         let offset = drawn.offset(radius).unwrap();
         let walls = offset.origins.iter().filter(|o| matches!(o, Origin::Piece(_)));
         let expected: Vec<Origin> = (0..drawn.pieces().len()).map(Origin::Piece).collect();
@@ -374,7 +374,7 @@ fn offsets_scale_bit_by_bit() {
     };
     let one = check("scaled", &drawn(1.0), 0.11);
     for power in [-200, -3, 5, 200] {
-        let k = 2.0_f64.powi(power);
+        let k = libm::ldexp(1.0, power);
         let other = drawn(k).offset(0.11 * k).unwrap();
         assert_eq!(one.origins, other.origins);
         for (p, q) in one.table.pieces().iter().zip(other.table.pieces()) {

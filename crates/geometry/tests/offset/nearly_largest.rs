@@ -29,10 +29,10 @@ fn the_larger_a_disk_the_less_is_left_of_it_until_rounding_decides_and_then_noth
     ] {
         let mut last = 0;
         for k in 8..60 {
-            let radius = largest * (1.0 - 1.5 * 0.5_f64.powi(k));
+            let radius = largest * (1.0 - 1.5 * libm::ldexp(1.0, -k));
             let now = match drawn.offset(radius) {
                 Ok(left) => {
-                    assert!(left.table.area() < drawn.area() * 0.5_f64.powi(k - 4), "{name}, {radius}");
+                    assert!(left.table.area() < drawn.area() * libm::ldexp(1.0, -(k - 4)), "{name}, {radius}");
                     0
                 }
                 Err(Error::Undecided { .. }) => 1,

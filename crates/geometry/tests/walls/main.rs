@@ -381,11 +381,12 @@ fn nothing_passes_a_curved_or_infinite_wall_with_the_table_on_both_sides() {
 
     let in_circle = |p: &Vector2<f64>| usize::from((p - v(0.1, -0.2)).norm() > 1.0);
     let in_half = |p: &Vector2<f64>| usize::from(!(p.norm() < 1.0 && p.y > 0.0));
-    let in_oval =
-        |p: &Vector2<f64>| usize::from(!((p.x - 0.1).powi(2) / 4.0 + (p.y + 0.2).powi(2) < 1.0 && p.y > -0.2));
+    let in_oval = |p: &Vector2<f64>| {
+        usize::from(!(libm::pow(p.x - 0.1, 2.0) / 4.0 + libm::pow(p.y + 0.2, 2.0) < 1.0 && p.y > -0.2))
+    };
     let in_ellipse = |p: &Vector2<f64>| {
-        let (along, y) = (v(0.3_f64.cos(), 0.3_f64.sin()), p - v(0.1, -0.2));
-        usize::from((y.dot(&along) / 2.0).powi(2) + along.perp(&y).powi(2) > 1.0)
+        let (along, y) = (v(libm::cos(0.3), libm::sin(0.3)), p - v(0.1, -0.2));
+        usize::from(libm::pow(y.dot(&along) / 2.0, 2.0) + libm::pow(along.perp(&y), 2.0) > 1.0)
     };
     let above = |p: &Vector2<f64>| usize::from(p.y < 0.5 + 0.3 * (p.x - 0.7));
     let between = |p: &Vector2<f64>| usize::from(0.6 * p.y < 0.4 * p.x.abs());
