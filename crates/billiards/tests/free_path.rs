@@ -154,7 +154,7 @@ fn rooms() -> Vec<(&'static str, Room, f64, f64)> {
     let [v, s] = ball(0.3);
     let inner = obstacle(SolidSpec::Ball { radius: 0.3 }, [0.1, 0.2, -0.1]);
     add("a ball in a can", vec![can, inner], PI * r * r * h - v, 2.0 * PI * r * (r + h) + s);
-    let slope = f64::hypot(r, h);
+    let slope = libm::hypot(r, h);
     let tent = around(Cone { radius: r, height: h, rounding: 0.0 });
     add("a cone", vec![tent], PI * r * r * h / 3.0, PI * r * (r + slope));
     let [v, s] = ball(0.25);
@@ -180,7 +180,7 @@ fn rooms() -> Vec<(&'static str, Room, f64, f64)> {
     add("in a mesh", vec![around(mesh.clone())], corner_volume, corner_area);
     // the centre of a ball: around it, with the edges' lengths times the angles between their faces' normals in halves
     let of_ball = |spec: &SolidSpec, side, radius| spec.parallel(side, radius).unwrap().0;
-    let curved = 0.5 * (3.0 * PI / 2.0 + 3.0 * 2.0_f64.sqrt() * (PI - (1.0 / 3.0_f64.sqrt()).acos()));
+    let curved = 0.5 * (3.0 * PI / 2.0 + 3.0 * 2.0_f64.sqrt() * (PI - libm::acos(1.0 / 3.0_f64.sqrt())));
     let [v, s] = steiner([corner_volume, corner_area, curved], 0.45);
     let thick = obstacle(of_ball(&mesh, Outside, 0.45), [-0.5; 3]);
     add("a ball around a mesh", vec![hall(), thick], hall_volume - v, hall_area + s);

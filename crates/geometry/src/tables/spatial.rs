@@ -47,6 +47,15 @@ impl SpatialTable {
         SpatialTable { figure: Figure::Ball { radius, walls } }
     }
 
+    /// Its name in scene files.
+    pub fn name(&self) -> &'static str {
+        match self.figure {
+            Figure::Slab { .. } => slab::ENTRY.name,
+            Figure::Cuboid { .. } => cuboid::ENTRY.name,
+            Figure::Ball { .. } => ball::ENTRY.name,
+        }
+    }
+
     /// What its pieces are, in the order of their numbers.
     pub fn pieces(&self) -> &'static [&'static str] {
         match self.figure {
