@@ -32,7 +32,7 @@ claims! {
     planar_no_slip_billiards_preserve_the_canonical_measure: "planar-measure" => Verdict::Holds,
     no_polygon_is_ergodic_because_its_corners_hold_orbits: "corner-components" => Verdict::HoldsCorrected(_),
     orbits_between_parallel_sides_stay_if_and_only_if_their_width_fits: "parallel-sides" => Verdict::Holds,
-    sinai_torus_has_a_bounded_component_iff_gap_over_radius_is_less_than_two_gamma_squared: "sinai-torus" => Verdict::HoldsCorrected(_),
+    sinai_torus_has_a_bounded_component_however_small_its_disk: "sinai-torus" => Verdict::Holds,
     the_special_angle_has_cosine_one_third: "special-angle" => Verdict::Holds,
     the_collision_formula_is_the_rigid_body_law: "collision-formula" => Verdict::HoldsCorrected(_),
     matrix_t_belongs_to_the_downward_normal: "matrix-t" => Verdict::HoldsCorrected(_),
@@ -63,7 +63,7 @@ claims! {
     petals_of_a_flower_hold_no_orbits: "flower" => Verdict::False(_),
     strips_are_periodic_for_rational_beta: "strip-of-period-six" => Verdict::Holds,
     the_wedge_is_solved_for_every_gamma: "wedge-all-gamma" => Verdict::Holds,
-    period_two_orbits_are_elliptic_iff_gap_over_radius_is_less_than_two_gamma_squared: "period-two-stability" => Verdict::Holds,
+    period_two_orbits_are_elliptic_below_a_gap_that_grows_with_their_angle: "period-two-stability" => Verdict::Holds,
     finite_velocity_groups_give_finitely_many_velocities: "finite-groups" => Verdict::Holds,
     mean_free_paths_are_four_a_over_p_for_both_laws: "mean-free-path" => Verdict::Holds,
 }

@@ -12,8 +12,9 @@ pub(super) const FIGURE: Figure = Figure {
     title: "A dispersing billiard with a bounded component",
     place: "Figure 5, right",
     caption: "A disk on a flat torus, that is, the periodic Lorentz gas. With specular reflections this billiard is ergodic. Without slip, \
-              orbits near the period-2 orbit between neighbours stay there for ever if the gap is less than 2γ² radii (left; coloured \
-              curves on the right); the others wander through the grey sea.",
+              orbits near the period-2 orbit perpendicular to two neighbours stay there for ever if the gap is less than 2γ² radii (left; \
+              coloured curves on the right); others wander through the grey sea. If the gap is greater, there are orbits that stay \
+              as well, near period-2 orbits with spin, at an angle to both neighbours.",
     parameters: "Radius 0.4, spacing 1: gap/R = 1/2 < 2γ² = 1. Orbits start by the canonical measure (seed 6): 30 × 20 000 collisions \
                  (--quick 15 × 4000); 10 more start in the gap.",
     draw,

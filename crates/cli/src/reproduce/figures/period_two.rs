@@ -11,9 +11,10 @@ pub(super) const FIGURE: Figure = Figure {
     name: "period-two",
     title: "Stability of period two",
     place: BEYOND,
-    caption: "A disk on a torus, near the orbit that goes to and fro between two neighbours, on either side of the threshold. If the gap d between the \
-              disks of radius R is less than 2γ²R the period-2 orbit is elliptic and what starts near it stays near (left). If it is more the orbit \
-              is hyperbolic and they leave (right).",
+    caption: "A disk on a torus, near the orbit that goes to and fro between two neighbours, perpendicular to both, on either side of the threshold. \
+              If the gap d between the disks of radius R is less than 2γ²R this period-2 orbit is elliptic and what starts near it stays near \
+              (left). If it is more the orbit is hyperbolic and they leave (right). Period-2 orbits at an angle a to the normals have spin and \
+              a greater threshold, chords of the length 2(γ² + sin²a)R/cos a.",
     parameters: "Spacing 1, uniform disk, γ² = 1/2: d/R = 0.778 < 1 for R = 0.36, d/R = 1.226 > 1 for R = 0.31. Both start in the middle of the gap with \
                  v proportional to (0.06, 1, 0.06); the first 160 of 400 collisions are drawn.",
     draw,
