@@ -61,6 +61,7 @@ claims! {
     no_slip_fronts_grow_less_than_smooth_ones: "wave-fronts" => Verdict::Holds,
     perturbed_pentagons_keep_regular_motion: "perturbed-pentagon" => Verdict::Holds,
     petals_of_a_flower_hold_no_orbits: "flower" => Verdict::False(_),
+    corners_of_a_moon_hold_orbits: "moon" => Verdict::Holds,
     strips_are_periodic_for_rational_beta: "strip-of-period-six" => Verdict::Holds,
     the_wedge_is_solved_for_every_gamma: "wedge-all-gamma" => Verdict::Holds,
     period_two_orbits_are_elliptic_below_a_gap_that_grows_with_their_angle: "period-two-stability" => Verdict::Holds,

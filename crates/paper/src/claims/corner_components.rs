@@ -23,17 +23,18 @@ pub(super) const CLAIM: Claim = Claim {
 };
 
 /// What orbits do that start where the invariant keeps them at a corner.
-struct Corner {
+pub(super) struct Corner {
     /// How many leave its two sides.
-    left: usize,
+    pub(super) left: usize,
     /// The greatest distance over the bound.
-    reach: f64,
+    pub(super) reach: f64,
     /// `sin(ρ − r)`
     sine: f64,
 }
 
-/// The sides of a corner, given by its vertex and its neighbours, table on the left from `before` to `vertex` to `after`.
-fn corner(
+/// The sides of a corner, given by its vertex and its neighbours, table on the left from `before` to `vertex` to `after`. The orbits are kept within two
+/// fifths of the shorter side. (The neighbours of a vertex between curved sides are points on the tangents; the bound holds in the limit of small sides.)
+pub(super) fn corner(
     table: &Table,
     gamma_squared: f64,
     [before, vertex, after]: [Vector2<f64>; 3],
