@@ -65,8 +65,9 @@ impl Table {
     /// and the table lies on the left of all of them.
     ///
     /// Outermost loops run counter-clockwise and holes clockwise, unless the table is [unbounded](Table::unbounded). A closed curve
-    /// that is one piece says itself on which side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a million are
-    /// checked in about a microsecond each. [`Table::joined`] removes stretches that loops have in common with the table on neither side.
+    /// that is one piece says itself on which side the table lies, so a circle in the open plane may have the table outside. Ten pieces or a
+    /// million are checked in about a microsecond each, unless the boxes around many of them overlap. [`Table::joined`] removes stretches that
+    /// loops have in common with the table on neither side.
     ///
     /// # Errors
     /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
