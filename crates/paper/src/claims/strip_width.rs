@@ -44,11 +44,11 @@ pub(super) fn rounding(collisions: f64) -> f64 {
     32.0 * f64::EPSILON * collisions
 }
 
-/// How far in phase, in radians, the contact points of a wall end from an extreme of the orbit at most.
+/// How far in phase, in radians, the contact point of a wall that is nearest to an extreme of the orbit is from it at most.
 ///
-/// They lie where a cosine is sampled at the multiples of 2β. For the β at hand the largest gap between n such phases, n half the
-/// collisions, is less than 10/n turns, so one is within 10π/n of the top of the cosine, which has fallen by (10π/n)²/2 there; and as much
-/// at the bottom.
+/// The contact points lie where a cosine is sampled at the multiples of 2β. For the β at hand the largest gap between n such phases, n half
+/// the collisions, is less than 10/n turns, so one is within 10π/n of the top of the cosine, which has fallen by (10π/n)²/2 there; and as
+/// much at the bottom.
 pub(super) fn phase(collisions: f64) -> f64 {
     10.0 * PI / (0.5 * collisions)
 }
