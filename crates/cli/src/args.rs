@@ -83,7 +83,8 @@ pub enum Command {
 #[command(after_help = "\
 Writes DIR/summary.json and whatever the scene's [output] asks for. Ctrl-C ends a run cleanly: what is done
 is kept, the summary counts the other orbits as \"interrupted\", and the exit status is 0. A second Ctrl-C, at least half
-a second later, ends it at once with status 130, and nothing is kept.
+a second later, ends it at once with status 130, and nothing is kept. SIGTERM and SIGHUP do the same, but those that
+were ignored when the command started, as under nohup, still are (on Linux).
 
 Examples:
   billiards run scenes/hexagon.toml

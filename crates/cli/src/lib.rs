@@ -14,6 +14,8 @@ pub mod record;
 pub mod reproduce;
 pub mod scene;
 pub mod sha256;
+#[cfg(unix)]
+pub mod signals;
 pub mod simulation;
 pub mod spelling;
 pub mod whole_file;

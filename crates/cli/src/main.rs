@@ -6,10 +6,15 @@ use std::process::ExitCode;
 use billiards_cli::args::{Cli, Command};
 use billiards_cli::commands::{Failure, bench, check, collide, guide, laws, reproduce, run, tables};
 use billiards_cli::document::Source;
+#[cfg(unix)]
+use billiards_cli::signals;
 
 fn main() -> ExitCode {
     #[cfg(unix)]
-    survive_long_files();
+    {
+        signals::survive_long_files();
+        signals::leave_ignored_ones_alone();
+    }
     let out = &mut io::stdout().lock();
     let done = Cli::read()
         .map_err(Failure::from)
@@ -23,14 +28,6 @@ fn main() -> ExitCode {
             ExitCode::from(failure.status())
         }
     }
-}
-
-/// Where a file grows beyond the limit on its size, writing fails as on a full disk and does not end the process.
-#[cfg(unix)]
-fn survive_long_files() {
-    use nix::sys::signal::{SigSet, Signal};
-    // threads begun from here on block it, too; a failure to block it prevents nothing
-    let _ = SigSet::from(Signal::SIGXFSZ).thread_block();
 }
 
 fn execute(command: Command, out: &mut impl Write) -> Result<(), Failure> {

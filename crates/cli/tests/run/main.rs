@@ -1,6 +1,8 @@
 //! `billiards run` as a user meets it: what is written, what is refused, and what does not change a result.
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 
+#[cfg(unix)]
+mod interrupted;
 mod refused;
 mod rooms;
 mod same;

@@ -1,0 +1,116 @@
+//! Runs that are told to end.
+
+use std::fs;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use super::{Folder, same::CHAOS};
+
+/// Starts a run of a scene, with further arguments; results come into `out`.
+fn begin(folder: &Folder, scene: &str, arguments: &[&str]) -> Child {
+    fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    let mut run = Command::new(assert_cmd::cargo::cargo_bin("billiards"));
+    let run = run.current_dir(&folder.0).args(["run", "scene.toml", "--out", "out"]).args(arguments);
+    run.stdout(Stdio::null()).spawn().unwrap()
+}
+
+/// Sends a signal to a run.
+fn signal(run: &Child, name: &str) {
+    let sent = Command::new("kill").args(["-s", name, &run.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+}
+
+/// The exit status of a run that should end by now.
+fn end(run: &mut Child) -> i32 {
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_secs(20) {
+        if let Some(status) = run.try_wait().unwrap() {
+            return status.code().unwrap();
+        }
+        sleep(Duration::from_millis(20));
+    }
+    run.kill().unwrap();
+    panic!("the run goes on");
+}
+
+/// Time after which the handler of signals is in place, and orbits are on their way.
+const UNDER_WAY: Duration = Duration::from_millis(1500);
+
+/// Of a run that would take weeks.
+#[test]
+fn an_interrupted_run_keeps_what_is_done() {
+    let folder = Folder::new("interrupt");
+    let mut run = begin(&folder, CHAOS, &["-n", "1e12", "--threads", "1"]);
+    sleep(UNDER_WAY);
+    signal(&run, "INT");
+    assert_eq!(end(&mut run), 0);
+    let summary = folder.summary("out");
+    assert_eq!(summary["stops"]["interrupted"], 2);
+    assert!(summary["collisions"].as_u64().unwrap() > 1000);
+}
+
+/// What `timeout` and shells do that tell a program and its group.
+#[test]
+fn two_signals_at_once_are_one_request() {
+    let folder = Folder::new("twice");
+    let scene = format!("{CHAOS}\n[output]\ncollisions = \"csv\"\n");
+    for kind in ["INT", "TERM"] {
+        let mut run = begin(&folder, &scene, &["-n", "1e12", "--threads", "1"]);
+        sleep(UNDER_WAY);
+        signal(&run, kind);
+        signal(&run, kind);
+        assert_eq!(end(&mut run), 0, "{kind}");
+        assert_eq!(folder.summary("out")["stops"]["interrupted"], 2);
+        assert_eq!(fs::read_dir(folder.0.join("out")).unwrap().count(), 2);
+        fs::remove_dir_all(folder.0.join("out")).unwrap();
+    }
+}
+
+/// As under `nohup`.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_that_is_ignored_from_the_start_stays_ignored() {
+    let folder = Folder::new("nohup");
+    fs::write(folder.0.join("scene.toml"), CHAOS).unwrap();
+    let command = "trap '' HUP; exec \"$0\" run scene.toml -n 1e12 --threads 1 --out out";
+    let mut shell = Command::new("sh");
+    let shell = shell.current_dir(&folder.0).args(["-c", command]).arg(assert_cmd::cargo::cargo_bin("billiards"));
+    let mut run = shell.stdout(Stdio::null()).spawn().unwrap();
+    sleep(UNDER_WAY);
+    signal(&run, "HUP");
+    sleep(UNDER_WAY);
+    assert!(run.try_wait().unwrap().is_none(), "the run has ended");
+    signal(&run, "TERM");
+    assert_eq!(end(&mut run), 0);
+    assert_eq!(folder.summary("out")["stops"]["interrupted"], 2);
+}
+
+/// A path along the corridors between several disks in each cell is given up after seconds.
+#[test]
+fn a_second_request_ends_a_run_at_once_and_leaves_no_part_of_a_file() {
+    let folder = Folder::new("at-once");
+    let disk =
+        |x| format!("[[table.boundary]]\ncircle = {{ center = [{x}, 0.5], radius = 0.075, domain = \"outside\" }}\n");
+    let disks = [0.125, 0.375, 0.625, 0.875].map(disk).concat();
+    // the digits of the first sixteen are looked at before
+    let near = "[[orbit]]\nposition = [0.125, 0]\nvelocity = [0, 1]\n".repeat(16);
+    let far = "[[orbit]]\nposition = [0, 0]\nvelocity = [1, 1e-9]\n".repeat(1000);
+    let table = format!("law = \"specular\"\n[table]\nlattice = [[1, 0], [0, 1]]\n{disks}");
+    let scene = format!("{table}{near}{far}[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n");
+    let mut run = begin(&folder, &scene, &[]);
+    let files = || fs::read_dir(folder.0.join("out")).map_or(0, Iterator::count);
+    sleep(Duration::from_millis(500));
+    let begun = Instant::now();
+    while files() == 0 && begun.elapsed().as_secs() < 60 {
+        sleep(Duration::from_millis(10));
+    }
+    assert_eq!(files(), 1, "the record has not been begun");
+    sleep(Duration::from_millis(100));
+    signal(&run, "INT");
+    sleep(Duration::from_millis(700));
+    assert!(run.try_wait().unwrap().is_none(), "the run has ended already");
+    signal(&run, "INT");
+    assert_eq!(end(&mut run), 130);
+    assert_eq!(files(), 0);
+}
