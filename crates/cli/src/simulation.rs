@@ -16,6 +16,7 @@ mod job;
 mod law;
 mod look;
 mod mesh;
+mod overwritten;
 mod paths;
 mod places;
 mod planar;
@@ -109,6 +110,9 @@ impl Control {
     }
 }
 
+/// The name of the summary's file.
+const SUMMARY: &str = "summary.json";
+
 /// The results of a run.
 #[derive(Clone, Debug)]
 pub struct Done {
@@ -179,27 +183,19 @@ impl Simulation {
     /// # Errors
     /// A file cannot be written.
     pub fn run(&self, folder: &Path, control: &Control) -> io::Result<Done> {
-        let drawn = &self.scene.output.pictures;
-        let pictures: Vec<&Picture> =
-            PICTURES.iter().filter(|known| drawn.iter().any(|picture| picture.0 == known.name)).collect();
+        let pictures = self.pictures();
         let needs: Vec<Needs> = pictures.iter().map(|picture| picture.needs).collect();
         let limit = self.limit();
         // hash the inputs as they are now, not as they are hours later
         let inputs = Summary::inputs(&self.scene)?;
+        // fail now rather than after hours
+        self.outputs(folder).iter().try_for_each(|path| WholeFile::probe(path))?;
         let horizons = match &self.body {
             Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1]),
             Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1]),
         }
         .map_err(io::Error::other)?;
         let asked = Asked { folder, needs: &needs, horizons: &horizons };
-        // fail now rather than after hours
-        let path = folder.join("summary.json");
-        WholeFile::probe(&path)?;
-        for picture in &pictures {
-            for name in picture.files {
-                WholeFile::probe(&folder.join(name))?;
-            }
-        }
         let (kept, busy) = match &self.body {
             Body::Plane(planar) => self.in_plane(planar, &asked, control)?,
             Body::Space(spatial) => self.in_space(spatial, &asked, control)?,
@@ -215,11 +211,25 @@ impl Simulation {
         }
         let written = files.iter().filter_map(|file| Some(file.file_name()?.to_string_lossy().into_owned())).collect();
         let listed = Files { read: inputs, written };
+        let path = folder.join(SUMMARY);
         let summary = Summary::new(&self.scene, self.orbits(), &kept.totals, horizons, listed, busy, control.threads);
         whole.push(WholeFile::with(&path, summary.json().as_bytes())?);
         WholeFile::finish(whole)?;
         files.insert(0, path);
         Ok(Done { summary, files })
+    }
+
+    /// The pictures that the scene asks for.
+    fn pictures(&self) -> Vec<&'static Picture> {
+        let drawn = &self.scene.output.pictures;
+        PICTURES.iter().filter(|known| drawn.iter().any(|picture| picture.0 == known.name)).collect()
+    }
+
+    /// The files that a run may write into a folder.
+    fn outputs(&self, folder: &Path) -> Vec<PathBuf> {
+        let pictures = self.pictures().into_iter().flat_map(|picture| picture.files).map(|name| folder.join(name));
+        let record = self.scene.output.collisions.map(|format| record::path(folder, format));
+        pictures.chain(record).chain([folder.join(SUMMARY)]).collect()
     }
 
     fn in_plane(&self, planar: &Planar, asked: &Asked<'_>, control: &Control) -> io::Result<(Kept, Duration)> {

@@ -29,6 +29,10 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let simulation = patience::with_spinner("reading and checking the scene", || {
         Ok::<_, Failure>(Simulation::new(Scene::parse(&source, &request)?)?)
     })?;
+    let overwritten = simulation.overwritten(&folder);
+    if !overwritten.is_empty() {
+        return Err(overwritten.into());
+    }
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let control = Arc::new(Control::new(arguments.threads.map_or(cores, usize::from)));
     let flag = Arc::clone(&control);

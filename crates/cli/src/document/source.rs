@@ -69,6 +69,11 @@ impl Source {
         &self.name
     }
 
+    /// The path that the user gave.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// A file of this name beside the source.
     pub fn beside(&self, file: &str) -> PathBuf {
         self.path.with_file_name(file)

@@ -29,10 +29,10 @@ impl Table {
     }
 
     /// The names of the drawings and meshes beside the scene file.
-    pub fn files(&self) -> impl Iterator<Item = &str> {
+    pub fn files(&self) -> impl Iterator<Item = &Spanned<String>> {
         let entries: &[Entry] = if let TableShape::Boundary(entries) = &self.shape { entries } else { &[] };
         entries.iter().filter_map(|entry| match &entry.border {
-            Border::Outline { file, .. } | Border::Mesh { file, .. } => Some(&file.value[..]),
+            Border::Outline { file, .. } | Border::Mesh { file, .. } => Some(file),
             _ => None,
         })
     }

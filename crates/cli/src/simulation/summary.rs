@@ -130,7 +130,7 @@ impl Summary {
     /// One cannot be read.
     pub(super) fn inputs(scene: &Scene) -> io::Result<BTreeMap<String, String>> {
         let hash = |name: &str| Ok((name.into(), crate::sha256::hex(&std::fs::read(scene.source.beside(name))?)));
-        scene.table.files().map(hash).collect()
+        scene.table.files().map(|file| hash(&file.value)).collect()
     }
 
     /// The file's content.

@@ -50,6 +50,45 @@ fn of_very_many_mistakes_the_first_are_shown_and_the_others_counted() {
 }
 
 #[test]
+fn a_run_replaces_no_file_that_its_scene_reads() {
+    const DRAWING: &str = "<svg><rect width='4' height='2'/></svg>";
+    let folder = Folder::new("own-input");
+    let wall = "[[table.boundary]]\noutline = \"orbit.svg\"\n";
+    let orbit = "[[orbit]]\nposition = [1, -1]\nvelocity = [1, 0.5]\n[run]\ncollisions = 3\n";
+    let scene = format!("law = \"specular\"\n{wall}{orbit}[output]\npictures = [\"orbit\"]\n");
+    fs::write(folder.0.join("orbit.svg"), DRAWING).unwrap();
+    let run = |name: &str, out: &str| {
+        fs::write(folder.0.join(name), &scene).unwrap();
+        let mut command = Command::cargo_bin("billiards").unwrap();
+        let output = command.current_dir(&folder.0).args(["run", name, "--out", out]).output().unwrap();
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    fs::create_dir(folder.0.join("deep")).unwrap();
+    for (name, out, places) in [
+        ("scene.toml", ".", &["scene.toml:3:11: error: this run would write a file of its own"][..]),
+        ("scene.toml", "deep/..", &["scene.toml:3:11: error: "]),
+        ("summary.json", ".", &["summary.json: error: this run", "summary.json:3:11: error: "]),
+    ] {
+        let (status, told) = run(name, out);
+        assert!(status == Some(2) && places.iter().all(|place| told.contains(place)), "{told}");
+        assert!(told.contains("--out DIR"), "{told}");
+        assert_eq!((&folder.read("orbit.svg")[..], &folder.read(name)), (DRAWING, &scene));
+    }
+    assert_eq!(run("scene.toml", "out").0, Some(0));
+    #[cfg(unix)]
+    {
+        // a link of the drawing's name is replaced, but not what it leads to; a drawing behind a link is
+        std::os::unix::fs::symlink("../orbit.svg", folder.0.join("deep/orbit.svg")).unwrap();
+        assert_eq!(run("scene.toml", "deep").0, Some(0));
+        assert_eq!(folder.read("orbit.svg"), DRAWING);
+        fs::rename(folder.0.join("orbit.svg"), folder.0.join("deep/orbit.svg")).unwrap();
+        std::os::unix::fs::symlink("deep/orbit.svg", folder.0.join("orbit.svg")).unwrap();
+        assert_eq!(["deep", "."].map(|out| run("scene.toml", out).0), [Some(2); 2]);
+        assert_eq!(folder.read("orbit.svg"), DRAWING);
+    }
+}
+
+#[test]
 fn a_folder_in_place_of_a_file_is_told_before_the_work() {
     for name in ["summary.json", "collisions.csv", "orbit.svg", "velocity-portrait.png", "phase-portrait.svg"] {
         let folder = Folder::new("folder-for-file");
