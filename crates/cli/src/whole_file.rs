@@ -90,7 +90,7 @@ impl WholeFile {
         fs::create_dir_all(folder)?;
         // found only when it is to be replaced, it would cost all the work
         refuse_folder(path)?;
-        sweep(folder, name);
+        sweep(folder);
         let (temporary, file) = temporary(folder, name)?;
         let mut whole =
             Self { path: path.into(), temporary: Some(temporary), file: None, locked: file, portion: 0, carrier: None };
@@ -227,27 +227,30 @@ const PARTIAL: &str = "partial";
 /// Ends the names under which earlier files are kept until all the files that replace them have their names.
 const EARLIER: &str = "earlier";
 
-/// Removes what killed programs have left of a file of this name, or puts it back where the file itself is missing. Files that are
-/// still being written are locked, and so is the folder while files are replaced; where there are no locks, all stays.
-fn sweep(folder: &Path, name: &OsStr) {
-    let hidden = hidden(name);
-    let ending = |file: &OsStr| {
-        let rest = file.as_encoded_bytes().strip_prefix(hidden.as_encoded_bytes())?;
-        let (numbers, ending) = str::from_utf8(rest).ok()?.split_once('.')?;
-        let (process, number) = numbers.split_once('-')?;
-        let _: (u32, u64) = (process.parse().ok()?, number.parse().ok()?);
-        [PARTIAL, EARLIER].into_iter().find(|known| *known == ending)
-    };
+/// The name of the file that a hidden file stands for, and the ending that says how.
+fn shown(hidden: &str) -> Option<(&str, &'static str)> {
+    let (rest, ending) = hidden.strip_prefix('.')?.rsplit_once('.')?;
+    let (name, numbers) = rest.rsplit_once('.')?;
+    let (process, number) = numbers.split_once('-')?;
+    let _: (u32, u64) = (process.parse().ok()?, number.parse().ok()?);
+    let ending = [PARTIAL, EARLIER].into_iter().find(|known| *known == ending)?;
+    (!name.is_empty()).then_some((name, ending))
+}
+
+/// Removes what killed programs have left of files in a folder, or puts it back where the file itself is missing. Files that are still
+/// being written are locked, and so is the folder while files are replaced; where there are no locks, all stays.
+fn sweep(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let (left, ending) = (entry.path(), ending(&entry.file_name()));
+        let (left, hidden) = (entry.path(), entry.file_name());
+        let Some((name, ending)) = hidden.to_str().and_then(shown) else { continue };
         // a failure to remove it does not prevent writing
-        if ending == Some(PARTIAL)
+        if ending == PARTIAL
             && entry.file_type().is_ok_and(|kind| kind.is_file())
             && let Ok(file) = File::options().write(true).open(&left)
             && file.try_lock().is_ok()
         {
             let _ = fs::remove_file(left);
-        } else if ending == Some(EARLIER)
+        } else if ending == EARLIER
             && let Some(_locked) = lock(folder, Duration::ZERO)
         {
             let path = folder.join(name);
@@ -449,8 +452,9 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("billiards-swept-{}", std::process::id()));
         let path = folder.join("x.txt");
         let written = WholeFile::with(&path, b"by another one").unwrap();
-        let others = [".x.txt.partial", ".x.txt.1-2.part", ".x.txt.y-0.partial", ".y.txt.1-0.partial"];
-        for name in others.iter().chain(&[".x.txt.4000000-0.partial"]) {
+        let others = [".x.txt.partial", ".x.txt.1-2.part", ".x.txt.y-0.partial", "y.txt.1-0.partial"];
+        // whatever the file was to be
+        for name in others.iter().chain(&[".x.txt.4000000-0.partial", ".y.npy.4000000-0.partial"]) {
             fs::write(folder.join(name), b"left").unwrap();
         }
         WholeFile::probe(&path).unwrap();
