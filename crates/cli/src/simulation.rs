@@ -191,8 +191,8 @@ impl Simulation {
         // fail now rather than after hours
         self.outputs(folder).iter().try_for_each(|path| WholeFile::probe(path))?;
         let horizons = match &self.body {
-            Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1]),
-            Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1]),
+            Body::Plane(planar) => planar.horizons([limit.0 as f64, limit.1], control),
+            Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1], control),
         }
         .map_err(io::Error::other)?;
         let asked = Asked { folder, needs: &needs, horizons: &horizons };

@@ -1,9 +1,14 @@
 //! How long the digits of the orbits last.
 
-use billiards::geometry::{FundamentalCell, Vector2};
+use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::thread::{self, Builder};
+
+use billiards::geometry::{FundamentalCell, Vector2, WallHit};
 use billiards::{Bend, Bounce, Horizon, Stop, Timed};
 use serde::Serialize;
 
+use super::Control;
 use super::engine::{Bare, Engine, Until, Watched};
 use super::job::bare;
 use super::start::Start;
@@ -24,7 +29,7 @@ pub struct Horizons {
     pub collisions: Option<u64>,
     /// The time at which that happens.
     pub time: Option<f64>,
-    /// The first orbits, one by one.
+    /// The first orbits, one by one; fewer if the user interrupted the run before all were examined.
     pub orbits: Vec<OfOrbit>,
     /// The unit of position errors, in words.
     #[serde(skip)]
@@ -54,18 +59,18 @@ impl Horizons {
     /// Examines the first orbits, on a table of some size, up to a number of collisions and a time in the user's unit.
     pub(crate) fn of<const N: usize, const S: usize, T: Trail<N, S>>(
         engine: &dyn Engine<N, S, T>,
-        walls: &dyn Bend<N>,
+        walls: &(dyn Bend<N> + Sync),
         size: f64,
         orbits: u64,
-        start: &dyn Fn(u64) -> Start<N, S>,
-        launch: &dyn Fn(&Start<N, S>) -> Watched<N, S, T>,
+        launch: &(dyn Fn(u64) -> (Start<N, S>, Watched<N, S, T>) + Sync),
         [collisions, time]: [f64; 2],
+        control: &Control,
     ) -> Horizons {
-        let billiard: &dyn Bounce<N, S> = engine;
+        let billiard = &Interruptible { billiard: engine, interrupted: &control.interrupted };
         let looked_at = orbits.min(MOST_ORBITS);
         let each = collisions.min((MOST_COLLISIONS / looked_at.max(1)) as f64);
         let horizon = |orbit| {
-            let start = start(orbit);
+            let (start, launched) = launch(orbit);
             let Start { position, velocity, spin, scale, .. } = start;
             let up_to = |collisions| {
                 let from = billiards::Start { position, velocity, spin };
@@ -73,7 +78,7 @@ impl Horizons {
             };
             // knowledge of an orbit ends where the orbit does; the engine's own bits decide when each collision is, and which is the last
             let time = scale.time_in(time);
-            let mut ran = bare(&launch(&start));
+            let mut ran = bare(&launched);
             let mut found = up_to(each);
             let made = collisions_of(engine, &mut ran, Until { collisions: found.collisions, time });
             let known = ran.track.time();
@@ -82,9 +87,11 @@ impl Horizons {
                 found = up_to(made as f64);
             }
             let Horizon { collisions, error, lost, .. } = found;
-            OfOrbit { orbit, collisions, time: scale.time_out(known), error, lost }
+            let of_orbit = OfOrbit { orbit, collisions, time: scale.time_out(known), error, lost };
+            // an interruption cuts the examination short
+            (!control.interrupted.load(Ordering::Relaxed)).then_some(of_orbit)
         };
-        let orbits: Vec<OfOrbit> = (0..looked_at).map(horizon).collect();
+        let orbits = on_threads(control.threads, looked_at, &horizon);
         let first = first_lost(&orbits);
         let unit = UNITS[usize::from(size == f64::INFINITY)];
         Horizons { collisions: first.map(|first| first.collisions), time: first.map(|first| first.time), orbits, unit }
@@ -100,7 +107,7 @@ impl Horizons {
     pub fn in_words(&self, orbits: u64) -> String {
         let looked_at = self.orbits.len() as u64;
         let among = match looked_at {
-            0 => return "none".into(),
+            0 => return "not examined".into(),
             1 if orbits == 1 => String::new(),
             _ if looked_at == orbits => format!(" of {orbits} orbits"),
             1 => format!(" of the first of {orbits} orbits"),
@@ -129,6 +136,49 @@ impl Horizons {
 /// The orbit that is lost after the fewest collisions.
 fn first_lost(orbits: &[OfOrbit]) -> Option<OfOrbit> {
     orbits.iter().filter(|orbit| orbit.lost).min_by_key(|orbit| orbit.collisions).copied()
+}
+
+/// A billiard in which nothing is hit any more once the user has interrupted the run.
+struct Interruptible<'a, const N: usize, const S: usize> {
+    billiard: &'a dyn Bounce<N, S>,
+    interrupted: &'a AtomicBool,
+}
+
+impl<const N: usize, const S: usize> Bounce<N, S> for Interruptible<'_, N, S> {
+    fn first_hit(&self, position: &[f64; N], velocity: &[f64; N]) -> WallHit<f64, N> {
+        if self.interrupted.load(Ordering::Relaxed) {
+            return WallHit::never(*position);
+        }
+        self.billiard.first_hit(position, velocity)
+    }
+    fn collide(&self, hit: &WallHit<f64, N>, velocity: &mut [f64; N], spin: &mut [f64; S]) {
+        self.billiard.collide(hit, velocity, spin);
+    }
+}
+
+/// What becomes of the numbers from 0, on so many threads, in their order, up to the first one of which nothing becomes.
+fn on_threads<R: Send>(threads: usize, count: u64, what: &(dyn Fn(u64) -> Option<R> + Sync)) -> Vec<R> {
+    let next = AtomicU64::new(0);
+    let one = || {
+        let mut done = vec![];
+        loop {
+            let k = next.fetch_add(1, Ordering::Relaxed);
+            let Some(result) = (k < count).then(|| what(k)).flatten() else { return done };
+            done.push((k, result));
+        }
+    };
+    let mut done = thread::scope(|scope| {
+        // if the system cannot start so many threads, fewer do the same work
+        let spawn = |_| Builder::new().spawn_scoped(scope, one).ok();
+        let others: Vec<_> = (1..count.min(threads as u64)).map_while(spawn).collect();
+        let mut done = one();
+        for other in others {
+            done.extend(other.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        }
+        done
+    });
+    done.sort_by_key(|(k, _)| *k);
+    done.into_iter().zip(0..).take_while(|((k, _), place)| k == place).map(|((_, result), _)| result).collect()
 }
 
 /// How many collisions an orbit makes until then, run in blocks as always: where a particle slowed down by a law creeps along a wall,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use billiards::geometry::{Error, Table, Vector2, WallHit};
 use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit, Track as _};
 
+use super::Control;
 use super::boundary::{self, Drawn};
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::frame::Frame;
@@ -140,7 +141,7 @@ impl Planar {
     }
 
     /// How long the digits of the first orbits last, within a number of collisions and a time.
-    pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
+    pub(crate) fn horizons(&self, limit: [f64; 2], control: &Control) -> Result<Horizons, billiards::Error> {
         let starts = self.starts()?;
         let extent = self.centres.extent();
         let size = self
@@ -148,7 +149,11 @@ impl Planar {
             .cell()
             .map_or_else(|| horizon::size(extent.min.as_slice(), extent.max.as_slice()), horizon::cell_size);
         Ok(self.with_engine(|engine| {
-            Horizons::of(engine, &self.centres, size, self.orbits(), &*starts, &|start| self.launch(start), limit)
+            let launch = |orbit| {
+                let start = starts(orbit);
+                (start, self.launch(&start))
+            };
+            Horizons::of(engine, &self.centres, size, self.orbits(), &launch, limit, control)
         }))
     }
 

@@ -5,6 +5,7 @@ use billiards::geometry::tables::{self, SpatialTable, WallAt};
 use billiards::geometry::{Boundary as _, Error, Extent, Line, Surface, Vector3, WallHit};
 use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, Orbit};
 
+use super::Control;
 use super::boundary;
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
@@ -229,21 +230,25 @@ impl Spatial {
     }
 
     /// How long the digits of the first orbits last, within a number of collisions and a time.
-    pub(crate) fn horizons(&self, limit: [f64; 2]) -> Result<Horizons, billiards::Error> {
+    pub(crate) fn horizons(&self, limit: [f64; 2], control: &Control) -> Result<Horizons, billiards::Error> {
         let starts = self.starts()?;
         let Extent { min, max } = self.centres.extent();
         let size = horizon::size(min.as_slice(), max.as_slice());
         Ok(self.with_engine(|engine| {
             let billiard: &dyn Bounce<3, 3> = engine;
             let of_room;
-            let walls: &dyn Bend<3> = match &self.centres {
+            let walls: &(dyn Bend<3> + Sync) = match &self.centres {
                 Space::Named(table) => table,
                 Space::Room(room) => {
                     of_room = FeltRoom { felt: Felt(billiard), room };
                     &of_room
                 }
             };
-            Horizons::of(engine, walls, size, self.orbits(), &*starts, &|start| self.launch(start), limit)
+            let launch = |orbit| {
+                let start = starts(orbit);
+                (start, self.launch(&start))
+            };
+            Horizons::of(engine, walls, size, self.orbits(), &launch, limit, control)
         }))
     }
 

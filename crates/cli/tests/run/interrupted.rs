@@ -86,6 +86,26 @@ fn a_signal_that_is_ignored_from_the_start_stays_ignored() {
     assert_eq!(folder.summary("out")["stops"]["interrupted"], 2);
 }
 
+/// Long flights past square obstacles: the digits last, but each collision is examined for milliseconds.
+#[test]
+fn an_interruption_does_not_wait_for_the_horizons() {
+    let folder = Folder::new("horizons");
+    let orbit = |k| format!("[[orbit]]\nposition = [0, 0]\nvelocity = [0.6, 0.812345{k}]\n");
+    let orbits = (0..16).map(orbit).collect::<Vec<_>>().concat();
+    let obstacle = "loop = { from = [0.5, 0.5], edges = [{ line_to = [0.5, 0.5001] }, { line_to = [0.5001, 0.5001] }, \
+                    { line_to = [0.5001, 0.5] }, { line_to = [0.5, 0.5] }], domain = \"outside\" }";
+    let scene = format!(
+        "law = \"specular\"\n[table]\nlattice = [[1, 0], [0, 1]]\n[[table.boundary]]\n{obstacle}\n{orbits}[run]\ncollisions = 5000\n"
+    );
+    let mut run = begin(&folder, &scene, &["--threads", "1"]);
+    sleep(UNDER_WAY);
+    signal(&run, "INT");
+    assert_eq!(end(&mut run), 0);
+    let summary = folder.summary("out");
+    assert!(summary["horizon"]["orbits"].as_array().unwrap().len() < 16, "{summary}");
+    assert_eq!((summary["stops"]["interrupted"].as_u64(), summary["collisions"].as_u64()), (Some(16), Some(0)));
+}
+
 /// A path along the corridors between several disks in each cell is given up after seconds.
 #[test]
 fn a_second_request_ends_a_run_at_once_and_leaves_no_part_of_a_file() {
