@@ -42,8 +42,9 @@ mod work;
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicU64};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use billiards::geometry::Lattice;
 
@@ -96,12 +97,19 @@ pub struct Control {
     /// Set it to end the run and keep what is done.
     pub interrupted: AtomicBool,
     done: AtomicU64,
+    /// When the orbits began, after their horizons.
+    begun: OnceLock<Instant>,
 }
 
 impl Control {
     /// With this many threads.
     pub fn new(threads: usize) -> Self {
-        Control { threads, interrupted: AtomicBool::new(false), done: AtomicU64::new(0) }
+        Control { threads, interrupted: AtomicBool::new(false), done: AtomicU64::new(0), begun: OnceLock::new() }
+    }
+
+    /// For how long the orbits have been running; `None` while it is still examined how long their digits last.
+    pub fn running(&self) -> Option<Duration> {
+        self.begun.get().map(Instant::elapsed)
     }
 
     /// Approximate number of orbits done so far, in units of 2⁻²⁰ of an orbit.
@@ -195,6 +203,7 @@ impl Simulation {
             Body::Space(spatial) => spatial.horizons([limit.0 as f64, limit.1], control),
         }
         .map_err(io::Error::other)?;
+        control.begun.get_or_init(Instant::now);
         let asked = Asked { folder, needs: &needs, horizons: &horizons };
         let (kept, busy) = match &self.body {
             Body::Plane(planar) => self.in_plane(planar, &asked, control)?,

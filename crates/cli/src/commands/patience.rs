@@ -10,7 +10,12 @@ use indicatif::{ProgressBar, ProgressStyle};
 /// Work that ends sooner shows nothing.
 const PATIENCE: Duration = Duration::from_secs(1);
 /// Interval between two updates of the progress.
-const GLANCE: Duration = Duration::from_millis(100);
+pub(super) const GLANCE: Duration = Duration::from_millis(100);
+
+/// What a progress bar says of Ctrl-C.
+pub(super) fn of_ctrl_c(interrupted: bool) -> &'static str {
+    if interrupted { "interrupting; Ctrl-C again keeps nothing" } else { "Ctrl-C keeps what is done" }
+}
 
 /// Does work whose progress is unknown, and shows on a terminal what is being done.
 pub(super) fn with_spinner<R>(what: &str, work: impl FnOnce() -> R) -> R {
@@ -19,13 +24,13 @@ pub(super) fn with_spinner<R>(what: &str, work: impl FnOnce() -> R) -> R {
         let style = style.unwrap_or_else(|_| ProgressStyle::default_spinner());
         ProgressBar::new_spinner().with_style(style).with_message(what.to_owned())
     };
-    with_bar(spinner, |bar, _| bar.tick(), work)
+    with_bar(spinner, ProgressBar::tick, work)
 }
 
-/// Does the work, and shows a progress bar on a terminal, updated with the elapsed time.
+/// Does the work, and shows a progress bar on a terminal, updated again and again.
 pub(super) fn with_bar<R>(
     bar: impl Fn() -> ProgressBar + Sync,
-    update: impl Fn(&ProgressBar, Duration) + Sync,
+    update: impl Fn(&ProgressBar) + Sync,
     work: impl FnOnce() -> R,
 ) -> R {
     if !io::stderr().is_terminal() {
@@ -39,7 +44,7 @@ pub(super) fn with_bar<R>(
             while !over.load(Ordering::Relaxed) {
                 thread::park_timeout(GLANCE);
                 if begun.elapsed() > PATIENCE {
-                    update(shown.get_or_insert_with(|| bar().with_elapsed(begun.elapsed())), begun.elapsed());
+                    update(shown.get_or_insert_with(|| bar().with_elapsed(begun.elapsed())));
                 }
             }
             if let Some(shown) = shown {

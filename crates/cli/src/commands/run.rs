@@ -38,9 +38,11 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
     let flag = Arc::clone(&control);
     super::on_ctrl_c(move || flag.interrupted.store(true, Ordering::Relaxed))?;
     let steps = simulation.steps();
-    let update = |bar: &ProgressBar, elapsed| {
-        bar.set_position(control.steps_done());
-        bar.set_message(outlook(elapsed, control.steps_done(), steps));
+    let update = |bar: &ProgressBar| {
+        let (done, interrupted) = (control.steps_done(), control.interrupted.load(Ordering::Relaxed));
+        let outlook = if interrupted { String::new() } else { outlook(control.running(), done, steps) + "; " };
+        bar.set_position(done);
+        bar.set_message(outlook + patience::of_ctrl_c(interrupted));
     };
     let done = patience::with_bar(|| progress_bar(steps), update, || simulation.run(&folder, &control))
         .map_err(|error| super::unwritable(&folder, &error))?;
@@ -48,16 +50,20 @@ pub fn run(arguments: &args::Run, out: &mut impl Write) -> Result<(), Failure> {
 }
 
 fn progress_bar(steps: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {msg}; Ctrl-C keeps what is done");
+    let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {msg}");
     ProgressBar::new(steps).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
-/// How long the rest takes at the present rate; when all orbits are run, what is being done then.
-fn outlook(elapsed: Duration, done: u64, steps: u64) -> String {
-    if done >= steps {
-        return "horizons, pictures, files".into();
+/// How long the rest of the orbits takes at the rate at which they have been running; before and after, what is being done.
+fn outlook(running: Option<Duration>, done: u64, steps: u64) -> String {
+    let Some(running) = running else { return "horizons".into() };
+    if done == 0 {
+        return "first orbits".into();
     }
-    let seconds = elapsed.as_secs_f64() * ((steps - done) as f64 / done.max(1) as f64);
+    if done >= steps {
+        return "pictures, files".into();
+    }
+    let seconds = running.as_secs_f64() * ((steps - done) as f64 / done as f64);
     // only in the largest unit, since the estimate is rough
     format!("{:#} to go", HumanDuration(Duration::try_from_secs_f64(seconds).unwrap_or(Duration::MAX)))
 }
@@ -87,12 +93,18 @@ mod tests {
 
     #[test]
     fn the_rest_takes_as_long_as_what_is_done_took() {
-        let after = |seconds: u64, done, steps| outlook(Duration::from_secs(seconds), done, steps);
+        let after = |seconds: u64, done, steps| outlook(Some(Duration::from_secs(seconds)), done, steps);
         assert_eq!(after(1, 1, 20), "19s to go");
         assert_eq!(after(2, 1 << 32, 1 << 33), "2s to go");
         assert_eq!(after(3600, 10, 20), "60m to go");
-        assert_eq!(after(9, 20, 20), "horizons, pictures, files");
-        // nothing is done yet, and the amount of work is enormous
-        assert!(after(1, 0, u64::MAX).ends_with("y to go"));
+        assert_eq!(after(9, 20, 20), "pictures, files");
+        // the amount of work is enormous
+        assert!(after(1, 1, u64::MAX).ends_with("y to go"));
+    }
+
+    #[test]
+    fn before_anything_is_done_nothing_is_said_of_the_rest() {
+        assert_eq!(outlook(Some(Duration::from_secs(60)), 0, 20), "first orbits");
+        assert_eq!(outlook(None, 0, 20), "horizons");
     }
 }
