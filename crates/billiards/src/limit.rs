@@ -73,6 +73,12 @@ pub trait LaneLimit<const N: usize, const S: usize, T: Tracking<N, S>>: Limit<T>
     fn may_be_beyond<F: Lane>(&self, _track: &T::In<F>, _flight: F) -> Option<F::Mask> {
         None
     }
+    /// Whether the run is called off, from now on: then orbits under way end where they are, as
+    /// [`Stop::Observer`](crate::Stop::Observer), and no others begin. Asked before each step of all lanes.
+    #[inline(always)]
+    fn is_called_off(&self) -> bool {
+        false
+    }
 }
 
 /// A number of collisions.
@@ -137,5 +143,9 @@ where
             (Some(a), Some(b)) => Some(a | b),
             (a, b) => a.or(b),
         }
+    }
+    #[inline(always)]
+    fn is_called_off(&self) -> bool {
+        self.0.is_called_off() || self.1.is_called_off()
     }
 }

@@ -25,7 +25,8 @@ pub struct Finished<const N: usize, const S: usize, K, T> {
 }
 
 /// Runs every orbit up to a limit, as many side by side as this CPU has lanes, and hands over each one as it
-/// ends (in no particular order). The observer sees all collisions; `()` costs nothing.
+/// ends (in no particular order). The observer sees all collisions; `()` costs nothing. Once the limit
+/// [calls the run off](LaneLimit::is_called_off), orbits that have not begun are not handed over.
 ///
 /// An orbit ends as it would in [`run`](crate::run()), in the same state to the last bit; its lane goes to the next one at once, so that
 /// neither an early end nor a long run holds up the others.
@@ -318,13 +319,21 @@ where
         }
         let mut step = 0;
         loop {
+            if self.limit.is_called_off() {
+                // nobody takes the places of those that end here
+                self.upcoming = None;
+                for group in &mut groups {
+                    self.change(group, &mut next, step, &[Some(Stop::Observer); MOST_LANES]);
+                }
+                break;
+            }
             let until = groups.iter().flat_map(|g| &g.lanes[..F::LANES]).map(|s| s.until).min().unwrap_or(step);
             if until == u64::MAX {
                 break;
             }
             // an orbit that takes the place of one that ended early may end before
             self.changed = false;
-            while step < until && !self.changed {
+            while step < until && !self.changed && !self.limit.is_called_off() {
                 for group in groups.iter_mut().filter(|group| !group.empty) {
                     self.step(group, &mut next, step);
                 }
@@ -386,7 +395,7 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Billiard, Canonical, Clock, Collisions, Conserved, Rolling, Starts, Timed, laws::Disk};
+    use crate::{Billiard, Canonical, Clock, Collisions, Conserved, Limit, Rolling, Starts, Timed, laws::Disk};
     use collision_laws::laws::NoSlip;
     use geometry::{
         Table, tables,
@@ -432,6 +441,48 @@ mod tests {
         widest.sort_by_key(|end| end.index);
         for (end, (_, bits, outcome)) in widest.iter().zip(alone) {
             assert_eq!((end.orbit.position.map(f64::to_bits), end.outcome), ([bits[0], bits[1]], outcome));
+        }
+    }
+
+    /// Is called off after some steps.
+    struct CalledOff(core::cell::Cell<u64>);
+
+    impl<T> Limit<T> for CalledOff {
+        fn is_beyond(&self, n: u64, _: &T, _: f64) -> bool {
+            n > 200
+        }
+    }
+
+    impl LaneLimit<2, 1, Clock> for CalledOff {
+        fn most(&self) -> u64 {
+            200
+        }
+        fn is_called_off(&self) -> bool {
+            self.0.set(self.0.get().saturating_sub(1));
+            self.0.get() == 0
+        }
+    }
+
+    #[test]
+    fn orbits_of_a_run_that_is_called_off_are_where_they_would_have_been_then() {
+        let law = Disk::new(&NoSlip, libm::sqrt(0.5)).unwrap();
+        let walls = Cuboid::new([0.0; 2], [1.0; 2], [[0, 1], [2, 3]]).unwrap();
+        let billiard = Billiard { walls: &walls, law: &law };
+        let table = tables::square(1.0).unwrap();
+        let starts = Canonical::new(&table, 1.0, 3).unwrap();
+        let orbits: Vec<Disks> = (0..1000).map(|k| starts.start(k).orbit(Clock::new(0.0))).collect();
+        for steps in [1, 2, 50, 330] {
+            let mut ends = vec![];
+            let limit = CalledOff(core::cell::Cell::new(steps));
+            run_side_by_side(&billiard, &mut orbits.iter().copied(), &limit, &mut (), &mut |end| ends.push(end));
+            assert!((1..orbits.len()).contains(&ends.len()), "after {steps} steps: {}", ends.len());
+            let called_off = ends.iter().filter(|end| end.outcome.stop == Stop::Observer);
+            assert!(called_off.clone().count() > 0 && called_off.clone().all(|end| end.outcome.collisions < steps));
+            for Finished { index, orbit, outcome } in &ends {
+                let mut alone = orbits[usize::try_from(*index).unwrap()];
+                let end = crate::run(&billiard, &mut alone, &Collisions(outcome.collisions), &mut ());
+                assert_eq!((end.collisions, &alone), (outcome.collisions, orbit));
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! The description of a scene before it runs, for `billiards check`.
 
 use std::fmt;
+use std::sync::atomic::AtomicBool;
 
 use billiards::Stop;
 use billiards::geometry::tables::SpatialTable;
@@ -338,6 +339,7 @@ fn first<const N: usize, const S: usize, T: Trail<N, S>>(
         scale: launch.scale,
         pieces,
         frame: Frame::default(),
+        called_off: &AtomicBool::new(false),
     };
     let mut orbit = launch.orbit;
     let outcome = engine.watched(&mut orbit, Until { collisions: 1, time: f64::INFINITY }, &mut watch);

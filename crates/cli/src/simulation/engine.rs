@@ -2,11 +2,12 @@
 //! scenes.
 
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use billiards::observe::LaneObserver;
 use billiards::{
     Bounce, Clock, Collision, Collisions, Conserved, EnergyKeeper, LaneLimit, Limit, Motion, Observer, Orbit, Outcome,
-    Stop, Time, Timed, WithMotion, run, run_side_by_side,
+    Stop, Time, Timed, Tracking, WithMotion, run, run_side_by_side,
 };
 
 use super::event::Event;
@@ -26,6 +27,26 @@ impl<T: Timed> Limit<T> for Until {
     #[inline(always)]
     fn is_beyond(&self, n: u64, track: &T, flight: f64) -> bool {
         (Collisions(self.collisions), Time(self.time)).is_beyond(n, track, flight)
+    }
+}
+
+/// Calls off orbits side by side once it is true.
+struct CalledOff<'a>(&'a AtomicBool);
+
+impl<T> Limit<T> for CalledOff<'_> {
+    #[inline(always)]
+    fn is_beyond(&self, _: u64, _: &T, _: f64) -> bool {
+        false
+    }
+}
+
+impl<const N: usize, const S: usize, T: Tracking<N, S>> LaneLimit<N, S, T> for CalledOff<'_> {
+    fn most(&self) -> u64 {
+        u64::MAX
+    }
+    #[inline(always)]
+    fn is_called_off(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 }
 
@@ -61,6 +82,8 @@ pub(crate) struct Watch<'a, P> {
     pub(crate) pieces: &'a [u64],
     /// The map from the engine's coordinates to the user's.
     pub(crate) frame: Frame<'a>,
+    /// Ends the orbit at the next collision once it is true.
+    pub(crate) called_off: &'a AtomicBool,
 }
 
 impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Conserved<f64, N>, (Clock, T)>
@@ -80,7 +103,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Observer<N, S, Conserved<f6
                 None => portraits.count(&point),
             }
         }
-        ControlFlow::Continue(())
+        if self.called_off.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
@@ -118,11 +141,17 @@ pub(crate) trait Engine<const N: usize, const S: usize, T: Trail<N, S>>: Bounce<
     /// Runs an orbit without watching it.
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome;
     /// Runs orbits without watching them, in the lanes of vector registers: bit for bit the same
-    /// collisions.
-    fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome>;
+    /// collisions. Once the run is called off, orbits end where they are, as [`Stop::Observer`].
+    fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until, called_off: &AtomicBool) -> Vec<Outcome>;
     /// The same, counting every collision.
-    fn counted(&self, orbits: &mut [Bare<N, S>], until: Until, portraits: &mut T::Portraits) -> Vec<Outcome>;
-    /// Runs a watched orbit: bit for bit the same collisions.
+    fn counted(
+        &self,
+        orbits: &mut [Bare<N, S>],
+        until: Until,
+        called_off: &AtomicBool,
+        portraits: &mut T::Portraits,
+    ) -> Vec<Outcome>;
+    /// Runs a watched orbit: bit for bit the same collisions. Once it is called off, it ends as [`Stop::Observer`].
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome;
 }
 
@@ -131,6 +160,7 @@ fn side_by_side<B, O, const N: usize, const S: usize>(
     billiard: &B,
     orbits: &mut [Bare<N, S>],
     until: Until,
+    called_off: &AtomicBool,
     observer: &mut O,
 ) -> Vec<Outcome>
 where
@@ -139,9 +169,9 @@ where
 {
     let Until { collisions, time } = until;
     if time < f64::INFINITY {
-        up_to(billiard, orbits, &(Collisions(collisions), Time(time)), observer)
+        up_to(billiard, orbits, &((Collisions(collisions), Time(time)), CalledOff(called_off)), observer)
     } else {
-        up_to(billiard, orbits, &Collisions(collisions), observer)
+        up_to(billiard, orbits, &(Collisions(collisions), CalledOff(called_off)), observer)
     }
 }
 
@@ -156,7 +186,8 @@ where
     B: Motion<N, S>,
     O: LaneObserver<N, S, Conserved<f64, N>, Clock>,
 {
-    let mut outcomes = vec![Outcome { stop: Stop::Finished, collisions: 0 }; orbits.len()];
+    // those that have not begun when the run is called off keep this
+    let mut outcomes = vec![Outcome { stop: Stop::Observer, collisions: 0 }; orbits.len()];
     let starts = orbits.to_vec();
     run_side_by_side(billiard, &mut starts.into_iter(), limit, observer, &mut |finished| {
         #[allow(clippy::cast_possible_truncation, reason = "an index of this slice")]
@@ -191,11 +222,17 @@ where
     fn bare(&self, orbit: &mut Bare<N, S>, until: Until) -> Outcome {
         run(self, orbit, &until, &mut ())
     }
-    fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until) -> Vec<Outcome> {
-        side_by_side(self, orbits, until, &mut ())
+    fn side_by_side(&self, orbits: &mut [Bare<N, S>], until: Until, called_off: &AtomicBool) -> Vec<Outcome> {
+        side_by_side(self, orbits, until, called_off, &mut ())
     }
-    fn counted(&self, orbits: &mut [Bare<N, S>], until: Until, portraits: &mut T::Portraits) -> Vec<Outcome> {
-        side_by_side(self, orbits, until, portraits)
+    fn counted(
+        &self,
+        orbits: &mut [Bare<N, S>],
+        until: Until,
+        called_off: &AtomicBool,
+        portraits: &mut T::Portraits,
+    ) -> Vec<Outcome> {
+        side_by_side(self, orbits, until, called_off, portraits)
     }
     fn watched(&self, orbit: &mut Watched<N, S, T>, until: Until, watch: &mut Watch<'_, T::Portraits>) -> Outcome {
         run(self, orbit, &until, watch)

@@ -17,6 +17,9 @@ use super::trail::Trail;
 use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work, batch};
 use crate::picture::{MOST_DOTS, layer};
 
+/// A block that takes longer than this is watched, so that an interruption ends it.
+const AT_ONCE: Duration = Duration::from_millis(50);
+
 /// A few orbits on one thread.
 pub(super) struct Job<'a, const N: usize, const S: usize, T: Trail<N, S>> {
     pub(super) engine: &'a dyn Engine<N, S, T>,
@@ -61,7 +64,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
     ) -> ControlFlow<()> {
         let is_bare = self.work.is_bare(&orbits);
         let mut orbits = orbits.peekable();
-        while let Some(&orbit) = orbits.peek() {
+        while let Some(&orbit) = orbits.peek()
+            && !self.work.interrupted.load(Ordering::Relaxed)
+        {
             let left = orbits.size_hint().0 as u64;
             if is_bare && left >= FEWEST_SIDE_BY_SIDE && !self.work.shows_points() {
                 self.run_side_by_side(orbit, &orbits.map(launch).collect::<Vec<_>>());
@@ -82,11 +87,13 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         let mut drift = EnergyDrift::of(&launch.orbit);
         let mut orbit = Running::Watched(launch.orbit);
         let mut shown = 0;
+        // unknown before the first block
+        let mut is_quick = false;
         let (mut n, mut steps) = (0, 0);
         let stop = loop {
             let begun = Instant::now();
             let until = Until { collisions: BLOCK.min(most - n), time: end };
-            orbit = orbit.watched_if(n < watched || self.portraits.is_some());
+            orbit = orbit.watched_if(n < watched || self.portraits.is_some() || !is_quick);
             let shows_points = self.work.shows_points();
             let outcome = match &mut orbit {
                 Running::Watched(orbit) => {
@@ -106,6 +113,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                         scale,
                         pieces,
                         frame,
+                        called_off: interrupted,
                     };
                     self.engine.watched(orbit, until, &mut watch)
                 }
@@ -116,7 +124,12 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             let now = progress_of(n, most).max(progress_of_time(orbit.time(), end));
             progress.fetch_add(now - steps, Ordering::Relaxed);
             steps = now;
-            self.busy += begun.elapsed();
+            let took = begun.elapsed();
+            is_quick = took < AT_ONCE;
+            self.busy += took;
+            if outcome.stop == Stop::Observer {
+                break None;
+            }
             let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == until.collisions && n < most;
             if !block_is_over {
                 break Some(outcome.stop);
@@ -167,9 +180,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                     let outcomes = match &mut self.portraits {
                         Some(portraits) => {
                             portraits.side_by_side(going.iter().map(|&k| first + k as u64));
-                            self.engine.counted(&mut these, until, portraits)
+                            self.engine.counted(&mut these, until, interrupted, portraits)
                         }
-                        None => self.engine.side_by_side(&mut these, until),
+                        None => self.engine.side_by_side(&mut these, until, interrupted),
                     };
                     for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
                         orbits[k] = orbit;
@@ -177,7 +190,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                         course.collisions += outcome.collisions;
                         course.drift.see_restored(&orbits[k]);
                         let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == block;
-                        let goes_on = block_is_over && course.collisions < most;
+                        let goes_on = (block_is_over && course.collisions < most) || outcome.stop == Stop::Observer;
                         let now = if goes_on {
                             progress_of(course.collisions, most).max(progress_of_time(orbits[k].track.time(), end))
                         } else {

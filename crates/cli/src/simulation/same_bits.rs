@@ -1,5 +1,7 @@
 //! Whether orbits are the same side by side and one by one, to the last bit.
 
+use std::sync::atomic::AtomicBool;
+
 use billiards::{Outcome, Timed};
 use serde::Serialize;
 
@@ -72,7 +74,7 @@ fn compare<const N: usize, const S: usize, T: Trail<N, S>>(
     };
     let until = Until { collisions: COLLISIONS, time: f64::INFINITY };
     let mut lanes: Vec<_> = (0..ORBITS).map(orbit).collect();
-    let outcomes = engine.side_by_side(&mut lanes, until);
+    let outcomes = engine.side_by_side(&mut lanes, until, &AtomicBool::new(false));
     let mut collisions = 0;
     for ((i, lane), outcome) in (0..).zip(&lanes).zip(outcomes) {
         let mut alone = orbit(i);

@@ -10,7 +10,7 @@ use super::frame::Frame;
 use super::recorder::Recorder;
 use super::scale::Scale;
 
-/// Collisions between two checks of the clock, the energy and interruption by the user.
+/// Collisions between two looks at the clock and the energy.
 pub(super) const BLOCK: u64 = 4096;
 /// Most orbits that one thread takes on at a time.
 const MOST_TOGETHER: u64 = 1024;
@@ -25,7 +25,7 @@ const LONG: u64 = 1 << 13;
 /// through the cache, and stays there as long as its orbits run.
 const MOST_COUNTED: u64 = 1 << 16;
 const COUNTED: u64 = 1 << 28;
-/// Collisions of all orbits together between two checks for interruption.
+/// Collisions of all orbits together between two updates of the progress.
 const GLANCE: u64 = 1 << 18;
 
 /// The number of orbits that, run side by side in blocks of `block` collisions each, make about [`GLANCE`] collisions: enough to

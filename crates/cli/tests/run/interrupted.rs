@@ -86,6 +86,44 @@ fn a_signal_that_is_ignored_from_the_start_stays_ignored() {
     assert_eq!(folder.summary("out")["stops"]["interrupted"], 2);
 }
 
+/// Particles that cross a hundred thousand cells of a lattice from one collision to the next.
+#[test]
+fn an_interruption_does_not_wait_for_many_slow_collisions() {
+    let folder = Folder::new("slow");
+    let table = "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 1e-5\n";
+    for (count, limit, output) in [
+        (1, "collisions = 10000", ""),
+        (100, "collisions = 10000", ""),
+        (100, "time = 1e9", ""),
+        (100, "collisions = 10000", "[output]\npictures = [\"phase-portrait\"]\n"),
+    ] {
+        let scene = format!("{table}[ensemble]\ncount = {count}\n[run]\n{limit}\n{output}");
+        let mut run = begin(&folder, &scene, &["--threads", "1"]);
+        sleep(UNDER_WAY);
+        signal(&run, "INT");
+        assert_eq!(end(&mut run), 0, "{count} {limit} {output}");
+        assert_eq!(folder.summary("out")["stops"]["interrupted"], count);
+    }
+}
+
+/// In a flat torus the path along a corridor is given up after half a second, and a thousand of them are one piece of work.
+#[test]
+fn an_interruption_waits_for_one_orbit_and_not_for_a_thousand() {
+    let folder = Folder::new("thousand");
+    // the digits of the first sixteen are looked at before
+    let near = "[[orbit]]\nposition = [0, 0.5]\nvelocity = [1, 0]\n".repeat(16);
+    let far = "[[orbit]]\nposition = [0, 0]\nvelocity = [1, 1e-9]\n".repeat(1000);
+    let table = "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 0.1\n";
+    let scene = format!("{table}{near}{far}[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n");
+    let mut run = begin(&folder, &scene, &["--threads", "1"]);
+    sleep(UNDER_WAY);
+    signal(&run, "INT");
+    assert_eq!(end(&mut run), 0);
+    let summary = folder.summary("out");
+    assert!(summary["stops"]["interrupted"].as_u64().unwrap() > 900, "{summary}");
+    assert_eq!(summary["collisions"], 16);
+}
+
 /// Long flights past square obstacles: the digits last, but each collision is examined for milliseconds.
 #[test]
 fn an_interruption_does_not_wait_for_the_horizons() {
