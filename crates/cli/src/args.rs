@@ -178,7 +178,7 @@ pub struct Collide {
 #[command(after_help = "\
 Writes DIR/index.html with the pictures beside it, and DIR/claims.json; with --only NAME, DIR/NAME.html instead, with
 NAME.svg for a figure and NAME.json for a claim. The output is the same to the last bit every time. The exit status is 1
-if a measurement disagrees with its verdict.
+if a measurement disagrees with its verdict, or after Ctrl-C: then the page says what is left out.
 
 Examples:
   billiards reproduce --out report

@@ -92,7 +92,7 @@ fn the_page_prints_the_inequality_that_was_tried() {
         Quantity::sampled_near("near", 0.5, 0.0625, 0.25, 0.1875),
     ];
     let measured = Measured { claim: &paper::claims::all()[0], measurement: Measurement { quantities } };
-    let page = page::html(&[], &[measured], Effort::Quick);
+    let page = page::html(&[], &[measured], &[], Effort::Quick);
     for text in
         ["0.99 ≥ 0.98", "0.9 ≤ 0.95", "0.75 differs from 0.5 by more than 0.125", "expected 0.25, known to 0.1875"]
     {
@@ -105,12 +105,40 @@ fn the_page_prints_the_inequality_that_was_tried() {
 fn every_link_within_the_page_has_its_goal() {
     for claim in paper::claims::all() {
         let measurement = Measurement { quantities: vec![] };
-        let page = page::html(&[], &[Measured { claim, measurement }], Effort::Quick);
+        let page = page::html(&[], &[Measured { claim, measurement }], &[], Effort::Quick);
         let goals = page.split("href=\"#").skip(1).filter_map(|rest| rest.split_once('"')).map(|(goal, _)| goal);
         let goals: Vec<_> = goals.collect();
         assert!(!goals.is_empty());
         assert!(goals.iter().all(|goal| page.contains(&format!("id=\"{goal}\""))), "{}: {goals:?}", claim.name);
     }
+}
+
+#[test]
+fn a_page_and_claims_that_are_not_all_say_so() {
+    let page = |left_out: &[&str]| page::html(&[], &[], left_out, Effort::Quick);
+    assert!(page(&["hexagon", "strip-width"]).contains("interrupted.</b> Not on this page: hexagon, strip-width."));
+    assert!(!page(&[]).contains("interrupted"));
+    assert_eq!(page::claims_json(&[], &["hexagon"])["left_out"][0], "hexagon");
+    assert_eq!(page::claims_json(&[], &[]).get("left_out"), None);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_reproduction_fails() {
+    let out = folder("interrupted");
+    let mut command = std::process::Command::new(assert_cmd::cargo::cargo_bin("billiards"));
+    let command = command.args(["reproduce", "--quick", "--out"]).arg(&out).stderr(std::process::Stdio::piped());
+    let run = command.spawn().unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let sent = std::process::Command::new("kill").args(["-s", "TERM", &run.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+    let output = run.wait_with_output().unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.code() == Some(1) && told.contains("error: interrupted: "), "{told}");
+    if let Ok(page) = fs::read_to_string(out.join("index.html")) {
+        assert!(page.contains("The computation was interrupted"));
+    }
+    let _ = fs::remove_dir_all(out);
 }
 
 #[test]

@@ -1,16 +1,17 @@
 //! `billiards reproduce`: the paper on one page.
 
+use std::fmt;
 use std::io::{self, IsTerminal, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use paper::{Claim, Measurement, claims};
 
-use super::Failure;
+use super::{Failure, patience};
 use crate::args;
 use crate::reproduce::page::{self, Drawn, Measured};
 use crate::reproduce::{Effort, Figure, figures};
@@ -46,13 +47,15 @@ struct Results {
     measured: Vec<Measured>,
     /// The figures and claims that could not be drawn or measured, by name and with the reason.
     failed: Vec<String>,
+    /// Those that an interruption has left out.
+    left_out: Vec<&'static str>,
 }
 
 /// Recomputes figures and claims, and writes the page.
 ///
 /// # Errors
 /// There is no figure or claim of that name; or (after all else is written) one of them fails or a measurement disagrees with its
-/// verdict; or something cannot be written.
+/// verdict, or the user has interrupted the work; or something cannot be written.
 pub fn run(arguments: &args::Reproduce, out: &mut impl Write) -> Result<(), Failure> {
     let all = figures::all().iter().map(Job::Draw).chain(claims::all().iter().map(Job::Measure));
     if arguments.list {
@@ -81,18 +84,19 @@ fn work(jobs: &[Job], files: &Files, arguments: &args::Reproduce, out: &mut impl
     let effort = if arguments.quick { Effort::Quick } else { Effort::Full };
     let interrupted = super::interruption()?;
     let results = in_parallel(jobs, effort, &interrupted);
-    let Results { drawn, measured, failed } = &results;
+    let Results { drawn, measured, failed, left_out } = &results;
     let mut told = Ok(());
     if !(drawn.is_empty() && measured.is_empty()) {
         write(&results, effort, &arguments.out, files).map_err(unwritable)?;
-        let rest = jobs.len() - drawn.len() - measured.len() - failed.len();
-        let missing = if rest > 0 { format!("; interrupted, {rest} not done") } else { String::new() };
         let page = arguments.out.join(&files.page);
         let figures = plural(drawn.len() as u64, "figure");
         let claims = plural(measured.len() as u64, "claim");
-        told = writeln!(out, "{}: {figures}, {claims}{missing}", page.display());
+        told = writeln!(out, "{}: {figures}, {claims}", page.display());
     }
-    let wrong: Vec<String> = failed.iter().cloned().chain(measured.iter().filter_map(disagreement)).collect();
+    let interrupted = (!left_out.is_empty())
+        .then(|| format!("interrupted: {} of {} figures and claims are done", jobs.len() - left_out.len(), jobs.len()));
+    let wrong = failed.iter().cloned().chain(measured.iter().filter_map(disagreement)).chain(interrupted);
+    let wrong: Vec<String> = wrong.collect();
     if wrong.is_empty() {
         told.map_err(|error| super::untold(&arguments.out, error))
     } else {
@@ -120,8 +124,8 @@ fn list(out: &mut impl Write) -> io::Result<()> {
 }
 
 /// Does all jobs, one per processor at a time, unless interrupted.
-fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Results {
-    let bar = progress_bar(jobs.len());
+fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &Arc<AtomicBool>) -> Results {
+    let bar = progress_bar(jobs.len(), Arc::clone(interrupted));
     let next = AtomicUsize::new(0);
     let slots: Vec<Mutex<Option<Result<Done, String>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
     let threads = thread::available_parallelism().map_or(1, usize::from).min(jobs.len());
@@ -152,7 +156,7 @@ fn in_parallel(jobs: &[Job], effort: Effort, interrupted: &AtomicBool) -> Result
                 results.measured.push(Measured { claim, measurement });
             }
             (job, Some(Err(error))) => results.failed.push(format!("{}: {error}", job.name())),
-            _ => {}
+            (job, _) => results.left_out.push(job.name()),
         }
     }
     results
@@ -170,13 +174,18 @@ fn one(job: Job, effort: Effort) -> Result<Done, String> {
     panic::catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| Err("the computation failed".into()))
 }
 
-fn progress_bar(jobs: usize) -> ProgressBar {
+fn progress_bar(jobs: usize, interrupted: Arc<AtomicBool>) -> ProgressBar {
     if !io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style =
-        ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} elapsed  {msg}; Ctrl-C keeps what is done");
-    ProgressBar::new(jobs as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    let of_ctrl_c = move |_: &ProgressState, to: &mut dyn fmt::Write| {
+        let _ = to.write_str(patience::of_ctrl_c(interrupted.load(Ordering::Relaxed)));
+    };
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len}  {elapsed} elapsed  {msg}; {of_ctrl_c}");
+    let style = style.unwrap_or_else(|_| ProgressStyle::default_bar()).with_key("of_ctrl_c", of_ctrl_c);
+    let bar = ProgressBar::new(jobs as u64).with_style(style);
+    bar.enable_steady_tick(patience::GLANCE);
+    bar
 }
 
 /// The file names of the page and of the measurements. For a single figure or claim they are named after it, so that the whole
@@ -205,16 +214,16 @@ fn picture(figure: &Figure) -> String {
 
 /// Writes the pictures, the claims, and the page that shows them: all or none.
 fn write(results: &Results, effort: Effort, folder: &Path, files: &Files) -> io::Result<()> {
-    let Results { drawn, measured, .. } = results;
+    let Results { drawn, measured, left_out, .. } = results;
     let mut whole = vec![];
     for Drawn { figure, svg, .. } in drawn {
         whole.push(WholeFile::with(&folder.join(picture(figure)), svg.as_bytes())?);
     }
     if let Some(claims) = &files.claims {
-        let json = format!("{:#}\n", page::claims_json(measured));
+        let json = format!("{:#}\n", page::claims_json(measured, left_out));
         whole.push(WholeFile::with(&folder.join(claims), json.as_bytes())?);
     }
-    whole.push(WholeFile::with(&folder.join(&files.page), page::html(drawn, measured, effort).as_bytes())?);
+    whole.push(WholeFile::with(&folder.join(&files.page), page::html(drawn, measured, left_out, effort).as_bytes())?);
     WholeFile::finish(whole)
 }
 

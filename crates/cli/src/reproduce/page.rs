@@ -65,15 +65,15 @@ pub struct Drawn {
     pub size: [f64; 2],
 }
 
-/// The page, from the figures and the claims.
-pub fn html(figures: &[Drawn], claims: &[Measured], effort: Effort) -> String {
+/// The page, from the figures and the claims, with the names of those that an interruption has left out.
+pub fn html(figures: &[Drawn], claims: &[Measured], left_out: &[&str], effort: Effort) -> String {
     let mut page = String::new();
     // Writing to a string cannot fail.
-    let _ = write(&mut page, figures, claims, effort);
+    let _ = write(&mut page, figures, claims, left_out, effort);
     page
 }
 
-fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effort) -> fmt::Result {
+fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], left_out: &[&str], effort: Effort) -> fmt::Result {
     writeln!(page, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">")?;
     writeln!(page, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">")?;
     writeln!(
@@ -81,6 +81,9 @@ fn write(page: &mut String, figures: &[Drawn], claims: &[Measured], effort: Effo
         "<title>No-slip billiards in dimension two, recomputed</title>\n<style>\n{STYLE}</style>\n</head>\n<body>"
     )?;
     introduction(page, figures, claims, effort)?;
+    if !left_out.is_empty() {
+        writeln!(page, "<p><b>The computation was interrupted.</b> Not on this page: {}.</p>", left_out.join(", "))?;
+    }
     let (beyond, paper): (Vec<_>, Vec<_>) =
         figures.iter().partition::<Vec<&Drawn>, _>(|drawn| drawn.figure.place == BEYOND);
     let (more, stated): (Vec<_>, Vec<_>) =
@@ -281,8 +284,8 @@ fn small(x: f64) -> String {
     }
 }
 
-/// The claims as JSON, for programs.
-pub fn claims_json(claims: &[Measured]) -> Value {
+/// The claims as JSON, for programs, with the names of what an interruption has left out.
+pub fn claims_json(claims: &[Measured], left_out: &[&str]) -> Value {
     let relation = |q: &Quantity| match q.relation {
         Relation::Equal => "equal",
         Relation::Sampled { .. } => "sampled",
@@ -311,5 +314,9 @@ pub fn claims_json(claims: &[Measured]) -> Value {
             })
         })
         .collect();
-    json!({ "claims": all })
+    let mut json = json!({ "claims": all });
+    if !left_out.is_empty() {
+        json["left_out"] = json!(left_out);
+    }
+    json
 }
