@@ -26,13 +26,12 @@ pub(crate) struct Scale {
 impl Scale {
     /// A time of the orbit in the user's unit.
     pub(crate) fn time_out(&self, time: f64) -> f64 {
-        // two steps: the quotient of the factors alone might overflow
-        time / self.length * self.speed
+        ratio(time, self.speed, self.length)
     }
 
     /// A time of the user in the orbit's unit; infinite if it is out of range.
     pub(crate) fn time_in(&self, time: f64) -> f64 {
-        time * self.length / self.speed
+        ratio(time, self.length, self.speed)
     }
 
     /// A length of the orbit in the user's unit.
@@ -44,6 +43,12 @@ impl Scale {
     pub(crate) fn speed_out(&self, speed: f64) -> f64 {
         speed / self.speed
     }
+}
+
+/// `x · times / by` for `x ≥ 0` and powers of two whose quotient alone might over- or underflow: of two steps that lead in opposite
+/// directions, the first one brings `x` nearer to 1.
+fn ratio(x: f64, times: f64, by: f64) -> f64 {
+    if (x > 1.0) == (by > 1.0) { x / by * times } else { x * times / by }
 }
 
 #[cfg(test)]
@@ -66,5 +71,18 @@ mod tests {
         assert_eq!(scale.length_out(1e150 * scale.length), 1e150);
         assert_eq!(scale.speed_out(3e-150 * scale.speed), 3e-150);
         assert_eq!(scale.time_out(scale.time_in(7e299)), 7e299);
+    }
+
+    #[test]
+    fn a_time_within_the_range_of_numbers_is_not_lost_on_the_way() {
+        let powers = [-997, -498, -1, 0, 1, 498, 997].map(|exponent| libm::ldexp(1.0, exponent));
+        for (length, speed) in powers.into_iter().flat_map(|length| powers.map(|speed| (length, speed))) {
+            let scale = Scale { length, speed };
+            let by = libm::frexp(speed).1 - libm::frexp(length).1;
+            for exponent in (-1022..=1023).filter(|exponent| (-1022..=1023).contains(&(exponent + by))) {
+                let [time, other] = [exponent, exponent + by].map(|exponent| libm::ldexp(1.0, exponent));
+                assert_eq!((scale.time_out(time), scale.time_in(other)), (other, time), "{scale:?}");
+            }
+        }
     }
 }

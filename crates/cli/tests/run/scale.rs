@@ -45,6 +45,17 @@ fn scenes_of_any_size_run_and_scale_to_the_last_digit() {
 }
 
 #[test]
+fn a_time_much_longer_than_the_flights_of_the_spin_is_told() {
+    let folder = Folder::new("long-time");
+    let scene = "law = \"specular\"\n[table]\nname = \"strip\"\nwidth = 1e150\n[[orbit]]\nposition = [0, 1e149]\n\
+                 velocity = [1e-50, 1e-140]\nspin = 1e40\n[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n";
+    folder.done(scene, &[]);
+    let rows = folder.rows();
+    let [time, x] = [rows[0][2], rows[0][5]];
+    assert!((time / 9e289 - 1.0).abs() < 1e-12 && (x / 9e239 - 1.0).abs() < 1e-12, "{time:e} {x:e}");
+}
+
+#[test]
 fn other_tables_run_at_any_size_too() {
     let folder = Folder::new("sizes");
     let tables = [
