@@ -80,6 +80,15 @@ fn infinite_tables_are_valid() {
     assert_eq!(check([vec![line(0.0, 1.0), disk(0.0, 2.0, 1.5, false)]]), Ok(()));
     let ray = |x: f64, y: f64, left: bool| Box::new(Ray::new(v(0.0, 0.0), v(x, y), left).unwrap()) as Box<dyn Piece>;
     assert_eq!(check([vec![ray(1.0, 2.0, true), ray(-1.0, 2.0, false)]]), Ok(()));
+    // however thin, as long as its walls differ
+    for x in [1e-15, 1e-3] {
+        assert_eq!(check([vec![ray(x, 1.0, true), ray(-x, 1.0, false)]]), Ok(()));
+    }
+    for x in [1e-150, 1e-16, 4e-16] {
+        let thin = check([vec![ray(x, 1.0, true), ray(-x, 1.0, false)]]);
+        assert!(matches!(thin, Err(Error::Faces { .. })), "{x:e}: {thin:?}");
+        assert_eq!(check([vec![ray(x, 1.0, false), ray(-x, 1.0, true)]]), Ok(()));
+    }
     // the outside of a wedge
     assert_eq!(check([vec![ray(1.0, 2.0, false), ray(-1.0, 2.0, true)]]), Ok(()));
 }

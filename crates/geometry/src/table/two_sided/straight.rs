@@ -58,6 +58,16 @@ impl Side {
         Stretch::new(self.number, self.forward, [a.min(b), a.max(b)])
     }
 
+    /// Whether both are rays from one point with the table between them, if ever so little of it: a wedge, not a wall.
+    fn is_wedge(&self, other: &Side) -> bool {
+        let [leaving, arriving] = match [self.finite, other.finite] {
+            [[true, false], [false, true]] => [self, other],
+            [[false, true], [true, false]] => [other, self],
+            _ => return false,
+        };
+        leaving.ends == arriving.ends && cross(arriving.along, leaving.along) > 0.0
+    }
+
     /// Whether both lie on one line, up to rounding of vertices, and have more than a point in common.
     fn coincides(&self, other: &Side, overlap: f64) -> bool {
         let rounding = 0.25 * self.slack.max(other.slack);
@@ -65,7 +75,8 @@ impl Side {
         let off = |end: &[f64; 2]| cross(long.along, from(long.ends[0], *end)).abs() <= rounding;
         // infinite pieces must stay together for ever
         let parallel = short.length < f64::INFINITY || cross(short.along, long.along).abs() <= 4.0 * f64::EPSILON;
-        overlap > self.slack.max(other.slack) && parallel && short.ends.iter().all(off)
+        let is_long = overlap > self.slack.max(other.slack);
+        is_long && parallel && short.ends.iter().all(off) && !self.is_wedge(other)
     }
 }
 
@@ -148,5 +159,15 @@ mod tests {
         // a wedge as thin as it gets
         let askew = Side::infinite(1, at(0.0), -Vector2::new(0.6 + 1e-14, 0.8), to);
         assert_eq!(found([infinite(0, 0.0, 1.0, from), askew]), [] as [usize; 0]);
+        // and one that only its exact directions tell from a wall with two sides: with the table between its rays or around them
+        let ray = |number, x: f64, finite| {
+            let sign = if finite == from { 1.0 } else { -1.0 };
+            Side::infinite(number, Vector2::zeros(), Vector2::new(x, 1.0) * sign, finite)
+        };
+        for x in [1e-150, 1e-16, 4e-16] {
+            assert_eq!(found([ray(0, x, from), ray(1, -x, to)]), [] as [usize; 0], "{x:e}");
+            assert_eq!(found([ray(0, -x, from), ray(1, x, to)]), [0, 1], "{x:e}");
+        }
+        assert_eq!(found([ray(0, 0.0, from), ray(1, 0.0, to)]), [0, 1]);
     }
 }
