@@ -303,6 +303,19 @@ pub enum Error {
         /// The largest coordinate of a vertex.
         size: f64,
     },
+    /// An ellipse so flat that its two sides cannot be told apart near its ends.
+    #[error(
+        "piece {piece} is an ellipse too flat for its two sides to be told apart: its shorter semi-axis is {}, and must be at least {}",
+        short(*width), short(six_digits(*least))
+    )]
+    Thin {
+        /// The piece.
+        piece: usize,
+        /// Its shorter semi-axis.
+        width: f64,
+        /// The shortest one that it may have.
+        least: f64,
+    },
     /// A disk that fits nowhere in the table.
     #[error("a disk of radius {} has no room to move in the table; its radius must be less than {}", short(*radius), short(*largest))]
     NothingLeft {

@@ -4,6 +4,7 @@ use crate::{
     intersect::{direction_at, self_crossing},
     meetings,
     plane::{key, slack},
+    shapes::Shape,
     sight::{Aim, Sight, Wall},
     spokes::alternate,
     table::side_by_side,
@@ -14,6 +15,10 @@ use std::collections::HashSet;
 /// Largest radius that an arc may have, in units of the largest coordinate of the table's vertices. Points of an arc carry the rounding of
 /// its radius, so with a radius a million times the table's size they are known to ten digits of that size.
 const FLATTEST: f64 = 1e6;
+
+/// Least ratio of the semi-axes of an ellipse. With this one, its two sides are closer together than rounding of coordinates ([`slack`])
+/// only within 3·10⁻¹¹ of its longer semi-axis from its ends.
+const THINNEST: f64 = 1.0 / (1_u64 << 32) as f64;
 
 /// Where pieces of a table touch.
 struct Contacts {
@@ -70,7 +75,7 @@ impl Table {
     /// loops have in common with the table on neither side.
     ///
     /// # Errors
-    /// [`Error::TooShort`], [`Error::Flat`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
+    /// [`Error::TooShort`], [`Error::Flat`], [`Error::Thin`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
     /// [`Error::Spike`], [`Error::Faces`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the numbers of the pieces
     /// and about where.
     pub fn validate(&self) -> Result<(), Error> {
@@ -89,7 +94,13 @@ impl Table {
             if !length.is_finite() && !self.is_along_lattice(&p.figure()) {
                 return Err(Error::InfiniteOnLattice { piece });
             }
-            if p.figure() == Figure::Other
+            if let Some(Shape::Ellipse(ellipse)) = p.shape() {
+                let [a, b] = ellipse.semi_axes();
+                let (width, least) = (a.min(b), (THINNEST * a.max(b)).max(slack([p.extent().size()])));
+                if width < least {
+                    return Err(Error::Thin { piece, width, least });
+                }
+            } else if p.figure() == Figure::Other
                 && p.tips().is_none() // its faces coincide
                 && let Some(at) = self_crossing(&**p)
             {

@@ -94,6 +94,31 @@ fn infinite_tables_are_valid() {
 }
 
 #[test]
+fn an_ellipse_may_be_flat_but_not_so_flat_that_its_sides_cannot_be_told_apart_at_any_scale() {
+    for scale in [1.0, libm::ldexp(1.0, -300), libm::ldexp(1.0, 300)] {
+        let with = |x: f64, axes: [f64; 2], inside: bool| {
+            let ellipse = Ellipse::new(v(x, 0.25 * x) * scale, axes.map(|axis| axis * scale), 0.3, inside).unwrap();
+            check([vec![Box::new(ellipse) as Box<dyn Piece>]])
+        };
+        for (width, is_valid) in [(1e-9, true), (2.4e-10, true), (2.2e-10, false), (1e-12, false), (1e-100, false)] {
+            for axes in [[1.0, width], [width, 1.0]] {
+                let found = [true, false].map(|inside| with(0.0, axes, inside));
+                let thin = |error: &_| matches!(error, Err(Error::Thin { piece: 0, .. }));
+                assert!(
+                    found.iter().all(|f| if is_valid { *f == Ok(()) } else { thin(f) }),
+                    "{scale:e} {axes:?} {found:?}"
+                );
+            }
+        }
+        // far away, where coordinates are rounded more
+        assert_eq!([3e-9, 1e-9].map(|width| with(100.0, [1.0, width], false)), [Ok(()), Ok(())], "{scale:e}");
+        let least = 16.0 * f64::EPSILON * 1e6 * scale;
+        let Err(Error::Thin { width, least: told, .. }) = with(1e6, [1.0, 3e-9], false) else { panic!("{scale:e}") };
+        assert!(width == 3e-9 * scale && (told / least - 1.0).abs() < 1e-5, "{told:e} {least:e}");
+    }
+}
+
+#[test]
 fn walls_with_the_table_on_the_right_are_named() {
     assert_eq!(check([square(0.0, 0.0, 1.0, false)]), Err(Error::Orientation { piece: 0 }));
     let hole = check([square(0.0, 0.0, 4.0, true), square(1.0, 1.0, 1.0, true)]);
