@@ -3,7 +3,9 @@
 //! TOML or JSON, in the form of the certified cases in `tests/data/collisions`: such a case, with a law added, is a
 //! contact file; its metadata and results (`id`, `kind`, `K`, `energy`, `results`) are ignored.
 
-use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value};
+mod examples;
+
+use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value, vector};
 use crate::scene::{self, LawKind};
 
 /// Dimensions of space a contact may have.
@@ -52,7 +54,7 @@ pub enum InertiaEntry {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Velocity of the centre of mass.
-    pub v: Vec<f64>,
+    pub v: Spanned<Vec<f64>>,
     /// Spin: one number in the plane, three in space, else a skew N × N matrix row by row.
     pub w: Spanned<Vec<f64>>,
 }
@@ -109,11 +111,14 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
         root.finish_leniently(problems);
         return None;
     };
-    let bodies = root.required("bodies", "bodies = [{ mass = 1, ... }, { mass = \"inf\" }]");
+    let bodies = root.required("bodies", &format!("bodies = {}", examples::bodies(n)));
     let bodies = bodies.and_then(|item| pair(item, "bodies", problems, |item, problems| body(item, n, problems)));
-    let point = root.required("contact_point", "contact_point = [0, 0]").and_then(|item| vector(item, n, problems));
-    let normal = root.required("normal", "normal = [0, 1]").and_then(|item| vector(item, n, problems));
-    let before = root.required("pre", "pre = [{ v = [0, -1], w = 0 }, { v = [0, 0], w = 0 }]");
+    let point = root.required("contact_point", &format!("contact_point = {}", examples::vector(n, "0")));
+    let point = point.and_then(|item| vector(item, n, problems));
+    let normal = root.required("normal", &format!("normal = {}", examples::vector(n, "1")));
+    let normal = normal.and_then(|item| vector(item, n, problems));
+    let [first, second] = ["-1", "0"].map(|x| examples::motion(n, x));
+    let before = root.required("pre", &format!("pre = [{first}, {second}]"));
     let before = before.and_then(|item| pair(item, "pre", problems, |item, problems| motion(item, n, problems)));
     let law = match root.one_of(&["law", "rough"], "law = \"no-slip\"", problems) {
         Some(("law", item)) => spanned(item, scene::read_law(item, n, problems)).map(LawEntry::Named),
@@ -123,8 +128,8 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
     root.finish(problems);
     let (bodies, before) = (bodies?, before?);
     for (body, motion) in bodies.value.iter().zip(&before.value) {
-        if body.free.is_none() && motion.v.iter().chain(&motion.w.value).any(|x| *x != 0.0) {
-            problems.add(before.span, "a fixed body (mass = \"inf\") must have velocity zero");
+        if body.free.is_none() {
+            stays(motion, n, problems);
         }
     }
     Some(ContactFile {
@@ -136,6 +141,23 @@ fn read(mut root: Section<'_>, problems: &mut Problems) -> Option<ContactFile> {
         before,
         law: law?,
     })
+}
+
+/// Records a velocity or a spin of a fixed body.
+fn stays(motion: &Motion, n: usize, problems: &mut Problems) {
+    let is_zero = |of: &[f64]| of.iter().all(|x| *x == 0.0);
+    if !is_zero(&motion.v.value) {
+        let help = format!("write v = {}", examples::vector(n, "0"));
+        problems.add_with_help(motion.v.span, "a fixed body (mass = \"inf\") must have velocity zero", help);
+    }
+    if !is_zero(&motion.w.value) {
+        let inertia = if n <= 3 { "a finite inertia" } else { "an S of 1e-150 times its second moments" };
+        let help = format!(
+            "write w = {}; what turns about a fixed center has mass = 1e150, a position and {inertia}",
+            examples::no_spin(n)
+        );
+        problems.add_with_help(motion.w.span, "a fixed body (mass = \"inf\") must have spin zero", help);
+    }
 }
 
 fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
@@ -165,10 +187,6 @@ fn pair<T>(
             None
         }
     }
-}
-
-fn vector(item: &Item, n: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
-    document::vector(item, n, document::real, problems)
 }
 
 /// An n × n matrix, row by row.
@@ -205,15 +223,10 @@ fn body(item: &Item, n: usize, problems: &mut Problems) -> Option<BodyEntry> {
         return Some(BodyEntry { position: position?, free: None });
     }
     let mass = mass.and_then(|(item, _)| document::positive(item, problems));
-    let position = section.required("position", "position = [0, 1]").and_then(|item| vector(item, n, problems));
+    let position = section.required("position", &format!("position = {}", examples::vector(n, "1")));
+    let position = position.and_then(|item| vector(item, n, problems));
     let keys: &[&str] = if n <= 3 { &["inertia", "S"] } else { &["S"] };
-    let example = match n {
-        2 => "inertia = \"1/2\"",
-        3 => "inertia = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-        4 => "S = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]",
-        _ => "S = [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0, 1]]",
-    };
-    let inertia = match section.one_of(keys, example, problems) {
+    let inertia = match section.one_of(keys, &examples::inertia(n), problems) {
         Some(("inertia", item)) if n == 2 => {
             spanned(item, document::real(item, problems).map(|x| InertiaEntry::Moment(x.value)))
         }
@@ -238,9 +251,10 @@ fn is_infinite(mass: &Value) -> bool {
 }
 
 fn motion(item: &Item, n: usize, problems: &mut Problems) -> Option<Motion> {
-    let mut section = Section::inline(item, "a velocity", "{ v = [0, -1], w = 0 }", problems)?;
-    let v = section.required("v", "v = [0, -1]").and_then(|item| vector(item, n, problems));
-    let w = section.required("w", if n == 2 { "w = 0" } else { "w = [0, 0, 0]" }).and_then(|item| {
+    let mut section = Section::inline(item, "a velocity", &examples::motion(n, "-1"), problems)?;
+    let v = section.required("v", &format!("v = {}", examples::vector(n, "-1")));
+    let v = v.and_then(|item| vector(item, n, problems));
+    let w = section.required("w", &format!("w = {}", examples::no_spin(n))).and_then(|item| {
         let w = match n {
             2 => document::real(item, problems).map(|w| vec![w.value]),
             3 => vector(item, 3, problems).map(|w| w.value),
@@ -249,18 +263,18 @@ fn motion(item: &Item, n: usize, problems: &mut Problems) -> Option<Motion> {
         spanned(item, w)
     });
     section.finish(problems);
-    Some(Motion { v: v?.value, w: w? })
+    Some(Motion { v: v?, w: w? })
 }
 
 fn rough(item: &Item, n: usize, problems: &mut Problems) -> Option<LawEntry> {
-    if scene::is_one_direction(item, problems) {
+    if scene::is_one_vector(item, "rough", "direction", problems) {
         return None;
     }
     let Value::List(items) = &item.value else {
         problems.add_with_help(
             item.span,
             format!("rough must be an array of directions, found {}", item.value.kind()),
-            "write directions in brackets, and brackets around all, as in [[1, 0]]",
+            format!("write directions in brackets, and brackets around all, as in [[1{}]]", ", 0".repeat(n - 1)),
         );
         return None;
     };

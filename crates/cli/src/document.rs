@@ -15,8 +15,8 @@ pub use diagnostic::{Diagnostic, Place, Problems, plain};
 pub use json::{in_json, parse as parse_json};
 pub use misnamed::with_file_meant;
 pub use number::{
-    LARGEST, SMALLEST, coordinate_formula, count, formula, nonnegative, number, polar_formula, positive, real, seed,
-    spell, vector, whole,
+    LARGEST, SMALLEST, array, coordinate_formula, count, formula, lengths, nonnegative, number, polar_formula,
+    positive, real, seed, spell, vector, whole,
 };
 pub use section::Section;
 pub use source::{STANDARD_INPUT, Source, Span, Spanned};

@@ -18,7 +18,7 @@ use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, S
 
 pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
 pub use law::{LAWS, Law, LawKind, LawModel};
-pub(crate) use law::{is_one_direction, named as read_law};
+pub(crate) use law::{is_one_vector, named as read_law};
 pub use output::{Output, RecordFormat};
 pub use parameters::{Argument, Arguments, Constant, IfAbsent, Kind, Model, Parameter};
 pub use particle::{INERTIAS, Inertia, Particle};
@@ -189,16 +189,27 @@ fn unknown<'a>(
     problems.add_with_help(span, format!("unknown {what} \"{word}\""), help);
 }
 
-/// The items of an array.
-fn list<'a>(item: &'a document::Item, what: &str, problems: &mut Problems) -> Option<&'a [document::Item]> {
+/// The items of an array; `example` shows one.
+fn list<'a>(
+    item: &'a document::Item,
+    what: &str,
+    example: &str,
+    problems: &mut Problems,
+) -> Option<&'a [document::Item]> {
     match &item.value {
         Value::List(items) => Some(items),
         other => {
             let written = problems.source().slice(item.span);
             let is_short = written.chars().count() <= 60 && !written.contains('\n');
             let is_section = what.starts_with("[[") && !matches!(other, Value::Table(_));
+            let is_item = match other {
+                Value::Text(_) => example.starts_with("[\""),
+                Value::Table(_) => example.starts_with("[{"),
+                _ => false,
+            };
             let help = match what {
                 section if is_section => format!("write {section}, and its keys on the lines below"),
+                _ if !is_item => format!("write for instance {example}"),
                 _ if is_short => format!("write [{written}]"),
                 _ => "put it in brackets, [ and ]".into(),
             };
@@ -210,7 +221,7 @@ fn list<'a>(item: &'a document::Item, what: &str, problems: &mut Problems) -> Op
 
 /// A point: coordinates of at most 10¹⁵⁰ in absolute value.
 fn point(item: &document::Item, dimension: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
-    document::vector(item, dimension, document::real, problems)
+    document::vector(item, dimension, problems)
 }
 
 /// A vector with a direction: not zero, and of a length that squares to a normal number.

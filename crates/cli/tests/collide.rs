@@ -319,7 +319,7 @@ fn each_mistake_has_status_2_and_its_own_message() {
     for (name, text, old, new, expected) in [
         ("apart", TOML, "[0, -1]", "[0, 1]", "not approaching"),
         ("sliding", TOML, "[0, -1]", "[1, 0]", "not approaching"),
-        ("fixed", TOML, "mass = 1", "mass = \"inf\"", "velocity zero"),
+        ("fixed", TOML, "mass = 1", "mass = \"inf\"", "7:14: error: a fixed body"),
         (
             "both",
             TOML,
@@ -409,6 +409,53 @@ fn each_mistake_has_status_2_and_its_own_message() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn examples_of_what_is_missing_make_a_contact_in_every_dimension() {
+    let examples = |text: &str| -> Vec<String> {
+        let (status, _, err) = collide_text("examples", text, &[]);
+        assert_eq!(status, 2, "{text}");
+        err.lines().filter_map(|line| Some(line.strip_prefix("help: write for instance ")?.to_owned())).collect()
+    };
+    let works = |text: &str| {
+        let (status, _, err) = collide_text("followed", text, &[]);
+        assert_eq!(status, 0, "{text}{err}");
+    };
+    for n in 2..=5 {
+        let law = format!("dim = {n}\nlaw = \"no-slip\"\n");
+        let keys = examples(&law);
+        assert_eq!(keys.len(), 4, "{keys:?}");
+        works(&format!("{law}{}\n", keys.join("\n")));
+        // key by key within a body and a velocity
+        let [bodies, _, _, motions] = &keys[..] else { panic!("{keys:?}") };
+        let body =
+            examples(&format!("{law}{}\nbodies = [{{ mass = 1 }}, {{ mass = \"inf\" }}]\n", keys[1..].join("\n")));
+        let of_motion = examples(&format!("{law}{}\npre = [{{}}, {{ w = 1 }}]\n", keys[..3].join("\n")));
+        assert!(body.len() == 2 && of_motion.len() >= 3, "{body:?} {of_motion:?}");
+        let (body, motion) = (body.join(", "), of_motion[..2].join(", "));
+        assert!(bodies.contains(&format!("{{ mass = 1, {body} }}")) && motions.contains(&format!("{{ {motion} }}")));
+    }
+}
+
+#[test]
+fn a_fixed_body_that_turns_is_told_how_to_turn_about_a_fixed_center() {
+    let turning = TOML.replace("w = 0", "w = 0.5");
+    let (_, _, err) = collide_text("turning", &turning, &[]);
+    assert!(err.contains("7:50: error: a fixed body (mass = \"inf\") must have spin zero"), "{err}");
+    assert!(
+        err.contains("write w = 0; what turns about a fixed center has mass = 1e150, a position and a finite inertia"),
+        "{err}"
+    );
+    let rotor = turning.replace("mass = \"inf\"", "mass = 1e150, position = [1, -1], inertia = 0.5");
+    let (status, out, err) = collide_text("rotor", &rotor, &["--json"]);
+    assert_eq!(status, 0, "{err}");
+    let found: Value = serde_json::from_str(&out).unwrap();
+    let body = &found["post"][1];
+    assert!(
+        body["w"] != json!(0.5) && body["v"].as_array().unwrap().iter().all(|v| v.as_f64().unwrap().abs() < 1e-140),
+        "{body}"
+    );
 }
 
 #[test]

@@ -194,7 +194,7 @@ fn body<const N: usize>(entry: &BodyEntry) -> Result<Free<N>, Fault> {
 }
 
 fn twist<const N: usize>(motion: &Motion) -> Result<Twist<N>, Fault> {
-    let (v, w) = (vector(&motion.v), &motion.w.value);
+    let (v, w) = (vector(&motion.v.value), &motion.w.value);
     let twist = if N <= 3 { Twist::with_spin_coordinates(v, w) } else { Twist::new(v, matrix(w)) };
     twist.map_err(|error| (motion.w.span, error))
 }

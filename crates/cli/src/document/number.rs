@@ -221,22 +221,33 @@ pub fn seed(item: &Item, problems: &mut Problems) -> Option<u64> {
     seed
 }
 
-/// An array of exactly `dimension` numbers, each read by `read`.
-pub fn vector(
+/// A vector or a point: an array of `dimension` coordinates.
+pub fn vector(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
+    array(item, dimension, real, &format!("[{}1]", "0, ".repeat(dimension.saturating_sub(1))), problems)
+}
+
+/// An array of so many lengths.
+pub fn lengths(item: &Item, count: usize, problems: &mut Problems) -> Option<Spanned<Vec<f64>>> {
+    array(item, count, positive, &format!("[{}]", vec!["1"; count].join(", ")), problems)
+}
+
+/// An array of exactly `count` numbers, each read by `read`; `example` shows one.
+pub fn array(
     item: &Item,
-    dimension: usize,
+    count: usize,
     read: fn(&Item, &mut Problems) -> Option<Spanned<f64>>,
+    example: &str,
     problems: &mut Problems,
 ) -> Option<Spanned<Vec<f64>>> {
-    let help = format!("write {dimension} numbers, for instance [{}1]", "0, ".repeat(dimension.saturating_sub(1)));
+    let help = format!("write {count} numbers, for instance {example}");
     let Value::List(items) = &item.value else {
-        let what = format!("expected an array of {dimension} numbers, found {}", item.value.kind());
+        let what = format!("expected an array of {count} numbers, found {}", item.value.kind());
         problems.add_with_help(item.span, what, help);
         return None;
     };
     let read: Vec<_> = items.iter().map(|item| read(item, problems)).collect();
-    if items.len() != dimension {
-        problems.add_with_help(item.span, format!("expected {dimension} numbers, found {}", items.len()), help);
+    if items.len() != count {
+        problems.add_with_help(item.span, format!("expected {count} numbers, found {}", items.len()), help);
         return None;
     }
     let values: Option<Vec<f64>> = read.into_iter().map(|x| x.map(|x| x.value)).collect();

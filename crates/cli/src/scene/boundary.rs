@@ -6,7 +6,7 @@ use core::f64::consts::TAU;
 
 use super::{choice, direction, law, list, point, shapes, text};
 use crate::document::{
-    Item, Problems, Section, Spanned, coordinate_formula, formula, polar_formula, positive, real, vector,
+    Item, Problems, Section, Spanned, coordinate_formula, formula, lengths, polar_formula, positive, real,
 };
 use crate::expression::Expression;
 
@@ -81,9 +81,8 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
         }
         "ellipse" => {
             let center = section.required("center", "center = [0, 0]").and_then(|item| point(item, n, problems));
-            let semi_axes = section
-                .required("semi_axes", "semi_axes = [2, 1]")
-                .and_then(|item| vector(item, 2, positive, problems));
+            let semi_axes =
+                section.required("semi_axes", "semi_axes = [2, 1]").and_then(|item| lengths(item, 2, problems));
             let angle =
                 section.optional("angle").map_or(Some(Spanned::new(0.0, section.span())), |item| real(item, problems));
             let domain = domain(&mut section, Domain::Inside, problems);
@@ -212,7 +211,8 @@ fn coordinates(
 
 /// Two parameters that differ.
 fn range(item: &Item, problems: &mut Problems) -> Option<Spanned<[f64; 2]>> {
-    let ends: Vec<_> = list(item, "a range", problems)?.iter().map(|item| real(item, problems)).collect();
+    let ends: Vec<_> =
+        list(item, "a range", "[0, \"2*pi\"]", problems)?.iter().map(|item| real(item, problems)).collect();
     let ends: Vec<_> = ends.into_iter().collect::<Option<_>>()?;
     match ends[..] {
         [from, to] if from.value != to.value => Some(Spanned::new([from.value, to.value], item.span)),
@@ -225,7 +225,8 @@ fn range(item: &Item, problems: &mut Problems) -> Option<Spanned<[f64; 2]>> {
 
 /// Two opposite corners of a box, the lower left one first.
 fn corners(item: &Item, problems: &mut Problems) -> Option<Spanned<[[f64; 2]; 2]>> {
-    let corners: Vec<_> = list(item, "a box", problems)?.iter().map(|item| point(item, 2, problems)).collect();
+    let corners: Vec<_> =
+        list(item, "a box", "[[-3, -2], [3, 2]]", problems)?.iter().map(|item| point(item, 2, problems)).collect();
     let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
     match &corners.iter().map(|corner| &corner.value[..]).collect::<Vec<_>>()[..] {
         [[a, b], [c, d]] if a < c && b < d => Some(Spanned::new([[*a, *b], [*c, *d]], item.span)),
@@ -237,7 +238,7 @@ fn corners(item: &Item, problems: &mut Problems) -> Option<Spanned<[[f64; 2]; 2]
 }
 
 fn edges(item: &Item, closed: bool, problems: &mut Problems) -> Option<Vec<Edge>> {
-    let items = list(item, "edges", problems)?;
+    let items = list(item, "edges", "[{ line_to = [1, 0] }, { line_to = [0, 1] }, { line_to = [0, 0] }]", problems)?;
     let edges: Vec<_> = items.iter().map(|item| edge(item, problems)).collect();
     if edges.len() < 1 + usize::from(closed) {
         let least = if closed { "a loop has at least two edges" } else { "a chain has at least one edge" };

@@ -1,7 +1,7 @@
 //! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`, the last also as `law = { rough = … }`.
 
 use super::{choice, direction, list};
-use crate::document::{Item, Problems, Section, Span, Value, count, number, seed, spell};
+use crate::document::{Item, Problems, Section, Span, Value, number, seed, spell, whole};
 
 /// A collision law and where it was chosen.
 #[derive(Clone, Debug, PartialEq)]
@@ -203,13 +203,9 @@ pub(crate) fn named(item: &Item, dimension: usize, problems: &mut Problems) -> O
 }
 
 fn random(section: &mut Section<'_>, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
-    let rank = section.required("rank", "rank = 1").and_then(|item| {
-        let rank = usize::try_from(count(item, 0, problems)?.value).ok().filter(|rank| *rank < dimension);
-        if rank.is_none() {
-            problems.add(item.span, format!("in dimension {dimension} the rank is at most {}", dimension - 1));
-        }
-        rank
-    });
+    let most = dimension as u64 - 1;
+    let rank = section.required("rank", "rank = 1").and_then(|item| whole(item, 0..=most, problems));
+    let rank = rank.and_then(|rank| usize::try_from(rank.value).ok());
     let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
     Some(LawKind::Random { rank: rank?, seed: seed? })
 }
@@ -231,7 +227,12 @@ fn table(model: &LawModel, dimension: usize) -> String {
 
 /// A law that is rough along the first axis.
 fn rough_example(dimension: usize) -> String {
-    format!("{{ rough = [[1{}]] }}", ", 0".repeat(dimension - 1))
+    format!("{{ rough = {} }}", first_axis(dimension))
+}
+
+/// The direction of the first axis, as the only one of a list.
+fn first_axis(dimension: usize) -> String {
+    format!("[[1{}]]", ", 0".repeat(dimension - 1))
 }
 
 fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> {
@@ -243,15 +244,15 @@ fn coefficient(item: &Item, least: f64, problems: &mut Problems) -> Option<f64> 
     None
 }
 
-/// Records that a list of rough directions is a list of numbers, apparently a single direction.
-pub(crate) fn is_one_direction(item: &Item, problems: &mut Problems) -> bool {
+/// Records that a list of vectors is a list of numbers, apparently a single vector; `vector` is the word for one.
+pub(crate) fn is_one_vector(item: &Item, key: &str, vector: &str, problems: &mut Problems) -> bool {
     let is_number = |item: &Item| matches!(item.value, Value::Integer(_) | Value::Float(_) | Value::Text(_));
     let is_one = matches!(&item.value, Value::List(items) if !items.is_empty() && items.iter().all(is_number));
     if is_one {
         let written = problems.source().slice(item.span).split_whitespace().collect::<Vec<_>>().join(" ");
         problems.add_with_help(
             item.span,
-            "rough is a list of directions, not one direction",
+            format!("{key} is a list of {vector}s, not one {vector}"),
             format!("write [{written}]"),
         );
     }
@@ -259,10 +260,10 @@ pub(crate) fn is_one_direction(item: &Item, problems: &mut Problems) -> bool {
 }
 
 fn rough(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKind> {
-    if is_one_direction(item, problems) {
+    if is_one_vector(item, "rough", "direction", problems) {
         return None;
     }
-    let items = list(item, "rough", problems)?;
+    let items = list(item, "rough", &first_axis(dimension), problems)?;
     let read: Vec<_> = items.iter().map(|item| direction(item, dimension, problems)).collect();
     if items.len() >= dimension {
         problems.add(

@@ -39,7 +39,7 @@ pub(super) fn read(item: Option<&Item>, problems: &mut Problems) -> Option<Outpu
 
 fn pictures(item: &Item, problems: &mut Problems) -> Option<Vec<(&'static str, Span)>> {
     let mut pictures: Vec<(&'static str, Span)> = Vec::new();
-    for item in list(item, "pictures", problems)? {
+    for item in list(item, "pictures", "[\"orbit\"]", problems)? {
         let Some(word) = text(item, &known(picture::PICTURES.iter().map(|p| p.name)), problems) else { continue };
         match picture::PICTURES.iter().find(|picture| picture.name == word.value) {
             Some(known) if pictures.iter().any(|p| p.0 == known.name) => {

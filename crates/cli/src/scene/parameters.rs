@@ -66,6 +66,19 @@ pub enum Kind {
     Triples,
 }
 
+impl Kind {
+    /// An example of a list of this kind in this dimension.
+    fn list(self, dimension: usize) -> &'static str {
+        match (self, dimension) {
+            (Kind::Points { .. }, 2) => "[[0, 0], [4, 0], [1, 3]]",
+            (Kind::Points { .. }, _) => "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+            (Kind::Triples, 2) => "[[0, 1, 2]]",
+            (Kind::Triples, _) => "[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]",
+            _ => "[0, 0.5, 0.25]",
+        }
+    }
+}
+
 /// What a parameter is if absent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IfAbsent {
@@ -155,11 +168,7 @@ impl Parameter {
             },
             Kind::Direction if dimension == 2 => "[0, 1]",
             Kind::Direction => "[0, 0, 1]",
-            Kind::Points { .. } if dimension == 2 => "[[0, 0], [4, 0], [1, 3]]",
-            Kind::Points { .. } => "[[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]",
-            Kind::Reals(_) => "[0, 0.5, 0.25]",
-            Kind::Triples if dimension == 2 => "[[0, 1, 2]]",
-            Kind::Triples => "[[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]",
+            kind @ (Kind::Points { .. } | Kind::Reals(_) | Kind::Triples) => kind.list(dimension),
         };
         format!("{} = {value}", self.name)
     }
@@ -274,11 +283,11 @@ fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) 
         Kind::Count { least, most } => {
             Argument::Numbers(vec![document::whole(item, least..=most, problems)?.value as f64])
         }
-        Kind::Lengths(n) => Argument::Numbers(document::vector(item, n, document::positive, problems)?.value),
+        Kind::Lengths(n) => Argument::Numbers(document::lengths(item, n, problems)?.value),
         Kind::Point => Argument::Numbers(point(item, dimension, problems)?.value),
         Kind::Direction => Argument::Numbers(direction(item, dimension, problems)?.value),
         Kind::Reals(least) => {
-            let items = super::list(item, "a list of numbers", problems)?;
+            let items = super::list(item, "a list of numbers", kind.list(dimension), problems)?;
             let numbers: Vec<_> = items.iter().map(|item| document::real(item, problems)).collect();
             if numbers.len() < least {
                 problems.add(item.span, format!("expected at least {least} numbers, found {}", numbers.len()));
@@ -290,13 +299,14 @@ fn argument(item: &Item, kind: Kind, dimension: usize, problems: &mut Problems) 
                 let n = document::count(item, 0, problems)?;
                 Some(n.map(|n| n as f64))
             };
-            let items = super::list(item, "a list of triples", problems)?;
-            let triples: Vec<_> = items.iter().map(|item| document::vector(item, 3, whole, problems)).collect();
+            let items = super::list(item, "a list of triples", kind.list(dimension), problems)?;
+            let triples: Vec<_> =
+                items.iter().map(|item| document::array(item, 3, whole, "[0, 1, 2]", problems)).collect();
             let triples: Vec<_> = triples.into_iter().collect::<Option<_>>()?;
             Argument::Numbers(triples.into_iter().flat_map(|t| t.value).collect())
         }
         Kind::Points { least, most } => {
-            let items = super::list(item, "a list of points", problems)?;
+            let items = super::list(item, "a list of points", kind.list(dimension), problems)?;
             let points: Vec<_> = items.iter().map(|item| point(item, dimension, problems)).collect();
             if !(least..=most).contains(&points.len()) {
                 let so_many = if least == most { least.to_string() } else { format!("at least {least}") };

@@ -235,7 +235,7 @@ fn ring<'a>(name: &str, n: usize, arguments: &'a Arguments) -> Option<&'a Spanne
 
 fn compound(item: &Item, problems: &mut Problems) -> Option<(Vec<Placed>, Vec<f64>)> {
     let (mut members, mut lengths) = (vec![], vec![]);
-    for member in list(item, "shapes", problems)? {
+    for member in list(item, "shapes", "[{ name = \"ball\", radius = 1 }]", problems)? {
         let mut section = Section::inline(member, "a shape", "{ name = \"ball\", radius = 1 }", problems)?;
         let name = section.required("name", "name = \"ball\"")?;
         let (shape, of_member) = read(&mut section, name, 2, problems)?;

@@ -85,7 +85,7 @@ fn orbits(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<
         // An [orbit] can only mean a single [[orbit]].
         return orbit(item, dimension, problems).map(|orbit| vec![orbit]);
     }
-    let items = list(item, "[[orbit]]", problems)?;
+    let items = list(item, "[[orbit]]", "[{ ... }]", problems)?;
     if items.is_empty() {
         problems.add(item.span, "there are no orbits");
     }

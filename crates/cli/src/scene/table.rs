@@ -111,7 +111,8 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
         }
         return None;
     }
-    let found = section.one_of(&["name", "boundary"], "name = \"stadium\"", problems);
+    let example = if dimension == 2 { "name = \"stadium\"" } else { "name = \"box\"" };
+    let found = section.one_of(&["name", "boundary"], example, problems);
     let shape = match found {
         Some(("name", item)) => {
             // The keys of an unknown table are unknown, too.
@@ -133,7 +134,7 @@ pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Op
 }
 
 fn entries(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec<Entry>> {
-    let items = list(item, "[[table.boundary]]", problems)?;
+    let items = list(item, "[[table.boundary]]", "[{ ... }]", problems)?;
     if items.is_empty() {
         problems.add(item.span, "the boundary has no entries");
     }
@@ -146,7 +147,10 @@ fn lattice(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Vec
         problems.add_with_help(item.span, "tables in space have no lattice", "leave it out");
         return None;
     }
-    let items = list(item, "lattice", problems)?;
+    if law::is_one_vector(item, "lattice", "vector", problems) {
+        return None;
+    }
+    let items = list(item, "lattice", "[[1, 0], [0, 1]]", problems)?;
     let vectors: Vec<_> = items.iter().map(|item| direction(item, dimension, problems)).collect();
     if !(1..=2).contains(&vectors.len()) {
         problems.add(item.span, format!("a lattice has 1 or 2 translations, not {}", vectors.len()));

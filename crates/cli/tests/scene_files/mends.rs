@@ -12,7 +12,13 @@ fn mistakes_of_few_words_are_told_the_mend() {
         (NAMED, "[0.6, 0.8]", "[0.6, 0.8, 0]", "write 2 numbers, for instance [0, 1]"),
         (SPATIAL, "[0, 0.25, 0]", "0.25", "write 3 numbers, for instance [0, 0, 1]"),
         (NAMED, "[\"orbit\", \"velocity-portrait\"]", "\"orbit\"", "write [\"orbit\"]"),
-        (BOUNDARY, "[[10, 0], [0, 10]]", "10", "write [10]"),
+        (BOUNDARY, "[[10, 0], [0, 10]]", "10", "write for instance [[1, 0], [0, 1]]"),
+        (BOUNDARY, "[[10, 0], [0, 10]]", "[10, 0]", "write [[10, 0]]"),
+        (BOUNDARY, "[[-3, -2], [3, 2]]", "3", "write for instance [[-3, -2], [3, 2]]"),
+        (NAMED, "[\"orbit\", \"velocity-portrait\"]", "1", "write for instance [\"orbit\"]"),
+        (SPATIAL, "[[1, 2, -3]]", "1", "write for instance [[1, 0, 0]]"),
+        (SPATIAL, "name = \"box\"\n", "", "name = \"box\""),
+        (SPATIAL, "rank = 1", "rank = 2.5", "write for instance 2"),
         (SPATIAL, "[table]\n", "[table]\nlattice = [[1, 0, 0]]\n", "leave it out"),
         (NAMED, "sqrt(2)/4", "sqrt(2)/0", "the divisor must not be 0"),
         (NAMED, "sqrt(2)/4", "sqrt(-1)", "its argument must not be negative"),
@@ -52,6 +58,30 @@ fn mistakes_of_few_words_are_told_the_mend() {
             errors.iter().all(|error| error.help.as_deref() != Some("known keys: name, rough, name")),
             "{errors:?}"
         );
+    }
+}
+
+#[test]
+fn lengths_in_place_of_a_list_are_told_lengths() {
+    let boundary = |wall: &str| format!("[[table.boundary]]\n{wall}\n");
+    let wall = |n: usize, wall: &str| format!("[table]\ndimension = {n}\n{}", boundary(wall));
+    for (table, wrong, at) in [
+        ("[table]\nname = \"rectangle\"\nsize = LENGTHS\n".into(), "2", "0.1, 0.2"),
+        ("[table]\nname = \"box\"\ndimension = 3\nsize = LENGTHS\n".into(), "[1, 2]", "0.1, 0.2, 0.3"),
+        (boundary("ellipse = { center = [0, 0], semi_axes = LENGTHS }"), "3", "0.1, 0.2"),
+        (wall(2, "shape = { name = \"cuboid\", size = LENGTHS, domain = \"inside\" }"), "3", "0.1, 0.2"),
+        (wall(3, "shape = { name = \"cuboid\", size = LENGTHS, domain = \"inside\" }"), "3", "0.1, 0.2, 0.3"),
+    ] {
+        let scene = |lengths: &str| {
+            let table = table.replace("LENGTHS", lengths);
+            format!(
+                "law = \"specular\"\n{table}[[orbit]]\nposition = [{at}]\nvelocity = [{at}]\n[run]\ncollisions = 1\n"
+            )
+        };
+        let help = help_with(&scene(wrong), "law", "law");
+        let example = help.split_once("for instance ").map_or("", |(_, example)| example);
+        let followed = parse(&scene(example)).unwrap_or_else(|e| panic!("{help}: {e:?}"));
+        Simulation::new(followed).unwrap_or_else(|e| panic!("{help}: {e:?}"));
     }
 }
 
