@@ -1,10 +1,12 @@
 //! Errors of a boundary, in the user's words and units.
 
-use billiards::geometry::{Error, ImplicitRule, Meeting, MeetingKind, ParametricRule, Table, meetings, tables};
+use billiards::geometry::{
+    Error, ImplicitRule, Meeting, MeetingKind, ParametricRule, Table, Vector2, meetings, tables,
+};
 
 use super::{Drawn, PieceSource};
 use crate::document::{Diagnostic, spell};
-use crate::scene::{Arguments, Scene, TableShape};
+use crate::scene::{Arguments, Border, Scene, TableShape};
 use crate::simulation::words::point;
 
 /// An error with lengths and names as in the user's file.
@@ -32,6 +34,7 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
+        Error::Thin { piece, width, least } => Error::Thin { piece, width: back(width), least: back(least) },
         Error::Field { field, must } => Error::Field { field: key(&field), must },
         Error::SamePoint { field, other } => Error::SamePoint { field: key(&field), other: key(&other) },
         Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
@@ -62,7 +65,27 @@ fn key(field: &str) -> String {
 /// An error of the geometry, expressed as one about the scene, given where its pieces come from.
 pub(super) fn about(scene: &Scene, sources: &[PieceSource], factor: f64, error: &Error) -> Diagnostic {
     let what = in_user_units(error, factor).to_string();
-    with_advice(located(scene, sources, error, what), error, &scene.table.shape)
+    let diagnostic = located(scene, sources, error, what);
+    match turning(scene, sources, error) {
+        Some(advice) => diagnostic.with_help(advice),
+        None => with_advice(diagnostic, error, &scene.table.shape),
+    }
+}
+
+/// Advice about a line or ray that has the table on the wrong side.
+fn turning(scene: &Scene, sources: &[PieceSource], error: &Error) -> Option<&'static str> {
+    let (Error::Orientation { piece }, TableShape::Boundary(entries)) = (error, &scene.table.shape) else {
+        return None;
+    };
+    let span = sources.get(*piece)?.span;
+    match entries.iter().find(|entry| entry.span == span)?.border {
+        Border::Line { .. } => Some("reverse its `direction`: the table lies on the left of a line"),
+        Border::Ray { .. } => Some(
+            "exchange \"left\" and \"right\" in the `domain` of this ray and of the one at the other end of its wall, and turn what lies \
+             between them",
+        ),
+        _ => None,
+    }
 }
 
 /// An error of a table that has been drawn.
@@ -125,6 +148,7 @@ fn piece_of(error: &Error) -> Option<usize> {
         | Error::Collapsed { piece, .. }
         | Error::TooShort { piece, .. }
         | Error::Flat { piece, .. }
+        | Error::Thin { piece, .. }
         | Error::ManyCells { piece, .. }
         | Error::FarFromCell { piece, .. }
         | Error::InfiniteOnLattice { piece }
@@ -152,6 +176,10 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::ZeroLength => "leave it out, or move one of its ends",
         Error::TooShort { .. } => "leave it out, make it longer, or move it nearer to the origin",
         Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
+        Error::Thin { .. } => {
+            "make it less flat, or move it nearer to the origin; a wall without thickness is a shape = { name = \"segment\", from = ..., to \
+             = ... }"
+        }
         Error::ManyCells { .. } => "make the piece smaller, or the vectors longer and less nearly parallel",
         Error::FarFromCell { .. } => "write the copy of it that lies next to the origin: all copies are equivalent",
         Error::OffCircle { .. } => "put the center on the perpendicular bisector of the two ends",
@@ -231,6 +259,7 @@ fn about_parameters(error: &Error) -> Option<&'static str> {
         }
         Error::Flat { .. } => "change the parameters of the table so that this arc is less flat",
         Error::Collapsed { .. } => "change the parameters of the table so that it is wider",
+        Error::Thin { .. } | Error::Faces { .. } => "change the parameters of the table so that it is less thin",
         Error::Crossing { .. } | Error::SelfCrossing { .. } => {
             "change the parameters of the table so that no piece crosses another or itself"
         }
@@ -252,10 +281,16 @@ pub(crate) fn wrong_argument(scene: &Scene, arguments: &Arguments, error: &Error
             let value = if is_length { value / factor } else { *value };
             scene.source.diagnostic(arguments.span(name), Error::Parameter { name, must, value }.to_string())
         }
-        Error::Orientation { .. } if !arguments.points("vertices").is_empty() => scene
-            .source
-            .diagnostic(arguments.span("vertices"), "the vertices run clockwise or lie on one line")
-            .with_help("list them counter-clockwise: exchange two of them"),
+        Error::Orientation { .. } if !arguments.points("vertices").is_empty() => {
+            let vertex = |i: usize| arguments.points("vertices").get(i).map(|p| Vector2::new(p.value[0], p.value[1]));
+            let turned = [0, 2, 1].map(|i| vertex(i).unwrap_or_default());
+            let (what, help) = if tables::triangle(turned).is_ok() {
+                ("the vertices run clockwise", "list them counter-clockwise: exchange two of them")
+            } else {
+                ("the vertices lie on one line", "move one of them off it")
+            };
+            scene.source.diagnostic(arguments.span("vertices"), what).with_help(help)
+        }
         Error::Form { name, .. } | Error::Count { name, .. } => {
             scene.source.diagnostic(arguments.span(name), error.to_string())
         }
