@@ -152,7 +152,10 @@ impl Spatial {
         let strict = law.is_strict();
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => {
-                Starts::Given(start::all(orbits, |orbit| checked(scene, &centres, &walls, &shift, orbit, factor))?)
+                let given = start::all(orbits, |orbit| checked(scene, &centres, &walls, &shift, orbit, factor));
+                Starts::Given(given.map_err(|wrong| {
+                    if has_no_place(&centres, &walls, factor) { vec![room::no_place(scene)] } else { wrong }
+                })?)
             }
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone(), Spins::of(&scene.particle)),
         };
@@ -163,7 +166,7 @@ impl Spatial {
             }
             if let Space::Room(room) = &centres {
                 room.surface().map_err(|error| match error {
-                    Error::Vanished if drawn(&walls, factor).surface().is_ok() => vec![room::no_place(scene)],
+                    Error::Vanished if has_no_place(&centres, &walls, factor) => vec![room::no_place(scene)],
                     other => vec![start::undrawable(scene, ensemble, &other)],
                 })?;
             }
@@ -279,6 +282,12 @@ fn named(scene: &Scene, name: &str, arguments: &Arguments, factor: f64) -> Resul
 fn drawn(walls: &[Wall], factor: f64) -> Room {
     let scaled = walls.iter().map(|wall| wall.scaled(factor));
     Room::new(scaled.filter_map(|wall| wall.spec.solid(wall.center, wall.side).ok()).collect())
+}
+
+/// Whether no place for the particle is found between walls as drawn, although there is room for a point; all lengths multiplied by a factor.
+fn has_no_place(centres: &Space, walls: &[Wall], factor: f64) -> bool {
+    let Space::Room(room) = centres else { return false };
+    matches!(room.surface(), Err(Error::Vanished)) && drawn(walls, factor).surface().is_ok()
 }
 
 /// A start in a region of space, or what is wrong with it. The region's origin lies at `shift`.

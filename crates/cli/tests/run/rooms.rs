@@ -276,6 +276,26 @@ fn rooms_that_cannot_be_filled_are_refused() {
     }
 }
 
+#[test]
+fn a_ball_for_which_there_is_no_place_is_told_so_wherever_it_starts() {
+    let folder = Folder::new("rooms-no-place");
+    let walls =
+        ["sphere = { center = [0, 0, 0], radius = 1 }", "plane = { through = [0, 0, 0.5], normal = [0, 0, 1] }"];
+    let scene = |radius: f64, height: f64| {
+        one(&walls, &format!("[0, 0, {height}]"), "[1, 0, 0.5]") + &format!("[particle]\nradius = {radius}\n")
+    };
+    let told = |radius: f64, height: f64| String::from_utf8(folder.run(&scene(radius, height), &[]).stderr).unwrap();
+    // the largest one has radius 1/4
+    for height in [0.75, 0.9, 3.0] {
+        let told = told(0.3, height);
+        assert!(told.contains("a ball of radius 0.3 has no room to move between the walls"), "{told}");
+        assert!(told.contains("help: make the radius smaller"), "{told}");
+    }
+    let elsewhere = told(0.2, 0.6);
+    assert!(elsewhere.contains("does not fit there") && elsewhere.contains("help: move the start into"), "{elsewhere}");
+    assert_eq!(folder.done(&scene(0.2, 0.75), &[])["stops"]["finished"], 1);
+}
+
 /// A room with these walls and one orbit.
 fn one(walls: &[&str], position: &str, velocity: &str) -> String {
     let walls = walls.iter().map(|wall| format!("[[table.boundary]]\n{wall}\n")).collect::<Vec<_>>().concat();
