@@ -22,6 +22,7 @@ mod places;
 mod planar;
 mod portraits;
 mod recorder;
+mod remote;
 mod results;
 mod room;
 mod same_bits;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Error, Table, Vector2, WallHit};
+use billiards::geometry::{Error, Piece, Table, Vector2, WallHit};
 use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit, Track as _};
 
 use super::Control;
@@ -12,6 +12,7 @@ use super::frame::Frame;
 use super::horizon::{self, Horizons};
 use super::law::{PlanarLaw, keeps_spin};
 use super::portraits::{Clouds, PlanarPortraits};
+use super::remote;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::trail::PlanarTrail;
@@ -46,9 +47,10 @@ impl Planar {
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
         let law = PlanarLaw::new(pieces.iter().zip(centres.pieces()).map(|(n, piece)| (kind(*n), &**piece)), gamma)
             .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
+        let bounded = remote::bounded(centres.pieces().iter().map(Piece::extent));
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => Starts::Given(start::all(orbits, |orbit| {
-                start::planar(scene, (&centres, &pieces), orbit, drawn.factor)
+                start::planar(scene, (&centres, &pieces), bounded.as_ref(), orbit, drawn.factor)
             })?),
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone(), Spins::of(&scene.particle)),
         };

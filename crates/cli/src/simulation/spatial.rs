@@ -10,6 +10,7 @@ use super::boundary;
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
 use super::law::{SpatialLaw, keeps_spin};
+use super::remote::{self, Remote};
 use super::room;
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Spins, Start, Starts, Still};
@@ -102,6 +103,13 @@ impl Space {
             Space::Named(table) => table.signed_distance(point),
             Space::Room(room) => room.distance(point),
         }
+    }
+
+    /// A box around the bounded walls of a room.
+    fn bounded(&self) -> Option<Extent<3>> {
+        let Space::Room(room) = self else { return None };
+        let boxes = room.solids().iter().map(Solid::extent);
+        remote::bounded(boxes.map(|[min, max]| Extent { min, max }))
     }
 
     /// A box around the region; infinite where the region is.
@@ -302,6 +310,10 @@ fn checked(
     let mut start: Start<3, 3> = start::scaled(orbit, length);
     let point = Vector3::from(start.position) - shift;
     start.position = point.into();
+    let velocity = Vector3::from(start.velocity);
+    if let Some(remote) = centres.bounded().and_then(|walls| Remote::of(&point, &velocity, &walls)) {
+        return Err(Box::new(start::too_far(scene, orbit, &remote, length)));
+    }
     let touched = centres.touched(&point);
     let at = orbit.position.span;
     if let Some((distance, piece)) = touched.outside {
@@ -312,7 +324,6 @@ fn checked(
         }
         return Err(Box::new(start::outside(scene, at, distance / length, piece as u64)));
     }
-    let velocity = Vector3::from(start.velocity);
     let leaves = touched.normals.iter().all(|normal| velocity.dot(normal) > 0.0);
     if !leaves || centres.is_hit_at_once(&Line { point, velocity }) {
         let what = "the start lies on a wall and does not move into the table";

@@ -1,11 +1,12 @@
 //! Starts of orbits, checked against the table.
 
-use billiards::geometry::{self, Lattice, Line, Table, Vector2};
+use billiards::geometry::{self, Extent, Lattice, Line, Table, Vector2};
 
 use crate::document::{Diagnostic, Span, spell};
 use crate::scene::{Ensemble, Orbit, Particle, Scene};
 
 use super::departure::time_to_leave;
+use super::remote::Remote;
 use super::scale::{Scale, to_unity};
 use super::sectors::{self, Ray};
 use super::words::short;
@@ -137,10 +138,12 @@ pub(crate) fn all<T>(
     if bad.is_empty() { Ok(good) } else { Err(bad) }
 }
 
-/// A start in a table of centres, each piece of which stands for one of the drawn `pieces`; or what is wrong with it.
+/// A start in a table of centres, each piece of which stands for one of the drawn `pieces`, with a box around the bounded ones; or what
+/// is wrong with it.
 pub(crate) fn planar(
     scene: &Scene,
     (table, pieces): (&Table, &[u64]),
+    bounded: Option<&Extent>,
     orbit: &Orbit,
     length: f64,
 ) -> Result<Start<2, 1>, Box<Diagnostic>> {
@@ -156,6 +159,9 @@ pub(crate) fn planar(
         ));
     }
     let home = Vector2::from(start.position);
+    if let Some(remote) = bounded.and_then(|walls| Remote::of(&home, &Vector2::from(start.velocity), walls)) {
+        return Err(Box::new(too_far(scene, orbit, &remote, length)));
+    }
     let (nearest, landing) = table.closest(&home);
     let signed = table.signed_distance(&home);
     let distance = signed.abs();
@@ -196,6 +202,18 @@ fn departing(table: &Table, start: Start<2, 1>, departure: f64) -> Start<2, 1> {
     let (_, by) = folded(table, &(position + velocity * departure).into());
     let shift = table.lattice().map_or(Vector2::zeros(), |lattice| lattice.translation(by));
     Start { position: (position - shift).into(), cell: [0, 1].map(|i| start.cell[i] + by[i]), departure, ..start }
+}
+
+/// The error that rounding decides what a start so far away hits.
+pub(crate) fn too_far(scene: &Scene, orbit: &Orbit, remote: &Remote, length: f64) -> Diagnostic {
+    let [spacing, size] = [remote.spacing, remote.size].map(|x| short(x / length));
+    let what = format!(
+        "the start is so far away that rounding decides what it hits: its coordinates are rounded to multiples of {spacing}, and all \
+         bounded walls together are {size} in size"
+    );
+    scene.source.diagnostic(orbit.position.span, what).with_help(
+        "move the start along its velocity, to a place no farther away than some thousand times the size of the walls",
+    )
 }
 
 /// The error that a start lies this far beyond a drawn piece.

@@ -242,6 +242,114 @@ fn what_is_wrong_is_said_with_its_place_and_nothing_is_written() {
 }
 
 #[test]
+fn a_start_from_which_rounding_decides_what_is_hit_is_told_to_come_nearer() {
+    let folder = Folder::new("remote");
+    let disk = "[[table.boundary]]\ncircle = { center = [0, 0], radius = 1, domain = \"outside\" }\n";
+    let tiny = disk.replace("radius = 1", "radius = 1e-4");
+    let sphere = "[table]\ndimension = 3\n[[table.boundary]]\nsphere = { center = [0, 0, 0], radius = 1, domain = \"outside\" }\n";
+    let cuboid = "[table]\ndimension = 3\n[[table.boundary]]\nshape = { name = \"cuboid\", size = [2, 2, 2] }\n";
+    let scene = |walls: &str, position: &str, velocity: &str| {
+        format!(
+            "law = \"specular\"\n{walls}[[orbit]]\nposition = {position}\nvelocity = {velocity}\n[run]\ncollisions = 1\n\
+             [output]\ncollisions = \"csv\"\n"
+        )
+    };
+    for (walls, position, velocity) in [
+        (disk, "[1e16, 0.25]", "[-1, 0]"),
+        (disk, "[1e30, 0.25]", "[-1, 0]"),
+        (disk, "[1e120, 0.25]", "[-1, 0]"),
+        (&tiny, "[1e150, 0]", "[-1, 0]"),
+        (sphere, "[1e16, 0.25, 0.5]", "[-1, 0, 0]"),
+        (cuboid, "[1e16, 0.25, 0.5]", "[-1, 0, 0]"),
+        (cuboid, "[1e130, 0.25, 0.5]", "[-1, 0, 0]"),
+    ] {
+        let told = String::from_utf8(folder.run(&scene(walls, position, velocity), &[]).stderr).unwrap();
+        assert!(
+            told.contains("rounding decides what it hits") && told.contains("help: move the start along"),
+            "{told}"
+        );
+    }
+    let told = String::from_utf8(folder.run(&scene(disk, "[1e16, 0.25]", "[-1, 0]"), &[]).stderr).unwrap();
+    assert!(
+        told.contains("scene.toml:5:12") && told.contains("multiples of 2, and all bounded walls together are 2"),
+        "{told}"
+    );
+    // as it is told, and where there is nothing to be decided
+    folder.done(&scene(disk, "[1e3, 0.25]", "[-1, 0]"), &[]);
+    let hit = &folder.rows()[0];
+    assert!((hit[5] - libm::sqrt(0.9375)).abs() < 1e-12 && (hit[6] - 0.25).abs() < 1e-12, "{hit:?}");
+    let below = format!("{disk}[[table.boundary]]\nline = {{ through = [0, -2], direction = [1, 0] }}\n");
+    for (walls, position, velocity, stop) in [
+        (disk, "[1e16, 0.25]", "[1, 0]", "escaped"),
+        (disk, "[1e16, 0.25]", "[-1, 1]", "escaped"),
+        (&below, "[1e16, 1000]", "[0, -1]", "finished"),
+    ] {
+        assert_eq!(folder.done(&scene(walls, position, velocity), &[])["stops"][stop], 1, "{position} {velocity}");
+    }
+}
+
+#[test]
+fn rays_too_close_together_to_be_told_apart_are_no_wedge() {
+    let folder = Folder::new("thin-wedge");
+    let scene = |table: &str| {
+        format!(
+            "law = \"no-slip\"\n{table}\n[[orbit]]\nposition = [0, 1]\nvelocity = [0.6, -0.8]\n[run]\ncollisions = 3\n\
+             [output]\ncollisions = \"csv\"\n"
+        )
+    };
+    let wedge = |angle: f64| scene(&format!("[table]\nname = \"wedge\"\nangle = {angle:e}"));
+    let rays = |x: f64| {
+        let ray = |x: f64, side: &str| {
+            format!("[[table.boundary]]\nray = {{ from = [0, 0], direction = [{x:e}, 1], domain = \"{side}\" }}\n")
+        };
+        scene(&(ray(x, "left") + &ray(-x, "right")))
+    };
+    for angle in [1e-150, 1e-16, 3e-16, 8e-16] {
+        for thin in [wedge(angle), rays(0.5 * angle)] {
+            let told = String::from_utf8(folder.run(&thin, &[]).stderr).unwrap();
+            assert!(
+                told.contains("pieces 0 and 1 run along each other") && told.contains("help: "),
+                "{angle:e}: {told}"
+            );
+        }
+    }
+    for thin in [wedge(1e-15), rays(5e-16)] {
+        assert_eq!(folder.done(&thin, &[])["stops"]["finished"], 1);
+        let hit = &folder.rows()[0];
+        assert!(hit[3] == 0.0 && (hit[2] / (5e-16 / 0.6) - 1.0).abs() < 1e-9, "{hit:?}");
+    }
+}
+
+#[test]
+fn a_line_or_ray_with_the_table_on_its_right_is_told_to_be_turned() {
+    let folder = Folder::new("turned");
+    let scene = |walls: &[String], at: &str| {
+        let walls = walls.iter().map(|wall| format!("[[table.boundary]]\n{wall}\n")).collect::<Vec<_>>().concat();
+        format!("law = \"specular\"\n{walls}[[orbit]]\nposition = {at}\nvelocity = [0.6, 0.8]\n[run]\ncollisions = 1\n")
+    };
+    let told = |scene: &str| String::from_utf8(folder.run(scene, &[]).stderr).unwrap();
+    let line = |height: u32, x: i32| format!("line = {{ through = [0, {height}], direction = [{x}, 0] }}");
+    let same = told(&scene(&[line(0, 1), line(1, 1)], "[0, 2]"));
+    assert!(same.contains("has the table on its right") && same.contains("help: reverse its `direction`"), "{same}");
+    for (walls, at, stop) in
+        [([line(0, -1), line(1, 1)], "[0, 2]", "escaped"), ([line(0, 1), line(1, -1)], "[0, 0.5]", "finished")]
+    {
+        assert_eq!(folder.done(&scene(&walls, at), &[])["stops"][stop], 1);
+    }
+    let wedge = |height: u32, sides: [&str; 2]| {
+        [("1", sides[0]), ("-1", sides[1])]
+            .map(|(x, side)| format!("ray = {{ from = [0, {height}], direction = [{x}, 1], domain = \"{side}\" }}"))
+    };
+    let both = |upper: [&str; 2]| [wedge(0, ["left", "right"]), wedge(1, upper)].concat();
+    let inside = told(&scene(&both(["left", "right"]), "[0, 0.5]"));
+    assert!(
+        inside.contains("has the table on its right") && inside.contains("help: exchange \"left\" and"),
+        "{inside}"
+    );
+    folder.done(&scene(&both(["right", "left"]), "[0, 0.5]"), &[]);
+}
+
+#[test]
 fn what_is_too_far_away_for_a_lattice_is_told() {
     let cases = [
         (
@@ -419,6 +527,22 @@ fn advice_names_what_the_scene_has_and_works_when_followed() {
             "the vertices run clockwise",
             "exchange two of them",
         ),
+        (
+            "name = \"triangle\"\nvertices = [[0, 0], [1, 0], [2, 0]]".into(),
+            "4:12",
+            "the vertices lie on one line",
+            "move one of them off it",
+        ),
+        ("name = \"isosceles\"\nheight = 1e15".into(), "3:8", "run along each other", "it is less thin"),
+        ("name = \"wedge\"\nangle = 5e-16".into(), "3:8", "run along each other", "it is less thin"),
+        (
+            entry("ellipse = { center = [0, 0], semi_axes = [1000, 1e-8] }"),
+            "4:11",
+            "its shorter semi-axis is 1e-8, and must be at least 2.32831e-7",
+            "make it less flat",
+        ),
+        ("name = \"ellipse\"\nsemi_axes = [1e80, 1e-80]".into(), "3:8", "too flat", "it is less thin"),
+        ("name = \"ellipse\"\nsemi_axes = [1e100, 1e-100]".into(), "3:8", "too flat", "it is less thin"),
         (
             entry("shape = { name = \"segment\", from = [0, 0], to = [0, 0] }"),
             "4:9",
