@@ -241,7 +241,11 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
                 let position = planar.lifted(&start).to_vec();
                 let distance = planar.centres.signed_distance(&Vector2::from(start.position)) / factor;
                 let launch = Launch { orbit: planar.launch(&start), scale: start.scale };
-                StartOf { position, distance: if distance > 0.0 { distance } else { 0.0 }, first: first(engine, launch, &planar.pieces) }
+                StartOf {
+                    position,
+                    distance: if distance > 0.0 { distance } else { 0.0 },
+                    first: first(engine, launch, &planar.pieces),
+                }
             })
             .collect()
     });
@@ -296,7 +300,11 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
                 let position = (0..3).map(|i| start.scale.length_out(start.position[i] + spatial.shift[i])).collect();
                 let distance = out(spatial.centres.distance(&start.position.into()));
                 let launch = Launch { orbit: spatial.launch(&start), scale: start.scale };
-                StartOf { position, distance: if distance > 0.0 { distance } else { 0.0 }, first: first(engine, launch, &[]) }
+                StartOf {
+                    position,
+                    distance: if distance > 0.0 { distance } else { 0.0 },
+                    first: first(engine, launch, &[]),
+                }
             })
             .collect()
     });

@@ -109,7 +109,7 @@ impl Space {
     fn bounded(&self) -> Option<Extent<3>> {
         let Space::Room(room) = self else { return None };
         let boxes = room.solids().iter().map(Solid::extent);
-        remote::bounded(boxes.map(|[min, max]| Extent { min, max }))
+        remote::bounded(boxes)
     }
 
     /// A box around the region; infinite where the region is.

@@ -91,7 +91,8 @@ impl Homogeneous for Sphere<2> {
     fn place<F: Lane>(&self, hit: &WallHit<F, 2>) -> [F; 2] {
         hit.normal.map(|n| -n * hit.inverse)
     }
-    /// The angular momentum `y ∧ v` is the same as at the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`.
+    /// The angular momentum `y ∧ v` is the same as at the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`, or at the end of a
+    /// flat [chord](is_chord) from the circle `v·n = y·v/r`, as at its start.
     fn arrival(&self, x: &[f64; 2], v: &[f64; 2], _: &[f64; 2]) -> [Double; 2] {
         let [v1, v2] = v.map(Double::new);
         let [y1, y2] = [0, 1].map(|i| {
@@ -100,8 +101,12 @@ impl Homogeneous for Sphere<2> {
         });
         let moment = y2.times(v1).plus(-y1.times(v2));
         let tangential = moment.over(Double::new(self.radius));
-        let square = v1.times(v1).plus(v2.times(v2)).plus(-tangential.times(tangential));
-        [-square.root(), tangential]
+        let (square, rise) = (v1.times(v1).plus(v2.times(v2)), y1.times(v1).plus(y2.times(v2)));
+        let off = y1.times(y1).plus(y2.times(y2)).plus(Double::new(-self.square));
+        if is_chord([square, rise, off].map(|x| x.high), self.square) {
+            return [rise.over(Double::new(self.radius)), tangential];
+        }
+        [-square.plus(-tangential.times(tangential)).root(), tangential]
     }
     /// The time is `2 r normal/|u|²`.
     #[inline(always)]
