@@ -12,7 +12,7 @@ const NEAR: f64 = 4.0 * f64::EPSILON;
 
 /// Whether a particle that a law has slowed down creeps along a focusing wall: it came from that wall on a flight that rose above it by
 /// no more than rounding, and leaves it at as flat an angle, judged by the normal speeds of arrival and departure and the [`taxicab`] norm
-/// of the velocity of departure, its `size`. From then on rounding determines the lengths of chords.
+/// of the velocity of departure, its `size`. From then on rounding determines the lengths of chords, but on round walls.
 #[inline(always)]
 pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, leaving]: [F; 2], size: F) -> F::Mask {
     // how far it rose is a fourth of this
