@@ -21,6 +21,13 @@ fn signal(run: &Child, name: &str) {
     assert!(sent.success());
 }
 
+/// Whether a run that is started here hears of Ctrl-C: not where these tests run in the background of a script, which ignores it.
+fn hears_ctrl_c() -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    ignored.is_none_or(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() & 0b10 == 0)
+}
+
 /// The exit status of a run that should end by now.
 fn end(run: &mut Child) -> i32 {
     let begun = Instant::now();
@@ -43,7 +50,7 @@ fn an_interrupted_run_keeps_what_is_done() {
     let folder = Folder::new("interrupt");
     let mut run = begin(&folder, CHAOS, &["-n", "1e12", "--threads", "1"]);
     sleep(UNDER_WAY);
-    signal(&run, "INT");
+    signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     let summary = folder.summary("out");
     assert_eq!(summary["stops"]["interrupted"], 2);
@@ -55,7 +62,7 @@ fn an_interrupted_run_keeps_what_is_done() {
 fn two_signals_at_once_are_one_request() {
     let folder = Folder::new("twice");
     let scene = format!("{CHAOS}\n[output]\ncollisions = \"csv\"\n");
-    for kind in ["INT", "TERM"] {
+    for kind in ["INT", "TERM"].into_iter().filter(|kind| *kind == "TERM" || hears_ctrl_c()) {
         let mut run = begin(&folder, &scene, &["-n", "1e12", "--threads", "1"]);
         sleep(UNDER_WAY);
         signal(&run, kind);
@@ -100,7 +107,7 @@ fn an_interruption_does_not_wait_for_many_slow_collisions() {
         let scene = format!("{table}[ensemble]\ncount = {count}\n[run]\n{limit}\n{output}");
         let mut run = begin(&folder, &scene, &["--threads", "1"]);
         sleep(UNDER_WAY);
-        signal(&run, "INT");
+        signal(&run, "TERM");
         assert_eq!(end(&mut run), 0, "{count} {limit} {output}");
         assert_eq!(folder.summary("out")["stops"]["interrupted"], count);
     }
@@ -117,7 +124,7 @@ fn an_interruption_waits_for_one_orbit_and_not_for_a_thousand() {
     let scene = format!("{table}{near}{far}[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n");
     let mut run = begin(&folder, &scene, &["--threads", "1"]);
     sleep(UNDER_WAY);
-    signal(&run, "INT");
+    signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     let summary = folder.summary("out");
     assert!(summary["stops"]["interrupted"].as_u64().unwrap() > 900, "{summary}");
@@ -137,7 +144,7 @@ fn an_interruption_does_not_wait_for_the_horizons() {
     );
     let mut run = begin(&folder, &scene, &["--threads", "1"]);
     sleep(UNDER_WAY);
-    signal(&run, "INT");
+    signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     let summary = folder.summary("out");
     assert!(summary["horizon"]["orbits"].as_array().unwrap().len() < 16, "{summary}");
@@ -165,10 +172,10 @@ fn a_second_request_ends_a_run_at_once_and_leaves_no_part_of_a_file() {
     }
     assert_eq!(files(), 1, "the record has not been begun");
     sleep(Duration::from_millis(100));
-    signal(&run, "INT");
+    signal(&run, "TERM");
     sleep(Duration::from_millis(700));
     assert!(run.try_wait().unwrap().is_none(), "the run has ended already");
-    signal(&run, "INT");
+    signal(&run, "TERM");
     assert_eq!(end(&mut run), 130);
     assert_eq!(files(), 0);
 }
