@@ -92,7 +92,7 @@ impl Homogeneous for Sphere<2> {
         hit.normal.map(|n| -n * hit.inverse)
     }
     /// The angular momentum `y ∧ v` is the same as at the start: `v·t = −(y ∧ v)/r` and `v·n = −√(|v|² − (v·t)²)`, or at the end of a
-    /// flat [chord](is_chord) from the circle `v·n = y·v/r`, as at its start.
+    /// flat chord from the circle `v·n = y·v/r`, as at its start.
     fn arrival(&self, x: &[f64; 2], v: &[f64; 2], _: &[f64; 2]) -> [Double; 2] {
         let [v1, v2] = v.map(Double::new);
         let [y1, y2] = [0, 1].map(|i| {
