@@ -24,8 +24,13 @@ fn signal(run: &Child, name: &str) {
 /// Whether a run that is started here hears of Ctrl-C: not where these tests run in the background of a script, which ignores it.
 fn hears_ctrl_c() -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
-    ignored.is_none_or(|mask| u64::from_str_radix(mask.trim(), 16).unwrap() & 0b10 == 0)
+    mask(&status, "SigIgn:").is_none_or(|mask| mask >> 1 & 1 == 0)
+}
+
+/// A set of signals in the status of a process, as Linux tells it: the first signal in the lowest bit.
+fn mask(status: &str, name: &str) -> Option<u64> {
+    let mask = status.lines().find_map(|line| line.strip_prefix(name))?;
+    u64::from_str_radix(mask.trim(), 16).ok()
 }
 
 /// The exit status of a run that should end by now.
@@ -41,15 +46,25 @@ fn end(run: &mut Child) -> i32 {
     panic!("the run goes on");
 }
 
-/// Time after which the handler of signals is in place, and orbits are on their way.
-const UNDER_WAY: Duration = Duration::from_millis(1500);
+/// Waits until the handler of signals of a run is in place (only Linux tells), and orbits are on their way.
+fn under_way(run: &Child) {
+    let caught = || {
+        let status = fs::read_to_string(format!("/proc/{}/status", run.id())).unwrap_or_default();
+        mask(&status, "SigCgt:").is_none_or(|mask| mask >> 14 & 1 == 1)
+    };
+    let begun = Instant::now();
+    while !caught() && begun.elapsed() < Duration::from_secs(60) {
+        sleep(Duration::from_millis(10));
+    }
+    sleep(Duration::from_millis(1500));
+}
 
 /// Of a run that would take weeks.
 #[test]
 fn an_interrupted_run_keeps_what_is_done() {
     let folder = Folder::new("interrupt");
     let mut run = begin(&folder, CHAOS, &["-n", "1e12", "--threads", "1"]);
-    sleep(UNDER_WAY);
+    under_way(&run);
     signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     let summary = folder.summary("out");
@@ -64,7 +79,7 @@ fn two_signals_at_once_are_one_request() {
     let scene = format!("{CHAOS}\n[output]\ncollisions = \"csv\"\n");
     for kind in ["INT", "TERM"].into_iter().filter(|kind| *kind == "TERM" || hears_ctrl_c()) {
         let mut run = begin(&folder, &scene, &["-n", "1e12", "--threads", "1"]);
-        sleep(UNDER_WAY);
+        under_way(&run);
         signal(&run, kind);
         signal(&run, kind);
         assert_eq!(end(&mut run), 0, "{kind}");
@@ -84,32 +99,35 @@ fn a_signal_that_is_ignored_from_the_start_stays_ignored() {
     let mut shell = Command::new("sh");
     let shell = shell.current_dir(&folder.0).args(["-c", command]).arg(assert_cmd::cargo::cargo_bin("billiards"));
     let mut run = shell.stdout(Stdio::null()).spawn().unwrap();
-    sleep(UNDER_WAY);
+    under_way(&run);
     signal(&run, "HUP");
-    sleep(UNDER_WAY);
+    sleep(Duration::from_millis(1500));
     assert!(run.try_wait().unwrap().is_none(), "the run has ended");
     signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     assert_eq!(folder.summary("out")["stops"]["interrupted"], 2);
 }
 
-/// Particles that cross a hundred thousand cells of a lattice from one collision to the next.
+/// Particles that cross a million cells of a lattice from one collision to the next. A few meet a corridor and escape; the one of the
+/// first scene goes on for three thousand collisions.
 #[test]
 fn an_interruption_does_not_wait_for_many_slow_collisions() {
     let folder = Folder::new("slow");
-    let table = "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 1e-5\n";
+    let table = "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 1e-6\n";
     for (count, limit, output) in [
         (1, "collisions = 10000", ""),
         (100, "collisions = 10000", ""),
-        (100, "time = 1e9", ""),
+        (100, "time = 1e12", ""),
         (100, "collisions = 10000", "[output]\npictures = [\"phase-portrait\"]\n"),
     ] {
-        let scene = format!("{table}[ensemble]\ncount = {count}\n[run]\n{limit}\n{output}");
+        let scene = format!("{table}[ensemble]\ncount = {count}\nseed = 4\n[run]\n{limit}\n{output}");
         let mut run = begin(&folder, &scene, &["--threads", "1"]);
-        sleep(UNDER_WAY);
+        under_way(&run);
         signal(&run, "TERM");
         assert_eq!(end(&mut run), 0, "{count} {limit} {output}");
-        assert_eq!(folder.summary("out")["stops"]["interrupted"], count);
+        let stops = &folder.summary("out")["stops"];
+        let (interrupted, escaped) = (stops["interrupted"].as_u64().unwrap(), stops["escaped"].as_u64().unwrap_or(0));
+        assert!(interrupted + escaped == count && escaped <= count / 5, "{count} {limit} {output}: {stops}");
     }
 }
 
@@ -123,7 +141,7 @@ fn an_interruption_waits_for_one_orbit_and_not_for_a_thousand() {
     let table = "law = \"specular\"\n[table]\nname = \"sinai-torus\"\nradius = 0.1\n";
     let scene = format!("{table}{near}{far}[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n");
     let mut run = begin(&folder, &scene, &["--threads", "1"]);
-    sleep(UNDER_WAY);
+    under_way(&run);
     signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     let summary = folder.summary("out");
@@ -143,7 +161,7 @@ fn an_interruption_does_not_wait_for_the_horizons() {
         "law = \"specular\"\n[table]\nlattice = [[1, 0], [0, 1]]\n[[table.boundary]]\n{obstacle}\n{orbits}[run]\ncollisions = 5000\n"
     );
     let mut run = begin(&folder, &scene, &["--threads", "1"]);
-    sleep(UNDER_WAY);
+    under_way(&run);
     signal(&run, "TERM");
     assert_eq!(end(&mut run), 0);
     let summary = folder.summary("out");
@@ -151,15 +169,17 @@ fn an_interruption_does_not_wait_for_the_horizons() {
     assert_eq!((summary["stops"]["interrupted"].as_u64(), summary["collisions"].as_u64()), (Some(16), Some(0)));
 }
 
-/// A path along the corridors between several disks in each cell is given up after seconds.
+/// A path along the corridors between forty disks in each cell is given up after seconds.
 #[test]
 fn a_second_request_ends_a_run_at_once_and_leaves_no_part_of_a_file() {
     let folder = Folder::new("at-once");
-    let disk =
-        |x| format!("[[table.boundary]]\ncircle = {{ center = [{x}, 0.5], radius = 0.075, domain = \"outside\" }}\n");
-    let disks = [0.125, 0.375, 0.625, 0.875].map(disk).concat();
+    let disk = |k: i32| {
+        let x = (f64::from(k) + 0.5) / 40.0;
+        format!("[[table.boundary]]\ncircle = {{ center = [{x}, 0.5], radius = 0.0075, domain = \"outside\" }}\n")
+    };
+    let disks = (0..40).map(disk).collect::<Vec<_>>().concat();
     // the digits of the first sixteen are looked at before
-    let near = "[[orbit]]\nposition = [0.125, 0]\nvelocity = [0, 1]\n".repeat(16);
+    let near = "[[orbit]]\nposition = [0.0125, 0]\nvelocity = [0, 1]\n".repeat(16);
     let far = "[[orbit]]\nposition = [0, 0]\nvelocity = [1, 1e-9]\n".repeat(1000);
     let table = format!("law = \"specular\"\n[table]\nlattice = [[1, 0], [0, 1]]\n{disks}");
     let scene = format!("{table}{near}{far}[run]\ncollisions = 1\n[output]\ncollisions = \"csv\"\n");
