@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, SyncSender};
 use std::time::{Duration, Instant};
 
 use billiards::observe::EnergyDrift;
-use billiards::{Orbit, Stop, Timed};
+use billiards::{Orbit, Outcome, SEATS, Stop, Timed};
 
 use super::desk::Desk;
 use super::engine::{Bare, Engine, Until, Watch, Watched};
@@ -14,7 +14,7 @@ use super::portraits::Portraits;
 use super::results::{Ended, Results};
 use super::scale::Scale;
 use super::trail::Trail;
-use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, LEAST_SIDE_BY_SIDE, Launch, STEPS, Work, batch};
+use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, Launch, STEPS, Work, batch};
 use crate::picture::{MOST_DOTS, layer};
 
 /// A block that takes longer than this is watched, so that an interruption ends it.
@@ -38,9 +38,36 @@ pub(super) struct Job<'a, const N: usize, const S: usize, T: Trail<N, S>> {
 #[derive(Clone, Copy, Debug)]
 struct Course {
     orbit: u64,
+    scale: Scale,
+    /// The time limit, in the engine's unit.
+    end: f64,
     stop: Option<Stop>,
     collisions: u64,
     drift: EnergyDrift,
+    /// What of [`STEPS`] has been counted as done.
+    steps: u64,
+}
+
+impl Course {
+    /// Notes the outcome of a block, after which the orbit has reached a time.
+    fn note(&mut self, outcome: Outcome, until: Until, time: f64, work: &Work<'_>) {
+        self.collisions += outcome.collisions;
+        let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == until.collisions;
+        let goes_on = (block_is_over && self.collisions < work.collisions) || outcome.stop == Stop::Observer;
+        self.stop = (!goes_on).then_some(outcome.stop);
+        let done = if goes_on {
+            progress_of(self.collisions, work.collisions).max(progress_of_time(time, self.end))
+        } else {
+            STEPS
+        };
+        self.count(done, work);
+    }
+
+    /// Counts a part of the orbit as done.
+    fn count(&mut self, done: u64, work: &Work<'_>) {
+        work.progress.fetch_add(done - self.steps, Ordering::Relaxed);
+        self.steps = done;
+    }
 }
 
 /// An orbit that is no longer watched.
@@ -62,14 +89,13 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         orbits: Range<u64>,
         launch: &(dyn Fn(u64) -> Launch<N, S, T> + Sync),
     ) -> ControlFlow<()> {
-        let is_bare = self.work.is_bare(&orbits);
         let mut orbits = orbits.peekable();
         while let Some(&orbit) = orbits.peek()
             && !self.work.interrupted.load(Ordering::Relaxed)
         {
             let left = orbits.size_hint().0 as u64;
-            if is_bare && left >= FEWEST_SIDE_BY_SIDE && !self.work.shows_points() {
-                self.run_side_by_side(orbit, &orbits.map(launch).collect::<Vec<_>>());
+            if left >= FEWEST_SIDE_BY_SIDE && self.work.is_side_by_side(orbit) {
+                self.run_side_by_side(orbit, orbits.map(launch));
                 break;
             }
             self.run(orbit, launch(orbit))?;
@@ -80,73 +106,78 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
 
     /// Runs one orbit. It is run in blocks of the same size however it is watched, so its bits are the same.
     fn run(&mut self, index: u64, launch: Launch<N, S, T>) -> ControlFlow<()> {
-        let Work { collisions: most, watch, progress, interrupted, .. } = *self.work;
-        let scale = launch.scale;
-        let end = scale.time_in(self.work.time);
-        let watched = if index < watch.orbits { watch.collisions } else { 0 };
-        let mut drift = EnergyDrift::of(&launch.orbit);
+        let mut course = self.course(index, &launch);
         let mut orbit = Running::Watched(launch.orbit);
-        let mut shown = 0;
         // unknown before the first block
         let mut is_quick = false;
-        let (mut n, mut steps) = (0, 0);
-        let stop = loop {
+        loop {
             let begun = Instant::now();
-            let until = Until { collisions: BLOCK.min(most - n), time: end };
-            orbit = orbit.watched_if(n < watched || self.portraits.is_some() || !is_quick);
+            let until = self.block(&course);
+            let watched = course.collisions < self.work.watched(index);
+            orbit = orbit.watched_if(watched || self.portraits.is_some() || !is_quick);
             let shows_points = self.work.shows_points();
             let outcome = match &mut orbit {
-                Running::Watched(orbit) => {
-                    let Work { pieces, frame, .. } = *self.work;
-                    let Results { events, points, .. } = &mut self.results;
-                    let mut portraits = None;
-                    if let Some(of_thread) = &mut self.portraits {
-                        let unit = of_thread.unit(&orbit.velocity, &orbit.spin);
-                        portraits = Some((of_thread, unit));
-                    }
-                    let mut watch = Watch {
-                        events: (n < watched).then_some(events),
-                        portraits,
-                        points: shows_points.then_some(points),
-                        orbit: index,
-                        before: n,
-                        scale,
-                        pieces,
-                        frame,
-                        called_off: interrupted,
-                    };
-                    self.engine.watched(orbit, until, &mut watch)
-                }
+                Running::Watched(orbit) => self.watch(orbit, &course, until),
                 Running::Bare(orbit) => self.engine.bare(orbit, until),
             };
-            n += outcome.collisions;
-            orbit.seen_by(&mut drift);
-            let now = progress_of(n, most).max(progress_of_time(orbit.time(), end));
-            progress.fetch_add(now - steps, Ordering::Relaxed);
-            steps = now;
+            orbit.seen_by(&mut course.drift);
+            course.note(outcome, until, orbit.time(), self.work);
             let took = begun.elapsed();
             is_quick = took < AT_ONCE;
             self.busy += took;
-            if outcome.stop == Stop::Observer {
-                break None;
-            }
-            let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == until.collisions && n < most;
-            if !block_is_over {
-                break Some(outcome.stop);
+            if course.stop.is_some() || outcome.stop == Stop::Observer {
+                break;
             }
             if shows_points {
-                shown += outcome.collisions;
                 // a single orbit with this many points is a crowd
-                self.work.crowded.fetch_or(shown > MOST_DOTS as u64, Ordering::Relaxed);
+                self.work.crowded.fetch_or(course.collisions > MOST_DOTS as u64, Ordering::Relaxed);
             }
             self.send_block()?;
-            if interrupted.load(Ordering::Relaxed) {
-                break None;
+            if self.work.interrupted.load(Ordering::Relaxed) {
+                break;
             }
-        };
-        progress.fetch_add(STEPS - steps, Ordering::Relaxed);
-        self.end(&orbit, scale, Course { orbit: index, stop, collisions: n, drift });
+        }
+        self.end(&orbit, course, self.results.events.len());
         self.send_block()
+    }
+
+    /// An orbit at its start.
+    fn course(&self, orbit: u64, Launch { orbit: start, scale }: &Launch<N, S, T>) -> Course {
+        let (scale, drift) = (*scale, EnergyDrift::of(start));
+        Course { orbit, scale, end: scale.time_in(self.work.time), stop: None, collisions: 0, drift, steps: 0 }
+    }
+
+    /// The limits of an orbit's next block.
+    fn block(&self, course: &Course) -> Until {
+        Until { collisions: BLOCK.min(self.work.collisions - course.collisions), time: course.end }
+    }
+
+    /// Runs a block of an orbit that is watched.
+    fn watch(&mut self, orbit: &mut Watched<N, S, T>, course: &Course, until: Until) -> Outcome {
+        let Work { pieces, frame, interrupted, .. } = *self.work;
+        let shows_points = self.work.shows_points();
+        let Results { events, points, .. } = &mut self.results;
+        let wanted = self.work.watched(course.orbit).saturating_sub(course.collisions);
+        let most = usize::try_from(wanted).unwrap_or(usize::MAX).saturating_add(events.len());
+        let mut portraits = None;
+        if let Some(of_thread) = &mut self.portraits {
+            let unit = of_thread.unit(&orbit.velocity, &orbit.spin);
+            portraits = Some((of_thread, unit));
+        }
+        let mut watch = Watch {
+            events: (wanted > 0).then_some(&mut *events),
+            portraits,
+            points: shows_points.then_some(points),
+            orbit: course.orbit,
+            before: course.collisions,
+            scale: course.scale,
+            pieces,
+            frame,
+            called_off: interrupted,
+        };
+        let outcome = self.engine.watched(orbit, until, &mut watch);
+        events.truncate(most);
+        outcome
     }
 
     /// Passes on the results so far if they are many.
@@ -155,28 +186,35 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         if events.len().max(points.len()) as u64 >= BLOCK { self.send() } else { ControlFlow::Continue(()) }
     }
 
-    /// Runs orbits that are not watched, from the given one, in the same blocks as if they were run one by one.
-    fn run_side_by_side(&mut self, first: u64, launches: &[Launch<N, S, T>]) {
-        let Work { collisions: most, progress, interrupted, .. } = *self.work;
-        let scales: Vec<Scale> = launches.iter().map(|launch| launch.scale).collect();
-        let mut orbits: Vec<Bare<N, S>> = launches.iter().map(|launch| bare(&launch.orbit)).collect();
-        let mut courses: Vec<Course> = (first..)
-            .zip(&orbits)
-            .map(|(orbit, start)| Course { orbit, stop: None, collisions: 0, drift: EnergyDrift::of(start) })
-            .collect();
-        let ends: Vec<f64> = scales.iter().map(|scale| scale.time_in(self.work.time)).collect();
-        let mut steps = vec![0; launches.len()];
-        for mut going in self.in_turn(first, &ends) {
-            let end = going.first().map_or(f64::INFINITY, |&k| ends[k]);
-            let mut n = 0;
+    /// Runs orbits, from the given one, side by side, in the same blocks as if they were run one by one. Those of which the first
+    /// collisions are watched make their first block one by one.
+    fn run_side_by_side(&mut self, first: u64, launches: impl Iterator<Item = Launch<N, S, T>>) {
+        let interrupted = self.work.interrupted;
+        let watched = self.work.watched(first) > 0;
+        let (mut orbits, mut courses, mut events) = (vec![], vec![], vec![]);
+        for (index, launch) in (first..).zip(launches) {
+            let mut course = self.course(index, &launch);
+            let mut orbit = launch.orbit;
+            if watched && !interrupted.load(Ordering::Relaxed) {
+                let begun = Instant::now();
+                let until = self.block(&course);
+                let outcome = self.watch(&mut orbit, &course, until);
+                course.drift.see_restored(&orbit);
+                course.note(outcome, until, orbit.track.0.time(), self.work);
+                self.busy += begun.elapsed();
+            }
+            orbits.push(bare(&orbit));
+            courses.push(course);
+            events.push(self.results.events.len());
+        }
+        for mut going in self.in_turn(first, &courses) {
             while !going.is_empty() && !interrupted.load(Ordering::Relaxed) {
                 let begun = Instant::now();
-                let block = BLOCK.min(most - n);
+                let until = self.block(&courses[going[0]]);
                 // up to a time limit there may be any number of collisions, and mostly fewer
-                let together = if end < f64::INFINITY { going.len() } else { batch(block) };
+                let together = if until.time < f64::INFINITY { going.len() } else { batch(until.collisions) };
                 for going in going.chunks(together).take_while(|_| !interrupted.load(Ordering::Relaxed)) {
                     let mut these: Vec<Bare<N, S>> = going.iter().map(|&k| orbits[k]).collect();
-                    let until = Until { collisions: block, time: end };
                     let outcomes = match &mut self.portraits {
                         Some(portraits) => {
                             portraits.side_by_side(going.iter().map(|&k| first + k as u64));
@@ -186,38 +224,26 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
                     };
                     for ((&k, orbit), outcome) in going.iter().zip(these).zip(outcomes) {
                         orbits[k] = orbit;
-                        let course = &mut courses[k];
-                        course.collisions += outcome.collisions;
-                        course.drift.see_restored(&orbits[k]);
-                        let block_is_over = outcome.stop == Stop::Finished && outcome.collisions == block;
-                        let goes_on = (block_is_over && course.collisions < most) || outcome.stop == Stop::Observer;
-                        let now = if goes_on {
-                            progress_of(course.collisions, most).max(progress_of_time(orbits[k].track.time(), end))
-                        } else {
-                            course.stop = Some(outcome.stop);
-                            STEPS
-                        };
-                        progress.fetch_add(now - steps[k], Ordering::Relaxed);
-                        steps[k] = now;
+                        courses[k].drift.see_restored(&orbit);
+                        courses[k].note(outcome, until, orbit.track.time(), self.work);
                     }
                 }
                 going.retain(|&k| courses[k].stop.is_none());
-                n += block;
                 self.busy += begun.elapsed();
             }
-            progress.fetch_add(going.iter().map(|&k| STEPS - steps[k]).sum(), Ordering::Relaxed);
         }
-        for ((orbit, scale), course) in orbits.into_iter().zip(scales).zip(courses) {
-            self.end(&Running::Bare(orbit), scale, course);
+        for ((orbit, course), events) in orbits.into_iter().zip(courses).zip(events) {
+            self.end(&Running::Bare(orbit), course, events);
         }
     }
 
-    /// Groups of orbits, from the given one, to run side by side, given the times at which they end: those with the same end
-    /// together, and among them those counted in the same layer of portraits, which then fits into the cache.
-    fn in_turn(&self, first: u64, ends: &[f64]) -> Vec<Vec<usize>> {
-        let mut all: Vec<usize> = (0..ends.len()).collect();
-        all.sort_by(|a, b| ends[*a].total_cmp(&ends[*b]));
-        let at_once = all.chunk_by_mut(|a, b| ends[*a] == ends[*b]);
+    /// Groups of orbits, from the given one, to run side by side: of those that go on, those that end at the same time together,
+    /// and among them those counted in the same layer of portraits, which then fits into the cache.
+    fn in_turn(&self, first: u64, courses: &[Course]) -> Vec<Vec<usize>> {
+        let end = |k: &usize| courses[*k].end;
+        let mut all: Vec<usize> = (0..courses.len()).filter(|&k| courses[k].stop.is_none()).collect();
+        all.sort_by(|a, b| end(a).total_cmp(&end(b)));
+        let at_once = all.chunk_by_mut(|a, b| end(a) == end(b));
         if self.portraits.is_none() {
             return at_once.map(|all| all.to_vec()).collect();
         }
@@ -228,7 +254,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             let mut of_these: Vec<Vec<usize>> = vec![];
             for of_layer in all.chunk_by(|a, b| layer(a) == layer(b)) {
                 match of_these.last_mut() {
-                    Some(few) if (few.len() as u64) < LEAST_SIDE_BY_SIDE => few.extend(of_layer),
+                    Some(few) if few.len() < SEATS => few.extend(of_layer),
                     _ => of_these.push(of_layer.to_vec()),
                 }
             }
@@ -237,16 +263,17 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         turns
     }
 
-    /// Notes the end of an orbit.
-    fn end(&mut self, orbit: &Running<N, S, T>, scale: Scale, course: Course) {
-        let Course { orbit: index, stop, collisions, drift } = course;
-        let (position, velocity) = orbit.end(self.engine, scale.time_in(self.work.time), stop);
+    /// Notes the end of an orbit, after this many of the events.
+    fn end(&mut self, orbit: &Running<N, S, T>, mut course: Course, events: usize) {
+        course.count(STEPS, self.work);
+        let Course { orbit: index, scale, stop, collisions, drift, .. } = course;
+        let (position, velocity) = orbit.end(self.engine, course.end, stop);
         let position = self.work.frame.beyond(&orbit.position(), &position).map(|x| scale.length_out(x));
         let velocity = velocity.map(|v| scale.speed_out(v));
         let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
         let time = if out_of_time { self.work.time } else { scale.time_out(orbit.time()) };
         let ended = Ended { orbit: index, stop, collisions, time, drift: drift.largest(), position, velocity };
-        self.results.ends.push((self.results.events.len(), ended));
+        self.results.ends.push((events, ended));
     }
 
     /// Passes on the results so far.

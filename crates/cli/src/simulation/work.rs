@@ -9,6 +9,7 @@ use super::engine::Watched;
 use super::frame::Frame;
 use super::recorder::Recorder;
 use super::scale::Scale;
+use crate::picture::ORBITS;
 
 /// Collisions between two looks at the clock and the energy.
 pub(super) const BLOCK: u64 = 4096;
@@ -17,7 +18,10 @@ const MOST_TOGETHER: u64 = 1024;
 /// Side by side, a single orbit takes as long as full lanes: three to four times as long as alone.
 pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
 /// Fewest and most orbits that one thread takes on to run them side by side, if there are as many for each thread.
-pub(super) const LEAST_SIDE_BY_SIDE: u64 = 64;
+const LEAST_SIDE_BY_SIDE: u64 = 64;
+/// The same where collisions are counted for portraits: enough to fill the lanes with orbits of each colour, one colour after another.
+/// With orbits of all colours at a time, 200 of them took three times as long.
+const LEAST_COUNTED: u64 = (SEATS * ORBITS.len()) as u64;
 const MOST_SIDE_BY_SIDE: u64 = 512;
 /// Orbits of this many collisions are shared among threads even where that leaves fewer for each.
 const LONG: u64 = 1 << 13;
@@ -79,14 +83,19 @@ pub(crate) struct Work<'a> {
 pub(crate) struct Extent {
     /// This many first orbits …
     pub(crate) orbits: u64,
-    /// … for at least this many collisions.
+    /// … for this many collisions.
     pub(crate) collisions: u64,
 }
 
 impl Work<'_> {
-    /// Whether these orbits are not watched: then they run side by side.
-    pub(super) fn is_bare(&self, orbits: &Range<u64>) -> bool {
-        orbits.start >= self.watched_orbits()
+    /// How many collisions of an orbit are watched.
+    pub(super) fn watched(&self, orbit: u64) -> u64 {
+        if orbit < self.watch.orbits { self.watch.collisions } else { 0 }
+    }
+
+    /// Whether an orbit and those after it run side by side: not if they are watched beyond the first block.
+    pub(super) fn is_side_by_side(&self, orbit: u64) -> bool {
+        self.watched(orbit) <= BLOCK && !self.shows_points()
     }
 
     /// The largest possible number of points in a portrait.
@@ -102,27 +111,24 @@ impl Work<'_> {
     /// Fewest orbits that one thread takes on, starting with the given one.
     fn least_side_by_side(&self, first: u64) -> u64 {
         let threads = self.threads.max(1) as u64;
+        let least = if self.counted { LEAST_COUNTED } else { LEAST_SIDE_BY_SIDE };
         if threads == 1 || self.collisions < LONG {
-            LEAST_SIDE_BY_SIDE
+            least
         } else if self.orbits.saturating_sub(first) < FEWEST_SIDE_BY_SIDE {
             // which run one after another
             1
         } else {
             // the same number for all, and both vectors of a twin full: a job of half as many takes as long
-            self.orbits.div_ceil(threads).next_multiple_of(2 * FEWEST_SIDE_BY_SIDE).min(LEAST_SIDE_BY_SIDE)
+            self.orbits.div_ceil(threads).next_multiple_of(2 * FEWEST_SIDE_BY_SIDE).min(least)
         }
-    }
-
-    fn watched_orbits(&self) -> u64 {
-        if self.watch.collisions > 0 { self.watch.orbits } else { 0 }
     }
 
     /// The next few orbits from the given one, for one thread.
     pub(super) fn next_job(&self, first: u64) -> Range<u64> {
-        let bare = self.is_bare(&(first..first));
-        let end = if bare { self.orbits } else { self.watched_orbits().min(self.orbits) };
+        // those of a job are all watched, or none of them
+        let end = if self.watched(first) > 0 { self.watch.orbits.min(self.orbits) } else { self.orbits };
         // while points are passed on one by one, jobs are small, so that none waits long for another
-        let together = if bare && !self.shows_points() {
+        let together = if self.is_side_by_side(first) {
             // enough to fill the lanes again and again; each job takes a share of the remaining orbits, so jobs become smaller
             let share = self.orbits.saturating_sub(first) / (2 * self.threads.max(1) as u64);
             let share = share - share % SEATS as u64;
@@ -146,8 +152,8 @@ mod tests {
 
     #[test]
     fn a_few_long_orbits_are_shared_among_the_threads() {
-        let (crowded, interrupted, progress) = (AtomicBool::new(false), AtomicBool::new(false), AtomicU64::new(0));
-        let jobs = |orbits, collisions, threads| {
+        let (crowded, interrupted, progress) = (AtomicBool::new(true), AtomicBool::new(false), AtomicU64::new(0));
+        let jobs = |orbits, collisions, threads, counted| {
             let work = Work {
                 orbits,
                 collisions,
@@ -155,7 +161,7 @@ mod tests {
                 watch: Extent { orbits: 0, collisions: 0 },
                 recorder: None,
                 drawn: false,
-                counted: false,
+                counted,
                 crowded: &crowded,
                 pieces: &[],
                 frame: Frame::default(),
@@ -172,15 +178,19 @@ mod tests {
             sizes
         };
         let long = 1_000_000;
-        assert_eq!(jobs(2, long, 2), [1, 1]);
-        assert_eq!(jobs(12, long, 2), [12]);
-        assert_eq!(jobs(20, long, 2), [16, 1, 1, 1, 1]);
-        assert_eq!(jobs(64, long, 2), [32; 2]);
-        assert_eq!(jobs(64, long, 8), [16; 4]);
-        assert_eq!(jobs(128, long, 2), [64; 2]);
+        assert_eq!(jobs(2, long, 2, false), [1, 1]);
+        assert_eq!(jobs(12, long, 2, false), [12]);
+        assert_eq!(jobs(20, long, 2, false), [16, 1, 1, 1, 1]);
+        assert_eq!(jobs(64, long, 2, false), [32; 2]);
+        assert_eq!(jobs(64, long, 8, false), [16; 4]);
+        assert_eq!(jobs(128, long, 2, false), [64; 2]);
         // no splitting where nothing is gained
-        assert_eq!(jobs(64, long, 1), [64]);
-        assert_eq!(jobs(64, 100, 2), [64]);
+        assert_eq!(jobs(64, long, 1, false), [64]);
+        assert_eq!(jobs(64, 100, 2, false), [64]);
+        // those that are counted fill the lanes colour by colour
+        assert_eq!(jobs(200, long, 2, true), [112, 88]);
+        assert_eq!(jobs(200, long, 1, true), [128, 72]);
+        assert_eq!(jobs(512, long, 2, true), [128; 4]);
     }
 
     #[test]

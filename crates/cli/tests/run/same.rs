@@ -66,6 +66,42 @@ fn orbits_side_by_side_make_as_many_collisions_as_are_asked_for() {
 }
 
 #[test]
+fn orbits_that_are_drawn_at_first_run_on_side_by_side() {
+    let folder = Folder::new("drawn-at-first");
+    // a square around a disk, with a hole in its lower side: some orbits escape while they are drawn, others in their first block, others
+    // later or never
+    let piece = |piece: &str| format!("[[table.boundary]]\n{piece}\n");
+    let table = [
+        "ray = { from = [0.509, 0], direction = [-1, -1] }",
+        "chain = { from = [0.51, 0], edges = [{ line_to = [1, 0] }, { line_to = [1, 1] }, { line_to = [0, 1] }, { line_to = [0, 0] }, \
+         { line_to = [0.509, 0] }] }",
+        "ray = { from = [0.51, 0], direction = [1, -1], domain = \"right\" }",
+        "circle = { center = [0.5, 0.5], radius = 0.2, domain = \"outside\" }",
+    ]
+    .map(piece)
+    .concat();
+    let start = |k: u32| format!("[[orbit]]\nposition = [0.1, {}]\nvelocity = [0.6, 0.8]\n", 0.1 + 0.02 * f64::from(k));
+    let starts: String = (0..40).map(start).collect();
+    for limit in ["collisions = 10000", "time = 3000"] {
+        let kept = |record: &str, threads: &str| {
+            let scene = format!(
+                "law = \"specular\"\n{table}{starts}[run]\n{limit}\n[output]\npictures = [\"orbit\"]\n{record}\n"
+            );
+            let summary = folder.done(&scene, &["--threads", threads]);
+            let picture = folder.read("out/orbit.svg");
+            (["collisions", "time", "energy_drift", "stops"].map(|key| summary[key].clone()), picture)
+        };
+        // those that are recorded run one by one
+        let recorded = kept("collisions = \"npy\"", "1");
+        let stops = &recorded.0[3];
+        assert!(stops["escaped"].as_u64() > Some(20) && stops["finished"].as_u64() > Some(0), "{stops}");
+        for threads in ["1", "2"] {
+            assert!(kept("", threads) == recorded, "{limit}");
+        }
+    }
+}
+
+#[test]
 fn portraits_up_to_a_time_are_the_same_whether_or_not_their_orbits_are_recorded() {
     let folder = Folder::new("counted");
     for limit in ["time = 300", "collisions = 200"] {
