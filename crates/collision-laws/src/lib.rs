@@ -76,7 +76,7 @@ pub use delassus::Delassus;
 pub use error::Error;
 pub use law::{CollisionLaw, StrictLaw, reflect};
 pub use pair::{Collision, Pair, Velocities};
-pub use roughness::{RoughSubspace, Roughness};
+pub use roughness::{LOST_DIRECTION, RoughSubspace, Roughness};
 pub use tangent_space::TangentSpace;
 pub use through::{AnyLaw, Through};
 pub use twist::{TangentVector, Twist};

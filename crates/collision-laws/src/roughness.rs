@@ -3,8 +3,12 @@
 use crate::Error;
 use nalgebra::{SMatrix, SVector, Unit};
 
-/// A direction counts as lost when projecting leaves less than this share of its length, a few roundings per coordinate.
-const LOST: f64 = 64.0 * f64::EPSILON;
+/// A direction counts as lost when projecting leaves less than this share of its length.
+///
+/// Rounding leaves a few ε of a direction along an exact unit normal. But that of a thin wire is off by ε times length over radius, and
+/// that of a wall far from the origin by ε times distance over size: up to a thousand of either, nothing is taken for a direction that is
+/// made of rounding alone.
+pub const LOST_DIRECTION: f64 = 2048.0 * f64::EPSILON;
 
 /// A point of the Grassmannian `Gr(k, ν⊥)`: the choice a strict law makes at one contact.
 ///
@@ -45,32 +49,33 @@ impl<const N: usize> Roughness<N> {
         if directions.len() + 1 > N {
             return Err(Error::TooManyRoughDirections { given: directions.len(), most: N - 1 });
         }
-        let mut basis = Basis::new(normal);
-        for (index, direction) in directions.iter().enumerate() {
-            if direction.iter().any(|x| !x.is_finite()) {
-                return Err(Error::NotFinite { quantity: "a rough direction" });
-            }
-            match basis.add(direction) {
-                Added::New => {}
-                Added::AlongNormal => return Err(Error::RoughDirectionAlongNormal { index }),
-                Added::Dependent => return Err(Error::DependentRoughDirections { index }),
-            }
+        if directions.iter().flatten().any(|x| !x.is_finite()) {
+            return Err(Error::NotFinite { quantity: "a rough direction" });
         }
-        Ok(basis.roughness())
+        let mut basis = Basis::new(normal);
+        let is_along_normal = |d| basis.rest(d).is_none_or(|rest| rest.norm() <= LOST_DIRECTION);
+        if let Some(index) = directions.iter().position(is_along_normal) {
+            return Err(Error::RoughDirectionAlongNormal { index });
+        }
+        let mut spans = [false; N];
+        basis.extend(directions.iter(), |index| spans[index] = true);
+        match spans[..directions.len()].iter().rposition(|spans| !spans) {
+            Some(index) => Err(Error::DependentRoughDirections { index }),
+            None => Ok(basis.roughness()),
+        }
     }
 
     /// Like [`spanned_by`](Self::spanned_by), but a direction that adds nothing lowers the rank instead of being an error.
     ///
     /// A law with fixed directions uses this, since one of them may happen to be the normal. At most N−1 of the directions count, and
     /// only finite ones: the direction away from a point, for example, is not finite at that point.
-    pub fn of_span<'a>(
-        normal: &Unit<SVector<f64, N>>,
-        directions: impl IntoIterator<Item = &'a SVector<f64, N>>,
-    ) -> Self {
+    pub fn of_span<'a, I>(normal: &Unit<SVector<f64, N>>, directions: I) -> Self
+    where
+        I: IntoIterator<Item = &'a SVector<f64, N>>,
+        I::IntoIter: Clone,
+    {
         let mut basis = Basis::new(normal);
-        for direction in directions {
-            basis.add(direction);
-        }
+        basis.extend(directions.into_iter(), |_| ());
         basis.roughness()
     }
 
@@ -123,12 +128,6 @@ struct Basis<const N: usize> {
     rank: usize,
 }
 
-enum Added {
-    New,
-    AlongNormal,
-    Dependent,
-}
-
 impl<const N: usize> Basis<N> {
     fn new(normal: &Unit<SVector<f64, N>>) -> Self {
         let mut columns = SMatrix::<f64, N, N>::zeros();
@@ -136,30 +135,47 @@ impl<const N: usize> Basis<N> {
         Self { columns, rank: 0 }
     }
 
-    /// Gram–Schmidt, twice, since one pass leaves an error of ε divided by the share of length that is left.
-    fn add(&mut self, direction: &SVector<f64, N>) -> Added {
+    /// Adds directions, each time the one of which most is left beside those so far, and tells its index: so rounding of one that is
+    /// almost along the normal, or along others, is never taken for a direction, whatever their order.
+    fn extend<'a>(
+        &mut self,
+        directions: impl Iterator<Item = &'a SVector<f64, N>> + Clone,
+        mut added: impl FnMut(usize),
+    ) {
+        while self.rank + 1 < N {
+            let (mut found, mut most) = (None, LOST_DIRECTION);
+            for (index, direction) in directions.clone().enumerate() {
+                if let Some(rest) = self.rest(direction)
+                    && rest.norm() > most
+                {
+                    (found, most) = (Some((index, rest)), rest.norm());
+                }
+            }
+            let Some((index, rest)) = found else { return };
+            // Gram–Schmidt once more, since one pass leaves an error of ε divided by the share of length that is left
+            let rest = self.beside(rest / most);
+            self.rank += 1;
+            self.columns.set_column(self.rank, &(rest / rest.norm()));
+            added(index);
+        }
+    }
+
+    /// What is left of a direction, taken as a unit vector, beside the columns; `None` if it has no direction.
+    fn rest(&self, direction: &SVector<f64, N>) -> Option<SVector<f64, N>> {
         let size = direction.amax();
         if size == 0.0 || !direction.iter().all(|x| x.is_finite()) {
-            return Added::AlongNormal;
+            return None;
         }
-        let mut x = direction / size;
-        x /= x.norm();
-        for column in 0..=self.rank {
-            if column == 1 && x.norm() <= LOST {
-                return Added::AlongNormal;
-            }
-            x -= self.columns.column(column) * self.columns.column(column).dot(&x);
-        }
-        if self.rank + 1 == N || x.norm() <= LOST {
-            return if self.rank == 0 { Added::AlongNormal } else { Added::Dependent };
-        }
-        x /= x.norm();
+        let x = direction / size;
+        Some(self.beside(x / x.norm()))
+    }
+
+    /// A vector without its part along the columns.
+    fn beside(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
         for column in 0..=self.rank {
             x -= self.columns.column(column) * self.columns.column(column).dot(&x);
         }
-        self.rank += 1;
-        self.columns.set_column(self.rank, &(x / x.norm()));
-        Added::New
+        x
     }
 
     fn roughness(&self) -> Roughness<N> {
@@ -223,6 +239,31 @@ mod tests {
             // some roundings of numbers up to 1
             assert!((projector * normal.as_ref()).norm() <= 4.0 * f64::EPSILON, "{share:e}");
             assert!((projector * projector - projector).norm() <= 8.0 * f64::EPSILON, "{share:e}");
+        }
+    }
+
+    #[test]
+    fn the_order_of_directions_does_not_matter() {
+        let normal = Unit::new_normalize(Vector3::new(1.0, 2.0, 3.0));
+        // both are in the plane of the normal and the second one
+        let (askew, aside) = (Vector3::new(1.001, 2.0, 3.0), Vector3::x());
+        for directions in [[askew, aside], [aside, askew]] {
+            assert_eq!(Roughness::of_span(&normal, &directions).rank(), 1);
+            let dependent = matches!(
+                Roughness::spanned_by(&normal, &directions),
+                Err(Error::DependentRoughDirections { .. })
+            );
+            assert!(dependent, "{directions:?}");
+        }
+        // along a wire they span one direction, whatever the normal
+        let along = Vector3::new(1.0, 2.0, 2.0);
+        let around = [Vector3::new(2.0, -1.0, 0.0), Vector3::new(2.0, 0.0, -1.0)];
+        for k in 0..10_000 {
+            let (sin, cos) = libm::sincos(f64::from(k));
+            let normal = Unit::new_normalize(around[0] * cos + along.cross(&around[0]) / 3.0 * sin);
+            for directions in [around, [around[1], around[0]]] {
+                assert_eq!(Roughness::of_span(&normal, &directions).rank(), 1, "{k}");
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Strict laws of a ball in space: specular, no-slip, and the rough directions between.
 use super::{checked_gamma, slip::Slip};
 use crate::{Error, billiard::BallLaw};
-use collision_laws::{DiskLaw, laws::NoSlip};
+use collision_laws::{DiskLaw, LOST_DIRECTION, laws::NoSlip};
 use geometry::WallHit;
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
@@ -87,7 +87,7 @@ impl BallLaw<3, 3> for RoughBall {
                 }
                 let square = dot(&t, &t);
                 // a direction along the normal, within rounding, leaves the wall smooth
-                let rough = (dot(&d, &d) * (f64::EPSILON * f64::EPSILON * 16.0)).lt(square);
+                let rough = (dot(&d, &d) * (LOST_DIRECTION * LOST_DIRECTION)).lt(square);
                 let part = rough.select(dot(&t, &slip) / square, vn.same(0.0));
                 [t[0] * part, t[1] * part, t[2] * part]
             }

@@ -1,26 +1,35 @@
-//! Arc lengths of points on a piece, looked up by their directions from a point beside it.
+//! Arc lengths of points on a piece, looked up by their directions from points beside it.
 
 use core::f64::consts::{PI, TAU};
 
 use billiards::geometry::{Piece, Vector2};
 
-/// Number of points of the piece whose directions are known.
+/// Number of steps between points of the piece whose directions are known, and fewest on one arc.
 const SAMPLES: usize = 1024;
+const FEWEST: usize = 16;
 
-/// Number of parts of a turn in which arc lengths are interpolated.
+/// Number of parts of a turn in which arc lengths are interpolated, at most, and for each step.
 const PARTS: usize = 1024;
+const PARTS_OF_STEP: usize = 8;
 
-/// Arc length and distance of the points of a piece that is met at most once in each direction from a middle.
+/// Arc length and distance of the points of arcs that are met at most once in each direction from a middle.
 ///
-/// Accurate to a thousandth of a pixel where the piece is smooth, and much faster than a piece that has to search.
+/// Accurate to a thousandth of a pixel where the piece is smooth, and much faster than a piece that has to search. A piece is one arc
+/// where that is possible, and is else cut into halves and so on.
 #[derive(Clone, Debug)]
 pub(super) struct Bearings {
+    arcs: Vec<Arc>,
+    length: f64,
+    closed: bool,
+}
+
+/// An arc of a piece, as seen from a middle.
+#[derive(Clone, Debug)]
+struct Arc {
     middle: Vector2<f64>,
     /// Square of a distance from the middle beyond that of any point.
     reach: f64,
-    length: f64,
-    closed: bool,
-    /// Arc length and distance from the middle in each part, as parabolas.
+    /// Arc length and distance from the middle in each part, as parabolas; an infinite distance where the arc is not seen.
     parts: Vec<[[f64; 3]; 2]>,
 }
 
@@ -43,11 +52,13 @@ fn wrapped(angle: f64) -> f64 {
     angle - TAU * libm::rint(angle / TAU)
 }
 
-/// Points of a piece at equal arc lengths, the last at its end, as seen from a middle.
-struct View {
+/// Points of an arc at equal arc lengths, the last at its end, as seen from a middle.
+struct View<'a> {
     middle: Vector2<f64>,
-    points: Vec<Vector2<f64>>,
-    length: f64,
+    points: &'a [Vector2<f64>],
+    /// Arc length of the first point, and from each to the next.
+    from: f64,
+    step: f64,
     closed: bool,
     /// The direction of the first point.
     first: f64,
@@ -56,21 +67,66 @@ struct View {
     turned: Vec<f64>,
 }
 
-impl View {
-    /// `None` if some direction meets several points, or is nearly tangential to the piece.
-    fn new(middle: Vector2<f64>, points: Vec<Vector2<f64>>, length: f64, closed: bool) -> Option<Self> {
+/// Points of an arc or of a whole piece at equal arc lengths.
+#[derive(Clone, Copy)]
+struct Points<'a> {
+    points: &'a [Vector2<f64>],
+    from: f64,
+    step: f64,
+}
+
+impl<'a> Points<'a> {
+    /// The arcs that can be seen, of which these points consist; `None` if they would be too short.
+    fn arcs(self) -> Option<Vec<Arc>> {
+        let Points { points, from, step } = self;
+        let seen = |middle| Some(View::new(middle, self, false)?.arc()).filter(|arc| arc.knows(self));
+        if let Some(arc) = self.middles().find_map(seen) {
+            return Some(vec![arc]);
+        }
+        let half = points.len() / 2;
+        if half < FEWEST {
+            return None;
+        }
+        let (before, after) = (&points[..=half], &points[half..]);
+        let mut arcs = Points { points: before, ..self }.arcs()?;
+        arcs.append(&mut Points { points: after, from: from + step * half as f64, step }.arcs()?);
+        Some(arcs)
+    }
+
+    /// Points from which the arc may be seen: from beside it, or from near its chord, where it ends in a cusp or bends back.
+    fn middles(self) -> impl Iterator<Item = Vector2<f64>> {
+        let (a, b) = (self.points[0], self.points[self.points.len() - 1]);
+        let (foot, beside) = ((a + b) * 0.5, Vector2::new(a.y - b.y, b.x - a.x));
+        [1.0, -1.0, 0.25, -0.25, 0.0].map(|share| foot + beside * share).into_iter()
+    }
+}
+
+impl<'a> View<'a> {
+    /// `None` if some direction meets several points, or is nearly tangential to the arc.
+    fn new(middle: Vector2<f64>, Points { points, from, step }: Points<'a>, closed: bool) -> Option<Self> {
         let angle = |p: &Vector2<f64>| libm::atan2(p.y - middle.y, p.x - middle.x);
-        let step = |w: &[Vector2<f64>]| wrapped(angle(&w[1]) - angle(&w[0]));
-        let sense = step(&points[..2]).signum();
+        let turn = |w: &[Vector2<f64>]| wrapped(angle(&w[1]) - angle(&w[0]));
+        let sense = turn(&points[..2]).signum();
         let mut turned = vec![0.0];
         for w in points.windows(2) {
-            turned.push(turned[turned.len() - 1] + sense * step(w));
+            turned.push(turned[turned.len() - 1] + sense * turn(w));
         }
-        let whole = turned[SAMPLES];
+        let steps = points.len() - 1;
+        let whole = turned[steps];
         let once = if closed { (whole - TAU).abs() < 1e-6 } else { whole < 1.5 * PI };
-        let steep = turned.windows(2).all(|w| w[1] - w[0] > whole * (0.01 / SAMPLES as f64));
+        let steep = turned.windows(2).all(|w| w[1] - w[0] > whole * 0.01 / steps as f64);
         let first = angle(&points[0]);
-        (once && steep).then_some(View { middle, points, length, closed, first, sense, turned })
+        (once && steep).then_some(View { middle, points, from, step, closed, first, sense, turned })
+    }
+
+    /// Number of steps.
+    fn steps(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    /// Number of parts of a turn.
+    fn parts(&self) -> usize {
+        (PARTS_OF_STEP * self.steps()).min(PARTS)
     }
 
     /// How far one has turned at a direction, and whether the piece is seen in that direction or close to it.
@@ -78,19 +134,20 @@ impl View {
         let turn = self.sense * wrapped(libm::atan2(d.y, d.x) - self.first);
         let turn = if turn < 0.0 { turn + TAU } else { turn };
         // the greatest width of a part
-        let (whole, width) = (self.turned[SAMPLES], 8.0 / PARTS as f64);
+        let (whole, width) = (self.turned[self.steps()], 8.0 / self.parts() as f64);
         if self.closed || turn <= whole + width { (turn, true) } else { (turn - TAU, turn > TAU - width) }
     }
 
     /// Arc length and distance at a given turn, by a polynomial through four points.
     fn known(&self, turn: f64) -> [f64; 2] {
         let above = self.turned.partition_point(|t| *t <= turn);
+        let steps = self.steps();
         // a closed piece continues beyond its ends
-        let from = if self.closed { above } else { above.clamp(2, SAMPLES - 2) } + SAMPLES - 2;
+        let before = if self.closed { above } else { above.clamp(2, steps - 2) } + steps - 2;
         let four = [0, 1, 2, 3].map(|k| {
-            let (j, laps) = ((from + k) % SAMPLES, ((from + k) / SAMPLES) as f64 - 1.0);
-            let s = self.length * (laps + j as f64 / SAMPLES as f64);
-            [self.turned[j] + laps * self.turned[SAMPLES], s, (self.points[j] - self.middle).norm()]
+            let (j, laps) = ((before + k) % steps, ((before + k) / steps) as f64 - 1.0);
+            let s = self.from + self.step * (laps * steps as f64 + j as f64);
+            [self.turned[j] + laps * self.turned[steps], s, (self.points[j] - self.middle).norm()]
         });
         let mut sum = [0.0; 2];
         for (i, one) in four.iter().enumerate() {
@@ -104,9 +161,9 @@ impl View {
     /// Arc length and distance in a part, as parabolas.
     fn part(&self, k: usize) -> [[f64; 3]; 2] {
         let [(begin, seen), (half, _), (end, still)] =
-            [2 * k, 2 * k + 1, 2 * k + 2].map(|k| self.turn(direction(k, 2 * PARTS)));
+            [2 * k, 2 * k + 1, 2 * k + 2].map(|k| self.turn(direction(k, 2 * self.parts())));
         if !(seen && still) {
-            return [[0.0; 3]; 2];
+            return [[0.0; 3], [f64::INFINITY, 0.0, 0.0]];
         }
         // forward, across the start of a closed piece
         let [here, between, there] = [0.0, half - begin, end - begin].map(|on| self.known(begin + wrapped(on)));
@@ -117,6 +174,40 @@ impl View {
     }
 }
 
+impl View<'_> {
+    fn arc(&self) -> Arc {
+        let parts = (0..self.parts()).map(|k| self.part(k)).collect();
+        let farthest = self.points.iter().fold(0.0_f64, |reach, p| reach.max((p - self.middle).norm_squared()));
+        Arc { middle: self.middle, reach: 1.0625 * farthest, parts }
+    }
+}
+
+impl Arc {
+    /// Whether it finds the points of which it is made, to a quarter of the way between them.
+    fn knows(&self, Points { points, from, step }: Points<'_>) -> bool {
+        let is_known = |(j, point): (usize, &Vector2<f64>)| {
+            (self.seen(point - self.middle)[0] - from - step * j as f64).abs() < 0.25 * step
+        };
+        points.iter().enumerate().all(is_known)
+    }
+
+    /// The arc length in a direction from the middle, and the distance of the point there from the arc.
+    #[inline]
+    fn seen(&self, d: Vector2<f64>) -> [f64; 2] {
+        let a = along_square(d) * (0.25 * self.parts.len() as f64);
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a small number that is not negative"
+        )]
+        let part = (a as usize).min(self.parts.len() - 1);
+        let within = a - part as f64;
+        let [s, distance] = self.parts[part].map(|[begin, more, bend]| begin + within * (more + (1.0 - within) * bend));
+        let off = (d.x * d.x + d.y * d.y).sqrt() - distance;
+        [s, off.abs()]
+    }
+}
+
 impl Bearings {
     /// The bearings of a piece of finite length; `None` if it cannot be seen like this.
     pub(super) fn of(piece: &dyn Piece) -> Option<Self> {
@@ -124,22 +215,22 @@ impl Bearings {
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        let point = |j: usize| piece.point_at(length * (j as f64 / SAMPLES as f64));
-        let mut points: Vec<Vector2<f64>> = (0..SAMPLES).map(point).collect();
-        let view = if let Some([a, b]) = piece.ends() {
-            points.push(b);
-            let (foot, beside) = ((a + b) * 0.5, Vector2::new(a.y - b.y, b.x - a.x));
-            let middles = [foot + beside, foot - beside];
-            middles.into_iter().find_map(|middle| View::new(middle, points.clone(), length, false))
-        } else {
-            let middle = points.iter().sum::<Vector2<f64>>() / SAMPLES as f64;
-            points.push(points[0]);
-            View::new(middle, points, length, true)
-        }?;
-        let parts = (0..PARTS).map(|k| view.part(k)).collect();
-        let View { middle, points, closed, .. } = view;
-        let reach = 1.0625 * points.iter().fold(0.0_f64, |reach, p| reach.max((p - middle).norm_squared()));
-        Some(Bearings { middle, reach, length, closed, parts })
+        let step = length / SAMPLES as f64;
+        let mut points: Vec<Vector2<f64>> = (0..SAMPLES).map(|j| piece.point_at(step * j as f64)).collect();
+        let end = piece.ends().map(|[_, end]| end);
+        points.push(end.unwrap_or(points[0]));
+        let all = Points { points: &points, from: 0.0, step };
+        let middle = points[..SAMPLES].iter().sum::<Vector2<f64>>() / SAMPLES as f64;
+        let closed = end.is_none();
+        let around = if closed { View::new(middle, all, true) } else { None };
+        let arcs = around.map_or_else(|| all.arcs(), |view| Some(vec![view.arc()]))?;
+        let bearings = Bearings { arcs, length, closed };
+        // not where two arcs lie on each other
+        let is_known = |(j, point): (usize, &Vector2<f64>)| {
+            let off = (bearings.arc_length(*point, &[Vector2::zeros()]) - step * j as f64).abs();
+            off < step || (closed && length - off < step)
+        };
+        points.iter().enumerate().all(is_known).then_some(bearings)
     }
 
     /// The arc length of a point, after moving it back by the one of these vectors that brings it closest to the
@@ -148,39 +239,45 @@ impl Bearings {
     pub(super) fn arc_length(&self, point: Vector2<f64>, shifts: &[Vector2<f64>]) -> f64 {
         let mut best = [0.0, f64::INFINITY];
         for shift in shifts {
-            let d = point - shift - self.middle;
-            if d.norm_squared() <= self.reach {
-                let seen = self.seen(d);
-                if seen[1] < best[1] {
-                    best = seen;
+            for arc in &self.arcs {
+                let d = point - shift - arc.middle;
+                if d.norm_squared() <= arc.reach {
+                    let seen = arc.seen(d);
+                    if seen[1] < best[1] {
+                        best = seen;
+                    }
                 }
             }
         }
-        best[0]
-    }
-
-    /// The arc length in a direction from the middle, and the distance of the point there from the piece.
-    #[inline]
-    fn seen(&self, d: Vector2<f64>) -> [f64; 2] {
-        let a = along_square(d) * (PARTS as f64 / 4.0);
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a small number that is not negative"
-        )]
-        let part = (a as usize).min(PARTS - 1);
-        let within = a - part as f64;
-        let [s, distance] = self.parts[part].map(|[begin, more, bend]| begin + within * (more + (1.0 - within) * bend));
-        let off = (d.x * d.x + d.y * d.y).sqrt() - distance;
-        let s = if self.closed { s - self.length * libm::floor(s / self.length) } else { s.clamp(0.0, self.length) };
-        [s, off.abs()]
+        let [s, _] = best;
+        if self.closed { s - self.length * libm::floor(s / self.length) } else { s.clamp(0.0, self.length) }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use billiards::geometry::tables;
+    use crate::document::Source;
+    use crate::scene::{Request, Scene};
+    use crate::simulation::{Body, Simulation};
+    use billiards::geometry::{Table, tables};
+
+    /// Arc lengths of points are right to a thousandth of a pixel.
+    fn judge(table: &Table) {
+        let pixel = table.perimeter() / 1000.0;
+        for piece in table.pieces() {
+            let bearings = Bearings::of(&**piece).unwrap();
+            let length = piece.length();
+            for k in 0..=5000 {
+                let s = length * f64::from(k) / 5000.0;
+                let found = bearings.arc_length(piece.point_at(s), &[Vector2::zeros()]);
+                // a closed piece ends where it begins
+                let round = if piece.ends().is_none() { length } else { f64::INFINITY };
+                let off = (found - s).abs().min((round - (found - s).abs()).abs());
+                assert!(off < 1e-3 * pixel && (0.0..=length).contains(&found), "{piece:?}: {found} for {s}");
+            }
+        }
+    }
 
     #[test]
     fn points_are_where_their_pieces_say_to_a_thousandth_of_a_pixel() {
@@ -194,20 +291,27 @@ mod tests {
             tables::channel(1.0, 0.75, 0.125),
             tables::ellipse([2.0, 1.0]).and_then(|table| Ok(table.offset(0.05)?.table)),
         ];
-        for table in tables.map(Result::unwrap) {
-            for piece in table.pieces() {
-                let bearings = Bearings::of(&**piece).unwrap();
-                let length = piece.length();
-                let pixel = table.perimeter() / 1000.0;
-                for k in 0..=5000 {
-                    let s = length * f64::from(k) / 5000.0;
-                    let found = bearings.arc_length(piece.point_at(s), &[Vector2::zeros()]);
-                    // a closed piece ends where it begins
-                    let round = if piece.ends().is_none() { length } else { f64::INFINITY };
-                    let off = (found - s).abs().min((round - (found - s).abs()).abs());
-                    assert!(off < 1e-3 * pixel && (0.0..=length).contains(&found), "{piece:?}: {found} for {s}");
-                }
-            }
+        tables.into_iter().for_each(|table| judge(&table.unwrap()));
+    }
+
+    #[test]
+    fn curves_with_cusps_and_dents_are_looked_up_in_arcs() {
+        for curve in [
+            // a cardioid, a nephroid, an epicycloid, a rose, a crescent, a banana, a snake
+            "polar = \"1 + cos(t)\"",
+            "x = \"3*cos(t) - cos(3*t)\", y = \"3*sin(t) - sin(3*t)\"",
+            "x = \"6*cos(t) - cos(6*t)\", y = \"6*sin(t) - sin(6*t)\"",
+            "polar = \"abs(cos(2*t))\"",
+            "x = \"(1 + 0.2*sin(t))*cos(2.5*cos(t))\", y = \"(1 + 0.2*sin(t))*sin(2.5*cos(t))\"",
+            "x = \"cos(t)\", y = \"0.5*sin(t) + 0.9*cos(t)^2\"",
+            "x = \"2*cos(t)\", y = \"0.4*sin(t) + sin(2*cos(t))\"",
+        ] {
+            let text = format!(
+                "law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n[ensemble]\ncount = 1\n[run]\ncollisions = 1\n"
+            );
+            let scene = Scene::parse(&Source::new("curve.toml", &text), &Request::default()).unwrap();
+            let Body::Plane(planar) = Simulation::new(scene).unwrap().body else { panic!("{curve}") };
+            judge(&planar.centres);
         }
     }
 

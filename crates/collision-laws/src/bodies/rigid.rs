@@ -85,6 +85,9 @@ impl<const N: usize> RigidBody<N> {
             return Err(Error::TooLarge { quantity: "a principal moment of inertia" });
         }
         let all = || planes::<N>().map(|ij| moments[ij]);
+        if let Some(value) = all().find(|moment| moment.is_subnormal()) {
+            return Err(Error::TooSmall { quantity: "a principal moment of inertia", value });
+        }
         let (smallest, largest) = (all().fold(f64::INFINITY, f64::min), all().fold(0.0, f64::max));
         if smallest <= 0.0 {
             if matches!(inertia, Inertia::SecondMoments(_)) {
@@ -247,6 +250,9 @@ mod tests {
         assert_eq!(disk.unwrap_err(), out);
         let rod = Matrix3::from_diagonal(&[1e299, 1e285, 1e285].into());
         assert_eq!(RigidBody::<3>::new(1e10, Inertia::SecondMoments(rod)).unwrap_err(), out);
+        // m(λ₁ + λ₂) has lost digits
+        let lost = RigidBody::<2>::new(1e-160, Inertia::SecondMoments(Matrix2::identity() * 1e-155)).unwrap_err();
+        assert!(matches!(lost, Error::TooSmall { quantity: "a principal moment of inertia", .. }), "{lost}");
         // no intermediate result overflows unless a moment itself does
         assert!(of(1.2e308, 1.2e308, 1.2e308).is_ok());
         assert!(RigidBody::<2>::new(1.0, Inertia::SecondMoments(Matrix2::new(1.2e308, 0.0, 0.0, 0.0))).is_ok());
