@@ -107,7 +107,7 @@ impl<T: Timed> Limit<T> for Time {
     #[inline(always)]
     fn is_beyond(&self, _: u64, track: &T, flight: f64) -> bool {
         // NaN ends it at once
-        !(track.time() + flight <= self.0)
+        !(track.time_after(flight) <= self.0)
     }
 }
 
@@ -117,7 +117,8 @@ impl<const N: usize, const S: usize, T: Timing<N, S>> LaneLimit<N, S, T> for Tim
     }
     #[inline(always)]
     fn may_be_beyond<F: Lane>(&self, track: &T::In<F>, flight: F) -> Option<F::Mask> {
-        Some(!(T::time_in(track) + flight).lt(flight.same(self.0.next_up())))
+        // rounding of the sum moves it by less than two units
+        Some(!(T::time_in(track) + flight).lt(flight.same(self.0.next_down().next_down())))
     }
 }
 

@@ -85,6 +85,8 @@ pub trait Tracking<const N: usize, const S: usize>: Clone {
 pub trait Timed {
     /// The time since the start \[T\].
     fn time(&self) -> f64;
+    /// The time after a flight of this time, infinite or not: to the last bit as [`time`](Self::time) will have it then.
+    fn time_after(&self, flight: f64) -> f64;
 }
 
 /// The same for many orbits side by side.
@@ -186,6 +188,15 @@ impl Timed for Clock {
     fn time(&self) -> f64 {
         self.0.value()
     }
+    #[inline(always)]
+    fn time_after(&self, flight: f64) -> f64 {
+        if !(flight < f64::INFINITY) {
+            return flight;
+        }
+        let mut sum = self.0;
+        sum.gather(flight);
+        sum.value()
+    }
 }
 
 impl<const N: usize, const S: usize> Timing<N, S> for Clock {
@@ -199,6 +210,10 @@ impl<B> Timed for (Clock, B) {
     #[inline(always)]
     fn time(&self) -> f64 {
         self.0.time()
+    }
+    #[inline(always)]
+    fn time_after(&self, flight: f64) -> f64 {
+        self.0.time_after(flight)
     }
 }
 

@@ -249,10 +249,8 @@ mod tests {
         let (askew, aside) = (Vector3::new(1.001, 2.0, 3.0), Vector3::x());
         for directions in [[askew, aside], [aside, askew]] {
             assert_eq!(Roughness::of_span(&normal, &directions).rank(), 1);
-            let dependent = matches!(
-                Roughness::spanned_by(&normal, &directions),
-                Err(Error::DependentRoughDirections { .. })
-            );
+            let dependent =
+                matches!(Roughness::spanned_by(&normal, &directions), Err(Error::DependentRoughDirections { .. }));
             assert!(dependent, "{directions:?}");
         }
         // along a wire they span one direction, whatever the normal

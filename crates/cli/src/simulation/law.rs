@@ -2,7 +2,7 @@
 
 use billiards::BallLaw;
 use billiards::collision_laws::laws::{NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
-use billiards::collision_laws::{self, AnyLaw};
+use billiards::collision_laws::{self, AnyLaw, Contact, LOST_DIRECTION, Roughness, StrictLaw};
 use billiards::geometry::{Figure, Piece, Vector2, Vector3, WallHit};
 use billiards::laws::{Custom, Disk, Mirror, PerPiece, RoughBall, Specular};
 use lanes::Lane;
@@ -124,16 +124,50 @@ impl Simple {
     }
 }
 
-/// Whether a direction is normal to a straight piece, within rounding.
+/// Whether a direction is normal to a straight piece, within rounding: it is so in many places of it.
 fn is_normal_to(direction: &[f64], piece: &dyn Piece) -> bool {
-    let along = match piece.figure() {
-        Figure::Segment { ends: [a, b] } => b - a,
-        Figure::Ray { direction, .. } | Figure::Line { direction, .. } => direction,
-        _ => return false,
-    };
     let size = direction.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     let d = Vector2::new(direction[0], direction[1]) / size;
-    d.dot(&along).abs() <= 8.0 * f64::EPSILON * along.amax()
+    let most = LOST_DIRECTION * d.norm();
+    match piece.figure() {
+        Figure::Ray { direction, .. } | Figure::Line { direction, .. } => {
+            d.dot(&direction).abs() <= most * direction.norm()
+        }
+        // no wave has a period that fits these
+        _ => (1..=PLACES).all(|k| {
+            let s = piece.length() * libm::fmod(f64::from(k) * GOLDEN, 1.0);
+            d.perp(&piece.landing_at(s).normal).abs() <= most
+        }),
+    }
+}
+
+/// Number of places in which a piece is looked at, at multiples of this share of its length, that of the golden section.
+const PLACES: i32 = 16;
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+/// Random rough directions as a function of the contact point in the user's coordinates.
+#[derive(Clone, Copy, Debug)]
+struct Drawn {
+    law: RandomGrassmannian<3>,
+    place: Place,
+}
+
+impl StrictLaw<3> for Drawn {
+    fn roughness(&self, contact: &Contact<3>) -> Roughness<3> {
+        let Place { shift, factor, .. } = self.place;
+        self.law.roughness(&Contact { point: (contact.point + shift) / factor, ..*contact })
+    }
+}
+
+/// The engine's coordinates in space.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    /// Radius of the ball, in the engine's unit of length.
+    pub(crate) radius: f64,
+    /// Position of the engine's origin, in its unit.
+    pub(crate) shift: Vector3<f64>,
+    /// The engine's lengths per those of the user.
+    pub(crate) factor: f64,
 }
 
 /// The law of a ball on all walls of a table in space.
@@ -169,11 +203,11 @@ impl BallLaw<3, 3> for SpatialLaw {
 }
 
 impl SpatialLaw {
-    /// The laws of numbered walls for a ball with γ.
+    /// The laws of numbered walls for a ball with γ, whose centre is at places of the engine.
     ///
     /// # Errors
     /// A parameter of a law is wrong.
-    pub(crate) fn new(walls: &[&LawKind], gamma: f64) -> Result<SpatialLaw, String> {
+    pub(crate) fn new(walls: &[&LawKind], gamma: f64, place: &Place) -> Result<SpatialLaw, String> {
         let walls: Vec<&LawKind> = walls.iter().map(|kind| plain(kind)).collect();
         let first = walls.first().copied().unwrap_or(&LawKind::Specular);
         let rough = |ball: Result<RoughBall, _>| {
@@ -191,12 +225,21 @@ impl SpatialLaw {
                 _ => {}
             }
         }
-        let any = |kind| any_law(kind).map_err(|error| error.to_string());
+        let any = |kind: &LawKind| {
+            let law = match kind {
+                LawKind::Random { rank, seed } => {
+                    RandomGrassmannian::new(*rank, *seed).map(|law| AnyLaw::new(Drawn { law, place: *place }))
+                }
+                other => any_law(other),
+            };
+            law.map_err(|error| error.to_string())
+        };
         let mut laws = PerSurface::new(any(first)?);
         for (wall, kind) in walls.iter().enumerate() {
             laws = laws.with(wall, any(kind)?);
         }
-        let law = Custom::ball(laws, gamma).map_err(|error| error.to_string())?;
+        let ball = Custom::ball(laws, gamma).and_then(|law| law.with_radius(place.radius));
+        let law = ball.map_err(|error| error.to_string())?;
         // none of them depends on the unit of the slip
         Ok(SpatialLaw::Any(Box::new(law.with_scaled_slip())))
     }
@@ -257,17 +300,18 @@ mod tests {
 
     #[test]
     fn a_law_in_space_is_the_same_by_whatever_name() {
+        const PLACE: Place = Place { radius: 0.0, shift: Vector3::new(0.0, 0.0, 0.0), factor: 1.0 };
         let restitution = |tangential| LawKind::Restitution { normal: 1.0, tangential };
         let random = |rank| LawKind::Random { rank, seed: 7 };
         for kind in [restitution(-1.0), random(0), LawKind::Rough(vec![])] {
             let mixed = [&LawKind::Specular, &kind, &kind];
-            assert!(matches!(SpatialLaw::new(&mixed, 0.6), Ok(SpatialLaw::Specular)), "{kind:?}");
+            assert!(matches!(SpatialLaw::new(&mixed, 0.6, &PLACE), Ok(SpatialLaw::Specular)), "{kind:?}");
         }
         for kind in [restitution(1.0), random(2)] {
             let mixed = [&LawKind::NoSlip, &kind, &kind];
-            assert!(matches!(SpatialLaw::new(&mixed, 0.6), Ok(SpatialLaw::Rough(_))), "{kind:?}");
+            assert!(matches!(SpatialLaw::new(&mixed, 0.6, &PLACE), Ok(SpatialLaw::Rough(_))), "{kind:?}");
         }
-        assert!(matches!(SpatialLaw::new(&[&random(1)], 0.6), Ok(SpatialLaw::Any(_))));
+        assert!(matches!(SpatialLaw::new(&[&random(1)], 0.6, &PLACE), Ok(SpatialLaw::Any(_))));
     }
 
     #[test]

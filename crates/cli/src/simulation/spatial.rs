@@ -9,7 +9,7 @@ use super::Control;
 use super::boundary;
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
-use super::law::{SpatialLaw, keeps_spin};
+use super::law::{Place, SpatialLaw, keeps_spin};
 use super::remote::{self, Remote};
 use super::room;
 use super::scale::{Scale, to_unity};
@@ -156,7 +156,9 @@ impl Spatial {
         boundary::own_laws(scene, &mut laws).map_err(|d| vec![*d])?;
         let kinds: Vec<_> = laws.iter().map(|own| own.as_ref().unwrap_or(&scene.law.kind)).collect();
         let gamma = libm::sqrt(scene.particle.gamma_squared.value);
-        let law = SpatialLaw::new(&kinds, gamma).map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
+        let place = Place { radius: scene.particle.radius.value * factor, shift, factor };
+        let law = SpatialLaw::new(&kinds, gamma, &place)
+            .map_err(|what| vec![scene.source.diagnostic(scene.law.span, what)])?;
         let strict = law.is_strict();
         let starts = match &scene.starts {
             scene::Starts::Orbits(orbits) => {

@@ -82,6 +82,13 @@ const BY_CHANCE: f64 = 16.0;
 /// Rules whose relative difference is less than this, and does not decrease on halving, differ by the rounding of the formula.
 const NOISE: f64 = 1e-9;
 
+/// If the difference of one half is less than this fraction of that of the other, it belongs to one place, as the tip of a cusp.
+const ONE_SIDED: f64 = 1.0 / 1024.0;
+
+/// Beside such a place, intervals are halved down to this multiple of the rounding of the parameter, which then still knows the distance
+/// from the tip to six digits.
+const ROUNDED: f64 = 1_048_576.0 * f64::EPSILON;
+
 /// Most points of a table: a curve that needs more winds so often that computing with it would take too long.
 const MOST: usize = 1 << 18;
 
@@ -281,8 +288,10 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let in_vain = if difference <= 0.7 * last.difference { 0 } else { last.in_vain + 1 };
     let patience = if difference > NOISE { IN_VAIN } else { 1 };
     // halving does not help where the difference is NaN
-    let may_halve = u - from > last.finest && nodes.len() < last.most;
-    let mends = difference > 8.0 * f64::EPSILON && in_vain < patience && may_halve;
+    let is_singular = difference > NOISE && in_vain >= patience && is_one_sided(rate, [from, middle, u]);
+    let finest = if is_singular { (ROUNDED * from.abs().max(u.abs())).max(FINEST * last.finest) } else { last.finest };
+    let may_halve = u - from > finest && nodes.len() < last.most;
+    let mends = difference > 8.0 * f64::EPSILON && (in_vain < patience || is_singular) && may_halve;
     if mends {
         let progress = Progress { difference, in_vain, ..last };
         extend(curve, nodes, [from, middle], progress);
@@ -290,9 +299,23 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     } else {
         let s = nodes.last().map_or(0.0, |node| node.s);
         // the middle is known anyway, and makes the search for closest points safer
-        nodes.push(Node { u: middle, s: s + left, at: curve.at(middle) });
-        nodes.push(Node { u, s: s + (left + right), at: curve.at(u) });
+        let [before, between, after] = [from, middle, u].map(|u| curve.at(u));
+        let way = |a: [Vector2<f64>; 2], b: [Vector2<f64>; 2]| (b[0] - a[0]).norm();
+        // towards a tip the curve becomes straight, and its speed infinite
+        let (left, right) = if is_singular { (way(before, between), way(between, after)) } else { (left, right) };
+        nodes.push(Node { u: middle, s: s + left, at: between });
+        nodes.push(Node { u, s: s + (left + right), at: after });
     }
+}
+
+/// Whether the rule is wrong in one half of an interval and right in the other, as beside the tip of a cusp.
+fn is_one_sided(rate: impl Fn(f64) -> f64, [from, middle, u]: [f64; 3]) -> bool {
+    let difference = |a: f64, b: f64| {
+        let between = 0.5 * (a + b);
+        (integral(&rate, a, between) + integral(&rate, between, b) - integral(&rate, a, b)).abs()
+    };
+    let (left, right) = (difference(from, middle), difference(middle, u));
+    left.min(right) < ONE_SIDED * left.max(right)
 }
 
 #[cfg(test)]
@@ -358,6 +381,36 @@ mod tests {
         for k in 1..100 {
             let length = ArcLength::new(&Waves(f64::from(k)), [0.0, 1.0]).length();
             assert!((length / expected - 1.0).abs() < 1e-14, "{k}: {length} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_tip_at_which_the_speed_is_infinite_is_as_long_as_it_is() {
+        /// `y = |u − at|^p`
+        struct Tip {
+            at: f64,
+            power: f64,
+        }
+        impl Parametric for Tip {
+            fn at(&self, u: f64) -> [Vector2<f64>; 2] {
+                let Tip { at, power } = *self;
+                let x = u - at;
+                let slope = libm::copysign(power * libm::pow(x.abs(), power - 1.0), x);
+                [Vector2::new(u, libm::pow(x.abs(), power)), Vector2::new(1.0, slope)]
+            }
+        }
+        // ∫₀¹ √(1 + y′²) du: for y = √u, √5/2 + arsinh(2)/4; for y = ∛u, u = y³, ∫₀¹ √(1 + 9 y⁴) dy, with 40 digits
+        let root = 0.5 * libm::sqrt(5.0) + 0.25 * libm::asinh(2.0);
+        // the parameter knows the distance from a tip at 1 to six digits, of a length of 10⁻⁴
+        for (power, expected) in [(0.5, root), (1.0 / 3.0, 1.547_865_654_683_610_1)] {
+            for at in [0.0, 1.0] {
+                let curve = Tip { at, power };
+                let table = ArcLength::new(&curve, [at, at + 0.5, at + 1.0]);
+                assert!((table.length() - expected).abs() < 1e-12, "{power} at {at}: {}", table.length() - expected);
+                let table = ArcLength::new(&curve, [at - 1.0, at]);
+                assert!((table.length() - expected).abs() < 1e-12, "{power} at {at}: {}", table.length() - expected);
+                assert!(table.points().count() < 1000);
+            }
         }
     }
 
