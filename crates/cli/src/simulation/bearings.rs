@@ -1,21 +1,23 @@
 //! Arc lengths of points on a piece, looked up by their directions from points beside it.
 
 use core::f64::consts::{PI, TAU};
+use core::iter;
 
 use billiards::geometry::{Piece, Vector2};
 
-/// Number of steps between points of the piece whose directions are known, and fewest on one arc.
-const SAMPLES: usize = 1024;
+/// Numbers of steps along a piece between points whose directions are known: the second where the first are not enough.
+const SAMPLES: [usize; 2] = [1024, 4096];
+/// Fewest steps on one arc.
 const FEWEST: usize = 16;
 
-/// Number of parts of a turn in which arc lengths are interpolated, at most, and for each step.
+/// Number of parts of a turn in which arc lengths are interpolated, at most for one of several arcs, and for each step.
 const PARTS: usize = 1024;
 const PARTS_OF_STEP: usize = 8;
 
 /// Arc length and distance of the points of arcs that are met at most once in each direction from a middle.
 ///
-/// Accurate to a thousandth of a pixel where the piece is smooth, and much faster than a piece that has to search. A piece is one arc
-/// where that is possible, and is else cut into halves and so on.
+/// Accurate to rounding as given, and much faster than a piece that has to search. A piece is one arc where that is possible, and is else
+/// cut into halves and so on.
 #[derive(Clone, Debug)]
 pub(super) struct Bearings {
     arcs: Vec<Arc>,
@@ -29,6 +31,8 @@ struct Arc {
     middle: Vector2<f64>,
     /// Square of a distance from the middle beyond that of any point.
     reach: f64,
+    /// Arc lengths at its ends; without bounds for a whole closed piece.
+    ends: [f64; 2],
     /// Arc length and distance from the middle in each part, as parabolas; an infinite distance where the arc is not seen.
     parts: Vec<[[f64; 3]; 2]>,
 }
@@ -53,9 +57,9 @@ fn wrapped(angle: f64) -> f64 {
 }
 
 /// Points of an arc at equal arc lengths, the last at its end, as seen from a middle.
-struct View<'a> {
+struct View {
     middle: Vector2<f64>,
-    points: &'a [Vector2<f64>],
+    points: Vec<Vector2<f64>>,
     /// Arc length of the first point, and from each to the next.
     from: f64,
     step: f64,
@@ -67,29 +71,40 @@ struct View<'a> {
     turned: Vec<f64>,
 }
 
-/// Points of an arc or of a whole piece at equal arc lengths.
+/// Points of an arc or of a whole piece at equal arc lengths, an odd number: from every other one the rest is interpolated.
 #[derive(Clone, Copy)]
 struct Points<'a> {
     points: &'a [Vector2<f64>],
     from: f64,
-    step: f64,
+    half_step: f64,
+    /// How far interpolated arc lengths may be off.
+    most: f64,
 }
 
-impl<'a> Points<'a> {
+impl Points<'_> {
+    /// Steps between every other point.
+    fn steps(&self) -> usize {
+        self.points.len() / 2
+    }
+
+    /// All of them as one arc, seen from one of these middles.
+    fn arc(self, mut middles: impl Iterator<Item = Vector2<f64>>, closed: bool) -> Option<Arc> {
+        middles.find_map(|middle| Some(View::new(middle, self, closed)?.arc()).filter(|arc| arc.knows(self, closed)))
+    }
+
     /// The arcs that can be seen, of which these points consist; `None` if they would be too short.
     fn arcs(self) -> Option<Vec<Arc>> {
-        let Points { points, from, step } = self;
-        let seen = |middle| Some(View::new(middle, self, false)?.arc()).filter(|arc| arc.knows(self));
-        if let Some(arc) = self.middles().find_map(seen) {
+        if let Some(arc) = self.arc(self.middles(), false) {
             return Some(vec![arc]);
         }
-        let half = points.len() / 2;
+        let half = self.steps() / 2;
         if half < FEWEST {
             return None;
         }
-        let (before, after) = (&points[..=half], &points[half..]);
+        let (before, after) = (&self.points[..=2 * half], &self.points[2 * half..]);
         let mut arcs = Points { points: before, ..self }.arcs()?;
-        arcs.append(&mut Points { points: after, from: from + step * half as f64, step }.arcs()?);
+        let from = self.from + self.half_step * (2 * half) as f64;
+        arcs.append(&mut Points { points: after, from, ..self }.arcs()?);
         Some(arcs)
     }
 
@@ -97,13 +112,14 @@ impl<'a> Points<'a> {
     fn middles(self) -> impl Iterator<Item = Vector2<f64>> {
         let (a, b) = (self.points[0], self.points[self.points.len() - 1]);
         let (foot, beside) = ((a + b) * 0.5, Vector2::new(a.y - b.y, b.x - a.x));
-        [1.0, -1.0, 0.25, -0.25, 0.0].map(|share| foot + beside * share).into_iter()
+        [1.0, -1.0, 0.25, -0.25, 0.0].into_iter().map(move |share| foot + beside * share)
     }
 }
 
-impl<'a> View<'a> {
+impl View {
     /// `None` if some direction meets several points, or is nearly tangential to the arc.
-    fn new(middle: Vector2<f64>, Points { points, from, step }: Points<'a>, closed: bool) -> Option<Self> {
+    fn new(middle: Vector2<f64>, of: Points<'_>, closed: bool) -> Option<Self> {
+        let points: Vec<Vector2<f64>> = of.points.iter().step_by(2).copied().collect();
         let angle = |p: &Vector2<f64>| libm::atan2(p.y - middle.y, p.x - middle.x);
         let turn = |w: &[Vector2<f64>]| wrapped(angle(&w[1]) - angle(&w[0]));
         let sense = turn(&points[..2]).signum();
@@ -111,11 +127,11 @@ impl<'a> View<'a> {
         for w in points.windows(2) {
             turned.push(turned[turned.len() - 1] + sense * turn(w));
         }
-        let steps = points.len() - 1;
+        let steps = of.steps();
         let whole = turned[steps];
         let once = if closed { (whole - TAU).abs() < 1e-6 } else { whole < 1.5 * PI };
         let steep = turned.windows(2).all(|w| w[1] - w[0] > whole * 0.01 / steps as f64);
-        let first = angle(&points[0]);
+        let (first, from, step) = (angle(&points[0]), of.from, 2.0 * of.half_step);
         (once && steep).then_some(View { middle, points, from, step, closed, first, sense, turned })
     }
 
@@ -126,7 +142,7 @@ impl<'a> View<'a> {
 
     /// Number of parts of a turn.
     fn parts(&self) -> usize {
-        (PARTS_OF_STEP * self.steps()).min(PARTS)
+        (PARTS_OF_STEP * self.steps()).min(self.steps().max(PARTS))
     }
 
     /// How far one has turned at a direction, and whether the piece is seen in that direction or close to it.
@@ -174,24 +190,28 @@ impl<'a> View<'a> {
     }
 }
 
-impl View<'_> {
+impl View {
     fn arc(&self) -> Arc {
         let parts = (0..self.parts()).map(|k| self.part(k)).collect();
         let farthest = self.points.iter().fold(0.0_f64, |reach, p| reach.max((p - self.middle).norm_squared()));
-        Arc { middle: self.middle, reach: 1.0625 * farthest, parts }
+        let end = self.from + self.step * self.steps() as f64;
+        let ends = if self.closed { [f64::NEG_INFINITY, f64::INFINITY] } else { [self.from, end] };
+        Arc { middle: self.middle, reach: 1.0625 * farthest, ends, parts }
     }
 }
 
 impl Arc {
-    /// Whether it finds the points of which it is made, to a quarter of the way between them.
-    fn knows(&self, Points { points, from, step }: Points<'_>) -> bool {
+    /// Whether it finds the points of which it is made, and those between.
+    fn knows(&self, Points { points, from, half_step, most }: Points<'_>, closed: bool) -> bool {
+        let length = half_step * (points.len() - 1) as f64;
         let is_known = |(j, point): (usize, &Vector2<f64>)| {
-            (self.seen(point - self.middle)[0] - from - step * j as f64).abs() < 0.25 * step
+            let off = (self.seen(point - self.middle)[0] - from - half_step * j as f64).abs();
+            off <= most || (closed && (off - length).abs() <= most)
         };
         points.iter().enumerate().all(is_known)
     }
 
-    /// The arc length in a direction from the middle, and the distance of the point there from the arc.
+    /// The arc length in a direction from the middle, and the distance of the point there from the arc: along it, beyond its ends.
     #[inline]
     fn seen(&self, d: Vector2<f64>) -> [f64; 2] {
         let a = along_square(d) * (0.25 * self.parts.len() as f64);
@@ -204,31 +224,47 @@ impl Arc {
         let within = a - part as f64;
         let [s, distance] = self.parts[part].map(|[begin, more, bend]| begin + within * (more + (1.0 - within) * bend));
         let off = (d.x * d.x + d.y * d.y).sqrt() - distance;
-        [s, off.abs()]
+        let [from, to] = self.ends;
+        [s, off.abs() + (from - s).max(s - to).max(0.0)]
     }
 }
 
 impl Bearings {
-    /// The bearings of a piece of finite length; `None` if it cannot be seen like this.
-    pub(super) fn of(piece: &dyn Piece) -> Option<Self> {
+    /// The bearings of a piece of finite length, accurate to `most` \[L\]; `None` if it cannot be seen like this.
+    pub(super) fn of(piece: &dyn Piece, most: f64) -> Option<Self> {
         let length = piece.length();
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
-        let step = length / SAMPLES as f64;
-        let mut points: Vec<Vector2<f64>> = (0..SAMPLES).map(|j| piece.point_at(step * j as f64)).collect();
         let end = piece.ends().map(|[_, end]| end);
-        points.push(end.unwrap_or(points[0]));
-        let all = Points { points: &points, from: 0.0, step };
-        let middle = points[..SAMPLES].iter().sum::<Vector2<f64>>() / SAMPLES as f64;
         let closed = end.is_none();
-        let around = if closed { View::new(middle, all, true) } else { None };
-        let arcs = around.map_or_else(|| all.arcs(), |view| Some(vec![view.arc()]))?;
+        let samples = |steps: usize| {
+            let half_step = length / (2 * steps) as f64;
+            let mut points: Vec<_> = (0..2 * steps).map(|j| piece.point_at(half_step * j as f64)).collect();
+            points.push(end.unwrap_or(points[0]));
+            points
+        };
+        let half_step = |points: &[Vector2<f64>]| length / (points.len() - 1) as f64;
+        let one = |all: Points<'_>| {
+            if !closed {
+                return all.arc(all.middles(), false);
+            }
+            let middle = all.points[1..].iter().sum::<Vector2<f64>>() / (all.points.len() - 1) as f64;
+            all.arc(iter::once(middle), true)
+        };
+        let points = samples(SAMPLES[0]);
+        let coarse = Points { points: &points, from: 0.0, half_step: half_step(&points), most };
+        let finer = || {
+            let points = samples(SAMPLES[1]);
+            let fine = Points { points: &points, half_step: half_step(&points), ..coarse };
+            one(fine).map(|arc| vec![arc]).or_else(|| coarse.arcs()).or_else(|| fine.arcs())
+        };
+        let arcs = one(coarse).map(|arc| vec![arc]).or_else(finer)?;
         let bearings = Bearings { arcs, length, closed };
         // not where two arcs lie on each other
         let is_known = |(j, point): (usize, &Vector2<f64>)| {
-            let off = (bearings.arc_length(*point, &[Vector2::zeros()]) - step * j as f64).abs();
-            off < step || (closed && length - off < step)
+            let off = (bearings.arc_length(*point, &[Vector2::zeros()]) - coarse.half_step * j as f64).abs();
+            off <= 2.0 * most || (closed && (off - length).abs() <= 2.0 * most)
         };
         points.iter().enumerate().all(is_known).then_some(bearings)
     }
@@ -266,7 +302,7 @@ mod tests {
     fn judge(table: &Table) {
         let pixel = table.perimeter() / 1000.0;
         for piece in table.pieces() {
-            let bearings = Bearings::of(&**piece).unwrap();
+            let bearings = Bearings::of(&**piece, 5e-4 * pixel).unwrap();
             let length = piece.length();
             for k in 0..=5000 {
                 let s = length * f64::from(k) / 5000.0;
@@ -294,38 +330,55 @@ mod tests {
         tables.into_iter().for_each(|table| judge(&table.unwrap()));
     }
 
+    /// The region of centres of a table, from its lines in a scene.
+    fn of_scene(table: &str) -> Table {
+        let text = format!(
+            "law = \"specular\"\n[[orbit]]\nposition = [0.2, 0.125]\nvelocity = [1, 0.5]\n[run]\ncollisions = 1\n{table}\n"
+        );
+        let scene = Scene::parse(&Source::new("table.toml", &text), &Request::default()).unwrap();
+        let Body::Plane(planar) = Simulation::new(scene).unwrap().body else { panic!("{table}") };
+        planar.centres
+    }
+
     #[test]
-    fn curves_with_cusps_and_dents_are_looked_up_in_arcs() {
+    fn curves_with_cusps_dents_and_waves_are_looked_up_in_arcs() {
         for curve in [
-            // a cardioid, a nephroid, an epicycloid, a rose, a crescent, a banana, a snake
+            // a cardioid, a nephroid, an epicycloid, a rose, a crescent, a banana, a snake, a gear, a spike
             "polar = \"1 + cos(t)\"",
             "x = \"3*cos(t) - cos(3*t)\", y = \"3*sin(t) - sin(3*t)\"",
             "x = \"6*cos(t) - cos(6*t)\", y = \"6*sin(t) - sin(6*t)\"",
-            "polar = \"abs(cos(2*t))\"",
-            "x = \"(1 + 0.2*sin(t))*cos(2.5*cos(t))\", y = \"(1 + 0.2*sin(t))*sin(2.5*cos(t))\"",
+            "x = \"4*cos(t) + cos(4*t)\", y = \"4*sin(t) - sin(4*t)\"",
+            "polar = \"abs(cos(2*t))\", center = [-0.3, 0]",
+            "x = \"0.1 - (1 + 0.2*sin(t))*cos(2.5*cos(t)) + 1.1\", y = \"(1 + 0.2*sin(t))*sin(2.5*cos(t))\"",
             "x = \"cos(t)\", y = \"0.5*sin(t) + 0.9*cos(t)^2\"",
-            "x = \"2*cos(t)\", y = \"0.4*sin(t) + sin(2*cos(t))\"",
+            "x = \"2*cos(t)\", y = \"0.4*sin(t) + sin(2*cos(t)) - 0.2\"",
+            "polar = \"1 + 0.02*cos(200*t)\"",
+            "polar = \"1 + 0.3*exp(-((t-pi)/0.004)^2)\"",
+            "x = \"60*cos(t)\", y = \"sin(t)\"",
         ] {
-            let text = format!(
-                "law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n[ensemble]\ncount = 1\n[run]\ncollisions = 1\n"
-            );
-            let scene = Scene::parse(&Source::new("curve.toml", &text), &Request::default()).unwrap();
-            let Body::Plane(planar) = Simulation::new(scene).unwrap().body else { panic!("{curve}") };
-            judge(&planar.centres);
+            judge(&of_scene(&format!("[table]\nboundary = [{{ curve = {{ {curve} }} }}]")));
         }
     }
 
     #[test]
     fn on_a_lattice_the_copy_that_was_hit_is_found() {
-        // the arcs of a channel are seen from so far away that copies come into reach
-        for table in [tables::sinai_torus(0.3, 1.0).unwrap(), tables::channel(1.0, 0.75, 0.125).unwrap()] {
+        // the arcs of a channel are seen from so far away that copies come into reach; where the floor ends, its copy goes on
+        let chain = "chain = { from = [0, 0], edges = [{ line_to = [2, 0] }] }";
+        let ceiling = "chain = { from = [2, 1], edges = [{ line_to = [0, 1] }] }";
+        let channel = format!("[table]\nlattice = [[2, 0]]\nboundary = [{{ {chain} }}, {{ {ceiling} }}]");
+        for table in
+            [tables::sinai_torus(0.3, 1.0).unwrap(), tables::channel(1.0, 0.75, 0.125).unwrap(), of_scene(&channel)]
+        {
             for (number, piece) in table.pieces().iter().enumerate() {
                 let shifts: Vec<_> = table.translations(number).collect();
-                let bearings = Bearings::of(&**piece).unwrap();
-                for (k, shift) in (1..100).zip(shifts.iter().cycle()) {
-                    let s = piece.length() * f64::from(k) / 100.0;
-                    let found = bearings.arc_length(piece.point_at(s) + shift, &shifts);
-                    assert!((found - s).abs() < 1e-6, "{found} for {s}");
+                let most = 1e-6 * piece.length();
+                let bearings = Bearings::of(&**piece, most).unwrap();
+                for (k, shift) in (1..1000).zip(shifts.iter().cycle()) {
+                    for share in [1e-3 * f64::from(k), 1e-5 * f64::from(k), 1.0 - 1e-5 * f64::from(k)] {
+                        let s = piece.length() * share;
+                        let found = bearings.arc_length(piece.point_at(s) + shift, &shifts);
+                        assert!((found - s).abs() < 2.0 * most, "{found} for {s}");
+                    }
                 }
             }
         }
@@ -334,6 +387,6 @@ mod tests {
     #[test]
     fn lines_without_end_are_not_looked_up() {
         let strip = tables::strip(1.0).unwrap();
-        assert!(strip.pieces().iter().all(|piece| Bearings::of(&**piece).is_none()));
+        assert!(strip.pieces().iter().all(|piece| Bearings::of(&**piece, 1e-6).is_none()));
     }
 }

@@ -49,6 +49,7 @@ impl Counter {
     /// What it has counted, if anything.
     pub(super) fn counted(mut self) -> Option<Density> {
         self.noted.count(&mut self.density);
-        self.counts.then_some(self.density)
+        // orbits that have begun may have no collision
+        (self.counts && self.density.total() > 0).then_some(self.density)
     }
 }

@@ -315,6 +315,31 @@ mod tests {
     }
 
     #[test]
+    fn random_directions_depend_on_the_contact_point_of_the_user() {
+        let contact = Vector3::new(0.625, 0.3125, 0.0);
+        let after = |radius: f64, shift: [f64; 3], factor: f64| {
+            let place = Place { radius: radius * factor, shift: Vector3::from(shift) * factor, factor };
+            let law = SpatialLaw::new(&[&LawKind::Random { rank: 1, seed: 5 }], 0.6, &place).unwrap();
+            let centre = (contact + Vector3::z() * radius) * factor - place.shift;
+            let hit = WallHit {
+                point: centre.into(),
+                normal: [0.0, 0.0, 1.0],
+                piece: 0.0,
+                inverse: 1.0,
+                ..WallHit::never([0.0; 3])
+            };
+            let (mut velocity, mut spin) = ([0.5, 0.25, -1.0], [0.25, 0.5, 0.0]);
+            law.collide(&hit, &mut velocity, &mut spin);
+            (velocity, spin)
+        };
+        let point = after(0.0, [0.0; 3], 1.0);
+        assert_ne!(point.0[..2], [0.5, 0.25]);
+        assert_eq!(after(0.25, [0.0; 3], 1.0), point);
+        assert_eq!(after(0.25, [0.25; 3], 1.0), point);
+        assert_eq!(after(0.25, [0.25; 3], 0.125), point);
+    }
+
+    #[test]
     fn a_disk_is_asked_what_the_engine_asks() {
         let law = Disk::new(&NoSlip, 0.7).unwrap();
         let forwards = PlanarLaw::Uniform(law);

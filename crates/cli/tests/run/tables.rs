@@ -260,6 +260,10 @@ fn a_rough_direction_along_the_normal_of_a_straight_wall_of_any_kind_is_smooth()
         "line = { through = [0, 0], direction = [1, 0] }",
         "ray = { from = [0, 0], direction = [1, 0] } }, { ray = { from = [0, 0], direction = [0, 1], domain = \"right\" }",
         "loop = { from = [0, 0], edges = [{ line_to = [4, 0] }, { line_to = [4, 4] }, { line_to = [0, 0] }] }",
+        "loop = { from = [0, 0], edges = [{ x = \"t\", y = \"0*t\", over = [0, 4] }, { line_to = [4, 4] }, { line_to = [0, 0] }] }",
+        "shape = { name = \"segment\", from = [0, 0], to = [4, 0] }",
+        "loop = { from = [0, 0], edges = [{ line_to = [4, 0] }, { line_to = [0, 0] }] }",
+        "shape = { name = \"polyline\", points = [[-1, 5], [0, 0], [4, 0]] }",
     ] {
         assert!(keeps_spin(walls, [0.0, -3.0]), "{walls}");
         assert!(!keeps_spin(walls, [0.001, -3.0]), "{walls}");
@@ -270,6 +274,25 @@ fn a_rough_direction_along_the_normal_of_a_straight_wall_of_any_kind_is_smooth()
         let askew = format!("line = {{ through = [2, 0], direction = [7, {k}] }}");
         assert!(keeps_spin(&askew, [-across, 0.7]), "{k}");
         assert!(!keeps_spin(&askew, [-across, 0.700_000_001]), "{k}");
+    }
+    // and far from the origin
+    let scene = |[x, y]: [f64; 2]| {
+        let at = |dx: f64, dy: f64| format!("[{}, {}]", x + dx, y + dy);
+        format!(
+            "rough = [[0.6, 0.8]]\n[[table.boundary]]\nloop = {{ from = {}, edges = [{{ line_to = {} }}, {{ line_to = {} }}, \
+             {{ line_to = {} }}, {{ line_to = {} }}] }}\n[[orbit]]\nposition = {}\nvelocity = [-0.6, -0.79]\n[run]\n\
+             collisions = 1\n[output]\ncollisions = \"csv\"\n",
+            at(0.1, 0.3),
+            at(0.18, 0.24),
+            at(0.3, 0.4),
+            at(0.22, 0.46),
+            at(0.1, 0.3),
+            at(0.2, 0.35)
+        )
+    };
+    for place in [[0.0, 0.0], [100.0, 50.0], [-3.0, 70.0]] {
+        folder.done(&scene(place), &[]);
+        assert_eq!(folder.rows()[0][7], 0.0, "{place:?}");
     }
 }
 
