@@ -6,7 +6,7 @@ use std::sync::mpsc::{Receiver, SyncSender};
 use std::time::{Duration, Instant};
 
 use billiards::observe::EnergyDrift;
-use billiards::{Orbit, Outcome, SEATS, Stop, Timed};
+use billiards::{Orbit, Outcome, Stop, Timed};
 
 use super::desk::Desk;
 use super::engine::{Bare, Engine, Until, Watch, Watched};
@@ -14,7 +14,7 @@ use super::portraits::Portraits;
 use super::results::{Ended, Results};
 use super::scale::Scale;
 use super::trail::Trail;
-use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, Launch, STEPS, Work, batch};
+use super::work::{BLOCK, FEWEST_SIDE_BY_SIDE, FULL, Launch, STEPS, Work, batch};
 use crate::picture::{MOST_DOTS, layer};
 
 /// A block that takes longer than this is watched, so that an interruption ends it.
@@ -254,7 +254,7 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
             let mut of_these: Vec<Vec<usize>> = vec![];
             for of_layer in all.chunk_by(|a, b| layer(a) == layer(b)) {
                 match of_these.last_mut() {
-                    Some(few) if few.len() < SEATS => few.extend(of_layer),
+                    Some(few) if (few.len() as u64) < FULL => few.extend(of_layer),
                     _ => of_these.push(of_layer.to_vec()),
                 }
             }

@@ -32,7 +32,7 @@ const MANY: f64 = 50_000.0;
 /// How far arc lengths may be off, of the whole: half a thousandth of a pixel.
 const EXACT: f64 = 5e-7;
 
-/// Most pieces that are looked up: each takes 48 KiB and some milliseconds.
+/// Most arcs of pieces that are looked up: each takes 48 KiB and some milliseconds.
 const MOST_LOOKED_UP: usize = 64;
 
 impl Unrolled {
@@ -45,9 +45,10 @@ impl Unrolled {
         let pieces = if looked_up { table.pieces() } else { &[] };
         // a segment or an arc gives the arc length of a point directly, but does not know which of its copies is hit
         let searches = |piece: &&std::sync::Arc<dyn Piece>| !alone || !Stretches::knows(&***piece);
-        let most = EXACT * table.perimeter();
-        let bearings =
-            pieces.iter().map(|piece| Some(piece).filter(searches).and_then(|piece| Bearings::of(&**piece, most)));
+        let (most, arcs) = (EXACT * table.perimeter(), MOST_LOOKED_UP / pieces.len().max(1));
+        let bearings = pieces
+            .iter()
+            .map(|piece| Some(piece).filter(searches).and_then(|piece| Bearings::of(&**piece, most, arcs)));
         let bearings: Vec<_> = bearings.collect();
         let shifts = (0..bearings.len()).map(|piece| table.translations(piece).collect()).collect();
         let thin = table.pieces().iter().any(|piece| piece.tips().is_some());

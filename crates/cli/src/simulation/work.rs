@@ -17,11 +17,13 @@ pub(super) const BLOCK: u64 = 4096;
 const MOST_TOGETHER: u64 = 1024;
 /// Side by side, a single orbit takes as long as full lanes: three to four times as long as alone.
 pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
+/// Orbits that fill both vectors of a twin: half as many take as long.
+pub(super) const FULL: u64 = 2 * FEWEST_SIDE_BY_SIDE;
 /// Fewest and most orbits that one thread takes on to run them side by side, if there are as many for each thread.
 const LEAST_SIDE_BY_SIDE: u64 = 64;
 /// The same where collisions are counted for portraits: enough to fill the lanes with orbits of each colour, one colour after another.
 /// With orbits of all colours at a time, 200 of them took three times as long.
-const LEAST_COUNTED: u64 = (SEATS * ORBITS.len()) as u64;
+const LEAST_COUNTED: u64 = FULL * ORBITS.len() as u64;
 const MOST_SIDE_BY_SIDE: u64 = 512;
 /// Orbits of this many collisions are shared among threads even where that leaves fewer for each.
 const LONG: u64 = 1 << 13;
@@ -118,8 +120,8 @@ impl Work<'_> {
             // which run one after another
             1
         } else {
-            // the same number for all, and both vectors of a twin full: a job of half as many takes as long
-            self.orbits.div_ceil(threads).next_multiple_of(2 * FEWEST_SIDE_BY_SIDE).min(least)
+            // the same number for all, and all twins full
+            self.orbits.div_ceil(threads).next_multiple_of(FULL).min(least)
         }
     }
 
