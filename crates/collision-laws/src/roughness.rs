@@ -58,7 +58,7 @@ impl<const N: usize> Roughness<N> {
             return Err(Error::RoughDirectionAlongNormal { index });
         }
         let mut spans = [false; N];
-        basis.extend(directions.iter(), |index| spans[index] = true);
+        basis.extend(&directions.iter(), |index| spans[index] = true);
         match spans[..directions.len()].iter().rposition(|spans| !spans) {
             Some(index) => Err(Error::DependentRoughDirections { index }),
             None => Ok(basis.roughness()),
@@ -75,7 +75,7 @@ impl<const N: usize> Roughness<N> {
         I::IntoIter: Clone,
     {
         let mut basis = Basis::new(normal);
-        basis.extend(directions.into_iter(), |_| ());
+        basis.extend(&directions.into_iter(), |_| ());
         basis.roughness()
     }
 
@@ -139,7 +139,7 @@ impl<const N: usize> Basis<N> {
     /// almost along the normal, or along others, is never taken for a direction, whatever their order.
     fn extend<'a>(
         &mut self,
-        directions: impl Iterator<Item = &'a SVector<f64, N>> + Clone,
+        directions: &(impl Iterator<Item = &'a SVector<f64, N>> + Clone),
         mut added: impl FnMut(usize),
     ) {
         while self.rank + 1 < N {

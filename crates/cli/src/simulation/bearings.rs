@@ -69,7 +69,7 @@ struct View {
 }
 
 /// Points of an arc or of a whole piece at equal arc lengths, an odd number: from every other one the rest is interpolated.
-struct Points {
+struct Sampled {
     points: Vec<Vector2<f64>>,
     from: f64,
     half_step: f64,
@@ -78,7 +78,7 @@ struct Points {
     most: f64,
 }
 
-impl Points {
+impl Sampled {
     /// Steps between every other point.
     fn steps(&self) -> usize {
         self.points.len() / 2
@@ -112,12 +112,12 @@ struct Cut<'a> {
 
 impl Cut<'_> {
     /// Its points between two arc lengths, all of them if it is closed.
-    fn points(&self, [from, to]: [f64; 2], steps: usize, closed: bool) -> Points {
+    fn points(&self, [from, to]: [f64; 2], steps: usize, closed: bool) -> Sampled {
         let half_step = (to - from) / (2 * steps) as f64;
         let point = |j: usize| self.piece.point_at(from + half_step * j as f64);
         let mut points: Vec<_> = (0..2 * steps).map(point).collect();
         points.push(if to < self.length { self.piece.point_at(to) } else { self.end });
-        Points { points, from, half_step, closed, most: self.most }
+        Sampled { points, from, half_step, closed, most: self.most }
     }
 
     /// The arcs that can be seen between two arc lengths; `None` if there would be too many.
@@ -137,7 +137,7 @@ impl Cut<'_> {
 
 impl View {
     /// `None` if some direction meets several points, or is nearly tangential to the arc.
-    fn new(middle: Vector2<f64>, of: &Points) -> Option<Self> {
+    fn new(middle: Vector2<f64>, of: &Sampled) -> Option<Self> {
         let closed = of.closed;
         let points: Vec<Vector2<f64>> = of.points.iter().step_by(2).copied().collect();
         let angle = |p: &Vector2<f64>| libm::atan2(p.y - middle.y, p.x - middle.x);
@@ -217,7 +217,7 @@ impl View {
 
 impl Arc {
     /// Whether it finds the points of which it is made, and those between.
-    fn knows(&self, Points { points, from, half_step, closed, most }: &Points) -> bool {
+    fn knows(&self, Sampled { points, from, half_step, closed, most }: &Sampled) -> bool {
         let length = half_step * (points.len() - 1) as f64;
         let is_known = |(j, point): (usize, &Vector2<f64>)| {
             let off = (self.seen(point - self.middle)[0] - from - half_step * j as f64).abs();
@@ -327,7 +327,9 @@ mod tests {
             tables::channel(1.0, 0.75, 0.125),
             tables::ellipse([2.0, 1.0]).and_then(|table| Ok(table.offset(0.05)?.table)),
         ];
-        tables.into_iter().for_each(|table| judge(&table.unwrap()));
+        for table in tables {
+            judge(&table.unwrap());
+        }
     }
 
     /// The region of centres of a table, from its lines in a scene.
