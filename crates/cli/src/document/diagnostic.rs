@@ -35,8 +35,8 @@ pub struct Place {
 pub struct Diagnostic {
     /// The file, as the user named it.
     pub file: String,
-    /// Where in the file; absent if the file as a whole is at fault.
-    pub place: Option<Place>,
+    /// What is at fault in the file; absent if all of it is.
+    at: Option<(Source, Span)>,
     /// What is wrong, in lower case.
     pub what: String,
     /// How to fix it.
@@ -46,11 +46,17 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// An error about a file as a whole.
     pub fn of_file(file: &str, what: impl Into<String>) -> Self {
-        Self { file: file.into(), place: None, what: what.into(), help: None }
+        Self { file: file.into(), at: None, what: what.into(), help: None }
     }
 
     pub(super) fn at(source: &Source, span: Span, what: String) -> Self {
-        Self { file: source.name().into(), place: Some(Place::new(source.text(), span)), what, help: None }
+        Self { file: source.name().into(), at: Some((source.clone(), span)), what, help: None }
+    }
+
+    /// Where in the file; absent if the file as a whole is at fault. The file is read from its beginning for each place: of many errors
+    /// only the few that are shown need theirs.
+    pub fn place(&self) -> Option<Place> {
+        self.at.as_ref().map(|(source, span)| Place::new(source.text(), *span))
     }
 
     /// Adds advice on how to fix it.
@@ -106,7 +112,7 @@ fn floor_char_boundary(text: &str, mut at: usize) -> usize {
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (file, what) = (plain(&self.file), plain(&self.what));
-        match &self.place {
+        match &self.place() {
             None => write!(f, "{file}: error: {what}")?,
             Some(place) => {
                 let Place { line, column, excerpt, indent, width } = place;
@@ -156,7 +162,10 @@ impl Problems {
 
     /// Records that these keys may stand in this place: `under [run]`.
     pub(crate) fn learn(&mut self, place: impl Into<String>, keys: &[&str]) {
-        self.homes.push((place.into(), keys.iter().map(|&key| key.into()).collect()));
+        let place = place.into();
+        if !self.homes.iter().any(|home| home.0 == place && home.1 == keys) {
+            self.homes.push((place, keys.iter().map(|&key| key.into()).collect()));
+        }
     }
 
     /// Records a key that its table may not have; the help applies if no other place has it either.
@@ -207,13 +216,43 @@ mod tests {
     #[test]
     fn columns_count_characters_and_spans_may_lie_anywhere() {
         let source = Source::new("x", "\u{3b3}\u{b2} = \u{1b}\tx");
-        let place = source.diagnostic(Span::new(7, 8), "").place.unwrap();
+        let place = source.diagnostic(Span::new(7, 8), "").place().unwrap();
         assert_eq!((place.line, place.column, place.excerpt.as_str()), (1, 6, "\u{3b3}\u{b2} =   x"));
         for start in 0..20 {
             for end in 0..20 {
                 let _ = source.diagnostic(Span::new(start, end), "").to_string();
             }
         }
+    }
+
+    #[test]
+    fn places_are_right_up_to_the_end_of_a_long_file() {
+        let line = "\t\u{3b3} = [1,\t2]\r\n";
+        let text = format!("\u{feff}{}\u{1d6fe}\u{b2}x", line.repeat(10_000));
+        let source = Source::new("x", &text);
+        let place = |at: usize| source.diagnostic(Span::new(at, at + 1), "").place().unwrap();
+        let of_line = |k: usize| "\u{feff}".len() + k * line.len();
+        let two = line.find('2').unwrap();
+        for k in [0, 1, 2, 4999, 9998, 9999] {
+            for (byte, column) in [(0, 1), (1, 2), (two, 10), (two + 2, 12)] {
+                let place = place(of_line(k) + byte);
+                assert_eq!((place.line, place.column, place.excerpt.as_str()), (k + 1, column, " \u{3b3} = [1, 2]"));
+            }
+        }
+        for (byte, column) in [(0, 1), (4, 2), (6, 3), (7, 4), (100, 4)] {
+            let place = place(of_line(10_000) + byte);
+            assert_eq!((place.line, place.column, place.excerpt.as_str()), (10_001, column, "\u{1d6fe}\u{b2}x"));
+        }
+    }
+
+    #[test]
+    fn of_many_equal_sections_the_keys_are_kept_once() {
+        let mut problems = Problems::new(&Source::new("x", ""));
+        for k in 0..1000 {
+            problems.learn("under [[orbit]]", &["position", "velocity"]);
+            problems.learn("under [run]", &["collisions", "time"][..=(k % 2)]);
+        }
+        assert_eq!(problems.homes.len(), 3);
     }
 
     #[test]

@@ -217,7 +217,7 @@ mod tests {
         let item = parse(&mut problems);
         match problems.into_diagnostics().first() {
             None => Ok(item.unwrap().value),
-            Some(d) => Err(format!("{}: {}", d.place.as_ref().map_or(0, |p| p.column), d.what)),
+            Some(d) => Err(format!("{}: {}", d.place().map_or(0, |p| p.column), d.what)),
         }
     }
 

@@ -125,10 +125,11 @@ impl<'a> Section<'a> {
     fn report(self, strict: bool, problems: &mut Problems) {
         let unknown: Vec<_> = self.others().map(|(key, _)| key).collect();
         let mut mended = Vec::new();
+        let absent = |k: &&str| self.entries.iter().all(|(e, _)| e.value != *k);
+        let absent: Vec<&str> = self.known.iter().copied().filter(absent).collect();
         for key in unknown {
-            let absent = |k: &&&str| self.entries.iter().all(|(e, _)| e.value != **k);
             // A misspelt key most likely stands for one that is missing.
-            let near = spelling::closest(&key.value, self.known.iter().filter(absent).copied())
+            let near = spelling::closest(&key.value, absent.iter().copied())
                 .or_else(|| spelling::closest(&key.value, self.known.iter().copied()));
             let what = format!("unknown key \"{}\" in {}", key.value, self.name);
             let help = match near {

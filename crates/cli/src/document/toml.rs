@@ -12,14 +12,13 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     let source = problems.source().clone();
     let (document, errors) = DeTable::parse_recoverable(source.text());
     let place = |error: &::toml::de::Error| error.span().map_or(Span::default(), Span::from);
-    let line = |span: Span| source.text().get(..span.start).map_or(0, |before| before.matches('\n').count());
     let (duplicates, faults): (Vec<_>, Vec<_>) = errors.iter().partition(|e| e.message().starts_with("duplicate key"));
     // One slip often upsets the lines that follow: of a run of faulty lines, only the first error is helpful.
-    let mut upset = None;
+    let mut last = None;
     for fault in &faults {
-        let (span, after) = (place(fault), upset);
-        upset = Some(line(span) + 1);
-        if after.is_some_and(|after| line(span) <= after) {
+        let span = place(fault);
+        let between = |last: Span| source.text().get(last.start..span.start);
+        if last.replace(span).is_some_and(|last| between(last).is_none_or(|text| text.matches('\n').count() <= 1)) {
             continue;
         }
         let there = source.text().get(span.start..).unwrap_or_default();
@@ -133,6 +132,16 @@ mod tests {
             let help = problems.into_diagnostics().swap_remove(0).help.unwrap_or_default();
             assert!(help.contains(mend), "{number}: {help}");
         }
+    }
+
+    #[test]
+    fn of_a_run_of_faulty_lines_the_first_is_reported() {
+        let (good, faulty) = ("\"\u{3b3}\u{b2}\" = 1\r\n", "a = .5 # \u{3b3}\r\n");
+        let text = format!("{good}{}{good}{faulty}{}{}", faulty.repeat(3), good.repeat(1000), faulty.trim_end());
+        let mut problems = Problems::new(&Source::new("x.toml", &text));
+        assert!(parse(&mut problems).is_none());
+        let lines = problems.into_diagnostics().iter().map(|fault| fault.place().unwrap().line).collect::<Vec<_>>();
+        assert_eq!(lines, [2, 6, 1007]);
     }
 
     #[test]

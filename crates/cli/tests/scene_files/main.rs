@@ -102,7 +102,7 @@ fn parse(text: &str) -> Result<Scene, Vec<String>> {
         errors
             .iter()
             .map(|e| {
-                let (line, column) = e.place.as_ref().map_or((0, 0), |p| (p.line, p.column));
+                let (line, column) = e.place().map_or((0, 0), |p| (p.line, p.column));
                 format!("{line}:{column}: {}", e.what)
             })
             .collect()

@@ -27,7 +27,7 @@ fn a_named_table_and_an_orbit_are_read() {
 fn values_remember_where_they_stand() {
     let scene = parse(NAMED).unwrap();
     let Starts::Orbits(orbits) = &scene.starts else { panic!() };
-    let place = scene.source.diagnostic(orbits[0].position.span, "outside the table").place.unwrap();
+    let place = scene.source.diagnostic(orbits[0].position.span, "outside the table").place().unwrap();
     assert_eq!((place.line, place.column), (15, 12));
     assert_eq!(scene.source.slice(orbits[0].velocity.span), "[0.6, 0.8]");
 }
