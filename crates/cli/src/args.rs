@@ -168,7 +168,7 @@ pub struct Collide {
     /// Contact file (TOML or JSON), or - for standard input
     #[arg(value_name = "CONTACT")]
     pub contact: PathBuf,
-    /// Print JSON, every number to the last digit
+    /// Print JSON, with every number in full
     #[arg(long)]
     pub json: bool,
 }
