@@ -53,3 +53,18 @@ impl Counter {
         (self.counts && self.density.total() > 0).then_some(self.density)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture;
+
+    #[test]
+    fn what_has_begun_without_a_point_has_counted_nothing() {
+        let mut counter = Counter::of(&picture::velocities());
+        let layer = counter.begin(3);
+        assert!(counter.clone().counted().is_none());
+        counter.note([0.25, 0.5], layer, true);
+        assert_eq!(counter.counted().map(|density| density.total()), Some(1));
+    }
+}
