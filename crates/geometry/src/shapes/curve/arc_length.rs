@@ -402,7 +402,7 @@ mod tests {
         // ∫₀¹ √(1 + y′²) du: for y = √u, √5/2 + arsinh(2)/4; for y = ∛u, u = y³, ∫₀¹ √(1 + 9 y⁴) dy, with 40 digits
         let root = 0.5 * libm::sqrt(5.0) + 0.25 * libm::asinh(2.0);
         // the parameter knows the distance from a tip at 1 to six digits, of a length of 10⁻⁴
-        for (power, expected) in [(0.5, root), (1.0 / 3.0, 1.547_865_654_683_610_1)] {
+        for (power, expected) in [(0.5, root), (1.0 / 3.0, 1.547_865_654_683_61)] {
             for at in [0.0, 1.0] {
                 let curve = Tip { at, power };
                 let table = ArcLength::new(&curve, [at, at + 0.5, at + 1.0]);
