@@ -402,6 +402,45 @@ fn an_orbit_that_passes_a_vertex_at_less_than_its_error_is_lost_there() {
     }
 }
 
+#[test]
+fn what_an_orbit_passes_within_its_error_is_seen_where_that_is_large_for_its_flights() {
+    let [no_slip, specular] = laws();
+    let mut long = polygon(&[[0.0, 0.0], [20.0, 0.3], [19.7, 1.3], [-0.2, 0.9]]);
+    long.push(Box::new(Circle::new(Vector2::new(2.0, 0.5), 0.2, false).unwrap()));
+    let (long, sinai) = (Table::new(long).unwrap(), tables::sinai(1.0, 0.25).unwrap());
+    let start = |position, velocity, spin| Start { position, velocity, spin: [spin] };
+    // the collision from which on the orbit in 60 digits is another one
+    for (table, law, size, start, wrong) in [
+        (
+            &sinai,
+            &no_slip,
+            1.0,
+            start(
+                [0.509_870_481_358_985_6, 0.093_689_168_952_630_8],
+                [0.693_927_022_845_07, 0.720_045_336_743_026],
+                0.359_951_399_047_408_86,
+            ),
+            87,
+        ),
+        (
+            &long,
+            &specular,
+            20.2,
+            start(
+                [1.350_470_012_284_152_4, 0.646_211_582_257_185],
+                [0.473_425_895_213_100_86, 0.880_833_651_572_006],
+                0.0,
+            ),
+            213,
+        ),
+    ] {
+        let seen = horizon(table, law, start, size, 400);
+        assert!(seen.lost && seen.collisions < wrong, "{wrong}: {seen:?}");
+        // and not much sooner
+        assert!(seen.collisions + 8 > wrong, "{wrong}: {seen:?}");
+    }
+}
+
 /// The unit square, specular, around a disk of radius 1/20 under some law.
 fn pillar(law: Disk) -> Planar<PerPiece> {
     let mut pieces = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);

@@ -8,7 +8,8 @@
 //! known.
 //!
 //! A twin collides twice. It starts from the place of the orbit, aimed beside the next hit, so that it lands on a wall of any shape; from
-//! there its second flight is displaced over its whole length. If a twin hits something else, it and the orbit are followed further:
+//! there its second flight is displaced over its whole length. Where the error is too large for new twins to be aimed, the old ones go on,
+//! also those that have shown a jump, as long as they are beside the orbit: so each flight has twins up to the last. If a twin hits something else, it and the orbit are followed further:
 //! after the right angle of a square, a specular twin is beside the orbit again two collisions later, whichever side comes first, and
 //! after a specular disk that it grazes, one collision later.
 use super::{
@@ -43,7 +44,7 @@ const NEARER: [f64; 2] = [1.0 / 64.0, 32.0];
 const ANOTHER: f64 = 0.125;
 
 /// A flight shorter than this times the displacement is too short to aim along, as between the sides of a vertex at a distance below the
-/// error: a twin would be turned there, not displaced, by a sixteenth or more. Twins that have landed before go on.
+/// error: a twin would be turned there, not displaced, by a sixteenth or more. Those that have landed before go on.
 const AIM: f64 = 16.0;
 
 /// A path beside the orbit.
@@ -54,12 +55,20 @@ struct Twin<const N: usize, const S: usize> {
     apart: Start<N, S>,
     /// How much later than the orbit it has come here.
     late: f64,
+    /// Which of the displacements sideways it began with, the largest first: 0 … N − 2.
+    axis: usize,
 }
 
 impl<const N: usize, const S: usize> Twin<N, S> {
     /// Its path from where it has landed.
     fn path(&self) -> Path<N, S> {
-        Path { from: self.at, direction: self.at.velocity, displaced: self.apart, begins: self.apart.position }
+        Path {
+            from: self.at,
+            direction: self.at.velocity,
+            displaced: self.apart,
+            begins: self.apart.position,
+            axis: self.axis,
+        }
     }
 }
 
@@ -71,6 +80,8 @@ struct Path<const N: usize, const S: usize> {
     displaced: Start<N, S>,
     /// The displacement of the place where it begins.
     begins: [f64; N],
+    /// That of the twin ([`Twin`]).
+    axis: usize,
 }
 
 /// Where a path comes to.
@@ -89,15 +100,8 @@ struct Jump<const N: usize, const S: usize> {
     by: Start<N, S>,
     /// Its relative size.
     size: f64,
-}
-
-impl<const N: usize, const S: usize> Jump<N, S> {
-    /// The larger one, at the time of the later one; at once if nothing is left.
-    fn and(self, other: Self) -> Self {
-        let larger = if self.size >= other.size { self } else { other };
-        let later = if larger.size < f64::INFINITY { self.later.max(other.later) } else { 0 };
-        Jump { later, ..larger }
-    }
+    /// The twin that shows it, then.
+    twin: Option<Twin<N, S>>,
 }
 
 /// The twins of an orbit.
@@ -130,32 +134,28 @@ impl<const N: usize, const S: usize> Twins<N, S> {
         if let Some(jump) = &mut self.coming {
             jump.later -= 1;
         } else {
-            let landed = core::mem::take(&mut self.landed);
-            let second = landed.iter().map(Twin::path);
-            let both_ways = across.iter().flat_map(|d| [REACH, -REACH].map(|reach| Start::ZERO.plus(reach, d)));
-            let first = both_ways.filter_map(|d| beside.aimed(d));
-            let mut unmoved = [Vec::new(), Vec::new()];
-            for (i, path) in second.map(|path| (0, path)).chain(first.map(|path| (1, path))) {
-                let twin = match fly(beside.derivative.billiard, &path.from, &path.direction) {
-                    Landing::Wall(at, time) => Some(beside.twin(&path, at, time)),
-                    Landing::Vertex => continue,
-                    Landing::Nowhere => None,
-                };
-                let jump = beside.jump(twin.as_ref(), &path.displaced, spread);
-                if jump.is_none() {
-                    unmoved[i].extend(twin);
-                }
-                self.coming = match (self.coming, jump) {
-                    (Some(known), Some(jump)) => Some(known.and(jump)),
-                    (known, jump) => known.or(jump),
-                };
-            }
-            // if none could be aimed, the earlier ones go on
-            let [second, first] = unmoved;
-            self.landed = if first.is_empty() { second } else { first };
-            if self.coming.is_some_and(|jump| jump.later > 0) {
-                self.landed.clear();
-            }
+            let second: Vec<_> = self.landed.iter().map(Twin::path).collect();
+            let both_ways = |(axis, d)| [REACH, -REACH].map(|reach| (axis, Start::ZERO.plus(reach, d)));
+            let first: Vec<_> =
+                across.iter().enumerate().flat_map(both_ways).filter_map(|(axis, d)| beside.aimed(axis, d)).collect();
+            let [second, first] = [second, first]
+                .map(|paths| -> Vec<_> { paths.iter().filter_map(|path| beside.jump(path, spread)).collect() });
+            let both = || second.iter().chain(&first);
+            // at once if nothing is left
+            let largest = both().copied().reduce(|a, b| if b.size > a.size { b } else { a });
+            let later = match largest {
+                Some(jump) if jump.size < f64::INFINITY => both().map(|jump| jump.later).max().unwrap_or(0),
+                _ => 0,
+            };
+            self.coming = largest.map(|jump| Jump { later, ..jump });
+            let then = |jumps: &[Jump<N, S>]| -> Vec<_> {
+                jumps.iter().filter(|jump| jump.later == later).filter_map(|jump| jump.twin).collect()
+            };
+            // where none could be aimed, the earlier ones go on
+            self.landed = then(&second);
+            let new = then(&first);
+            self.landed.retain(|old| !new.iter().any(|new| new.axis == old.axis));
+            self.landed.extend(new);
         }
         if let Some(jump) = self.coming.take_if(|jump| jump.later == 0) {
             spread.jump(&jump.by, jump.size / spread.error(beside.next, beside.size));
@@ -166,7 +166,7 @@ impl<const N: usize, const S: usize> Twins<N, S> {
 impl<const N: usize, const S: usize> Beside<'_, N, S> {
     /// The path of a twin from the place of the orbit, aimed at where one displaced by `d` would arrive, with the velocity that it would
     /// have there; `None` where that is too far beside the orbit.
-    fn aimed(&self, d: Start<N, S>) -> Option<Path<N, S>> {
+    fn aimed(&self, axis: usize, d: Start<N, S>) -> Option<Path<N, S>> {
         let Derivative { before, hit, .. } = self.derivative;
         let v = &before.velocity;
         let moved = plus(&d.position, hit.time, &d.velocity);
@@ -175,7 +175,7 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
             return None;
         }
         let from = Start { position: before.position, ..before.plus(1.0, &d) };
-        Some(Path { from, direction: plus(v, 1.0 / hit.time, &across), displaced: d, begins: [0.0; N] })
+        Some(Path { from, direction: plus(v, 1.0 / hit.time, &across), displaced: d, begins: [0.0; N], axis })
     }
 
     /// The twin that has come to `at` on a path, after so much time.
@@ -183,38 +183,41 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         let Derivative { before, hit, .. } = self.derivative;
         let farther = plus(&path.direction.map(|v| time * v), -hit.time, &before.velocity);
         let position = plus(&path.begins, 1.0, &farther);
-        Twin { at, apart: Start { position, ..at.plus(-1.0, self.next) }, late: time - hit.time }
+        Twin { at, apart: Start { position, ..at.plus(-1.0, self.next) }, late: time - hit.time, axis: path.axis }
     }
 
-    /// The jump of the error after the collision that a twin displaced by `d` before it shows, if any; if the twin hits nothing, the
-    /// orbit is lost.
-    fn jump(&self, twin: Option<&Twin<N, S>>, d: &Start<N, S>, spread: &Spread<N, S>) -> Option<Jump<N, S>> {
-        let expected = self.derivative.apply(d);
-        let lost = Start { position: [f64::INFINITY; N], ..Start::ZERO };
-        let by = twin.map_or(lost, |twin| twin.apart.plus(-1.0, &expected));
+    /// The jump of the error after the collision that a twin on a path shows, of size 0 if the derivative misses nothing; if the twin hits
+    /// nothing, the orbit is lost. `None` if it tells nothing.
+    fn jump(&self, path: &Path<N, S>, spread: &Spread<N, S>) -> Option<Jump<N, S>> {
+        let lost = Jump { later: 0, by: Start::ZERO, size: f64::INFINITY, twin: None };
+        let twin = match fly(self.derivative.billiard, &path.from, &path.direction) {
+            Landing::Wall(at, time) => self.twin(path, at, time),
+            Landing::Vertex => return None,
+            Landing::Nowhere => return Some(lost),
+        };
+        let expected = self.derivative.apply(&path.displaced);
         let error = spread.error(self.next, self.size);
-        let here = self.jump_by(0, by);
+        let here = self.jump_by(0, twin.apart.plus(-1.0, &expected), twin);
         let nothing = LINEAR * error + NOISE * self.rounding(LINEAR * error < here.size);
         if here.size <= nothing {
-            return None;
+            return Some(Jump { size: 0.0, ..here });
         }
-        let (met, at_vertex) = match twin {
-            Some(twin) if here.size > error => {
-                let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
-                self.meeting(twin, expected, [near, nothing])
-            }
-            _ => (None, false),
+        let (met, at_vertex) = if here.size > error {
+            let near = NEARER[0].min(NEARER[1] * libm::sqrt(error)) * here.size;
+            self.meeting(&twin, expected, [near, nothing])
+        } else {
+            (None, false)
         };
         match met {
             None if at_vertex => None,
-            None if here.size > error.max(ANOTHER) => Some(self.jump_by(0, lost)),
+            None if here.size > error.max(ANOTHER) => Some(lost),
             met => met.or(Some(here)),
         }
     }
 
-    fn jump_by(&self, later: usize, by: Start<N, S>) -> Jump<N, S> {
+    fn jump_by(&self, later: usize, by: Start<N, S>, twin: Twin<N, S>) -> Jump<N, S> {
         let size = relative(norm(&by.position), by.speed(), self.next, self.size);
-        Jump { later, by, size }
+        Jump { later, by, size, twin: Some(twin) }
     }
 
     /// The relative rounding of this collision; 0 if not `asked`.
@@ -240,8 +243,9 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
         let billiard = self.derivative.billiard;
         // places and times are relative to those of the orbit's hit
         let placed = |at: &Start<N, S>, position| Start { position, ..*at };
+        let axis = twin.axis;
         let (mut at, mut place, mut time) = (twin.at, twin.apart.position, twin.late);
-        let mut twins = vec![(placed(&at, place), time)];
+        let mut twins = vec![(at, place, time)];
         let mut at_vertex = false;
         for _ in 1..MEETING {
             let landing = fly(billiard, &at, &at.velocity);
@@ -250,15 +254,17 @@ impl<const N: usize, const S: usize> Beside<'_, N, S> {
             place = plus(&place, flight, &at.velocity);
             time += flight;
             at = next;
-            twins.push((placed(&at, place), time));
+            twins.push((at, place, time));
         }
         let (mut at, mut place, mut time, mut apart) = (*self.next, [0.0; N], 0.0, expected);
         let mut nearest: Option<Jump<N, S>> = None;
         for later in 0..MEETING {
-            let there = placed(&at, place).plus(1.0, &apart);
-            for (twin, when) in &twins {
-                let jump = self.jump_by(later, twin.plus(-1.0, &there));
-                let late = (when - time) * norm(&at.velocity) / self.size;
+            let here = placed(&at, place);
+            for (there, its_place, when) in &twins {
+                let apart_from = placed(there, *its_place).plus(-1.0, &here);
+                let twin = Twin { at: *there, apart: apart_from, late: when - time, axis };
+                let jump = self.jump_by(later, apart_from.plus(-1.0, &apart), twin);
+                let late = twin.late * norm(&at.velocity) / self.size;
                 if jump.size.max(late.abs()) <= near && !nearest.is_some_and(|nearest| nearest.size <= jump.size) {
                     nearest = Some(jump);
                 }
