@@ -83,7 +83,7 @@ fn orbits_that_are_drawn_at_first_run_on_side_by_side() {
     let start = |k: u32| format!("[[orbit]]\nposition = [0.1, {}]\nvelocity = [0.6, 0.8]\n", 0.1 + 0.02 * f64::from(k));
     let starts: String = (0..40).map(start).collect();
     // with a time limit, those that have escaped fly on until then
-    for (limit, escaped) in [("collisions = 10000", 37), ("time = 3000", 0)] {
+    for (limit, escaped) in [("collisions = 10000", 36), ("time = 3000", 0)] {
         let kept = |record: &str, threads: &str| {
             let scene = format!(
                 "law = \"specular\"\n{table}{starts}[run]\n{limit}\n[output]\npictures = [\"orbit\"]\n{record}\n"
