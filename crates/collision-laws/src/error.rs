@@ -117,8 +117,8 @@ pub enum Error {
         /// Its position in the list, from 0.
         index: usize,
     },
-    /// A rough direction that the earlier ones and the normal span already.
-    #[error("rough direction {index} depends linearly on the normal and the ones before it")]
+    /// A rough direction that the others and the normal span already.
+    #[error("rough direction {index} depends linearly on the normal and the others")]
     DependentRoughDirections {
         /// Its position in the list, from 0.
         index: usize,

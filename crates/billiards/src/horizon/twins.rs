@@ -8,10 +8,10 @@
 //! known.
 //!
 //! A twin collides twice. It starts from the place of the orbit, aimed beside the next hit, so that it lands on a wall of any shape; from
-//! there its second flight is displaced over its whole length. Where the error is too large for new twins to be aimed, the old ones go on,
-//! also those that have shown a jump, as long as they are beside the orbit: so each flight has twins up to the last. If a twin hits something else, it and the orbit are followed further:
-//! after the right angle of a square, a specular twin is beside the orbit again two collisions later, whichever side comes first, and
-//! after a specular disk that it grazes, one collision later.
+//! there its second flight is displaced over its whole length. Where the error is too large for new twins to be aimed, the old ones go
+//! on, also those that have shown a jump, as long as they are beside the orbit: so each flight has twins up to the last. If a twin hits
+//! something else, it and the orbit are followed further: after the right angle of a square, a specular twin is beside the orbit again two
+//! collisions later, whichever side comes first, and after a specular disk that it grazes, one collision later.
 use super::{
     Bend, Bounce, Derivative, dot, norm, plus,
     spread::{Spread, relative},

@@ -166,7 +166,7 @@ fn mend(error: &Error) -> Option<&'static str> {
             "write 0 on the diagonal, and in row j, column i the negative of the entry in row i, column j"
         }
         Error::RoughDirectionAlongNormal { .. } => "leave it out, or write one that is not along the normal",
-        Error::DependentRoughDirections { .. } => "leave it out: it adds nothing to the ones before it",
+        Error::DependentRoughDirections { .. } => "leave it out: it adds nothing to the others",
         _ => return None,
     })
 }

@@ -13,8 +13,8 @@ const PARTS: usize = 1024;
 
 /// Arc length and distance of the points of arcs that are met at most once in each direction from a middle.
 ///
-/// Accurate to rounding as given, and much faster than a piece that has to search. A piece is one arc where that is possible, and is else
-/// cut into halves and so on.
+/// As accurate as is asked for, and much faster than a piece that has to search. A piece is one arc where that is possible, and is else cut
+/// into halves, and these again.
 #[derive(Clone, Debug)]
 pub(super) struct Bearings {
     arcs: Vec<Arc>,
@@ -203,9 +203,7 @@ impl View {
             [here[i], more, 4.0 * (between[i] - here[i] - 0.5 * more)]
         })
     }
-}
 
-impl View {
     fn arc(&self) -> Arc {
         let parts = (0..PARTS).map(|k| self.part(k)).collect();
         let farthest = self.points.iter().fold(0.0_f64, |reach, p| reach.max((p - self.middle).norm_squared()));
