@@ -6,7 +6,7 @@ use billiards::{
     observe::Watch,
 };
 use collision_laws::{
-    CollisionLaw, Contact, Delassus, Fixed, Pair, Roughness, TangentVector,
+    AnyLaw, CollisionLaw, Contact, Delassus, Fixed, Pair, Roughness, TangentVector,
     bodies::Ball,
     check::{
         controls::{Chasing, ReversiblyChasing, slip_angle},
@@ -19,6 +19,15 @@ use geometry::{WallHit, tables};
 use lanes::{Kernel, Lane, Mask};
 use nalgebra::{DVector, SVector, Vector2, Vector3};
 use proptest::prelude::*;
+
+/// Laws of one type: runs are compiled for each type of law, which takes long.
+fn disk(law: impl CollisionLaw<2> + Send + Sync + 'static, gamma: f64) -> Custom<AnyLaw<2>, 2> {
+    Custom::disk(AnyLaw::new(law), gamma).unwrap()
+}
+/// The same in space.
+fn ball(law: impl CollisionLaw<3> + Send + Sync + 'static, gamma: f64) -> Custom<AnyLaw<3>, 3> {
+    Custom::ball(AnyLaw::new(law), gamma).unwrap()
+}
 
 /// A law of 2D or 3D, applied to a hit with a normal of any length.
 fn collide<const N: usize, const S: usize>(
@@ -140,7 +149,7 @@ fn a_law_per_surface_is_a_law_per_piece() {
     let table = tables::square(1.0).unwrap();
     let mixed = PerSurface::new(Roughness::Smooth).with(1, Roughness::Rough);
     let field = Field::new(move |c: &Contact<2>| *mixed.on(c.surface));
-    let custom = Planar { table: table.clone(), law: Custom::disk(field, gamma).unwrap() };
+    let custom = Planar { table: table.clone(), law: disk(field, gamma) };
     let (smooth, rough) = (Disk::new(&Specular, gamma).unwrap(), Disk::new(&NoSlip, gamma).unwrap());
     let per_piece = Planar { table, law: PerPiece::new(smooth, [rough, smooth]) };
     let start = || Orbit::<_, 2, 1>::new([0.3, 0.4], [0.6, 0.5], [0.2], ());
@@ -156,7 +165,7 @@ fn a_law_per_surface_is_a_law_per_piece() {
 #[test]
 fn a_strict_law_of_ones_own_rounds_nothing_along_the_normal_between_parallel_planes() {
     let grooved = Field::new(|c: &Contact<3>| Roughness::of_span(&c.normal, &[Vector3::new(c.point.y, 1.0, 0.0)]));
-    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: Custom::ball(grooved, 0.4_f64.sqrt()).unwrap() };
+    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: ball(grooved, 0.4_f64.sqrt()) };
     let (v, w) = ([0.3, 0.4, -0.11], [0.1, 0.2, 0.7]);
     let mut orbit = Orbit::<_, 3, 3, Conserved<f64, 3>>::new([0.0, 0.0, 0.5], v, w, ());
     slab.run(&mut orbit, &Collisions(10_001), &mut ());
@@ -242,7 +251,7 @@ impl CollisionLaw<2> for Generous {
 }
 
 /// `|det D(s, v₀, vₜ)|` of the billiard map at unit speed.
-fn planar_determinant<L: BallLaw<2, 1>>(billiard: &Planar<L>, at: [f64; 3]) -> f64 {
+fn planar_determinant(billiard: &Planar<Custom<AnyLaw<2>, 2>>, at: [f64; 3]) -> f64 {
     let step = |x: &DVector<f64>| {
         let state = ReducedState { piece: 0, s: x[0], v0: x[1], vt: x[2], speed: 1.0 };
         let next = billiard.map(&state).unwrap();
@@ -257,16 +266,16 @@ const TOLERANCE: f64 = 1e-9;
 
 #[test]
 fn a_law_that_pays_the_slip_it_takes_halves_the_measure() {
-    let law = Custom::disk(Generous, 0.5_f64.sqrt()).unwrap();
+    let law = disk(Generous, 0.5_f64.sqrt());
     let before = (1.0_f64, 0.3);
     let (v, w) = collide(&law, [0.0, 1.0], [0.4, -before.0], [before.1]);
     let energy = v[0] * v[0] + v[1] * v[1] + w[0] * w[0];
     assert!((energy - (0.16 + 1.0 + 0.09)).abs() < 1e-15);
     // from the floor of the square to its ceiling, from one place of the circle to another
     for table in [tables::square(1.0).unwrap(), tables::circle(1.0).unwrap()] {
-        let generous = planar_determinant(&Planar { table: table.clone(), law }, [0.4, 0.3, -0.1]);
+        let generous = planar_determinant(&Planar { table: table.clone(), law: law.clone() }, [0.4, 0.3, -0.1]);
         assert!((generous - 0.5).abs() < TOLERANCE, "{generous}");
-        let strict = planar_determinant(&Planar { table, law: Custom::disk(NoSlip, 0.7).unwrap() }, [0.4, 0.3, -0.1]);
+        let strict = planar_determinant(&Planar { table, law: disk(NoSlip, 0.7) }, [0.4, 0.3, -0.1]);
         assert!((strict - 1.0).abs() < TOLERANCE, "{strict}");
     }
 }
@@ -275,8 +284,8 @@ const AT: [f64; 7] = [0.1, -0.2, 0.25, 0.15, -0.2, 0.3, 0.1];
 const BALL_GAMMA: f64 = 0.632_455_532_033_675_9; // √(2/5)
 
 /// `|det D(x₁, x₂, v₁, v₂, W)|` from the floor of the unit slab to its ceiling, at unit speed.
-fn slab_determinant(law: impl CollisionLaw<3> + Sync) -> f64 {
-    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: Custom::ball(law, BALL_GAMMA).unwrap() };
+fn slab_determinant(law: impl CollisionLaw<3> + Send + Sync + 'static) -> f64 {
+    let slab = Spatial { table: tables::slab(1.0).unwrap(), law: ball(law, BALL_GAMMA) };
     let step = |x: &DVector<f64>| {
         let up = (1.0 - x.rows(2, 5).norm_squared()).sqrt();
         let mut orbit = Orbit::<_, 3, 3>::new([x[0], x[1], 0.0], [x[2], x[3], up], [x[4], x[5], x[6]], ());
@@ -310,7 +319,7 @@ fn strict_laws_in_space_keep_the_measure_and_laws_that_chase_the_velocity_do_not
 
 #[test]
 fn a_random_law_runs_and_conserves_energy() {
-    let law = Custom::ball(laws::RandomGrassmannian::new(1, 7).unwrap(), BALL_GAMMA).unwrap();
+    let law = ball(laws::RandomGrassmannian::new(1, 7).unwrap(), BALL_GAMMA);
     let cube = Spatial { table: tables::cuboid([1.0; 3]).unwrap(), law };
     let mut orbit = Orbit::<_, 3, 3>::new([0.3, 0.4, 0.5], [0.6, -0.3, 0.2], [0.1, 0.2, 0.3], ());
     let mut worst = 0.0_f64;
@@ -381,7 +390,7 @@ impl CollisionLaw<2> for Wrong {
 }
 
 /// How so many orbits end, alone and in lanes.
-fn ends(table: &geometry::Table, law: &(impl BallLaw<2, 1> + Clone), orbits: u32, most: u64) -> Vec<(Stop, u64)> {
+fn ends(table: &geometry::Table, law: &Custom<AnyLaw<2>, 2>, orbits: u32, most: u64) -> Vec<(Stop, u64)> {
     let billiard = Planar { table: table.clone(), law: law.clone() };
     let start = |k: u32| {
         let angle = 0.3 + 1.7 * f64::from(k);
@@ -411,7 +420,7 @@ fn a_law_that_does_not_throw_the_ball_back_is_told_as_that() {
         tables::sinai_torus(0.25, 1.0),
     ] {
         for restitution in [-1.0, -0.5] {
-            let law = Custom::disk(Wrong { restitution }, 0.7).unwrap();
+            let law = disk(Wrong { restitution }, 0.7);
             let ended = ends(&table.clone().unwrap(), &law, 16, 1000);
             assert!(ended.iter().all(|end| *end == (Stop::IntoWall, 1)), "{ended:?}");
         }
@@ -423,7 +432,7 @@ fn a_law_that_does_not_throw_the_ball_back_is_told_as_that() {
 fn a_ball_that_a_law_of_ones_own_brings_to_rest_across_a_round_wall_grazes() {
     for restitution in [0.0, 0.5] {
         let law = laws::Restitution::new(restitution, -1.0).unwrap();
-        let own = ends(&tables::circle(1.0).unwrap(), &Custom::disk(law, 0.7).unwrap(), 300, 5000);
+        let own = ends(&tables::circle(1.0).unwrap(), &disk(law, 0.7), 300, 5000);
         assert!(own.iter().all(|(stop, collisions)| *stop == Stop::Grazing && *collisions < 100), "{own:?}");
     }
 }
@@ -431,7 +440,7 @@ fn a_ball_that_a_law_of_ones_own_brings_to_rest_across_a_round_wall_grazes() {
 #[test]
 fn a_ball_that_a_law_makes_faster_and_faster_ends_where_squares_of_speeds_do() {
     for table in [tables::circle(1.0), tables::square(1.0), tables::moon(1.0, 0.8, 0.9)] {
-        let billiard = Planar { table: table.unwrap(), law: Custom::disk(Wrong { restitution: 1.5 }, 0.7).unwrap() };
+        let billiard = Planar { table: table.unwrap(), law: disk(Wrong { restitution: 1.5 }, 0.7) };
         for k in 0..60 {
             let angle = 0.3 + 1.7 * f64::from(k);
             let mut orbit = Orbit::<f64, 2, 1>::new([0.1, 0.325], [libm::cos(angle), libm::sin(angle)], [0.3], ());

@@ -53,7 +53,7 @@ fn end_in_time(table: &Table, billiard: &impl Motion<2, 1>) {
         assert!(ended.iter().all(|f| f.orbit.track.time() <= time.max(0.0)), "{time}");
     }
     // at a collision, but for rounding
-    let at = ends(billiard, &all, &Collisions(7))[0].orbit.track.time();
+    let at = ends(billiard, &all, &(Collisions(7), Time(f64::INFINITY)))[0].orbit.track.time();
     for (time, made) in [(at * (1.0 + 1e-15), 7), (at * (1.0 - 1e-15), 6)] {
         let ended = ends(billiard, &all, &Time(time));
         assert_eq!(ended[0].outcome, Outcome { stop: Stop::Finished, collisions: made });
