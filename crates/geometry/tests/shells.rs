@@ -1,7 +1,7 @@
-//! Closed meshes of several parts.
+//! Closed meshes, of several parts and of thin triangles.
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 use geometry::{
-    Error, Vector3,
+    Boundary, Error, Line, Vector3,
     parry::{Side, SolidSpec},
 };
 
@@ -194,6 +194,40 @@ fn a_triangle_that_runs_the_wrong_way_is_named_whichever_the_check_meets_first()
                 );
             }
             other => panic!("{wrong}: {other:?}"),
+        }
+    }
+}
+
+/// What rounds differences of coordinates turned the normal of a thin triangle by 10⁻¹⁶ over its thinness, and where a mesh was far away,
+/// by the rounding of its vertices there.
+#[test]
+fn the_normal_of_a_thin_triangle_is_that_of_its_own_coordinates_wherever_the_mesh_lies() {
+    // whole numbers below 2⁴¹, whose products are exact in 128 bits, in units of 2⁻⁴⁰
+    const UNIT: f64 = 1.0 / (1_u64 << 40) as f64;
+    for thinness in [1_i64 << 38, 1 << 30, 1 << 20] {
+        let corners = [
+            [3, 7, 1],
+            [(1 << 40) + 12_345, 98_765_432_101, 4_321_098_765],
+            [(1 << 39) + 999, 49_382_716_050 + thinness, 2_160_549_383 + thinness / 3],
+            [412_316_860_416, 300_000_000_007, 900_000_000_001],
+        ];
+        let [u, v] = [1, 2].map(|k| [0, 1, 2].map(|i| i128::from(corners[k][i] - corners[0][i])));
+        let exact = Vector3::from_fn(|i, _| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            (u[j] * v[k] - u[k] * v[j]) as f64 * (UNIT * UNIT)
+        });
+        let vertices: Vec<[f64; 3]> = corners.iter().map(|p| p.map(|x| x as f64 * UNIT)).collect();
+        let inwards = exact * exact.dot(&Vector3::from(vertices[3])).signum() / exact.norm();
+        let middle = vertices[..3].iter().map(|p| Vector3::from(*p)).sum::<Vector3<f64>>() / 3.0;
+        let spec =
+            SolidSpec::TriMesh { vertices, triangles: vec![[0, 1, 2], [0, 2, 3], [1, 0, 3], [2, 1, 3]], margin: 0.0 };
+        for center in [[0.0; 3], [1000.1, -2000.7, 300.3], [1e6 + 0.1, 0.3, -3e5]] {
+            let room = spec.solid(center, Side::Inside).unwrap();
+            let aim = middle + Vector3::from(center);
+            let path = Line { point: aim + inwards * 0.01, velocity: -inwards };
+            let hit = room.first_hit(&path).unwrap();
+            let off = (hit.normal - inwards).amax();
+            assert!(off <= 2.0 * f64::EPSILON, "{thinness} {center:?}: {off:e}");
         }
     }
 }

@@ -9,13 +9,14 @@ mod slivers;
 mod two_sided;
 mod winding;
 
-use super::distance::to_unit;
+use super::{convert::Frame, distance::to_unit};
 use crate::{
     BoxTree, Crossing, Error, Extent, Line,
     edges::{merged, sides},
     plane::{is_finite, slack},
     walls::CORNER,
 };
+use lanes::{Double, two_sum};
 use nalgebra::Vector3;
 pub(crate) use rim::OnRim;
 use std::collections::{HashMap, HashSet};
@@ -85,34 +86,52 @@ pub(crate) fn rims(triangles: &[[usize; 3]]) -> usize {
 }
 
 /// `(b − a) × (c − a)` in units of the longest edge rounded up to a power of two, and that unit, so that no product over- or
-/// underflows.
+/// underflows; accurate to an ulp however thin the triangle is.
 pub(crate) fn across([a, b, c]: [Vector3<f64>; 3]) -> (Vector3<f64>, f64) {
-    let edges = [b - a, c - a];
-    let unit = to_unit(edges[0].amax().max(edges[1].amax()));
-    ((edges[0] * unit).cross(&(edges[1] * unit)), 1.0 / unit)
+    let unit = to_unit((b - a).amax().max((c - a).amax()));
+    (cross([a, b, c].map(|corner| corner * unit)), 1.0 / unit)
+}
+
+/// `(b − a) × (c − a)`, to an ulp: the differences are exact, and the products have twice as many digits as a number.
+pub(crate) fn cross([a, b, c]: [Vector3<f64>; 3]) -> Vector3<f64> {
+    let way = |to: Vector3<f64>| {
+        [0, 1, 2].map(|i| {
+            let (high, low) = two_sum(to[i], -a[i]);
+            Double { high, low }
+        })
+    };
+    let (u, v) = (way(b), way(c));
+    Vector3::from_fn(|i, _| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        u[j].times(v[k]).plus(-u[k].times(v[j])).value()
+    })
 }
 
 impl Mesh {
     /// Triangles with their counter-clockwise sides outwards; a closed mesh inside out is turned round.
     ///
-    /// `outside`: the table lies on the outer side. `loose`: edges may belong to more than two triangles.
+    /// `own`: the vertices in the shape's coordinates, whose place in space is given by `frame`. Normals are those of the shape: far away,
+    /// rounding moves vertices, and would turn the normals of small triangles. `outside`: the table lies on the outer side. `loose`: edges
+    /// may belong to more than two triangles.
     pub(crate) fn new(
-        vertices: Vec<Vector3<f64>>,
+        own: &[Vector3<f64>],
+        frame: &Frame<3>,
         triangles: &[[usize; 3]],
         outside: bool,
         loose: bool,
     ) -> Result<Mesh, Error> {
         let error = |why| Err(Error::Shape { shape: "triangle mesh", why });
+        let vertices: Vec<Vector3<f64>> = own.iter().map(|y| frame.point(y)).collect();
         if vertices.iter().any(|v| !is_finite(v)) {
             return error("a vertex is not finite");
         }
         let id = merged(vertices.iter().copied());
-        let across = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
+        let placed = |t: &[usize; 3]| across(t.map(|v| vertices[v]));
         let mut triangles: Vec<[usize; 3]> = triangles.iter().map(|t| t.map(|v| id[v])).collect();
         let closed = rims(&triangles) == 0;
         let numbers: Vec<usize>;
         (triangles, numbers) = if loose {
-            triangles.retain(|t| across(t).0.norm_squared() > 0.0);
+            triangles.retain(|t| !slivers::is_flat(t.map(|v| vertices[v])));
             (triangles, vec![])
         } else {
             slivers::split(&vertices, triangles)?
@@ -131,7 +150,7 @@ impl Mesh {
         let origin = vertices[triangles[0][0]];
         let size = triangles.iter().flatten().map(|&v| vertices[v].amax()).fold(0.0, f64::max);
         let volume = |t: &[usize; 3]| {
-            let (n, edge) = across(t);
+            let (n, edge) = placed(t);
             let part = edge / size;
             ((vertices[t[0]] - origin) / size).dot(&n) * part * part
         };
@@ -140,7 +159,10 @@ impl Mesh {
         let normals: Vec<Vector3<f64>> = triangles
             .iter()
             .map(|t| {
-                let (n, _) = across(t);
+                let (there, _) = placed(t);
+                let of_shape = frame.direction(&across(t.map(|v| own[v])).0);
+                // what rounding has turned over is taken as it lies
+                let n = if of_shape.dot(&there) > 0.0 { of_shape } else { there };
                 n / if turned { -n.norm() } else { n.norm() }
             })
             .collect();

@@ -380,8 +380,7 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
         members.push(Body::Convex(convex, field::distance(shape, frame, side)));
     };
     let mesh = |vertices: Vec<Vector3<f64>>, triangles: &[[usize; 3]], loose| {
-        let vertices = vertices.iter().map(|y| frame.point(y)).collect();
-        let mesh = Mesh::new(vertices, triangles, outside, loose)?;
+        let mesh = Mesh::new(&vertices, frame, triangles, outside, loose)?;
         let distance = field::mesh_distance(&mesh, side)?;
         Ok::<Body, Error>(Body::Mesh(mesh, distance))
     };

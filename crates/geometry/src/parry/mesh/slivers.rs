@@ -8,6 +8,14 @@ use std::collections::{BinaryHeap, HashMap};
 /// Most splits per triangle: where several triangles without area lie on one another, each may be split a few times.
 const SPLITS: usize = 16;
 
+/// Whether a triangle has no area, or none but for what rounding makes of its sides.
+pub(super) fn is_flat(corners: [Vector3<f64>; 3]) -> bool {
+    let (area, unit) = across(corners);
+    let [a, b, c] = corners;
+    let rounded = ((b - a) / unit).cross(&((c - a) / unit));
+    !(area.norm_squared() > 0.0 && rounded.norm_squared() > 0.0)
+}
+
 /// The triangles of positive area of a surface, split so that each side is shared with what lies beyond it, and for each the given
 /// triangle that it is part of.
 ///
@@ -22,7 +30,7 @@ pub(super) fn split(
     vertices: &[Vector3<f64>],
     mut triangles: Vec<[usize; 3]>,
 ) -> Result<(Vec<[usize; 3]>, Vec<usize>), Error> {
-    let is_flat = |t: &[usize; 3]| !(across(t.map(|v| vertices[v])).0.norm_squared() > 0.0);
+    let is_flat = |t: &[usize; 3]| is_flat(t.map(|v| vertices[v]));
     let is_point = |[a, b, c]: &[usize; 3]| a == b || b == c || c == a;
     let lengths = |t: &[usize; 3]| {
         sides(*t).map(|[a, b]| {

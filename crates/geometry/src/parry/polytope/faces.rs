@@ -1,7 +1,6 @@
 //! Triangles of one plane joined into faces.
 use super::Face;
-use crate::edges::sides;
-use lanes::{Double, two_sum};
+use crate::{edges::sides, parry::mesh::cross};
 use nalgebra::Vector3;
 use std::collections::{BTreeMap, HashMap};
 
@@ -17,27 +16,12 @@ struct Plane {
     area: f64,
 }
 
-/// `(b − a) × (c − a)`, accurate to an ulp unless the triangle is thin.
-fn across([a, b, c]: [&Vector3<f64>; 3]) -> Vector3<f64> {
-    let way = |to: &Vector3<f64>| {
-        [0, 1, 2].map(|i| {
-            let (high, low) = two_sum(to[i], -a[i]);
-            Double { high, low }
-        })
-    };
-    let (u, v) = (way(b), way(c));
-    Vector3::from_fn(|i, _| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        u[j].times(v[k]).plus(-u[k].times(v[j])).value()
-    })
-}
-
 /// Faces of a closed convex surface of triangles: neighbours within the `tolerance` of one plane form one face.
 pub(super) fn joined(points: &[Vector3<f64>], triangles: &[[usize; 3]], tolerance: f64) -> Vec<Face> {
     let by_side: HashMap<[usize; 2], usize> =
         triangles.iter().enumerate().flat_map(|(k, t)| sides(*t).map(|side| (side, k))).collect();
     let beyond = |k: usize| sides(triangles[k]).map(|[a, b]| by_side[&[b, a]]);
-    let normals: Vec<Vector3<f64>> = triangles.iter().map(|t| across(t.map(|k| &points[k]))).collect();
+    let normals: Vec<Vector3<f64>> = triangles.iter().map(|t| cross(t.map(|k| points[k]))).collect();
     let length = |[a, b]: [usize; 2]| (points[a] - points[b]).norm();
     let is_thin: Vec<bool> = triangles
         .iter()

@@ -190,13 +190,18 @@ impl Stratum {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::random;
+    use crate::{parry::convert::Frame, random};
     use core::f64::consts::FRAC_PI_2;
+    use nalgebra::Isometry3;
+
+    fn mesh(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Mesh {
+        Mesh::new(vertices, &Frame::from(&Isometry3::identity()), triangles, true, false).unwrap()
+    }
 
     /// The strata of triangles as seen from outside: how many planes, cylinders and spheres.
-    fn count(vertices: Vec<Vector3<f64>>, triangles: &[[usize; 3]]) -> [usize; 3] {
+    fn count(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> [usize; 3] {
         let mut found = [0; 3];
-        for stratum in strata(&Mesh::new(vertices, triangles, true, false).unwrap()) {
+        for stratum in strata(&mesh(vertices, triangles)) {
             match stratum.form {
                 Form::Plane => found[0] += 1,
                 Form::Cylinder { .. } => found[1] += 1,
@@ -212,7 +217,7 @@ mod tests {
         for _ in 0..1000 {
             let corners =
                 vec![Vector3::from_fn(|_, _| random()), Vector3::from_fn(|_, _| random()), Vector3::x() * 3.0];
-            assert_eq!(count(corners, &[[0, 1, 2]]), [1, 3, 3]);
+            assert_eq!(count(&corners, &[[0, 1, 2]]), [1, 3, 3]);
         }
     }
 
@@ -223,15 +228,15 @@ mod tests {
         let vertices = vec![v(0.0, 0.0), v(2.0, 0.0), v(2.0, 2.0), v(0.0, 2.0), v(1.0, 1.0), v(1.0, 0.0)];
         let triangles = [[0, 5, 4], [5, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
         // flat edges have no cylinders
-        assert_eq!(count(vertices, &triangles), [5, 5, 4]);
+        assert_eq!(count(&vertices, &triangles), [5, 5, 4]);
     }
 
     #[test]
     fn a_cube_has_a_quarter_of_a_cylinder_at_each_edge_and_an_eighth_of_a_sphere_within_each_cap() {
-        let vertices = (0..8).map(|k| Vector3::from([0, 1, 2].map(|i| f64::from(k >> i & 1)))).collect();
+        let vertices: Vec<_> = (0..8).map(|k| Vector3::from([0, 1, 2].map(|i| f64::from(k >> i & 1)))).collect();
         let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5], [4, 5, 7, 6]];
         let triangles: Vec<_> = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-        let mesh = Mesh::new(vertices, &triangles, true, false).unwrap();
+        let mesh = mesh(&vertices, &triangles);
         let [mut edges, mut corners] = [0, 0];
         for stratum in strata(&mesh) {
             match stratum.form {
