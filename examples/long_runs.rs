@@ -1,7 +1,7 @@
 //! How many digits are left after millions of collisions?
 //!
 //! Expected: the energy is kept to the last digit whatever the length; the other invariants of integrable tables lose little; the time is
-//! so exact that the position in a square at t = 10⁵ is right to 10⁻¹⁰; and on a circle, after a hundred times as many collisions, the
+//! so exact that the position in a square at t = 10⁵ is right to 10⁻¹¹; and on a circle, after a hundred times as many collisions, the
 //! angle differs from the closed form by at most 10⁻¹⁶ per collision (and 10⁻¹⁵ for each part of the run).
 //!
 //! `cargo run --release --example long_runs -- 10000000` for ten million collisions; the default is 10⁵.

@@ -1,4 +1,5 @@
-//! The command `billiards`: scene files in, pictures, records and reports out. No physics lives here.
+//! The command `billiards`: scene files in, pictures, records and reports out. No physics lives here but in `bench`, which
+//! compares the engine with a program as in textbooks.
 
 #![cfg_attr(test, allow(clippy::float_cmp, clippy::unwrap_used, reason = "tests claim exact values"))]
 

@@ -88,8 +88,11 @@ fn every_scene_is_described_by_check() {
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert!(!json["pieces"].as_array().unwrap().is_empty(), "{}", scene.display());
         let space = json["dimension"] == 3;
-        for (name, of_space) in [("area", false), ("perimeter", false), ("volume", true), ("surface", true)] {
-            assert!(json["walls"][name].is_null() || space == of_space, "{}: {name}", scene.display());
+        // infinite tables have none, and in space only tables with a name have one
+        let name = scene.file_stem().unwrap().to_str().unwrap();
+        let is_known = if space { ["ball", "box"].contains(&name) } else { !["strip", "wedge"].contains(&name) };
+        for (measure, of_space) in [("area", false), ("perimeter", false), ("volume", true), ("surface", true)] {
+            assert_eq!(json["walls"][measure].is_number(), is_known && space == of_space, "{name}: {measure}");
         }
     }
 }

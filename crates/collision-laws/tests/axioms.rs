@@ -234,6 +234,9 @@ fn a_law_that_tells_of_another_impulse_than_its_own_is_found() {
         let report = check::law(&pair, &Liar(lie), Samples::default());
         assert_eq!(report.broken(check::TOLERANCE).next(), None, "{lie}");
         assert!(report.told() > Some(least) && !report.is_strict(check::TOLERANCE), "{lie}: {:?}", report.told());
+        // the table shows why
+        let shown = format!("{:.1e}", report.told().unwrap());
+        assert!(report.to_string().lines().last().unwrap().ends_with(&shown), "{report}");
     }
     for truth in ["all", "nothing"] {
         let report = check::law(&pair, &Liar(truth), Samples::default());

@@ -1,5 +1,7 @@
 //! `law = "no-slip"`, `law = { name = "restitution", … }` or `rough = [[1, 2, -3]]`, the last also as `law = { rough = … }`.
 
+use billiards::collision_laws::LOST_DIRECTION;
+
 use super::{choice, direction, list};
 use crate::document::{Item, Problems, Section, Span, Value, number, seed, spell, whole};
 
@@ -282,13 +284,16 @@ fn rough(item: &Item, dimension: usize, problems: &mut Problems) -> Option<LawKi
     Some(LawKind::Rough(directions))
 }
 
-/// Whether two nonzero vectors are parallel up to a few roundings of their components.
+/// Whether so little of one nonzero vector is across the other that no contact pushes in the directions of both.
 fn parallel(a: &[f64], b: &[f64]) -> bool {
     let scaled = |v: &[f64]| -> Vec<f64> {
         let size = v.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         v.iter().map(|x| x / size).collect()
     };
     let (a, b) = (scaled(a), scaled(b));
-    let crosses = |i: usize, j: usize| (a[i] * b[j] - a[j] * b[i]).abs() > 8.0 * f64::EPSILON;
-    !(0..a.len()).any(|i| (0..i).any(|j| crosses(i, j)))
+    let square = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>();
+    let minors = (0..a.len()).flat_map(|i| (0..i).map(move |j| [i, j])).map(|[i, j]| a[i] * b[j] - a[j] * b[i]);
+    // |a ∧ b|² = (|a| |b| sin)²
+    let across = minors.map(|minor| minor * minor).sum::<f64>();
+    across <= LOST_DIRECTION * LOST_DIRECTION * square(&a) * square(&b)
 }

@@ -4,11 +4,12 @@ use core::f64::consts::{PI, TAU};
 
 use billiards::geometry::{Piece, Vector2};
 
-/// Numbers of steps between points whose directions are known, along a whole piece and along one of its arcs.
+/// Numbers of steps between points whose directions are known, along a whole piece and along one of its arcs: what smooth curves need to
+/// be known as well as `Bearings` are asked to, with cubic polynomials between the points.
 const STEPS: usize = 1024;
 const STEPS_OF_ARC: usize = 512;
 
-/// Number of parts of a turn in which arc lengths are interpolated.
+/// Number of parts of a turn in which arc lengths are interpolated, by parabolas.
 const PARTS: usize = 1024;
 
 /// Arc length and distance of the points of arcs that are met at most once in each direction from a middle.
@@ -149,7 +150,9 @@ impl View {
         }
         let steps = of.steps();
         let whole = turned[steps];
+        // around the middle, and not beside it or twice around, but for rounding; or open, with a gap where one is past the ends
         let once = if closed { (whole - TAU).abs() < 1e-6 } else { whole < 1.5 * PI };
+        // the middle is beside no tangent: there a direction would not tell the place
         let steep = turned.windows(2).all(|w| w[1] - w[0] > whole * 0.01 / steps as f64);
         let (first, from, step) = (angle(&points[0]), of.from, 2.0 * of.half_step);
         (once && steep).then_some(View { middle, points, from, step, closed, first, sense, turned })
@@ -209,6 +212,7 @@ impl View {
         let farthest = self.points.iter().fold(0.0_f64, |reach, p| reach.max((p - self.middle).norm_squared()));
         let end = self.from + self.step * self.steps() as f64;
         let ends = if self.closed { [f64::NEG_INFINITY, f64::INFINITY] } else { [self.from, end] };
+        // between these points a curve may be a little farther away
         Arc { middle: self.middle, reach: 1.0625 * farthest, ends, parts }
     }
 }

@@ -19,12 +19,13 @@ const MOST_TOGETHER: u64 = 1024;
 pub(super) const FEWEST_SIDE_BY_SIDE: u64 = 8;
 /// Orbits that fill both vectors of a twin: half as many take as long.
 pub(super) const FULL: u64 = 2 * FEWEST_SIDE_BY_SIDE;
-/// Fewest and most orbits that one thread takes on to run them side by side, if there are as many for each thread.
+/// Fewest and most orbits that one thread takes on to run them side by side, if there are as many for each thread: enough to refill lanes
+/// whose orbits have ended, and few enough that their states stay in the nearest cache.
 const LEAST_SIDE_BY_SIDE: u64 = 64;
-/// The same where collisions are counted for portraits: enough to fill the lanes with orbits of each colour, one colour after another.
+const MOST_SIDE_BY_SIDE: u64 = 512;
+/// Fewest where collisions are counted for portraits: enough to fill the lanes with orbits of each colour, one colour after another.
 /// With orbits of all colours at a time, 200 of them took three times as long.
 const LEAST_COUNTED: u64 = FULL * ORBITS.len() as u64;
-const MOST_SIDE_BY_SIDE: u64 = 512;
 /// Orbits of this many collisions are shared among threads even where that leaves fewer for each.
 const LONG: u64 = 1 << 13;
 /// Most orbits of a job whose collisions are counted for portraits, and most of these collisions: each layer of a portrait goes

@@ -98,6 +98,7 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (BOUNDARY, "domain = \"outside\"", "domain = \"out\"", "13:53: unknown domain \"out\""),
         (SPATIAL, "[[1, 2, -3]]", "[[1, 2]]", "2:10: expected 3 numbers, found 2"),
         (SPATIAL, "[[1, 2, -3]]", "[[1, 2, -3], [-2, -4, 6]]", "2:22: this rough direction is parallel to the first"),
+        (SPATIAL, "[[1, 2, -3]]", "[[1, 0, 0], [1, 1e-13, 0]]", "2:21: this rough direction is parallel to the first"),
         (SPATIAL, "[[1, 2, -3]]", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "2:9: 3 rough directions, but"),
         (SPATIAL, "dimension = 3", "dimension = 4", "4:13: the dimension must be 2 or 3"),
         (SPATIAL, "rank = 1", "rank = 3", "6:56: 3 is not a whole number from 0 to 2"),

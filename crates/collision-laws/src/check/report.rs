@@ -65,7 +65,7 @@ impl fmt::Display for Axiom {
 
 /// How far a law or a map is from each axiom, and a law from what it tells of itself.
 ///
-/// `Display` writes a table with one line per axiom.
+/// `Display` writes a table with one line per axiom, and one for what the law tells of itself, if it does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Report {
     defects: [Option<f64>; Axiom::ALL.len()],
@@ -126,7 +126,8 @@ impl Report {
         self.measure_ratio
     }
 
-    /// The axioms whose defect is not known to be within `tolerance`, each with its defect: all of them if `tolerance` is NaN.
+    /// The axioms whose defect is not known to be within `tolerance`, each with its defect: all of them if `tolerance` is NaN. What the
+    /// law tells of itself ([`Report::told`]) is no axiom.
     pub fn broken(&self, tolerance: f64) -> impl Iterator<Item = (Axiom, f64)> {
         let found = Axiom::ALL.into_iter().filter_map(|axiom| Some((axiom, self.defect(axiom)?)));
         found.filter(move |(_, defect)| !(*defect <= tolerance))
@@ -149,6 +150,6 @@ impl fmt::Display for Report {
                 None => writeln!(f, "{axiom:<28}vacuous")?,
             }
         }
-        Ok(())
+        self.told.map_or(Ok(()), |defect| writeln!(f, "{:<28}{defect:.1e}", "what it tells of itself"))
     }
 }
