@@ -1,12 +1,11 @@
 //! Orbits of a disk, as the claims see them.
-use crate::random::Stream;
 use billiards::{
-    Angle, Clock, Collision, Collisions, Conserved, Orbit, Planar, Stop, Timed,
+    Angle, Canonical, Clock, Collision, Collisions, Conserved, Orbit, Planar, Start, Starts, Stop, Timed,
     collision_laws::{
         DiskLaw,
         laws::{NoSlip, Specular},
     },
-    geometry::{BoundaryPoint, Perimeter, Table},
+    geometry::Table,
     laws::Disk,
     observe::Watch,
 };
@@ -44,6 +43,13 @@ impl State {
     /// The state with all motion reversed.
     pub(crate) fn reversed(self) -> State {
         State { x: self.x, v: self.v.map(|v| -v) }
+    }
+}
+
+impl From<Start<2, 1>> for State {
+    fn from(start: Start<2, 1>) -> State {
+        let Start { position: [x1, x2], velocity: [v1, v2], spin: [v0] } = start;
+        State { x: [0.0, x1, x2], v: [v0, v1, v2] }
     }
 }
 
@@ -112,18 +118,11 @@ pub(crate) fn bounces(billiard: &Billiard, start: State, most: usize) -> Vec<Bou
     all
 }
 
-/// A start drawn by the canonical measure: uniform on the boundary, and `(v₀, vₜ)` uniform in the unit disk. Any table with a finite
-/// boundary has one.
-pub(crate) fn canonical_start(billiard: &Billiard, stream: &mut Stream) -> State {
-    let perimeter = Perimeter::of(&billiard.table).expect("a finite boundary");
-    from_boundary(perimeter.point(stream.uniform()), stream.in_disk())
-}
-
-/// The state right after a hit at a boundary point, at unit speed.
-pub(crate) fn from_boundary(at: BoundaryPoint, [v0, vt]: [f64; 2]) -> State {
-    let vn = libm::sqrt(1.0 - v0 * v0 - vt * vt);
-    let (nu, x) = (at.normal, at.point);
-    State { x: [0.0, x.x, x.y], v: [v0, nu.x * vn - nu.y * vt, nu.y * vn + nu.x * vt] }
+/// The starts of disks at unit speed drawn by the canonical measure, one for each number of a sample. Any table with a finite boundary has
+/// them.
+pub(crate) fn canonical(billiard: &Billiard, seed: u64) -> impl Fn(usize) -> State {
+    let starts = Canonical::new(&billiard.table, 1.0, seed).expect("a finite boundary");
+    move |sample| starts.start(sample as u64).into()
 }
 
 /// `|a − b|`

@@ -3,12 +3,15 @@ use super::wedge_periods::{apart, reduced_period};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::UNIFORM,
-    motion::{Bounce, State, bounces, canonical_start, from_boundary, no_slip},
+    motion::{Bounce, State, bounces, canonical, no_slip},
     random::Stream,
     side_sequences,
     statistics::{Range, standard_error_of_share, worst},
 };
-use billiards::geometry::{Perimeter, tables};
+use billiards::{
+    ReducedState,
+    geometry::{BoundaryPoint, Perimeter, tables},
+};
 
 pub(super) const CLAIM: Claim = Claim {
     name: "equilateral",
@@ -48,8 +51,7 @@ struct Survey {
 fn survey(orbits: usize) -> Survey {
     let triangle = no_slip(tables::equilateral(1.0), UNIFORM);
     let mut found = Survey { orbits, ..Survey::default() };
-    for sample in 0..orbits {
-        let start = canonical_start(&triangle, &mut Stream::new(241, sample));
+    for start in (0..orbits).map(canonical(&triangle, 241)) {
         let orbit = bounces(&triangle, start, 61);
         let period = reduced_period(&orbit, 6);
         found.periods[period] += 1;
@@ -76,8 +78,10 @@ fn share_of_uniform_directions(orbits: usize) -> f64 {
     let has_period_four = |sample: &usize| {
         let mut stream = Stream::new(243, *sample);
         let [v0, vt, _] = stream.on_sphere();
-        let start = from_boundary(perimeter.point(stream.uniform()), [v0, vt]);
-        reduced_period(&bounces(&triangle, start, 7), 6) == 4
+        let BoundaryPoint { piece, arc_length: s, .. } = perimeter.point(stream.uniform());
+        let start =
+            ReducedState { piece, s, v0, vt, speed: 1.0 }.start(&triangle.table).expect("a direction into the table");
+        reduced_period(&bounces(&triangle, start.into(), 7), 6) == 4
     };
     (0..orbits).filter(has_period_four).count() as f64 / orbits as f64
 }
@@ -128,12 +132,10 @@ fn measure(effort: Effort) -> Measurement {
     let some = effort.of(1000, 10_000);
     for gamma_squared in [0.3, 0.6, 1.0] {
         let triangle = no_slip(tables::equilateral(1.0), gamma_squared);
-        let has_period = |sample: &usize| {
-            let start = canonical_start(&triangle, &mut Stream::new(242, *sample));
-            reduced_period(&bounces(&triangle, start, 61), 60) > 0
-        };
+        let has_period = |start: &State| reduced_period(&bounces(&triangle, *start, 61), 60) > 0;
+        let starts = (0..some).map(canonical(&triangle, 242));
         let label = format!("γ² = {gamma_squared}: orbits with a period up to 60, of {some}");
-        quantities.push(Quantity::count(label, (0..some).filter(has_period).count(), 0));
+        quantities.push(Quantity::count(label, starts.filter(has_period).count(), 0));
     }
     quantities.into()
 }

@@ -3,7 +3,7 @@ use super::wedge_periods::reduced_period;
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{UNIFORM, no_slip},
-    motion::{self, State, bounces, canonical_start},
+    motion::{self, State, bounces, canonical},
     random::Stream,
 };
 use billiards::geometry::tables;
@@ -91,8 +91,8 @@ fn measure(effort: Effort) -> Measurement {
     let hexagon = motion::no_slip(tables::hexagon(1.0), UNIFORM);
     let starts = effort.of(4000, 100_000);
     let (mut confined, mut of_period) = (0, 0);
-    for sample in 0..starts {
-        let orbit = bounces(&hexagon, canonical_start(&hexagon, &mut Stream::new(171, sample)), 60);
+    for start in (0..starts).map(canonical(&hexagon, 171)) {
+        let orbit = bounces(&hexagon, start, 60);
         if orbit.len() == 60 && orbit.iter().all(|b| b.piece % 2 == orbit[0].piece % 2) {
             confined += 1;
             of_period += usize::from([4, 6].contains(&reduced_period(&orbit, 12)));

@@ -3,11 +3,10 @@ use super::arc_survival::{limit, survival};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::UNIFORM,
-    motion::{fly, from_boundary, no_slip},
-    random::Stream,
+    motion::{canonical, fly, no_slip},
     statistics::standard_error_of_share,
 };
-use billiards::geometry::{Perimeter, tables};
+use billiards::geometry::{Vector2, tables};
 use core::ops::ControlFlow;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -25,14 +24,13 @@ pub(super) const CLAIM: Claim = Claim {
 fn measure(effort: Effort) -> Measurement {
     let (samples, most) = (effort.of(400_000, 8_000_000), effort.of(250, 6250));
     let flower = no_slip(tables::flower(4, 1.25, 2.0), UNIFORM);
-    let perimeter = Perimeter::of(&flower.table).expect("a finite boundary");
     let mut survival = survival(most);
-    for sample in 0..samples {
-        let mut stream = Stream::new(190, sample);
-        let at = perimeter.point(stream.uniform());
+    for start in (0..samples).map(canonical(&flower, 190)) {
+        let [_, x1, x2] = start.x;
+        let (petal, _) = flower.table.closest(&Vector2::new(x1, x2));
         let mut hits = 0;
-        fly(&flower, from_boundary(at, stream.in_disk()), most, &mut |bounce| {
-            if bounce.piece != at.piece {
+        fly(&flower, start, most, &mut |bounce| {
+            if bounce.piece != petal {
                 return ControlFlow::Break(());
             }
             hits = bounce.n;

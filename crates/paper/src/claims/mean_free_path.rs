@@ -2,8 +2,7 @@
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::UNIFORM,
-    motion::{canonical_start, fly, no_slip, specular},
-    random::Stream,
+    motion::{canonical, fly, no_slip, specular},
 };
 use billiards::{
     geometry::{Error, Table, tables},
@@ -25,8 +24,7 @@ pub(super) const CLAIM: Claim = Claim {
 fn flights(table: &Result<Table, Error>, smooth: bool, n: usize, samples: usize) -> [Mean; 3] {
     let billiard = if smooth { specular(table.clone()) } else { no_slip(table.clone(), UNIFORM) };
     let mut means = [Moments::default(); 3];
-    for sample in 0..samples {
-        let start = canonical_start(&billiard, &mut Stream::new(160 + n as u64, sample));
+    for start in (0..samples).map(canonical(&billiard, 160 + n as u64)) {
         let (mut time, mut v) = (0.0, start.v);
         fly(&billiard, start, n, &mut |bounce| {
             if bounce.n == n {

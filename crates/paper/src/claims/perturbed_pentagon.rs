@@ -3,8 +3,7 @@ use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     claim::STANDARD_ERRORS,
     law::UNIFORM,
-    motion::{Billiard, bounces, canonical_start, distance, no_slip, specular},
-    random::Stream,
+    motion::{Billiard, State, bounces, canonical, distance, no_slip, specular},
     statistics::worst,
 };
 use billiards::geometry::tables;
@@ -22,11 +21,10 @@ pub(super) const CLAIM: Claim = Claim {
 /// times that up to N. Twice is linear; half as much again allows for where in a turn the hits fall.
 fn regular(billiard: &Billiard, orbits: usize, collisions: usize) -> f64 {
     let tiny = 1e-9;
-    let is_regular = |sample: &usize| {
-        let mut start = canonical_start(billiard, &mut Stream::new(199, *sample));
-        let orbit = bounces(billiard, start, 2 * collisions);
-        start.v = start.v.map(|v| v + tiny);
-        let other = bounces(billiard, start, 2 * collisions);
+    let is_regular = |start: &State| {
+        let orbit = bounces(billiard, *start, 2 * collisions);
+        let beside = State { v: start.v.map(|v| v + tiny), ..*start };
+        let other = bounces(billiard, beside, 2 * collisions);
         let whole = orbit.len() == 2 * collisions && other.len() == 2 * collisions;
         let apart: Vec<f64> = orbit.iter().zip(&other).map(|(a, b)| distance(a.state.v, b.state.v)).collect();
         // what has grown to the size of the velocities cannot grow on
@@ -35,7 +33,7 @@ fn regular(billiard: &Billiard, orbits: usize, collisions: usize) -> f64 {
             late <= 3.0 * early && late < 1e-3
         }
     };
-    (0..orbits).filter(is_regular).count() as f64 / orbits as f64
+    (0..orbits).map(canonical(billiard, 199)).filter(is_regular).count() as f64 / orbits as f64
 }
 
 fn measure(effort: Effort) -> Measurement {

@@ -2,7 +2,7 @@
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::UNIFORM,
-    motion::{Billiard, canonical_start, fly, no_slip, specular},
+    motion::{Billiard, canonical, fly, no_slip, specular},
     random::Stream,
     statistics::{Range, worst},
 };
@@ -79,8 +79,8 @@ fn measure(effort: Effort) -> Measurement {
     // a sample of the measure, 20 collisions later, is one again: in the disk each square has the mean 1/4
     let stadium = no_slip(tables::stadium(1.0, 1.0), UNIFORM);
     let (mut spin, mut tangent, mut product) = (Moments::default(), Moments::default(), Moments::default());
-    for sample in 0..effort.of(20_000, 1_000_000) {
-        fly(&stadium, canonical_start(&stadium, &mut Stream::new(121, sample)), 20, &mut |bounce| {
+    for start in (0..effort.of(20_000, 1_000_000)).map(canonical(&stadium, 121)) {
+        fly(&stadium, start, 20, &mut |bounce| {
             if bounce.n == 20 {
                 let (v0, vt) = (bounce.state.v[0], bounce.tangential_velocity());
                 spin.add(v0 * v0);
