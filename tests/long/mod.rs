@@ -3,7 +3,7 @@
 //! Shared by `tests/long_runs.rs` and `examples/long_runs.rs`.
 use billiards::collision_laws::laws::{NoSlip, Specular};
 use billiards::geometry::{
-    Error, Table, Vector2,
+    Error, GOLDEN_RATIO, Table, Vector2,
     shapes::{Ellipse, FullLine},
     tables,
 };
@@ -40,7 +40,7 @@ fn no_slip() -> Disk {
 
 /// A number in [0, 1) that looks random, different for each orbit and each `k`.
 pub(crate) fn any(orbit: u32, k: u32) -> f64 {
-    let golden = 0.618_033_988_749_894_9 * f64::from(orbit * 8 + k + 1);
+    let golden = GOLDEN_RATIO * f64::from(orbit * 8 + k + 1);
     golden - golden.floor()
 }
 

@@ -46,12 +46,7 @@ impl<const N: usize> Roughness<N> {
     /// [`Error::TooManyRoughDirections`], [`Error::RoughDirectionAlongNormal`], [`Error::DependentRoughDirections`], or
     /// [`Error::NotFinite`].
     pub fn spanned_by(normal: &Unit<SVector<f64, N>>, directions: &[SVector<f64, N>]) -> Result<Self, Error> {
-        if directions.len() + 1 > N {
-            return Err(Error::TooManyRoughDirections { given: directions.len(), most: N - 1 });
-        }
-        if directions.iter().flatten().any(|x| !x.is_finite()) {
-            return Err(Error::NotFinite { quantity: "a rough direction" });
-        }
+        can_be_rough(directions)?;
         let mut basis = Basis::new(normal);
         let is_along_normal = |d| basis.rest(d).is_none_or(|rest| rest.norm() <= LOST_DIRECTION);
         if let Some(index) = directions.iter().position(is_along_normal) {
@@ -98,6 +93,17 @@ impl<const N: usize> Roughness<N> {
             Self::Along(subspace) => subspace.projector,
         }
     }
+}
+
+/// Refuses more than N−1 directions, and one that is not finite.
+pub(crate) fn can_be_rough<const N: usize>(directions: &[SVector<f64, N>]) -> Result<(), Error> {
+    if directions.len() + 1 > N {
+        return Err(Error::TooManyRoughDirections { given: directions.len(), most: N - 1 });
+    }
+    if directions.iter().flatten().any(|x| !x.is_finite()) {
+        return Err(Error::NotFinite { quantity: "a rough direction" });
+    }
+    Ok(())
 }
 
 /// A proper subspace of the contact plane, stored as its orthogonal projector, so that equal subspaces are equal values up to

@@ -63,6 +63,8 @@ pub use offset::{Offset, Origin};
 pub use outline::{Outline, Turn};
 pub use path::Line;
 pub use piece::{Extent, Figure, Landing, Piece, enclosed_area};
+#[doc(hidden)]
+pub use plane::GOLDEN_RATIO;
 pub use sample::{BoundaryPoint, Interior, Perimeter};
 pub use surface::Surface;
 pub use table::{FundamentalCell, Table};

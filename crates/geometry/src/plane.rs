@@ -16,8 +16,8 @@ pub(crate) const GOLDEN_SECTION: f64 = 0.381_966_011_250_105;
 /// [`GOLDEN_RATIO`], fill an interval [Roberts 2018].
 pub(crate) const PLASTIC_RATIOS: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053_2];
 
-/// `(√5 − 1)/2`
-pub(crate) const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
+/// `(√5 − 1)/2`: no fraction with a denominator `q` is nearer to it than some `1/(√5 q²)`.
+pub const GOLDEN_RATIO: f64 = 0.618_033_988_749_894_9;
 
 /// `a × b = a₁ b₂ − a₂ b₁`: positive where `b` points to the left of `a`.
 #[inline(always)]
@@ -71,8 +71,16 @@ pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {
     if LENGTHS.contains(&value) { Ok(()) } else { Err(Error::Length { name, must: MUST_HAVE_SQUARE, value }) }
 }
 
-/// The same for the greatest finite coordinate of a boundary, given the boxes around its parts; 0 is the size of lines and planes
-/// through the origin.
+/// Refuses a radius that is not positive and finite, or not one of [`LENGTHS`].
+pub(crate) fn is_radius(radius: f64) -> Result<(), Error> {
+    if !(radius > 0.0 && radius.is_finite()) {
+        return Err(Error::Radius { radius });
+    }
+    has_square("the radius", radius)
+}
+
+/// Refuses a boundary whose greatest finite coordinate is not one of [`LENGTHS`], given the boxes around its parts; 0 is the size of lines
+/// and planes through the origin.
 pub(crate) fn has_squares<const N: usize>(boxes: impl IntoIterator<Item = Extent<N>>) -> Result<(), Error> {
     let size = boxes.into_iter().map(|extent| extent.size()).fold(0.0, f64::max);
     if size == 0.0 { Ok(()) } else { has_square("the greatest coordinate of the boundary", size) }
@@ -133,6 +141,20 @@ impl Behind {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_radius_is_positive_finite_and_has_a_square() {
+        for radius in [1e-150, 1.0, 1e150] {
+            assert_eq!(is_radius(radius), Ok(()));
+        }
+        for radius in [0.0, -1.0, f64::INFINITY] {
+            assert_eq!(is_radius(radius), Err(Error::Radius { radius }));
+        }
+        assert!(matches!(is_radius(f64::NAN), Err(Error::Radius { .. })));
+        for value in [1e-151, 1e151] {
+            assert_eq!(is_radius(value), Err(Error::Length { name: "the radius", must: MUST_HAVE_SQUARE, value }));
+        }
+    }
 
     #[test]
     fn a_direction_has_the_nearest_numbers_at_any_scale() {

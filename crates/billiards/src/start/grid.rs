@@ -1,7 +1,7 @@
 //! Starts in equal cells of the phase space of a planar table.
 use super::{Start, Starts, checked, leaving};
 use crate::Error;
-use geometry::{BoundaryPoint, Perimeter, Table};
+use geometry::{BoundaryPoint, GOLDEN_RATIO, Perimeter, Table};
 
 /// A regular grid over the reduced phase space of a planar table: one start in each cell, all cells of equal canonical measure.
 ///
@@ -31,9 +31,6 @@ pub struct Grid<'a, const S: usize = 1> {
     /// Starts.
     count: u64,
 }
-
-/// `(√5 − 1)/2`: no fraction with a denominator `q` is nearer to it than some `1/(√5 q²)`.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl<'a> Grid<'a> {
     /// A grid of this many positions, radii and angles.
@@ -98,7 +95,7 @@ impl<'a, const S: usize> Grid<'a, S> {
         #[allow(clippy::cast_possible_truncation, reason = "less than the number of cells")]
         let i = (u128::from(i % self.count) * u128::from(a * b * c) / u128::from(self.count)) as u64;
         let middle = |k: u64, of: u64| (k as f64 + 0.5) / of as f64;
-        let at = self.perimeter.point(((i / (b * c)) as f64 + GOLDEN) / a as f64);
+        let at = self.perimeter.point(((i / (b * c)) as f64 + GOLDEN_RATIO) / a as f64);
         (at, [middle(i / c % b, b), middle(i % c, c)])
     }
 }

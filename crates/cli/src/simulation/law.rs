@@ -3,7 +3,7 @@
 use billiards::BallLaw;
 use billiards::collision_laws::laws::{NoSlip, PerSurface, RandomGrassmannian, Restitution, RoughPlane};
 use billiards::collision_laws::{self, AnyLaw, Contact, LOST_DIRECTION, Roughness, StrictLaw};
-use billiards::geometry::{Figure, Piece, Vector2, Vector3, WallHit};
+use billiards::geometry::{Figure, GOLDEN_RATIO, Piece, Vector2, Vector3, WallHit};
 use billiards::laws::{Custom, Disk, Mirror, PerPiece, RoughBall, Specular};
 use lanes::Lane;
 use nalgebra::SVector;
@@ -135,15 +135,14 @@ fn is_normal_to(direction: &[f64], piece: &dyn Piece) -> bool {
         }
         // no wave has a period that fits these
         _ => (1..=PLACES).all(|k| {
-            let s = piece.length() * libm::fmod(f64::from(k) * GOLDEN, 1.0);
+            let s = piece.length() * libm::fmod(f64::from(k) * GOLDEN_RATIO, 1.0);
             d.perp(&piece.landing_at(s).normal).abs() <= most
         }),
     }
 }
 
-/// Number of places in which a piece is looked at, at multiples of this share of its length, that of the golden section.
+/// Number of places in which a piece is looked at, at multiples of the golden section of its length.
 const PLACES: i32 = 16;
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
 
 /// Random rough directions as a function of the contact point in the user's coordinates.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! Fixed rough directions, the same all over space.
 
-use crate::{Contact, Error, Roughness, StrictLaw};
+use crate::{Contact, Error, Roughness, StrictLaw, roughness::can_be_rough};
 use nalgebra::SVector;
 
 /// k rough directions fixed in space, projected into the contact plane at each hit: the constant points of `Gr(k, N−1)`.
@@ -31,12 +31,7 @@ impl<const N: usize> RoughPlane<N> {
     /// [`Error::TooManyRoughDirections`] if there are more than N−1, [`Error::NotFinite`]. [`at`](Self::at) tells whether they are
     /// independent in a contact plane.
     pub fn new(directions: &[SVector<f64, N>]) -> Result<Self, Error> {
-        if directions.len() + 1 > N {
-            return Err(Error::TooManyRoughDirections { given: directions.len(), most: N - 1 });
-        }
-        if directions.iter().flatten().any(|x| !x.is_finite()) {
-            return Err(Error::NotFinite { quantity: "a rough direction" });
-        }
+        can_be_rough(directions)?;
         let mut kept = [SVector::zeros(); N];
         kept[..directions.len()].copy_from_slice(directions);
         Ok(Self { directions: kept, rank: directions.len() })
@@ -60,5 +55,23 @@ impl<const N: usize> StrictLaw<N> for RoughPlane<N> {
     #[inline]
     fn roughness(&self, contact: &Contact<N>) -> Roughness<N> {
         Roughness::of_span(&contact.normal, self.directions())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn bad_directions_are_those_that_span_no_roughness_whatever_the_normal() {
+        let x = Vector3::x();
+        for (bad, error) in [
+            (vec![x, x, x], Error::TooManyRoughDirections { given: 3, most: 2 }),
+            (vec![x, x * f64::INFINITY], Error::NotFinite { quantity: "a rough direction" }),
+        ] {
+            assert_eq!(RoughPlane::new(&bad), Err(error.clone()));
+            assert_eq!(Roughness::spanned_by(&Vector3::z_axis(), &bad), Err(error));
+        }
     }
 }

@@ -2,7 +2,7 @@
 use super::{WallHit, Walls, center::Center};
 use crate::{
     Error,
-    plane::{finite, has_square},
+    plane::{finite, is_radius},
 };
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector2;
@@ -33,10 +33,7 @@ impl Capsule {
         if !(half_length > 0.0 && half_length.is_finite()) {
             return Err(Error::Parameter { name: "half_length", must: "positive and finite", value: half_length });
         }
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::Radius { radius });
-        }
-        has_square("the radius", radius)?;
+        is_radius(radius)?;
         let square = radius * radius;
         Ok(Capsule {
             center: Center::new(center.into()),

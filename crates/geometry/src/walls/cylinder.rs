@@ -3,7 +3,7 @@ use super::{CORNER, WallHit, Walls, sooner};
 use crate::{
     Error,
     chord::is_chord,
-    plane::{finite, has_square},
+    plane::{finite, is_radius},
 };
 use lanes::{Lane, Mask, dot};
 use nalgebra::Vector3;
@@ -40,10 +40,7 @@ impl Cylinder {
         piece: usize,
     ) -> Result<Self, Error> {
         finite("center", &center)?;
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::Radius { radius });
-        }
-        has_square("the radius", radius)?;
+        is_radius(radius)?;
         if !(half_height > 0.0 && half_height.is_finite()) {
             return Err(Error::Parameter { name: "height", must: "positive and finite", value: 2.0 * half_height });
         }

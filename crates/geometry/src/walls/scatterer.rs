@@ -2,7 +2,7 @@
 use super::{WallHit, Walls};
 use crate::{
     Error,
-    plane::{finite, has_square, slack},
+    plane::{finite, is_radius, slack},
 };
 use lanes::{Double, Lane, Mask, dot};
 use nalgebra::SVector;
@@ -47,10 +47,7 @@ impl<const N: usize> Scatterer<N> {
     /// [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
         finite("center", &center)?;
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::Radius { radius });
-        }
-        has_square("the radius", radius)?;
+        is_radius(radius)?;
         let square = radius * radius;
         // the inverse of the length that a normal really has, so that the energy changes as little as possible at every hit
         let inverse = Double::new(1.0).over(Double::new(square).root()).value();

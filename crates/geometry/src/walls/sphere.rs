@@ -3,7 +3,7 @@ use super::{Chord, Homogeneous, Swing, WallHit, Walls};
 use crate::{
     Error,
     chord::is_chord,
-    plane::{finite, has_square},
+    plane::{finite, is_radius},
 };
 use lanes::{Double, Lane, Mask, dot, two_sum};
 use nalgebra::SVector;
@@ -28,10 +28,7 @@ impl<const N: usize> Sphere<N> {
     /// [`Error::Parameter`] for a centre that is not finite.
     pub fn new(center: SVector<f64, N>, radius: f64, piece: usize) -> Result<Self, Error> {
         finite("center", &center)?;
-        if !(radius > 0.0 && radius.is_finite()) {
-            return Err(Error::Radius { radius });
-        }
-        has_square("the radius", radius)?;
+        is_radius(radius)?;
         let square = radius * radius;
         Ok(Sphere {
             center: center.into(),
