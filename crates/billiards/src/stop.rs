@@ -51,7 +51,10 @@ pub struct Outcome {
     pub collisions: u64,
 }
 
-/// This many consecutive flights of zero length count as no motion: two curves that touch can hold a particle for ever.
+/// An orbit ends after this many consecutive flights of zero length: two curves that touch can hold a particle for ever.
+///
+/// A compromise: a specular particle that is within rounding of the place where two walls meet at an angle `α` hits them up to `π/α` times
+/// before it gets away, so 64 lets it out of all angles above 3°; more would only prolong orbits that never get away.
 pub(crate) const MOST_IDLE: u32 = 64;
 
 /// A normal speed up to this fraction of the speed (in the [`taxicab`] norm) cannot be told from rounding.

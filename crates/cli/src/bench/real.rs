@@ -55,6 +55,9 @@ impl Real for f32 {
 }
 
 /// An unevaluated sum of two `f64`s, the second below half an ulp of the first: about 106 bits \[Dekker 1971\].
+///
+/// Not [`lanes::Double`], with which the engine keeps time, spin position and energy: the reference must not share the arithmetic of what it
+/// judges, but for the exact sum and product.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct DoubleDouble {
     high: f64,

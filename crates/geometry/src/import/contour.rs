@@ -13,6 +13,11 @@ use std::sync;
 /// Semi-axes whose relative difference is less than this make a circle: transformations are rounded.
 const ROUND: f64 = 1e-12;
 
+/// An outline narrower than this part of its greatest coordinate is far from the origin: moved to it, it has at least three more digits,
+/// which may show the shape that rounding hides. One that is wider and has no area but for rounding is on average less than `4·10⁻¹²` of
+/// its width thick: no digits bring that back.
+const FAR: f64 = 1e-3;
+
 /// An ellipse, or the one that an arc is part of.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Oval {
@@ -201,7 +206,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piec
         let extent = loops[k].iter().map(|p| p.extent()).fold(Extent::EMPTY, Extent::union);
         let width = (extent.max - extent.min).amax();
         // the vertices may be off by the rounding of their coordinates
-        let far = width < 1e-3 * size;
+        let far = width < FAR * size;
         let flat = area.is_nan() || area.abs() <= width * slack([size]);
         // a self-crossing is reported later, with its location, when the table is validated
         if flat && (far || crosses_itself(contour.pieces(false)?).is_none()) {

@@ -112,7 +112,8 @@ impl Polygon {
         Polygon { junctions: junctions.map(Arc::new), ..self }
     }
 
-    /// The same sides, each of them tested, with the same answers: for measuring where a tree pays.
+    /// The same sides, each of them tested, with the same answers: for tests, and for measuring where a tree pays.
+    #[doc(hidden)]
     #[must_use]
     pub fn without_tree(mut self) -> Polygon {
         self.sides.0.tree = None;
