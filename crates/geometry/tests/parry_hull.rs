@@ -167,3 +167,27 @@ fn beside_an_edge_of_a_rounded_hull_the_normal_is_that_of_the_face() {
         }
     }
 }
+
+/// The corner is farther away than its edge by less than rounding, but its normal differs in half of the digits.
+#[test]
+fn beside_a_corner_of_what_is_rounded_the_normal_is_that_of_the_edge() {
+    let points: Vec<[f64; 3]> = cube().iter().map(|p| (*p).into()).collect();
+    let sides = [[0, 2, 3, 1], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5], [4, 5, 7, 6]];
+    let triangles = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+    let mesh = SolidSpec::TriMesh { vertices: points.clone(), triangles, margin: 0.125 };
+    let hull = SolidSpec::ConvexHull { points, rounding: 0.125 };
+    for solid in [mesh, hull].map(|spec| spec.solid([0.0; 3], Side::Outside).unwrap()) {
+        for (axis, corner) in (0..3).flat_map(|axis| cube().into_iter().map(move |corner| (axis, corner))) {
+            for (turn, exponent) in (1..24).flat_map(|turn| (1..52).map(move |exponent| (turn, exponent))) {
+                let (sin, cos) = libm::sincos(core::f64::consts::FRAC_PI_2 * f64::from(turn) / 24.0);
+                let mut normal = Vector3::zeros();
+                normal[(axis + 1) % 3] = corner[(axis + 1) % 3] * cos;
+                normal[(axis + 2) % 3] = corner[(axis + 2) % 3] * sin;
+                let mut foot = corner;
+                foot[axis] *= 1.0 - libm::ldexp(1.0, -exponent);
+                let hit = solid.first_hit(&Line { point: foot + normal, velocity: -normal }).unwrap();
+                assert!((hit.normal - normal).amax() <= 32.0 * f64::EPSILON, "{foot:?} {normal:?}: {:?}", hit.normal);
+            }
+        }
+    }
+}

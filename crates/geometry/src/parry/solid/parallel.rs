@@ -3,7 +3,7 @@ use super::{
     super::{distance::Distance, mesh::Mesh},
     Closest,
     bound::{Aim, Bound},
-    rounded::{Plate, Rounded},
+    rounded::{Foot, Plate, Rounded},
     strata::{Stratum, strata},
 };
 use crate::{
@@ -82,15 +82,18 @@ impl Parallel {
     /// margin `m`. If that is within rounding (with a factor of four), it does not count as a corner.
     pub(super) fn land(&self, k: usize, x: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>, bool) {
         let (point, normal) = self.plates[k].land(x);
-        let (mut corner, mut flat) = (false, None);
+        let (mut corner, mut flat, mut edge) = (false, None, None);
         self.touched(&point, |other, its| {
             corner |= (its - normal).norm_squared() * self.margin > 8.0 * self.near;
             if its == self.mesh.normals[other] {
                 flat = Some(other);
+            } else if self.plates[other].foot(&point) == Foot::Edge {
+                edge = Some(other);
             }
         });
-        // next to its edge a face is no farther than the edge, within rounding, but its normal differs in half of the digits
-        let (point, normal) = flat.filter(|_| !corner).map_or((point, normal), |other| self.plates[other].land(&point));
+        let edge = edge.filter(|_| self.plates[k].foot(&point) == Foot::Corner);
+        let nearer = flat.or(edge).filter(|_| !corner);
+        let (point, normal) = nearer.map_or((point, normal), |other| self.plates[other].land(&point));
         (point, normal, corner)
     }
 

@@ -26,6 +26,7 @@ use lathe::Lathe;
 use nalgebra::Vector3;
 use parry3d_f64::shape::{Cone, Cuboid, Cylinder, Triangle};
 
+pub(super) use facet::Foot;
 pub(in crate::parry) use plate::Plate;
 
 /// A surface as seen from a point: the height of the point above it, negative below, and the outward unit normal at the foot.
@@ -109,6 +110,11 @@ impl Rounded<Plate> {
     /// A triangle with these corners and this unit normal of its plane.
     pub(super) fn plate(corners: [Vector3<f64>; 3], normal: Vector3<f64>, radius: f64) -> Result<Self, Error> {
         Rounded::new(Plate::new(corners, normal), radius)
+    }
+
+    /// What of the triangle is nearest to a point.
+    pub(super) fn foot(&self, x: &Vector3<f64>) -> Foot {
+        self.core.foot(x)
     }
 }
 

@@ -13,6 +13,15 @@ pub(super) struct Facet {
     sides: [Edge; 3],
 }
 
+/// What of a triangle is nearest to a point. Of several that are equally near but for rounding it is the first: a corner is farther away
+/// than its edge next to it, and that than its face, by less than rounding, but their normals differ in half of the digits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::parry::solid) enum Foot {
+    Face,
+    Edge,
+    Corner,
+}
+
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     /// Unit vectors along it, and across it into the triangle.
@@ -48,19 +57,17 @@ impl Facet {
     }
 
     /// The view from its front: its plane if the triangle is straight below, otherwise an edge or a corner.
-    pub(super) fn front(&self, x: &Vector3<f64>) -> View {
+    pub(super) fn front(&self, x: &Vector3<f64>) -> (View, Foot) {
         let flat = View { height: self.above(x), normal: self.normal };
-        if flat.height < 0.0 {
-            return self.rim(x, [true; 3]).unwrap_or(flat);
-        }
-        self.rim(x, self.passed(x)).unwrap_or(flat)
+        let of = if flat.height < 0.0 { [true; 3] } else { self.passed(x) };
+        self.rim(x, of).unwrap_or((flat, Foot::Face))
     }
 
     /// The view from either side.
-    pub(super) fn either(&self, x: &Vector3<f64>) -> View {
+    pub(super) fn either(&self, x: &Vector3<f64>) -> (View, Foot) {
         let height = self.above(x);
         let flat = View { height: height.abs(), normal: self.normal * 1.0_f64.copysign(height) };
-        self.rim(x, self.passed(x)).unwrap_or(flat)
+        self.rim(x, self.passed(x)).unwrap_or((flat, Foot::Face))
     }
 
     /// Beyond which edges the point of its plane nearest to `x` lies: none where that point is in the triangle.
@@ -69,19 +76,26 @@ impl Facet {
     }
 
     /// The nearest of some edges and their corners; `None` where there are none, or `x` lies on one of them.
-    fn rim(&self, x: &Vector3<f64>, of: [bool; 3]) -> Option<View> {
-        let away = (0..3).filter(|k| of[*k]).map(|k| {
+    fn rim(&self, x: &Vector3<f64>, of: [bool; 3]) -> Option<(View, Foot)> {
+        // per edge the way from what is nearest, and its corner if that is one
+        let seen = |k: usize| {
             let Edge { along, length, .. } = &self.sides[k];
             let from_start = x - self.corners[k];
             let s = along.dot(&from_start);
             if s <= 0.0 {
-                from_start
+                (from_start, Some(k))
             } else if s >= *length {
-                x - self.corners[(k + 1) % 3]
+                (x - self.corners[(k + 1) % 3], Some((k + 1) % 3))
             } else {
-                from_start - along * s
+                (from_start - along * s, None)
             }
-        });
-        away.min_by(|a, b| a.norm_squared().total_cmp(&b.norm_squared())).and_then(View::around)
+        };
+        let seen: [_; 3] = core::array::from_fn(|k| of[k].then(|| seen(k)));
+        let is_edge = |k: usize| matches!(seen[k], Some((_, None)));
+        // of an edge, another point is nearer
+        let is_passed = |corner: usize| is_edge(corner) || is_edge((corner + 2) % 3);
+        let nearest = seen.iter().flatten().filter(|(_, corner)| !corner.is_some_and(is_passed));
+        let (away, corner) = nearest.min_by(|a, b| a.0.norm_squared().total_cmp(&b.0.norm_squared()))?;
+        Some((View::around(*away)?, if corner.is_some() { Foot::Corner } else { Foot::Edge }))
     }
 }

@@ -1,5 +1,8 @@
 //! Convex polyhedra.
-use super::{Core, View, facet::Facet};
+use super::{
+    Core, View,
+    facet::{Facet, Foot},
+};
 use crate::{
     BoxTree, Extent,
     parry::{
@@ -34,15 +37,18 @@ impl Hull {
 
 impl Core for Hull {
     fn outer(&self, x: &Vector3<f64>) -> View {
-        // a point straight above a face is nearest to it; next to its edge the face is no farther than the edge within rounding,
-        // but the normals differ in half of the digits
+        // a face before its edges, and these before their corners
         let rounding = 8.0 * f64::EPSILON * self.size.max(x.amax());
         let height = |k: usize| {
-            let View { height, normal } = self.triangles[k].front(x);
-            if normal == self.triangles[k].normal() { height } else { height + rounding }
+            let (View { height, .. }, foot) = self.triangles[k].front(x);
+            match foot {
+                Foot::Face => height,
+                Foot::Edge => height + rounding,
+                Foot::Corner => height + 2.0 * rounding,
+            }
         };
         let nearest = self.tree.nearest(x, f64::INFINITY, height);
-        nearest.map_or(View { height: f64::NAN, normal: Vector3::zeros() }, |(_, k)| self.triangles[k].front(x))
+        nearest.map_or(View { height: f64::NAN, normal: Vector3::zeros() }, |(_, k)| self.triangles[k].front(x).0)
     }
 
     fn inner(&self, x: &Vector3<f64>) -> Option<View> {

@@ -1,5 +1,8 @@
 //! A flat triangle, without thickness except for its border.
-use super::{Core, View, facet::Facet};
+use super::{
+    Core, View,
+    facet::{Facet, Foot},
+};
 use crate::Extent;
 use nalgebra::Vector3;
 
@@ -12,11 +15,16 @@ impl Plate {
     pub(super) fn new(corners: [Vector3<f64>; 3], normal: Vector3<f64>) -> Plate {
         Plate(Facet::new(corners, normal))
     }
+
+    /// What of it is nearest to a point.
+    pub(super) fn foot(&self, x: &Vector3<f64>) -> Foot {
+        self.0.either(x).1
+    }
 }
 
 impl Core for Plate {
     fn outer(&self, x: &Vector3<f64>) -> View {
-        self.0.either(x)
+        self.0.either(x).0
     }
 
     fn inner(&self, _: &Vector3<f64>) -> Option<View> {
