@@ -8,12 +8,26 @@ use std::fmt::Debug;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use crate::scene::RecordFormat;
 use crate::whole_file::WholeFile;
 
-pub use csv::Csv;
-pub use jsonl::JsonLines;
-pub use npy::Npy;
+/// A format that a scene can name.
+#[derive(Clone, Copy, Debug)]
+pub struct RecordFormat {
+    /// Its name in a scene, and the extension of its file.
+    pub name: &'static str,
+    /// What writes it, for these columns.
+    pub writer: fn(Columns) -> Box<dyn Format>,
+}
+
+/// Every format that a scene can name.
+pub const FORMATS: &[RecordFormat] = &[csv::FORMAT, jsonl::FORMAT, npy::FORMAT];
+
+impl RecordFormat {
+    /// Where a record lies in a folder: `collisions.csv` or the like.
+    pub fn path(&self, folder: &Path) -> PathBuf {
+        folder.join(format!("collisions.{}", self.name))
+    }
+}
 
 /// What a record is about; it decides the columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,24 +93,6 @@ pub trait Format: Debug + Send + Sync {
 
     /// Appends a collision.
     fn row(&self, row: &Row<'_>, to: &mut Vec<u8>);
-}
-
-/// Where a record lies in a folder: `collisions.csv` or the like.
-pub fn path(folder: &Path, format: RecordFormat) -> PathBuf {
-    folder.join(match format {
-        RecordFormat::Csv => "collisions.csv",
-        RecordFormat::JsonLines => "collisions.jsonl",
-        RecordFormat::Npy => "collisions.npy",
-    })
-}
-
-/// The format of this name.
-pub fn format(format: RecordFormat, columns: Columns) -> Box<dyn Format> {
-    match format {
-        RecordFormat::Csv => Box::new(Csv),
-        RecordFormat::JsonLines => Box::new(JsonLines::new(columns)),
-        RecordFormat::Npy => Box::new(Npy),
-    }
 }
 
 /// A record on its way to the disk.

@@ -19,12 +19,12 @@ use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, S
 pub use boundary::{Border, Curve, Domain, Edge, EdgePath, Entry, Side, Turn};
 pub use law::{LAWS, Law, LawKind, LawModel};
 pub(crate) use law::{is_one_vector, named as read_law};
-pub use output::{Output, RecordFormat};
+pub use output::Output;
 pub use parameters::{Argument, Arguments, Constant, IfAbsent, Kind, Model, Parameter};
 pub use particle::{INERTIAS, Inertia, Particle};
 pub use run::Limit;
 pub use shapes::{Build, SHAPES, Shape};
-pub use start::{Ensemble, Orbit, SAMPLES, Starts};
+pub use start::{Ensemble, Orbit, SAMPLES, Sample, Starts};
 pub use table::{PieceLaw, Table, TableShape};
 pub use tables::TABLES;
 

@@ -210,7 +210,7 @@ impl Simulation {
             Body::Plane(planar) => self.in_plane(planar, &asked, control)?,
             Body::Space(spatial) => self.in_space(spatial, &asked, control)?,
         };
-        let record = self.scene.output.collisions.map(|format| record::path(folder, format));
+        let record = self.scene.output.collisions.map(|format| format.path(folder));
         let mut files: Vec<PathBuf> = record.into_iter().collect();
         // no file gets its name before all are complete: a run that fails or is ended leaves those of an earlier one alone
         let mut whole = Vec::from_iter(kept.record);
@@ -238,7 +238,7 @@ impl Simulation {
     /// The files that a run may write into a folder.
     fn outputs(&self, folder: &Path) -> Vec<PathBuf> {
         let pictures = self.pictures().into_iter().flat_map(|picture| picture.files).map(|name| folder.join(name));
-        let record = self.scene.output.collisions.map(|format| record::path(folder, format));
+        let record = self.scene.output.collisions.map(|format| format.path(folder));
         pictures.chain(record).chain([folder.join(SUMMARY)]).collect()
     }
 
@@ -312,7 +312,7 @@ impl Simulation {
     /// How the record is written, if one is requested.
     fn format(&self, lattice: bool) -> Option<(Box<dyn record::Format>, Columns)> {
         let columns = Columns { dimension: self.scene.dimension, lattice };
-        self.scene.output.collisions.map(|format| (record::format(format, columns), columns))
+        self.scene.output.collisions.map(|format| ((format.writer)(columns), columns))
     }
 
     fn harvest<'a>(
@@ -323,7 +323,7 @@ impl Simulation {
         seen: &'a dyn Seen,
         crowded: &'a AtomicBool,
     ) -> io::Result<Harvest<'a>> {
-        let path = self.scene.output.collisions.map(|format| record::path(asked.folder, format));
+        let path = self.scene.output.collisions.map(|format| format.path(asked.folder));
         let record = format.zip(path).map(|((format, columns), path)| RecordFile::create(&path, &**format, *columns));
         Ok(Harvest::new(record.transpose()?, asked.needs, lattice, self.orbits(), seen, asked.horizons, crowded))
     }

@@ -5,6 +5,7 @@ use billiards_cli::commands::{collide, guide::GUIDE};
 use billiards_cli::contact_file::ContactFile;
 use billiards_cli::document::Source;
 use billiards_cli::picture::PICTURES;
+use billiards_cli::record::FORMATS;
 use billiards_cli::scene::{INERTIAS, LAWS, Request, SAMPLES, Scene};
 use billiards_cli::simulation::{Control, Simulation};
 
@@ -64,9 +65,8 @@ fn the_guide_names_all_that_a_scene_can_name() {
     let pictures = PICTURES.iter().map(|picture| picture.name);
     let samples = SAMPLES.iter().map(|(name, _)| *name);
     let words = LAWS.iter().map(|law| law.name).chain(INERTIAS.iter().map(|i| i.name)).chain(pictures).chain(samples);
-    for word in
-        words.chain(["csv", "jsonl", "npy", "finished", "corner", "grazing", "escaped", "stalled", "interrupted"])
-    {
+    let words = words.chain(FORMATS.iter().map(|format| format.name));
+    for word in words.chain(["finished", "corner", "grazing", "escaped", "stalled", "interrupted"]) {
         let named = ["`", "\"", ".", "\\\""].iter().any(|quote| GUIDE.contains(&format!("{quote}{word}")));
         assert!(named, "{word}");
     }

@@ -18,7 +18,7 @@ pub enum Error {
         radius: f64,
     },
     /// An arc whose ends are not equally far from its centre.
-    #[error("the ends of the arc lie {start} and {end} from its centre; they must be equally far")]
+    #[error("the ends of the arc lie {} and {} from its centre; they must be equally far", short(*start), short(*end))]
     OffCircle {
         /// Distance of the start.
         start: f64,
@@ -26,7 +26,7 @@ pub enum Error {
         end: f64,
     },
     /// An end of an arc that does not lie on the circle of the given radius.
-    #[error("an end of the arc lies {distance} from its centre; its radius is {radius}")]
+    #[error("an end of the arc lies {} from its centre; its radius is {}", short(*distance), short(*radius))]
     OffRadius {
         /// Distance of the end.
         distance: f64,
@@ -34,7 +34,7 @@ pub enum Error {
         radius: f64,
     },
     /// An end of an elliptic arc that does not lie on the ellipse.
-    #[error("an end of the arc does not lie on its ellipse, but on one {ratio} times as large")]
+    #[error("an end of the arc does not lie on its ellipse, but on one {} times as large", short(*ratio))]
     OffEllipse {
         /// The size of the ellipse about the same centre through the end, in units of the given one.
         ratio: f64,
@@ -72,7 +72,7 @@ pub enum Error {
         value: f64,
     },
     /// A radius as a function of the angle that has another value after a whole turn.
-    #[error("the curve does not close: r(2π) must be r(0) = {start}, not {end}")]
+    #[error("the curve does not close: r(2π) must be r(0) = {}, not {}", short(*start), short(*end))]
     Unclosed {
         /// The radius at angle 0.
         start: f64,
@@ -80,7 +80,7 @@ pub enum Error {
         end: f64,
     },
     /// A radius as a function of the angle that jumps.
-    #[error("the curve is open: r(φ) jumps from {before} to {after} at φ = {angle:.4}")]
+    #[error("the curve is open: r(φ) jumps from {} to {} at φ = {angle:.4}", short(*before), short(*after))]
     PolarJump {
         /// The angle of the jump, in radians.
         angle: f64,
@@ -129,7 +129,8 @@ pub enum Error {
     },
     /// A curve whose parallel would turn back: its radius of curvature is smaller than the distance.
     #[error(
-        "the curve bends too much for a parallel at distance {distance}: near {} its radius of curvature is smaller",
+        "the curve bends too much for a parallel at distance {}: near {} its radius of curvature is smaller",
+        short(*distance),
         about(at)
     )]
     Bend {
@@ -469,5 +470,42 @@ fn comes_to(radius: f64, certain: bool) -> String {
         "it has no real value".into()
     } else {
         format!("it {} {}", if certain { "is" } else { "may be" }, short(radius))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Errors about lengths of this size, the one of them greater than the other in the last digit.
+    fn about_lengths(size: f64) -> [Error; 6] {
+        let other = size.next_up();
+        [
+            Error::OffCircle { start: size, end: other },
+            Error::OffRadius { distance: other, radius: size },
+            Error::OffEllipse { ratio: size },
+            Error::Unclosed { start: size, end: other },
+            Error::PolarJump { angle: 0.5, before: size, after: other },
+            Error::Bend { distance: size, at: [size, 0.0] },
+        ]
+    }
+
+    #[test]
+    fn lengths_are_told_to_the_last_digit_without_rows_of_zeros() {
+        for (size, spelled, other) in [
+            (0.5, "0.5", "0.5000000000000001"),
+            (2.0, "2", "2.0000000000000004"),
+            (1e-120, "1e-120", "1.0000000000000002e-120"),
+            (1e120, "1e120", "1.0000000000000001e120"),
+        ] {
+            for error in about_lengths(size) {
+                let told = error.to_string();
+                let names = |number: &str| told.split([' ', ',', ';', ':']).any(|word| word == number);
+                assert!(names(spelled), "{told}");
+                let of_two = !matches!(error, Error::OffEllipse { .. } | Error::Bend { .. });
+                assert_eq!(names(other), of_two, "{told}");
+                assert!(!told.contains("0000000000000000"), "{told}");
+            }
+        }
     }
 }

@@ -64,7 +64,7 @@ pub use outline::{Outline, Turn};
 pub use path::Line;
 pub use piece::{Extent, Figure, Landing, Piece, enclosed_area};
 #[doc(hidden)]
-pub use plane::GOLDEN_RATIO;
+pub use plane::{GOLDEN_RATIO, MUST_HAVE_SQUARE};
 pub use sample::{BoundaryPoint, Interior, Perimeter};
 pub use surface::Surface;
 pub use table::{FundamentalCell, Table};

@@ -63,8 +63,9 @@ pub(crate) fn finite<const N: usize>(name: &'static str, point: &SVector<f64, N>
 /// The lengths \[L\] whose squares, and what is computed from them, neither over- nor underflow.
 pub(crate) const LENGTHS: RangeInclusive<f64> = 1e-150..=1e150;
 
-/// What such a length must be, in words.
-pub(crate) const MUST_HAVE_SQUARE: &str = "between 1e-150 and 1e150";
+/// What a length \[L\] must be for its square, and what is computed from it, neither to over- nor to underflow, in the words of
+/// [`Error::Length`] and [`Error::Field`].
+pub const MUST_HAVE_SQUARE: &str = "between 1e-150 and 1e150";
 
 /// Refuses a length that is not one of [`LENGTHS`].
 pub(crate) fn has_square(name: &'static str, value: f64) -> Result<(), Error> {

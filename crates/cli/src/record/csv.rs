@@ -1,10 +1,12 @@
 //! Comma-separated values.
 
-use super::{Columns, Format, Row, push_integer, push_number};
+use super::{Columns, Format, RecordFormat, Row, push_integer, push_number};
+
+pub(super) const FORMAT: RecordFormat = RecordFormat { name: "csv", writer: |_| Box::new(Csv) };
 
 /// A header line, then one line per collision; numbers are the shortest decimals that read back to the same double.
 #[derive(Clone, Copy, Debug)]
-pub struct Csv;
+struct Csv;
 
 impl Format for Csv {
     fn header(&self, columns: Columns, _: u64) -> Vec<u8> {

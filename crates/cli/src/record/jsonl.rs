@@ -1,17 +1,20 @@
 //! JSON Lines.
 
-use super::{Columns, Format, Row, push_integer, push_number};
+use super::{Columns, Format, RecordFormat, Row, push_integer, push_number};
+
+pub(super) const FORMAT: RecordFormat =
+    RecordFormat { name: "jsonl", writer: |columns| Box::new(JsonLines::new(columns)) };
 
 /// One JSON object per line and collision, its keys the names of the columns.
 #[derive(Clone, Debug)]
-pub struct JsonLines {
+struct JsonLines {
     /// What comes before each number, from `{"orbit":` on.
     keys: Vec<String>,
 }
 
 impl JsonLines {
     /// For these columns.
-    pub fn new(columns: Columns) -> Self {
+    fn new(columns: Columns) -> Self {
         let key = |(i, name)| format!("{}\"{name}\":", if i == 0 { '{' } else { ',' });
         Self { keys: columns.names().enumerate().map(key).collect() }
     }

@@ -3,15 +3,17 @@
 //! The array has one dimension and a structured type: every column is a named field, whole numbers `<i8`, all others
 //! `<f8`. So `a = numpy.load("collisions.npy")` gives `a["x1"]` by name, and counts and cells stay exact.
 
-use super::{Columns, Format, Row};
+use super::{Columns, Format, RecordFormat, Row};
 use crate::npy;
+
+pub(super) const FORMAT: RecordFormat = RecordFormat { name: "npy", writer: |_| Box::new(Npy) };
 
 /// Digits kept free for the number of rows, known only at the end.
 const DIGITS: usize = 19;
 
 /// A structured `NumPy` array.
 #[derive(Clone, Copy, Debug)]
-pub struct Npy;
+struct Npy;
 
 /// The header of an array with this many rows; its length does not depend on them.
 fn header(columns: Columns, rows: u64) -> Vec<u8> {

@@ -3,23 +3,13 @@
 use super::{absent, choice, known, list, text, unknown};
 use crate::document::{Item, Problems, Section, Span};
 use crate::picture;
-
-/// File format of the collision record.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RecordFormat {
-    /// Comma-separated values with a header line.
-    Csv,
-    /// One JSON object per line.
-    JsonLines,
-    /// A `NumPy` array.
-    Npy,
-}
+use crate::record::{FORMATS, RecordFormat};
 
 /// What is kept of a run.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct Output {
-    /// The collision record, if one is kept.
-    pub collisions: Option<RecordFormat>,
+    /// The format of the collision record, if one is kept.
+    pub collisions: Option<&'static RecordFormat>,
     /// The pictures to draw: names from [`picture::PICTURES`] and their places.
     pub pictures: Vec<(&'static str, Span)>,
 }
@@ -27,7 +17,7 @@ pub struct Output {
 pub(super) fn read(item: Option<&Item>, problems: &mut Problems) -> Option<Output> {
     let absent = absent();
     let mut section = Section::new(item.unwrap_or(&absent), "[output]", problems)?;
-    let formats = [("csv", RecordFormat::Csv), ("jsonl", RecordFormat::JsonLines), ("npy", RecordFormat::Npy)];
+    let formats: Vec<_> = FORMATS.iter().map(|format| (format.name, format)).collect();
     let collisions = match section.optional("collisions") {
         Some(item) => choice(item, "format", &formats, problems).map(Some),
         None => Some(None),

@@ -40,20 +40,23 @@ pub struct Ensemble {
     pub count: Spanned<u64>,
     /// Seed of the random choices.
     pub seed: u64,
-    /// How they are chosen: a name from [`SAMPLES`].
-    pub sample: Spanned<&'static str>,
+    /// How they are chosen.
+    pub sample: Spanned<Sample>,
     /// Length of the whole velocity, spin included.
     pub speed: Spanned<f64>,
 }
 
-/// Ways to choose the starts of an ensemble, and what each does.
-pub const SAMPLES: &[(&str, &str)] = &[
-    (
-        "canonical",
-        "the invariant measure: points uniform along the walls, tangential velocity and spin uniform in a ball",
-    ),
-    ("grid", "one start in each of so many cells of equal measure"),
-];
+/// A way to choose the starts of an ensemble.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sample {
+    /// The invariant measure: points uniform along the walls, tangential velocity and spin uniform in a ball.
+    Canonical,
+    /// One start in each of so many cells of equal measure.
+    Grid,
+}
+
+/// The name of every sample.
+pub const SAMPLES: &[(&str, Sample)] = &[("canonical", Sample::Canonical), ("grid", Sample::Grid)];
 
 /// Reads where orbits start; the particle, if it could be read, decides whether they can have a spin.
 pub(super) fn read(
@@ -146,10 +149,9 @@ fn ensemble(item: &Item, problems: &mut Problems) -> Option<Ensemble> {
     let mut section = Section::new(item, "[ensemble]", problems)?;
     let number = section.required("count", "count = 1000").and_then(|item| count(item, 1, problems));
     let seed = section.optional("seed").map_or(Some(0), |item| seed(item, problems));
-    let samples: Vec<_> = SAMPLES.iter().map(|sample| (sample.0, sample.0)).collect();
     let sample = match section.optional("sample") {
-        Some(item) => choice(item, "sample", &samples, problems).map(|sample| Spanned::new(sample, item.span)),
-        None => Some(Spanned::new(SAMPLES[0].0, item.span)),
+        Some(item) => choice(item, "sample", SAMPLES, problems).map(|sample| Spanned::new(sample, item.span)),
+        None => Some(Spanned::new(Sample::Canonical, item.span)),
     };
     let speed = section.optional("speed").map_or(Some(Spanned::new(1.0, item.span)), |item| positive(item, problems));
     section.finish(problems);

@@ -14,8 +14,7 @@ use crate::scene::{Arguments, Border, Curve, EdgePath, LawKind, Scene, Starts, T
 
 use super::scale;
 
-use complaint::in_user_units;
-pub(super) use complaint::{with_advice, wrong_argument};
+pub(super) use complaint::{in_user_units, with_advice, wrong_argument};
 use pieces::explicit;
 
 /// Where a piece comes from.

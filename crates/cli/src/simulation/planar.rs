@@ -18,7 +18,7 @@ use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::trail::PlanarTrail;
 use super::unrolled::Unrolled;
 use crate::document::{Diagnostic, spell};
-use crate::scene::{self, LawKind, Scene};
+use crate::scene::{self, LawKind, Sample, Scene};
 
 /// A planar scene, ready to run.
 #[derive(Clone, Debug)]
@@ -84,10 +84,10 @@ impl Planar {
         let speed = ensemble.speed.value * scale.speed;
         let (table, count, seed) = (&self.centres, ensemble.count.value, ensemble.seed);
         let drawn: Box<dyn billiards::Starts<2, 1>> = match (ensemble.sample.value, spins) {
-            ("grid", Spins::Spinning) => Box::new(Grid::with_count(table, speed, count)?),
-            ("grid", Spins::Still) => Box::new(Still(Grid::of_points(table, speed, count)?)),
-            (_, Spins::Spinning) => Box::new(Canonical::new(table, speed, seed)?),
-            (_, Spins::Still) => Box::new(Still(Canonical::of_points(table, speed, seed)?)),
+            (Sample::Grid, Spins::Spinning) => Box::new(Grid::with_count(table, speed, count)?),
+            (Sample::Grid, Spins::Still) => Box::new(Still(Grid::of_points(table, speed, count)?)),
+            (Sample::Canonical, Spins::Spinning) => Box::new(Canonical::new(table, speed, seed)?),
+            (Sample::Canonical, Spins::Still) => Box::new(Still(Canonical::of_points(table, speed, seed)?)),
         };
         Ok(Box::new(move |i| {
             let start = drawn.start(i);

@@ -7,6 +7,7 @@ use billiards::geometry::parry::{Room, Side, SolidSpec};
 use crate::document::{Diagnostic, LARGEST, SMALLEST, Spanned, spell};
 use crate::scene::{self, Border, Domain, Entry, Scene};
 
+use super::boundary::in_user_units;
 use super::drawing::{self, Reader};
 use super::wires::Wall;
 use super::words::short;
@@ -38,20 +39,20 @@ pub(crate) fn between(
         match wall.and_then(|wall| wall.spec.solid(wall.center, wall.side)) {
             Ok(solid) => solids.push(solid),
             Err(Error::NothingLeft { largest, .. }) => wrong.push(too_large(scene, largest / factor)),
-            Err(error) => wrong.push(scene.source.diagnostic(entry.span, entered.complaint(&error))),
+            Err(error) => wrong.push(scene.source.diagnostic(entry.span, entered.complaint(&error, factor))),
         }
     }
     if wrong.is_empty() { Ok(Room::new(solids)) } else { Err(wrong) }
 }
 
 impl Entered {
-    /// An error about this wall, with the place in its file.
-    fn complaint(&self, error: &Error) -> String {
+    /// An error about this wall, all lengths multiplied by a factor, in the user's units and with the place in its file.
+    fn complaint(&self, error: &Error, factor: f64) -> String {
         match error {
             Error::Triangle { triangle, problem } if *triangle < self.places.len() => {
                 format!("{}, {}: the face {problem}", self.name, self.places[*triangle])
             }
-            error => error.to_string(),
+            error => in_user_units(error, factor).to_string(),
         }
     }
 }

@@ -17,7 +17,7 @@ use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::wires::Wall;
 use super::words::short;
 use crate::document::{Diagnostic, Span};
-use crate::scene::{self, Arguments, LawKind, Scene, TableShape};
+use crate::scene::{self, Arguments, LawKind, Sample, Scene, TableShape};
 
 /// A scene in space, ready to run.
 #[derive(Debug)]
@@ -170,9 +170,12 @@ impl Spatial {
             scene::Starts::Ensemble(ensemble) => Starts::Ensemble(ensemble.clone(), Spins::of(&scene.particle)),
         };
         if let Starts::Ensemble(ensemble, _) = &starts {
-            if ensemble.sample.value == "grid" {
-                let what = "in space, the sample must be \"canonical\"";
-                return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
+            match ensemble.sample.value {
+                Sample::Canonical => {}
+                Sample::Grid => {
+                    let what = "in space, the sample must be \"canonical\"";
+                    return Err(vec![scene.source.diagnostic(ensemble.sample.span, what)]);
+                }
             }
             if let Space::Room(room) = &centres {
                 room.surface().map_err(|error| match error {

@@ -3,7 +3,7 @@
 use super::{BOUNDARY, NAMED, SPATIAL, SQUARE, parse};
 use billiards_cli::document::Source;
 use billiards_cli::scene::{
-    Border, Curve, Domain, EdgePath, IfAbsent, LAWS, LawKind, Limit, RecordFormat, Request, Scene, Starts, TABLES,
+    Border, Curve, Domain, EdgePath, IfAbsent, LAWS, LawKind, Limit, Request, Sample, Scene, Starts, TABLES,
     TableShape, Turn,
 };
 
@@ -19,7 +19,7 @@ fn a_named_table_and_an_orbit_are_read() {
     assert_eq!(orbits[0].position.value, [0.1, 2f64.sqrt() / 4.0]);
     assert_eq!((&orbits[0].velocity.value[..], &orbits[0].spin.value[..]), (&[0.6, 0.8][..], &[0.25][..]));
     assert!(matches!(scene.limit, Some(Limit::Collisions(n)) if n.value == 1000));
-    assert_eq!(scene.output.collisions, Some(RecordFormat::Csv));
+    assert_eq!(scene.output.collisions.map(|format| format.name), Some("csv"));
     assert_eq!(scene.output.pictures.iter().map(|p| p.0).collect::<Vec<_>>(), ["orbit", "velocity-portrait"]);
 }
 
@@ -54,7 +54,7 @@ fn every_kind_of_boundary_entry_is_read() {
     let Border::Shape { lengths, domain: Domain::Outside, .. } = &entries[7].border else { panic!() };
     assert!(lengths.contains(&0.1), "{lengths:?}");
     let Starts::Ensemble(ensemble) = &scene.starts else { panic!() };
-    assert_eq!((ensemble.count.value, ensemble.seed, ensemble.sample.value), (100_000, u64::MAX, "canonical"));
+    assert_eq!((ensemble.count.value, ensemble.seed, ensemble.sample.value), (100_000, u64::MAX, Sample::Canonical));
     assert!(matches!(scene.limit, Some(Limit::Time(t)) if t.value == 250.0));
 }
 

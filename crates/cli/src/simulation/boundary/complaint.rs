@@ -1,7 +1,7 @@
 //! Errors of a boundary, in the user's words and units.
 
 use billiards::geometry::{
-    Error, ImplicitRule, Meeting, MeetingKind, ParametricRule, Table, Vector2, meetings, tables,
+    Error, ImplicitRule, MUST_HAVE_SQUARE, Meeting, MeetingKind, ParametricRule, Table, Vector2, meetings, tables,
 };
 
 use super::{Drawn, PieceSource};
@@ -9,12 +9,13 @@ use crate::document::{Diagnostic, spell};
 use crate::scene::{Arguments, Border, Scene, TableShape};
 use crate::simulation::words::point;
 
-/// An error with lengths and names as in the user's file.
-pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
+/// An error of a scene whose lengths were all multiplied by a factor, with lengths and names as in the user's file.
+pub(crate) fn in_user_units(error: &Error, factor: f64) -> Error {
     let back = |x: f64| x / factor;
+    let what = |must| if must == MUST_HAVE_SQUARE && factor != 1.0 { BESIDE_THE_LARGEST } else { must };
     match error.clone() {
         Error::Radius { radius } => Error::Radius { radius: back(radius) },
-        Error::Length { name, must, value } => Error::Length { name, must, value: back(value) },
+        Error::Length { name, must, value } => Error::Length { name, must: what(must), value: back(value) },
         Error::Unclosed { start, end } => Error::Unclosed { start: back(start), end: back(end) },
         Error::PolarJump { angle, before, after } => {
             Error::PolarJump { angle, before: back(before), after: back(after) }
@@ -35,13 +36,16 @@ pub(super) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
         Error::Thin { piece, width, least } => Error::Thin { piece, width: back(width), least: back(least) },
-        Error::Field { field, must } => Error::Field { field: key(&field), must },
+        Error::Field { field, must } => Error::Field { field: key(&field), must: what(must) },
         Error::SamePoint { field, other } => Error::SamePoint { field: key(&field), other: key(&other) },
         Error::NothingLeft { radius, largest } => Error::NothingLeft { radius: back(radius), largest: back(largest) },
         Error::Undecided { radius, at } => Error::Undecided { radius: back(radius), at: at.map(back) },
         other => other,
     }
 }
+
+/// [`MUST_HAVE_SQUARE`] where the largest length of the scene has been brought to between 1 and 2.
+const BESIDE_THE_LARGEST: &str = "between 1e-150 and 1e150 times the largest length of the scene";
 
 /// The path of keys in a scene to a field of a shape.
 fn key(field: &str) -> String {

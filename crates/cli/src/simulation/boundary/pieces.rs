@@ -55,7 +55,8 @@ pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<
 fn lattice(scene: &Scene, factor: f64) -> Result<Option<Lattice>, Vec<Diagnostic>> {
     let vectors: Vec<_> = scene.table.lattice.iter().map(|v| plane(&v.value) * factor).collect();
     let Some(first) = scene.table.lattice.first() else { return Ok(None) };
-    Lattice::new(&vectors).map(Some).map_err(|error| vec![scene.source.diagnostic(first.span, error.to_string())])
+    let wrong = |error| vec![scene.source.diagnostic(first.span, in_user_units(&error, factor).to_string())];
+    Lattice::new(&vectors).map(Some).map_err(wrong)
 }
 
 fn plane(coordinates: &[f64]) -> Vector2<f64> {

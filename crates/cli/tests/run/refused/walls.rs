@@ -186,3 +186,45 @@ fn sides_of_a_wall_that_differ_by_more_than_rounding_are_refused() {
     let times: Vec<f64> = folder.rows().iter().map(|row| row[2]).collect();
     assert!(times.windows(2).all(|t| t[1] - t[0] > 1e-3), "{times:?}");
 }
+
+#[test]
+fn a_size_too_small_beside_the_largest_length_is_told_to_be_so_in_the_units_of_the_scene() {
+    let folder = Folder::new("beside-the-largest");
+    let told = |table: &str, position: &str, velocity: &str| {
+        let scene = format!(
+            "law = \"specular\"\n[table]\n{table}[[orbit]]\nposition = {position}\nvelocity = {velocity}\n[run]\ncollisions = 3\n"
+        );
+        let output = folder.run(&scene, &[]);
+        (output.status.code(), String::from_utf8(output.stderr).unwrap())
+    };
+    let ball =
+        "dimension = 3\n[[table.boundary]]\nsphere = { center = [0, 0, 0], radius = 1e100, domain = \"inside\" }\n";
+    let around = |shape: &str| {
+        let table = format!("{ball}[[table.boundary]]\nshape = {{ {shape} }}\n");
+        told(&table, "[5e99, 0, 0]", "[0.6, 0.8, 0]")
+    };
+    let strip = |vector: &str| {
+        let line =
+            |y: &str, x: i32| format!("[[table.boundary]]\nline = {{ through = [0, {y}], direction = [{x}, 0] }}\n");
+        told(&format!("lattice = [[{vector}, 0]]\n{}{}", line("0", 1), line("1e100", -1)), "[0, 5e99]", "[0.6, 0.8]")
+    };
+    let beside = "must be between 1e-150 and 1e150 times the largest length of the scene";
+    for (place, name, (code, text)) in [
+        ("scene.toml:7:9", "radius", around("name = \"ball\", radius = 1e-60")),
+        ("scene.toml:7:9", "height", around("name = \"cylinder\", radius = 1, height = 1e-60")),
+        ("scene.toml:7:9", "height", around("name = \"cone\", radius = 1, height = 1e-60")),
+        (
+            "scene.toml:7:9",
+            "the greatest coordinate of the boundary",
+            around("name = \"convex-hull\", points = [[0, 0, 0], [1e-60, 0, 0], [0, 1e-60, 0], [0, 0, 1e-60]]"),
+        ),
+        ("scene.toml:3:12", "the greatest coordinate of a lattice vector", strip("1e-60")),
+    ] {
+        assert_eq!(code, Some(2), "{name}: {text}");
+        assert!(text.contains(place) && text.contains(&format!("{name} {beside}")), "{name}: {text}");
+        assert!(!text.contains("e-160") && !text.contains("e-161"), "{name}: {text}");
+    }
+    // as large as it is told to be
+    let (code, text) = around("name = \"ball\", radius = 1e-50");
+    assert_eq!(code, Some(0), "{text}");
+}
