@@ -105,6 +105,12 @@ fn read(mut root: Section<'_>, request: &Request, problems: &mut Problems) -> Op
         problems.add_with_help(key.span, what, "compute it: billiards collide CONTACT");
         return None;
     }
+    // reported alone, before vectors of another dimension are taken for mistakes
+    if let Some((key, _)) = root.others().find(|(key, _)| key.value == "dimension") {
+        let what = "unknown key \"dimension\" in the scene";
+        problems.add_with_help(key.span, what, "\"dimension\" goes under [table]");
+        return None;
+    }
     let title = root
         .optional("title")
         .and_then(|item| text(item, "write for instance \"Stadium\"", problems))

@@ -48,6 +48,7 @@ fn mistakes_of_few_words_are_told_the_mend() {
         (BOUNDARY, "circle =", "sphere =", "set dimension = 3 in [table]"),
         (BOUNDARY, "circle =", "mesh =", "set dimension = 3 in [table]"),
         (SPATIAL, "name = \"box\"", "boundary = [{ circle = {} }]", "set dimension = 2 in [table]"),
+        (NAMED, "law   = \"no-slip\"", "dimension = 2\nlaw = \"no-slip\"", "\"dimension\" goes under [table]"),
     ] {
         assert!(valid.contains(old), "{old}");
         let source = Source::new("x.toml", &valid.replacen(old, new, 1));

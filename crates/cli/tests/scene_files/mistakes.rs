@@ -138,6 +138,7 @@ fn one_slip_gives_one_error() {
         (SPATIAL, "dimension = 3", "dimensions = 3"),
         (SPATIAL, "dimension = 3", "dimension = true"),
         (SPATIAL, "dimension = 3", "dimension = 4"),
+        (SPATIAL, "rough = [[1, 2, -3]]\n[table]\ndimension = 3", "dimension = 3\nrough = [[1, 2, -3]]\n[table]"),
         (SPATIAL, "[[1, 2, -3]]", "[1, 2, -3]"),
         (BOUNDARY, "circle =", "sphere ="),
         (SQUARE, "name = \"square\"", "circle = { center = [0, 0], radius = 1 }"),
