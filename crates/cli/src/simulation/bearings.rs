@@ -152,7 +152,7 @@ impl View {
         let whole = turned[steps];
         // around the middle, and not beside it or twice around, but for rounding; or open, with a gap where one is past the ends
         let once = if closed { (whole - TAU).abs() < 1e-6 } else { whole < 1.5 * PI };
-        // the middle is beside no tangent: there a direction would not tell the place
+        // no tangent goes through the middle, or close to it: there a direction would not tell the place
         let steep = turned.windows(2).all(|w| w[1] - w[0] > whole * 0.01 / steps as f64);
         let (first, from, step) = (angle(&points[0]), of.from, 2.0 * of.half_step);
         (once && steep).then_some(View { middle, points, from, step, closed, first, sense, turned })

@@ -99,3 +99,21 @@ impl Facet {
         Some((View::around(*away)?, if corner.is_some() { Foot::Corner } else { Foot::Edge }))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn beyond_two_edges_of_an_obtuse_angle_the_one_with_a_foot_on_it_is_nearer_than_the_corner() {
+        let corners = [[-1.0, 1.0, 0.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Vector3::from);
+        for corners in [corners, [corners[1], corners[2], corners[0]], [corners[2], corners[0], corners[1]]] {
+            let facet = Facet::new(corners, Vector3::z());
+            for exponent in 1..60 {
+                let x = Vector3::new(libm::ldexp(1.0, -exponent), -0.6, 0.8);
+                let (View { normal, .. }, foot) = facet.front(&x);
+                assert_eq!((normal.x, foot), (0.0, Foot::Edge), "{x:?}");
+            }
+        }
+    }
+}
