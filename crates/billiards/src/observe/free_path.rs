@@ -5,13 +5,36 @@ use super::{
     moments::{Mean, Moments},
 };
 use crate::{merge::Merge, orbit::Orbit};
-use core::ops::ControlFlow;
+use core::{f64::consts::PI, ops::ControlFlow};
+
+/// Mean time of a flight over the canonical measure at unit speed, for every strict law: `|Sᵈ⁻¹|/|Bᵈ⁻¹| · V/S` in a table of volume
+/// `V` and surface `S`, where velocities have `d` dimensions.
+///
+/// `ratio` is `V/S` \[L\]. In the plane it is area over perimeter, and the factor `π` for a point (d = 2) and `4` for a disk with spin
+/// (d = 3); in space `4` for a point (d = 3) and `15π/8` for a ball with spin (d = 6). Velocities of one dimension bounce between two
+/// ends: `2`; of none they do not, and the time is infinite.
+///
+/// ```
+/// use billiards::observe::mean_free_time;
+/// use core::f64::consts::PI;
+/// // a disk in the unit square, a ball in the unit cube
+/// assert_eq!([mean_free_time(3, 1.0 / 4.0), mean_free_time(6, 1.0 / 6.0)], [1.0, 1.875 * PI / 6.0]);
+/// ```
+pub fn mean_free_time(dimension: usize, ratio: f64) -> f64 {
+    if dimension == 0 {
+        return f64::INFINITY;
+    }
+    // the factor c(d) has c(1) = 2, c(2) = π and c(d + 2) = c(d) (d + 1)/d
+    let first = 2 - dimension % 2;
+    let steps = (first..dimension).step_by(2).map(|d| (d + 1) as f64 / d as f64);
+    steps.product::<f64>() * if first == 1 { 2.0 } else { PI } * ratio
+}
 
 /// Sums over the flights between collisions: their times and their lengths.
 ///
-/// Over the canonical measure at unit speed (spin included) the mean time of a flight is `4A/P` in a planar table of area
-/// `A` and perimeter `P`, and its mean length `πA/P`; for a ball in space, volume `V` and surface `S`, `15π/8 · V/S` and
-/// `4V/S`: for every strict law. Along a single orbit the means are these only where the motion is ergodic.
+/// Over the canonical measure at unit speed (spin included) the mean time of a flight is [`mean_free_time`] for all dimensions of the
+/// velocity and spin, and its mean length that for the dimensions of the velocity alone: for every strict law. Along a single orbit the
+/// means are these only where the motion is ergodic.
 #[derive(Clone, Copy, Debug)]
 pub struct FreePath<const N: usize, const S: usize> {
     flight: Option<Flight<N, S>>,

@@ -20,7 +20,7 @@ pub use density::{Density, Noted};
 pub use each_orbit::EachOrbit;
 pub use energy_drift::EnergyDrift;
 pub use first_return::{Entry, FirstReturn};
-pub use free_path::FreePath;
+pub use free_path::{FreePath, mean_free_time};
 pub use in_lanes::LaneObserver;
 pub use invariant::Invariant;
 pub use moments::{Mean, Moments};

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use billiards::Stop;
 use billiards::geometry::tables::SpatialTable;
 use billiards::geometry::{self, Figure, Lattice, Piece, Vector2, Walls, WithWalls};
+use billiards::observe::mean_free_time;
 use serde::Serialize;
 
 use super::engine::{Engine, Until, Watch};
@@ -229,8 +230,8 @@ fn in_plane(scene: &Scene, planar: &Planar, description: &mut Description) {
     };
     let ratio = centres.area() / centres.perimeter / factor;
     if planar.strict {
-        // |S²|/|B²| and |S¹|/|B¹|
-        mean_free_times(scene, planar.keeps_spin(), [4.0 * ratio, core::f64::consts::PI * ratio], description);
+        let times = [3, 2].map(|dimension| mean_free_time(dimension, ratio));
+        mean_free_times(scene, planar.keeps_spin(), times, description);
     }
     description.engine = planar.centres.with_walls(NameOfWalls);
     let Ok(starts) = planar.starts() else { return };
@@ -284,8 +285,7 @@ fn in_space(scene: &Scene, spatial: &Spatial, description: &mut Description) {
         Space::Named(table) => {
             let ratio = out(table.volume() / table.surface_area());
             if spatial.strict {
-                // |S⁵|/|B⁵| and |S²|/|B²|
-                let times = [1.875 * core::f64::consts::PI * ratio, 4.0 * ratio];
+                let times = [6, 3].map(|dimension| mean_free_time(dimension, ratio));
                 mean_free_times(scene, spatial.keeps_spin(), times, description);
             }
             table.with_walls(NameOfWalls)

@@ -41,41 +41,34 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
     if root.tag_name().name() != "svg" || root.tag_name().namespace().is_some_and(|name| name != NAMESPACE) {
         return Err(Element::of(&root).fail("an SVG drawing must have <svg> as its outermost element"));
     }
+    let outlines = outlines(root)?;
+    let size = outlines.iter().flat_map(Outline::points).fold(0.0, |m: f64, p| m.max(p.amax()));
+    let fit = Fit { tolerance: tolerance * size, size };
+    let mut contours = vec![];
+    for outline in &outlines {
+        contours.extend(outline.contour(&fit)?);
+    }
+    oriented(&contours)
+}
+
+/// Everything that is drawn, in the order of the file.
+fn outlines<'a>(root: Node<'a, 'a>) -> Result<Vec<Outline>, Error> {
     let is_own = |node: &Node| node.is_element() && node.tag_name().namespace() == root.tag_name().namespace();
     root.descendants().filter(is_own).try_for_each(|node| rules_nothing(&node))?;
     let may_hollow = root.descendants().filter(is_own).any(|node| style::hollows(sheet(&node)));
     let mut outlines = vec![];
     // an explicit stack, which deep nesting cannot overflow
-    let mut open = vec![(root, Affine::FLIP, true, true)];
-    while let Some((node, outer, is_visible, is_filled)) = open.pop() {
+    let mut open = vec![(root, Inherited { here: Affine::FLIP, is_visible: true, is_filled: true })];
+    while let Some((node, outer)) = open.pop() {
         let name = node.tag_name().name();
         if !GROUPS.contains(&name) && !DRAWN.contains(&name)
             || style::value(&node, "display").as_deref() == Some("none")
         {
             continue;
         }
-        if let Some(property) = style::placing(&node) {
-            let problem =
-                format!("{property:?} is read from an attribute only, not from a style: write it as an attribute");
-            return Err(Element::of(&node).fail(problem));
-        }
-        if node.has_attribute("transform-origin") {
-            return Err(
-                Element::of(&node).fail("a transform-origin is not read: include its translations in the transform")
-            );
-        }
-        let is_visible = match style::value(&node, "visibility").as_deref() {
-            None | Some("inherit") => is_visible,
-            Some(visibility) => visibility == "visible",
-        };
-        let is_filled = match style::value(&node, "fill").as_deref() {
-            None | Some("inherit") => is_filled,
-            Some(fill) => fill != "none",
-        };
-        let here = outer
-            .after(&affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| Element::of(&node).fail(e))?);
+        let own = outer.within(&node)?;
         if GROUPS.contains(&name) {
-            let here = if node == root { here } else { here.after(&nested(&node)?) };
+            let here = if node == root { own.here } else { own.here.after(&nested(&node)?) };
             let children = node.children().filter(is_own);
             // of a switch, the first child without conditions is meant for all readers
             let conditions = ["requiredExtensions", "requiredFeatures", "systemLanguage"];
@@ -84,9 +77,9 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
                 "switch" => children.filter(is_for_all).take(1).collect(),
                 _ => children.collect(),
             };
-            open.extend(children.into_iter().rev().map(|child| (child, here, is_visible, is_filled)));
-        } else if is_visible {
-            let fill = match is_filled {
+            open.extend(children.into_iter().rev().map(|child| (child, Inherited { here, ..own })));
+        } else if own.is_visible {
+            let fill = match own.is_filled {
                 false => Fill::None,
                 // a sheet overrides attributes and what is inherited
                 true if may_hollow && !style::fills(&node) => Fill::Unknown,
@@ -95,18 +88,46 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
             outlines.extend(element(name, &node)?.into_iter().map(|drawn| Outline {
                 element: Element::of(&node),
                 drawn,
-                here,
+                here: own.here,
                 fill,
             }));
         }
     }
-    let size = outlines.iter().flat_map(Outline::points).fold(0.0, |m: f64, p| m.max(p.amax()));
-    let fit = Fit { tolerance: tolerance * size, size };
-    let mut contours = vec![];
-    for outline in &outlines {
-        contours.extend(outline.contour(&fit)?);
+    Ok(outlines)
+}
+
+/// What an element has from those around it.
+#[derive(Clone, Copy)]
+struct Inherited {
+    here: Affine,
+    is_visible: bool,
+    is_filled: bool,
+}
+
+impl Inherited {
+    /// The same with what an element changes.
+    fn within(self, node: &Node) -> Result<Inherited, Error> {
+        if let Some(property) = style::placing(node) {
+            let problem =
+                format!("{property:?} is read from an attribute only, not from a style: write it as an attribute");
+            return Err(Element::of(node).fail(problem));
+        }
+        if node.has_attribute("transform-origin") {
+            return Err(
+                Element::of(node).fail("a transform-origin is not read: include its translations in the transform")
+            );
+        }
+        let is_visible = match style::value(node, "visibility").as_deref() {
+            None | Some("inherit") => self.is_visible,
+            Some(visibility) => visibility == "visible",
+        };
+        let is_filled = match style::value(node, "fill").as_deref() {
+            None | Some("inherit") => self.is_filled,
+            Some(fill) => fill != "none",
+        };
+        let own = affine::parse(node.attribute("transform").unwrap_or("")).map_err(|e| Element::of(node).fail(e))?;
+        Ok(Inherited { here: self.here.after(&own), is_visible, is_filled })
     }
-    oriented(&contours)
 }
 
 const NAMESPACE: &str = "http://www.w3.org/2000/svg";

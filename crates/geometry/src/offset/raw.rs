@@ -210,6 +210,27 @@ fn beyond_zero(function: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> Op
     None
 }
 
+/// The ranges of a curve in which a function is positive, in order.
+fn positive(length: f64, function: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
+    let root = |low: f64, high: f64, sign: f64| rising_root(|s| [sign * function(s), 0.0], [low, high]);
+    let mut ranges: Vec<[f64; 2]> = vec![];
+    let mut from = (function(0.0) > 0.0).then_some(0.0);
+    for w in places(length, &function).windows(2) {
+        let [(low, _), (high, there)] = [w[0], w[1]];
+        let is_positive = there > 0.0;
+        match from {
+            None if is_positive => from = Some(root(low, high, 1.0)),
+            Some(start) if !is_positive => {
+                ranges.push([start, root(low, high, -1.0)]);
+                from = None;
+            }
+            _ => {}
+        }
+    }
+    ranges.extend(from.map(|start| [start, length]));
+    ranges
+}
+
 /// The regular parts of the parallel of a curve, between its cusps (where it meets centres of curvature of the curve).
 fn parallels(
     base: &Arc<dyn Piece>,
@@ -223,25 +244,8 @@ fn parallels(
     if !length.is_finite() {
         return Err(Error::Parameter { name: "length", must: "finite for a curved piece to be offset", value: length });
     }
+    // positive where the disk's curvature is greater than the curve's
     let stretch = |s: f64| 1.0 - base.curvature(&base.point_at(s)) * radius;
-    let places = places(length, stretch);
-    let root = |low: f64, high: f64, sign: f64| rising_root(|s| [sign * stretch(s), 0.0], [low, high]);
-    // the ranges in which the disk's curvature is greater than the curve's
-    let mut ranges: Vec<[f64; 2]> = vec![];
-    let mut from = (stretch(0.0) > 0.0).then_some(0.0);
-    for w in places.windows(2) {
-        let [(low, _), (high, there)] = [w[0], w[1]];
-        let regular = there > 0.0;
-        match from {
-            None if regular => from = Some(root(low, high, 1.0)),
-            Some(start) if !regular => {
-                ranges.push([start, root(low, high, -1.0)]);
-                from = None;
-            }
-            _ => {}
-        }
-    }
-    ranges.extend(from.map(|start| [start, length]));
     let moved = |s: f64| {
         let foot = base.point_at(s);
         foot + base.closest(&foot).normal * radius
@@ -256,7 +260,7 @@ fn parallels(
         let normal = base.closest(&base.point_at(s)).normal;
         (place - moved(s)).dot(&along(&normal)) / stretch(s)
     };
-    for [low, high] in ranges {
+    for [low, high] in positive(length, stretch) {
         let curve = pieces.len();
         let [first, last] =
             [if low == 0.0 { seam.or(ends[0]) } else { None }, if high == length { seam.or(ends[1]) } else { None }];
