@@ -41,14 +41,21 @@ const FAINTEST: f64 = 0.22;
 const SPARSE: f64 = 0.6;
 /// Depth of the full colour; from here on it darkens towards black.
 const FULL: f64 = 0.7;
+/// So much deeper it would be black; the greatest depth is 1, so that colours can be told apart to the end.
+const TO_BLACK: f64 = 0.45;
+/// Shares of filled cells above which points are drawn as single cells, and as dots of five cells; below, of thirteen.
+const DENSE: f64 = 0.25;
+const SCATTERED: f64 = 0.02;
+/// Most cells in a row or column.
+const MOST_CELLS: usize = 16_384;
 
 impl Grid {
     /// An empty grid over a window, this many cells wide, for points of these colours; cells are square.
     pub fn new(window: Window, width: usize, colours: &[Colour]) -> Self {
         let [w, h] = window.size();
-        let width = width.clamp(1, 16_384);
+        let width = width.clamp(1, MOST_CELLS);
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to a few thousand")]
-        let height = ((width as f64 * h / w + 0.5).clamp(1.0, 16_384.0)) as usize;
+        let height = ((width as f64 * h / w + 0.5).clamp(1.0, MOST_CELLS as f64)) as usize;
         let Window { low, high } = window;
         let density = Density::new([low[0], high[1]], [high[0], low[1]], [width, height]).in_layers(colours.len());
         Self { colours: colours.into(), density }
@@ -125,8 +132,8 @@ impl Tally {
     fn shade(&self, shading: Shading) -> Raster {
         let filled = self.counts.iter().filter(|count| **count > 0).count() as f64 / self.counts.len() as f64;
         match filled {
-            0.25.. => self.shaded(shading, FAINTEST),
-            0.02.. => self.spread(1).shaded(shading, SPARSE),
+            DENSE.. => self.shaded(shading, FAINTEST),
+            SCATTERED.. => self.spread(1).shaded(shading, SPARSE),
             _ => self.spread(2).shaded(shading, SPARSE),
         }
     }
@@ -160,7 +167,7 @@ impl Tally {
             if depth < FULL {
                 Colour::WHITE.mix(full, depth / FULL)
             } else {
-                full.mix(Colour::BLACK, (depth - FULL) / 0.45)
+                full.mix(Colour::BLACK, (depth - FULL) / TO_BLACK)
             }
         };
         Raster::new(self.width, self.counts.iter().zip(&self.tints).map(colour))

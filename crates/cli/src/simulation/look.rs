@@ -54,6 +54,8 @@ const FARTHEST: f64 = 3.0;
 const FARTHEST_START: f64 = 50.0;
 /// How thin the shown part may be, as a fraction of its largest side.
 const THINNEST: f64 = 0.5;
+/// The room around what is seen of an infinite table, in units of that and of its height.
+const AROUND: f64 = 0.1;
 
 fn projected(p: [f64; 3]) -> [f64; 2] {
     [0, 1].map(|i| AXES[0][i] * p[0] + AXES[1][i] * p[1] + AXES[2][i] * p[2])
@@ -135,7 +137,7 @@ fn shown([low, high]: Bounds, [least, most]: Bounds, begins: Bounds, first: [f64
         if given.is_finite() {
             return given;
         }
-        let room = 0.1 * (most[i] - least[i]) + 0.1 * size;
+        let room = AROUND * (most[i] - least[i]) + AROUND * size;
         let near = (seen + sign * room - first[i]).clamp(-reach, reach);
         let beyond = kept + sign * size.min(room) - first[i];
         first[i] + if sign * near < sign * beyond { beyond } else { near }
