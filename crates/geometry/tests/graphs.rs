@@ -13,6 +13,7 @@ use geometry::{
     },
     walls::Graphs,
 };
+use lanes::{Lane, Twin};
 use random::Random;
 
 /// `r = 1 + |cos φ|³/10`, whose third derivative jumps.
@@ -507,5 +508,57 @@ fn paths_that_are_not_numbers_hit_nothing() {
             let hit: WallHit<f64, 2> = walls.first_hit(&point.into(), &velocity.into());
             assert_eq!(hit.time, f64::INFINITY);
         }
+    }
+}
+
+/// A start so far away that the distance of its line had been rounded into any cell.
+#[test]
+fn a_path_hits_what_is_in_its_way_however_far_it_comes() {
+    let curve = Polar::new(Vector2::zeros(), clover(), false).unwrap();
+    let cut = curve.graphs().unwrap();
+    let walls = Graphs::new(&cut.into_iter().map(|graph| (4, graph)).collect::<Vec<_>>(), &[]);
+    let velocity = Vector2::new(3.0, 4.0);
+    let (mut hits, mut misses) = (0, 0);
+    for exponent in 4..=62 {
+        let size = libm::ldexp(1.0, exponent);
+        for k in -6..=6 {
+            // all starts are exact
+            let offset = Vector2::new(f64::from(k) * libm::ldexp(1.0, exponent - 50).max(0.125), 0.0);
+            let [near, far] = [2.0, size].map(|times| Line { point: offset - velocity * times, velocity });
+            assert!(far.point - offset == velocity * -size, "{far:?}");
+            let wide = Twin::of(0.0);
+            let hit: WallHit<f64, 2> = walls.first_hit(&far.point.into(), &far.velocity.into());
+            let both = walls.first_hit(&[wide + far.point.x, wide + far.point.y], &[wide + 3.0, wide + 4.0]);
+            assert_eq!([0, 1].map(|lane| both.time.lane(lane)), [hit.time; 2], "{far:?}");
+            let Some(expected) = walls.hit(&near) else {
+                assert_eq!(hit.time, f64::INFINITY, "{far:?}");
+                misses += 1;
+                continue;
+            };
+            let cos = -expected.normal.dot(&velocity) / velocity.norm();
+            let off = (expected.point - Vector2::from(hit.point)).norm();
+            // up to 2³² sizes the path's line is as far off as coordinates of its start are rounded
+            let rounded = if exponent < 32 { 5.0 * size } else { 1.0 };
+            assert!(off * cos <= 8.0 * f64::EPSILON * rounded, "{far:?} {expected:?} {hit:?}");
+            let late = (hit.time - (expected.time + (size - 2.0))).abs() * cos;
+            assert!(late <= 4.0 * f64::EPSILON * size, "{far:?} {expected:?} {hit:?}");
+            for i in 0..2 {
+                assert_eq!([0, 1].map(|lane| both.point[i].lane(lane)), [hit.point[i]; 2], "{far:?}");
+                assert_eq!([0, 1].map(|lane| both.normal[i].lane(lane)), [hit.normal[i]; 2], "{far:?}");
+            }
+            hits += 1;
+        }
+    }
+    assert!(hits > 500 && misses > 100, "{hits} {misses}");
+    // away from it, past it, and from nowhere
+    for (point, velocity) in [
+        ([1e12, 1e12], [3.0, 4.0]),
+        ([1e12, 0.0], [0.0, 1.0]),
+        ([-1e14, 0.0], [1.0, 1e-13]),
+        ([f64::INFINITY, 0.0], [-1.0, 0.0]),
+        ([1e14, 0.0], [0.0; 2]),
+    ] {
+        let hit: WallHit<f64, 2> = walls.first_hit(&point, &velocity);
+        assert_eq!(hit.time, f64::INFINITY, "{point:?}");
     }
 }

@@ -72,6 +72,10 @@ impl Graphs {
         }
         all.slack = slack([all.size]);
         all.lines = Lines::new(&places, WIDTH);
+        // a run may be read beyond its end; where rounding decides everything, even a graph
+        let (last, number) = (all.rows.last().copied(), all.numbers.last().copied());
+        all.rows.extend(core::iter::repeat_n(last, LONG_RUN).flatten());
+        all.numbers.extend(core::iter::repeat_n(number, LONG_RUN).flatten());
         for _ in 0..=LONG_RUN {
             all.ends.iter_mut().for_each(|ends| ends.push(0.0));
             all.near.push(0.0);
@@ -89,6 +93,22 @@ impl All {
         let near = CORNER * self.size.max(x[0].abs()).max(x[1].abs());
         let at = |k: usize| (0..2).all(|i| (point[i] - self.ends[i][k]).abs() <= near);
         (flags[0] && at(graph)) || (flags[1] && at(graph + 1))
+    }
+
+    /// Moves the points from which paths of some lanes come from far away nearer; returns when they are there.
+    #[cold]
+    #[inline(never)]
+    fn approach(&self, mut far: u64, x: &mut [[f64; MOST_LANES]; 2], v: &[[f64; MOST_LANES]; 2]) -> [f64; MOST_LANES] {
+        let mut later = [0.0; MOST_LANES];
+        while far != 0 {
+            let lane = far.trailing_zeros() as usize;
+            far &= far - 1;
+            let (near, time) = self.lines.nearer([x[0][lane], x[1][lane]], [v[0][lane], v[1][lane]]);
+            later[lane] = time;
+            // where it passes by, any path that hits something will do
+            [x[0][lane], x[1][lane]] = if time < f64::INFINITY { near } else { self.lines.middle };
+        }
+        later
     }
 
     /// A graph in its own coordinates.
@@ -276,10 +296,15 @@ impl Kernel for Search<'_> {
 
 impl Boundary<2> for All {
     fn first_hit(&self, path: &Line<2>) -> Option<Hit<2>> {
-        let aimed = Aimed::new(path.point.into(), path.velocity.into());
+        let (x, v) = (path.point.into(), path.velocity.into());
+        let (x, later) = if self.lines.is_far(x) { self.lines.nearer(x, v) } else { (x, 0.0) };
+        if later == f64::INFINITY {
+            return None;
+        }
+        let aimed = Aimed::new(x, v);
         let (best, graph) = lanes::dispatch(Search { all: self, aimed });
         (best.time < f64::INFINITY).then(|| Hit {
-            time: best.time,
+            time: later + best.time,
             point: best.point.into(),
             normal: best.unit_normal().into(),
             piece: self.numbers[graph] as usize,
@@ -418,12 +443,17 @@ impl Walls<2> for Graphs {
         if F::LANES == 1 {
             return self.0.first_hit(x, v);
         }
-        let none = [0.0; MOST_LANES];
+        let (none, v) = ([0.0; MOST_LANES], stored(v));
+        let (mut from, far) = (stored(x), all.lines.is_far(*x));
+        let later = far.any().then(|| all.approach(far.bits(), &mut from, &v));
         let mut hits = Hits { time: none, point: [none; 2], normal: [none; 2], graph: [0; MOST_LANES], doubtful: 0 };
         // in a function of its own, which is compiled once and not for every engine
-        lanes::dispatch(SideBySide { all, lanes: F::LANES, x: &stored(x), v: &stored(v), hits: &mut hits });
-        let zero = v[0].same(0.0);
-        let time = zero.load(&hits.time);
+        lanes::dispatch(SideBySide { all, lanes: F::LANES, x: &from, v: &v, hits: &mut hits });
+        let zero = x[0].same(0.0);
+        let mut time = zero.load(&hits.time);
+        if let Some(later) = later {
+            time = zero.load(&later) + time;
+        }
         let [point, normal] = [&hits.point, &hits.normal].map(|a| [zero.load(&a[0]), zero.load(&a[1])]);
         let piece = zero.each(|lane| f64::from(all.numbers[hits.graph[lane]]));
         let mut corner = zero.never();
@@ -432,8 +462,8 @@ impl Walls<2> for Graphs {
             while doubtful != 0 {
                 let lane = doubtful.trailing_zeros() as usize;
                 doubtful &= doubtful - 1;
-                let at = |a: [F; 2]| a.map(|a| a.lane(lane));
-                if all.is_corner(hits.graph[lane], at(*x), at(point)) {
+                let from = [from[0][lane], from[1][lane]];
+                if all.is_corner(hits.graph[lane], from, point.map(|x| x.lane(lane))) {
                     corners[lane] = 1.0;
                 }
             }

@@ -1,6 +1,6 @@
 //! Which of many graphs a line may cross, looked up by its direction and distance.
 use crate::{Extent, plane::cross, shapes::curve::Graph};
-use lanes::{Lane, Mask, WHOLE, dot};
+use lanes::{Double, Lane, Mask, WHOLE, dot};
 use std::collections::HashMap;
 
 /// Numbers of cells, by direction in a quadrant and by distance.
@@ -12,8 +12,13 @@ const CELLS: usize = 4 * DIRECTIONS * DISTANCES;
 pub(super) const LONG_RUN: usize = 2 * SHORT_RUN;
 pub(super) const SHORT_RUN: usize = 8;
 
-/// The fraction of a cell by which neighbouring cells overlap it: more than the rounding error of paths from less than 2⁴⁰ sizes away.
+/// The fraction of a cell by which neighbouring cells overlap it: more than the rounding error of paths that do not come
+/// [from far](Lines::is_far).
 const MARGIN: f64 = 1.0 / 256.0;
+
+/// From farther away than this many sizes of all graphs together, a path is followed from a point [nearer by](Lines::nearer): there the
+/// distance of a line is rounded by 2⁻²⁰ sizes, where a cell is 2⁻⁶ wide.
+const FAR: f64 = 4_294_967_296.0; // 2³²
 
 /// What lines may cross, sorted by their directions and by their distances from a middle `m`.
 ///
@@ -22,7 +27,7 @@ const MARGIN: f64 = 1.0 / 256.0;
 /// decide which lines of a cell pass through the hull of some points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Lines {
-    middle: [f64; 2],
+    pub(super) middle: [f64; 2],
     /// Number of cells by distance per unit of length.
     scale: f64,
     cells: Vec<Cell>,
@@ -208,6 +213,41 @@ impl Lines {
         let along = v[0] * inverse;
         let turned = v[1].lt(zero).select(along + 3.0, one - along);
         floor(turned * DIRECTIONS as f64, 4 * DIRECTIONS - 1) * DISTANCES as f64 + distance + WHOLE
+    }
+
+    /// Half the larger side of a box around all graphs.
+    fn half(&self) -> f64 {
+        0.5 * DISTANCES as f64 / self.scale
+    }
+
+    /// Whether points are so far from all graphs that nothing can be told of lines through them.
+    #[inline(always)]
+    pub(super) fn is_far<F: Lane>(&self, x: [F; 2]) -> F::Mask {
+        let away = (x[0] - self.middle[0]).abs().max((x[1] - self.middle[1]).abs());
+        away.same(0.5 * FAR * DISTANCES as f64).lt(away * self.scale)
+    }
+
+    /// The point that a path from far away reaches shortly before it comes to any graph, and when: never if it passes all of them by.
+    ///
+    /// `x + t v` is computed in twice the digits.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn nearer(&self, x: [f64; 2], v: [f64; 2]) -> ([f64; 2], f64) {
+        let speed = v[0].abs() + v[1].abs();
+        let direction = v.map(|v| v / speed);
+        let after = |time: Double| [0, 1].map(|i| time.times(Double::new(v[i])).plus(Double::new(x[i])).value());
+        // the way from a point to where the path is nearest to the middle
+        let way = |from: [f64; 2]| {
+            let to = [self.middle[0] - from[0], self.middle[1] - from[1]];
+            dot(&to, &direction) / dot(&direction, &direction)
+        };
+        let time = Double::new(way(x) / speed);
+        // that time is rounded, so the path is not quite there
+        let half = self.half();
+        let time = time.plus(Double::new((way(after(time)) - 4.0 * half) / speed));
+        let (near, time) = (after(time), time.value());
+        let is_near = (0..2).all(|i| (near[i] - self.middle[i]).abs() <= 8.0 * half);
+        if is_near && time > 0.0 { (near, time) } else { (x, f64::INFINITY) }
     }
 
     /// The cell with a [`number`](Lines::number).
