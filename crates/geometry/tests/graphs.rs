@@ -562,3 +562,38 @@ fn a_path_hits_what_is_in_its_way_however_far_it_comes() {
         assert_eq!(hit.time, f64::INFINITY, "{point:?}");
     }
 }
+
+/// The graphs of a parallel had been cut at inflections by steps that depended on the unit of length.
+#[test]
+fn a_parallel_scaled_by_a_power_of_two_is_hit_at_the_same_bits() {
+    let mut random = Random(11);
+    let paths: Vec<_> = (0..2000)
+        .map(|_| {
+            let [point, aim] = [0; 2].map(|_| Vector2::new(random.between(-0.4, 0.4), random.between(-0.4, 0.4)));
+            Line { point, velocity: aim - point }
+        })
+        .collect();
+    let hits = |exponent: i32, leaves: u32| -> Vec<_> {
+        let unit = libm::ldexp(1.0, exponent);
+        let waves = Clover { radius: unit, amount: 0.2, leaves };
+        let curve: Box<dyn Piece> = Box::new(Polar::new(Vector2::zeros(), waves, true).unwrap());
+        let table = Table::new(vec![curve]).unwrap().offset(0.03125 * unit).unwrap().table;
+        let numbered = table.pieces().iter().enumerate();
+        let cut: Vec<_> =
+            numbered.flat_map(|(k, p)| p.graphs().unwrap().into_iter().map(move |graph| (k, graph))).collect();
+        let walls = Graphs::new(&cut, table.corners());
+        let hit = |path: &Line<2>| {
+            let hit = walls.hit(&Line { point: path.point * unit, velocity: path.velocity }).unwrap();
+            let scaled = [hit.time, hit.point.x, hit.point.y].map(|x| x / unit);
+            (scaled.map(f64::to_bits), [hit.normal.x, hit.normal.y].map(f64::to_bits), hit.piece, hit.corner)
+        };
+        paths.iter().map(hit).collect()
+    };
+    for leaves in [3, 5] {
+        let at_one = hits(0, leaves);
+        for exponent in [-40, -3, 1, 2, 5, 60] {
+            let differ = hits(exponent, leaves).iter().zip(&at_one).filter(|(a, b)| a != b).count();
+            assert_eq!(differ, 0, "{leaves} leaves, 2^{exponent}");
+        }
+    }
+}

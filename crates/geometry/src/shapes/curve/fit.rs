@@ -203,7 +203,7 @@ impl<C: Parametric> Cut<'_, C> {
             let part = rising_root(
                 |s| {
                     let [at, _, _, run] = sample(from.u + (to.u - from.u) * s);
-                    [at - a, run]
+                    [at - a, run * (to.u - from.u).abs()]
                 },
                 [0.0, 1.0],
             );
