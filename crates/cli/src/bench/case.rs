@@ -16,10 +16,12 @@ pub struct Case {
     pub name: &'static str,
     /// Where the particle moves.
     pub space: Space,
-    /// Half the width of the table: errors of positions are relative to it.
+    /// Half the larger side of a box around the table, the whole width of a strip or slab \[L\]: errors of positions are relative to it.
     pub size: f64,
     /// The boundary as one formula, if there is one.
     pub formulas: Option<Formulas>,
+    /// Its semi-axes, if it is an ellipse \[L\].
+    semi_axes: Option<[f64; 2]>,
     invariant: fn(Law) -> Option<Invariant>,
 }
 
@@ -91,7 +93,7 @@ fn planar(name: &'static str, table: Table) -> Case {
     let extent = table.extent();
     let size = 0.5 * (extent.max - extent.min).amax();
     let size = if size.is_finite() { size } else { 1.0 };
-    Case { name, space: Space::Plane(table), size, formulas: None, invariant: |_| None }
+    Case { name, space: Space::Plane(table), size, formulas: None, semi_axes: None, invariant: |_| None }
 }
 
 fn circle() -> Result<Case, Error> {
@@ -114,6 +116,7 @@ fn ellipse() -> Result<Case, Error> {
     let polar = "2/sqrt(cos(t)^2 + 4*sin(t)^2)";
     Ok(Case {
         formulas: Some(Formulas { implicit, polar, within: [2.25, 1.25] }),
+        semi_axes: Some(SEMI_AXES),
         invariant: |law| {
             let of = |s: &State<f64>| {
                 let focus = libm::sqrt(SEMI_AXES[0] * SEMI_AXES[0] - SEMI_AXES[1] * SEMI_AXES[1]);
@@ -167,6 +170,7 @@ fn slab() -> Result<Case, Error> {
         space: Space::Room(tables::slab(1.0)?),
         size: 1.0,
         formulas: None,
+        semi_axes: None,
         invariant: |_| Some(Invariant { name: "spin about the normal", of: |s| s.spin[2] }),
     })
 }
@@ -183,10 +187,10 @@ impl Case {
 
     /// The same motion in the precision of `R`, by the textbook program.
     pub fn textbook<R: Real>(&self, law: Law) -> Option<Textbook<R>> {
-        match &self.space {
-            Space::Plane(_) if self.name == "ellipse" => Some(Textbook::ellipse(SEMI_AXES, law)),
-            Space::Plane(table) => Textbook::new(table, law),
-            Space::Room(table) => Some(Textbook::slab(table.extent().max.z, law)),
+        match (&self.space, self.semi_axes) {
+            (_, Some(semi_axes)) => Some(Textbook::ellipse(semi_axes, law)),
+            (Space::Plane(table), None) => Textbook::new(table, law),
+            (Space::Room(table), None) => Some(Textbook::slab(table.extent().max.z, law)),
         }
     }
 

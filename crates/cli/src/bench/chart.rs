@@ -26,30 +26,26 @@ const MOST: f64 = 10.0;
 
 /// How a method is marked.
 #[derive(Clone, Copy, Debug)]
-enum Mark {
+pub enum Mark {
+    /// A full disk.
     Disk,
+    /// A full diamond.
     Diamond,
+    /// A full square.
     Square,
+    /// A full triangle.
     Triangle,
+    /// Six rays.
     Star,
+    /// A circle.
     Ring,
+    /// The outline of a square.
     Box,
+    /// An upright cross.
     Plus,
+    /// A diagonal cross.
     Cross,
 }
-
-/// In the order of the registry of methods.
-const MARKS: [Mark; 9] = [
-    Mark::Disk,
-    Mark::Diamond,
-    Mark::Square,
-    Mark::Triangle,
-    Mark::Star,
-    Mark::Ring,
-    Mark::Box,
-    Mark::Plus,
-    Mark::Cross,
-];
 
 /// Draws time against error.
 pub fn draw(scores: &[Score]) -> Svg {
@@ -73,7 +69,7 @@ pub fn draw(scores: &[Score]) -> Svg {
                 svg.path(&line, Style::line(colour, 0.4).with_opacity(0.5));
             }
             for point in points {
-                mark_of(method.name).draw(&mut svg, point, colour);
+                method.mark.draw(&mut svg, point, colour);
             }
         }
     }
@@ -143,11 +139,6 @@ fn colour_of(table: &str) -> Colour {
     ORBITS.iter().chain(&more).copied().nth(number).unwrap_or(Colour::MIDDLE)
 }
 
-fn mark_of(method: &str) -> Mark {
-    let number = METHODS.iter().position(|entry| entry.name == method).unwrap_or(0);
-    MARKS[number % MARKS.len()]
-}
-
 impl Mark {
     fn draw(self, svg: &mut Svg, [x, y]: [f64; 2], colour: Colour) {
         let (solid, line) = (Style::area(colour), Style::line(colour, 0.8));
@@ -186,7 +177,7 @@ fn legend(svg: &mut Svg, scores: &[Score]) {
     let step = 12.0;
     let mut y = CORNER[1] + 4.0;
     for method in METHODS.iter().filter(|method| scores.iter().any(|score| score.method == method.name)) {
-        mark_of(method.name).draw(svg, [LEGEND, y], Colour::BLACK);
+        method.mark.draw(svg, [LEGEND, y], Colour::BLACK);
         svg.text([LEGEND + 8.0, y + 2.8], TEXT, Anchor::Start, &escape(method.name));
         y += step;
     }

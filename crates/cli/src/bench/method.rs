@@ -13,6 +13,7 @@ pub use billiards::Stop;
 
 use super::Effort;
 use super::case::Case;
+use super::chart::Mark;
 use super::law::Law;
 use super::state::State;
 
@@ -64,6 +65,8 @@ pub struct Entry {
     pub name: &'static str,
     /// What it is, in one line.
     pub summary: &'static str,
+    /// How its points in the chart are marked.
+    pub mark: Mark,
     /// The numbers of pieces it is tried with, `None` where there is no such choice; nothing where it does not apply.
     pub sizes: fn(&Case, Effort) -> Vec<Option<usize>>,
     /// Prepares it.

@@ -59,7 +59,7 @@ pub struct Spread {
 /// How far conserved quantities have drifted; infinite where an orbit was lost on the way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drift {
-    /// The number of collisions made.
+    /// The number of collisions asked of each orbit.
     pub collisions: u64,
     /// Largest relative deviation of the energy.
     pub energy: f64,
@@ -182,9 +182,8 @@ impl<'a> Exam<'a> {
             if let Some(how) = loss(end, outside) {
                 *lost.entry(how).or_default() += 1;
             }
-            if matches!(end, End::Lost(_)) {
-                errors[seen..].iter_mut().for_each(|errors| errors.push(f64::INFINITY));
-            }
+            // also where a corner ends what should go on
+            errors[seen.min(right.len())..right.len()].iter_mut().for_each(|errors| errors.push(f64::INFINITY));
         }
         (errors.map(|mut errors| Spread::of(&mut errors)), lost)
     }
@@ -244,9 +243,39 @@ impl Score {
                 all.push(format!("loses {count} of {} {what}orbits ({})", self.lost.of, how.join(", ")));
             }
         }
-        if let Some(k) = (0..2).find(|&k| !(self.errors[k].median <= OUTSIDE)) {
-            all.push(format!("more than 1 % off after {}", STOPS[k]));
+        let medians = || (0..2).map(|k| (STOPS[k], self.errors[k].median));
+        if let Some((stop, _)) = medians().find(|(_, median)| *median > OUTSIDE) {
+            all.push(format!("more than 1 % off after {stop}"));
+        }
+        if let Some((stop, _)) = medians().find(|(_, median)| median.is_nan()) {
+            all.push(format!("none to compare after {stop}"));
         }
         all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::case::CASES;
+    use super::*;
+
+    /// Ends every orbit in a corner, before its first collision.
+    struct EndsAtOnce;
+
+    impl Method for EndsAtOnce {
+        fn trace(&self, _: &State<f64>, _: &[u64], _: &mut dyn FnMut(usize, &State<f64>)) -> End {
+            End::Corner
+        }
+        fn bulk(&self, _: &[State<f64>], _: u64) -> u64 {
+            0
+        }
+    }
+
+    #[test]
+    fn a_method_that_ends_where_the_orbit_goes_on_is_infinitely_far_off() {
+        let circle = CASES[0].build().unwrap();
+        let exam = Exam::new(&circle, Law::NoSlip, Effort::Quick).unwrap();
+        let (errors, _) = exam.errors(&EndsAtOnce);
+        assert!(errors.iter().all(|spread| [spread.median, spread.worst] == [f64::INFINITY; 2]), "{errors:?}");
     }
 }

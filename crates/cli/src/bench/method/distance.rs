@@ -13,12 +13,14 @@ use nalgebra::Isometry2;
 
 use super::super::Effort;
 use super::super::case::{Case, Space};
+use super::super::chart::Mark;
 use super::Entry;
 use super::exact::Plane;
 
 pub(super) const ENTRY: Entry = Entry {
     name: "parry distance",
     summary: "a certified march by distance queries alone, as for any parry Shape",
+    mark: Mark::Star,
     sizes: |case: &Case, _: Effort| match &case.space {
         Space::Plane(table) if table.extent().is_finite() => vec![None],
         _ => vec![],

@@ -5,6 +5,7 @@ use billiards::geometry::tables::SpatialTable;
 use billiards::{Clock, Conserved, OnWalls, Orbit, Outcome};
 
 use super::super::case::{Case, Space};
+use super::super::chart::Mark;
 use super::super::law::Law;
 use super::super::state::{State, first};
 use super::{End, Entry, Method, always, in_steps};
@@ -13,6 +14,7 @@ use crate::simulation::{Bare, Engine, PlanarLaw, PlanarTrail, SpatialLaw, Trail,
 pub(super) const ENTRY: Entry = Entry {
     name: "exact",
     summary: "the engine on exact pieces, one orbit at a time",
+    mark: Mark::Disk,
     sizes: always,
     build: |case, law, _| Ok(build(case, law)),
 };

@@ -5,6 +5,7 @@ use billiards::geometry::{Piece, Table, Vector2};
 
 use super::super::Effort;
 use super::super::case::{Case, Formulas};
+use super::super::chart::Mark;
 use super::super::law::Law;
 use super::exact::Plane;
 use super::{Built, Entry};
@@ -13,6 +14,7 @@ use crate::expression::{Expression, ImplicitCurve, PolarCurve};
 pub(super) const IMPLICIT: Entry = Entry {
     name: "formula f(x, y) = 0",
     summary: "the boundary as one equation, cut into polynomial graphs accurate to rounding",
+    mark: Mark::Square,
     sizes,
     build: |case, law, _| {
         build(case, law, |formulas| {
@@ -26,6 +28,7 @@ pub(super) const IMPLICIT: Entry = Entry {
 pub(super) const POLAR: Entry = Entry {
     name: "formula r(t)",
     summary: "the boundary as a radius for every direction, cut into polynomial graphs accurate to rounding",
+    mark: Mark::Triangle,
     sizes,
     build: |case, law, _| {
         build(case, law, |formulas| {

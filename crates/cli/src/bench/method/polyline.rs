@@ -7,6 +7,7 @@ use billiards::geometry::{Boundary, BoxTree, Hit, Line, Piece, Table, Vector2};
 
 use super::super::Effort;
 use super::super::case::{Case, Space};
+use super::super::chart::Mark;
 use super::super::law::Law;
 use super::super::state::State;
 use super::exact::{bulk, trace};
@@ -16,6 +17,7 @@ use crate::simulation::{Engine, PlanarLaw, PlanarTrail};
 pub(super) const FLAT: Entry = Entry {
     name: "polyline, flat normals",
     summary: "straight pieces between points of the boundary, each with its own normal",
+    mark: Mark::Ring,
     sizes,
     build: |case, law, pieces| Polyline::build(case, law, pieces, false),
 };
@@ -23,6 +25,7 @@ pub(super) const FLAT: Entry = Entry {
 pub(super) const INTERPOLATED: Entry = Entry {
     name: "polyline, interpolated normals",
     summary: "the same pieces with the boundary's normals at their ends, interpolated between them",
+    mark: Mark::Box,
     sizes,
     build: |case, law, pieces| Polyline::build(case, law, pieces, true),
 };

@@ -1,6 +1,7 @@
 //! The engine on the table's own pieces, many orbits in the lanes of vector registers.
 
 use super::super::case::{Case, Space};
+use super::super::chart::Mark;
 use super::super::law::Law;
 use super::super::state::{State, first};
 use super::{End, Entry, Method, always, in_steps};
@@ -10,6 +11,7 @@ use billiards::{Collisions, Conserved, EnergyKeeper, Finished, Orbit, Planar, Sp
 pub(super) const ENTRY: Entry = Entry {
     name: "exact, side by side",
     summary: "the same to the last bit, many orbits at a time in vector registers",
+    mark: Mark::Diamond,
     sizes: always,
     build: |case, law, _| Ok(build(case, law)),
 };

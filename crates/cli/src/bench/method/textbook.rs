@@ -3,6 +3,7 @@
 use billiards::Stop;
 
 use super::super::case::Case;
+use super::super::chart::Mark;
 use super::super::law::Law;
 use super::super::real::Real;
 use super::super::state::State;
@@ -12,6 +13,7 @@ use super::{Built, End, Entry, Method, always};
 pub(super) const DOUBLE: Entry = Entry {
     name: "textbook f64",
     summary: "the formulas of a textbook as they stand, without care for rounding",
+    mark: Mark::Plus,
     sizes: always,
     build: |case, law, _| build::<f64>(case, law),
 };
@@ -19,6 +21,7 @@ pub(super) const DOUBLE: Entry = Entry {
 pub(super) const SINGLE: Entry = Entry {
     name: "textbook f32",
     summary: "the same in single precision",
+    mark: Mark::Cross,
     sizes: always,
     build: |case, law, _| build::<f32>(case, law),
 };
