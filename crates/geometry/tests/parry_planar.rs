@@ -4,7 +4,7 @@ mod random;
 
 use core::f64::consts::PI;
 use geometry::{
-    Crossing, Error, Landing, Lattice, Line, Perimeter, Piece, Table, Vector2, Walls, WithWalls,
+    Crossing, Error, Figure, Landing, Lattice, Line, Perimeter, Piece, Table, Vector2, Walls, WithWalls,
     parry::{
         Placed, ShapeSpec, Side,
         parry2d_f64::{
@@ -20,6 +20,7 @@ use geometry::{
 };
 use nalgebra::Isometry2;
 use random::Random;
+use std::time::{Duration, Instant};
 
 fn glam(points: &[[f64; 2]]) -> Vec<Vector> {
     points.iter().map(|p| Vector::new(p[0], p[1])).collect()
@@ -564,6 +565,36 @@ fn tangents_of_a_rounded_polygon_end_where_its_arcs_do() {
         );
         let chain = rounded(&corners, false, radius).pieces(Side::Outside).unwrap();
         Table::new(chain).unwrap_or_else(|e| panic!("round {round}, open: {e}"));
+    }
+}
+
+#[test]
+fn a_union_of_thousands_of_members_takes_seconds() {
+    let n = 2000;
+    let corner = |i: usize| {
+        let angle = 2.0 * PI * i as f64 / n as f64;
+        let length = 1.0 + 0.1 * libm::sin(7.0 * angle);
+        [length * libm::cos(angle), length * libm::sin(angle)]
+    };
+    let corners: Vec<[f64; 2]> = (0..n).map(corner).collect();
+    let begun = Instant::now();
+    let pieces = rounded(&corners, true, 0.05).pieces(Side::Inside).unwrap();
+    // a second, and ten minutes if every part asks every part of every member
+    assert!(begun.elapsed() < Duration::from_secs(60), "{:?}", begun.elapsed());
+    let arcs = pieces.iter().filter(|p| matches!(p.figure(), Figure::Arc { .. })).count();
+    assert_eq!(pieces.len(), n + arcs);
+}
+
+#[test]
+fn what_lies_below_a_height_field_or_behind_a_half_space_is_hidden_however_far_from_its_outline() {
+    let field = SharedShape::new(HeightField::new(vec![0.0, 0.0, 0.0], Vector::new(4.0, 1.0)));
+    let half = SharedShape::new(HalfSpace::new(Vector::Y));
+    for (other, count) in [(field, 2), (half, 1)] {
+        for (height, visible) in [(-50.0, 0), (50.0, 1)] {
+            let ball = (0.5, height, SharedShape::ball(1.0));
+            let union = compound(&[(0.0, 0.0, other.clone()), ball]);
+            assert_eq!(pieces(&union, &here(), Side::Outside).unwrap().len(), count + visible, "{height}");
+        }
     }
 }
 

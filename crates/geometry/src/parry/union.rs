@@ -5,12 +5,14 @@
 //! shapes touch back to back.
 use super::contour::{Contour, piece_of};
 use crate::{
-    Error, Extent, Figure, Piece,
-    plane::{cross, is_finite},
+    BoxTree, Error, Extent, Figure, Landing, Piece,
+    plane::{cross, is_finite, key},
+    table::Vertices,
     validate::crosses_itself,
 };
 use core::f64::consts::PI;
 use nalgebra::Vector2;
+use std::collections::HashMap;
 
 /// Points closer than this times the size of the whole are one point: cuts are computed to a few ulp, divided by the
 /// sine of the angle at which the figures meet.
@@ -31,49 +33,83 @@ impl Part {
     }
 }
 
-/// All vertices, so that parts which meet share theirs bit for bit.
-struct Vertices {
-    points: Vec<Vector2<f64>>,
-    same: f64,
+/// A member, whose parts can be searched by the boxes around them.
+struct Member {
+    /// The number of the first of its parts that bound its interior.
+    first: usize,
+    /// The boxes around these parts.
+    tree: BoxTree,
+    /// Everything farther from this than rounding is outside the member.
+    reach: Extent,
 }
 
-impl Vertices {
-    fn snap(&mut self, point: Vector2<f64>) -> Vector2<f64> {
-        if let Some(known) = self.points.iter().find(|p| (*p - point).amax() <= self.same) {
-            return *known;
-        }
-        self.points.push(point);
-        point
+impl Member {
+    fn new(first: usize, parts: &[Part]) -> Member {
+        let extents = parts.iter().map(|p| p.extent);
+        let reach = if is_bounded(parts) { extents.clone().fold(Extent::EMPTY, Extent::union) } else { Extent::WHOLE };
+        Member { first, tree: BoxTree::new(extents), reach }
     }
+
+    /// The feet on its boundary that are nearest to a point within rounding, each with its distance, in the order of its parts.
+    fn nearest(&self, point: &Vector2<f64>, parts: &[Part], same: f64) -> Vec<(f64, Landing)> {
+        let foot = |k: usize| {
+            let landing = parts[self.first + k].piece.closest(point);
+            ((landing.point - point).norm(), landing)
+        };
+        let Some((distance, _)) = self.tree.nearest(point, f64::INFINITY, |k| foot(k).0) else { return vec![] };
+        // the distance from a box is rounded, too
+        let mut near = vec![];
+        self.tree.search(|e| e.distance(point) <= distance + 2.0 * same, |k| near.push(k));
+        near.sort_unstable();
+        let mut feet: Vec<_> = near.into_iter().map(foot).collect();
+        let least = feet.iter().map(|(d, _)| *d).fold(f64::INFINITY, f64::min);
+        feet.retain(|(d, _)| *d <= least + same);
+        feet
+    }
+}
+
+/// Whether a boundary consists of closed loops. (A half-space or a height field reaches beyond the box around its boundary.)
+fn is_bounded(parts: &[Part]) -> bool {
+    let mut balance: HashMap<[u64; 2], i32> = HashMap::new();
+    for [start, end] in parts.iter().filter_map(|p| p.piece.ends()) {
+        *balance.entry(key(start)).or_default() += 1;
+        *balance.entry(key(end)).or_default() -= 1;
+    }
+    parts.iter().all(|p| p.extent.is_finite()) && balance.values().all(|&b| b == 0)
 }
 
 /// The outline of the union.
-pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
-    let mut parts = vec![];
-    for (member, contour) in members.iter().enumerate() {
+pub(crate) fn outline(contours: &[Contour]) -> Result<Contour, Error> {
+    let (mut parts, mut members) = (vec![], vec![]);
+    for (member, contour) in contours.iter().enumerate() {
         is_simple(contour)?;
-        let figures = contour.figures.iter().map(|f| (*f, true));
-        let screens = contour.screens.iter().map(|&ends| (Figure::Segment { ends }, false));
-        for (figure, solid) in figures.chain(screens) {
+        let first = parts.len();
+        let mut add = |figure: Figure, solid: bool| {
             let piece = piece_of(&figure)?;
             let extent = piece.extent();
             parts.push(Part { figure, piece, extent, member, solid });
-        }
+            Ok(())
+        };
+        contour.figures.iter().try_for_each(|figure| add(*figure, true))?;
+        contour.screens.iter().try_for_each(|&ends| add(Figure::Segment { ends }, false))?;
+        members.push(Member::new(first, &parts[first..first + contour.figures.len()]));
     }
     let size = parts.iter().map(|p| p.extent.size()).fold(0.0, f64::max);
     let same = SAME * size;
-    let mut vertices = Vertices { points: vec![], same };
+    let cuts = cuts(&parts, same);
     // the ends are exact: a crossing computed near one is replaced by it
-    parts.iter().flat_map(Part::finite_ends).for_each(|end| _ = vertices.snap(end));
+    let vertices = Vertices::new(parts.iter().flat_map(Part::finite_ends).chain(cuts.iter().flatten().copied()), same);
+    let reaches = BoxTree::new(members.iter().map(|m| m.reach));
     let (mut figures, mut screens) = (vec![], vec![]);
-    for part in &parts {
-        let mut cuts = vec![];
-        for other in parts.iter().filter(|o| o.member != part.member && part.extent.meets(&o.extent, same)) {
-            cuts.extend(meetings(part, other, same));
-        }
-        for figure in split(part, &cuts, &mut vertices, size)? {
-            let middle = middle(&figure, &cuts, size)?;
-            if survives(part, &middle, &parts, members.len(), same) {
+    for (part, cuts) in parts.iter().zip(&cuts) {
+        for figure in split(part, cuts, &vertices, size)? {
+            let middle = middle(&figure, cuts, size)?;
+            let mut survives = true;
+            reaches.search(
+                |e| e.distance(&middle) <= same,
+                |m| survives = survives && (m == part.member || !hides(&members[m], m, part, &middle, &parts, same)),
+            );
+            if survives {
                 match (part.solid, figure) {
                     (true, figure) => figures.push(figure),
                     (false, Figure::Segment { ends }) => screens.push(ends),
@@ -83,6 +119,19 @@ pub(crate) fn outline(members: &[Contour]) -> Result<Contour, Error> {
         }
     }
     Ok(Contour { name: "compound", figures, screens })
+}
+
+/// For each part the points at which it must be cut because of other members.
+fn cuts(parts: &[Part], same: f64) -> Vec<Vec<Vector2<f64>>> {
+    let tree = BoxTree::new(parts.iter().map(|p| p.extent));
+    let of_part = |part: &Part| {
+        let mut near = vec![];
+        tree.search(|e| e.meets(&part.extent, same), |k| near.push(k));
+        near.sort_unstable();
+        let others = near.into_iter().map(|k| &parts[k]).filter(|other| other.member != part.member);
+        others.flat_map(|other| meetings(part, other, same)).collect()
+    };
+    parts.iter().map(of_part).collect()
 }
 
 /// Fails where an outline crosses itself: its inside would then change sides along it.
@@ -192,7 +241,7 @@ fn meetings(part: &Part, other: &Part, same: f64) -> Vec<Vector2<f64>> {
 }
 
 /// The parts between the cuts.
-fn split(part: &Part, cuts: &[Vector2<f64>], vertices: &mut Vertices, size: f64) -> Result<Vec<Figure>, Error> {
+fn split(part: &Part, cuts: &[Vector2<f64>], vertices: &Vertices, size: f64) -> Result<Vec<Figure>, Error> {
     let s_of = |p: &Vector2<f64>| part.piece.arc_length_at(p);
     let mut along: Vec<(f64, Vector2<f64>)> = cuts.iter().map(|p| (s_of(p), vertices.snap(*p))).collect();
     let closed = matches!(part.figure, Figure::Circle { .. });
@@ -263,22 +312,15 @@ fn middle(figure: &Figure, cuts: &[Vector2<f64>], size: f64) -> Result<Vector2<f
     })
 }
 
-/// Whether a part with this middle belongs to the outline.
-fn survives(part: &Part, middle: &Vector2<f64>, parts: &[Part], members: usize, same: f64) -> bool {
-    let own = part.piece.closest(middle).normal;
-    (0..members).filter(|&m| m != part.member).all(|m| {
-        let of_member = parts.iter().filter(|p| p.member == m);
-        let solids = of_member.filter(|p| p.solid).map(|p| p.piece.closest(middle));
-        let landings: Vec<_> = solids.map(|l| ((l.point - middle).norm(), l)).collect();
-        let least = landings.iter().map(|(d, _)| *d).fold(f64::INFINITY, f64::min);
-        let closest = landings.iter().filter(|(d, _)| *d <= least + same);
-        if least > same {
-            // of several equally near pieces, as at a vertex, the one seen least obliquely determines the side
-            let heights = closest.map(|(_, l)| (middle - l.point).dot(&l.normal));
-            return heights.reduce(|a, b| if b.abs() > a.abs() { b } else { a }).is_none_or(|height| height < 0.0);
-        }
-        let normal = closest.fold(Vector2::zeros(), |sum, (_, l)| sum + l.normal);
-        // they lie on one another
-        part.solid && own.dot(&normal) > 0.0 && part.member < m
-    })
+/// Whether a member hides a part with this middle.
+fn hides(member: &Member, number: usize, part: &Part, middle: &Vector2<f64>, parts: &[Part], same: f64) -> bool {
+    let feet = member.nearest(middle, parts, same);
+    if feet.iter().all(|(distance, _)| *distance > same) {
+        // of several equally near pieces, as at a vertex, the one seen least obliquely determines the side
+        let heights = feet.iter().map(|(_, foot)| (middle - foot.point).dot(&foot.normal));
+        return heights.reduce(|a, b| if b.abs() > a.abs() { b } else { a }).is_some_and(|height| height >= 0.0);
+    }
+    let normal = feet.iter().fold(Vector2::zeros(), |sum, (_, foot)| sum + foot.normal);
+    // they lie on one another
+    !(part.solid && part.piece.closest(middle).normal.dot(&normal) > 0.0 && part.member < number)
 }
