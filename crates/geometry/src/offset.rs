@@ -7,6 +7,7 @@
 mod arrangement;
 mod moved;
 mod raw;
+mod swallowtail;
 mod tips;
 mod tolerances;
 mod vertices;

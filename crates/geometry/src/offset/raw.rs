@@ -2,13 +2,13 @@
 use super::{
     Origin,
     moved::{Moved, Part},
+    swallowtail::{ParallelOf, SelfCrossing},
     tips::Tips,
     tolerances,
     vertices::{Site, Vertices, minus},
 };
 use crate::{
     Error, Figure, Piece, Table,
-    intersect::along,
     joints::{Joint, joints},
     piece::rounding,
     plane::{GOLDEN_SECTION, is_finite, slack},
@@ -63,7 +63,7 @@ pub(super) fn raw(table: &Table, radius: f64) -> Result<RawBoundary, Error> {
             }
         }
         if piece.figure() == Figure::Other {
-            parallels(piece, i, radius, ends[i], &mut vertices, &mut pieces)?;
+            parallels(piece, i, radius, ends[i], tolerance, &mut vertices, &mut pieces)?;
         } else if let Some(moved) = shifted(&**piece, radius, ends[i].map(|e| e.map(|(p, _)| p)))? {
             pieces.push(Moved {
                 piece: moved,
@@ -231,12 +231,41 @@ fn positive(length: f64, function: impl Fn(f64) -> f64) -> Vec<[f64; 2]> {
     ranges
 }
 
-/// The regular parts of the parallel of a curve, between its cusps (where it meets centres of curvature of the curve).
+/// The ranges in which the parallel of a curve is regular, between its cusps (where it meets centres of curvature of the curve), each with
+/// the vertices that are known at its ends. Points that are computed twice may differ by the tolerance \[L\].
+fn regular(parallel: &ParallelOf, ends: Ends, tolerance: f64, vertices: &mut Vertices) -> (Vec<[f64; 2]>, Vec<Ends>) {
+    let length = parallel.base.length();
+    let is_closed = parallel.base.ends().is_none();
+    let seam = is_closed.then(|| {
+        let point = parallel.point(0.0);
+        (point, vertices.add(point))
+    });
+    let mut ranges = positive(length, |s| parallel.stretch(s));
+    let at_end = |s: f64, k: usize| if s == [0.0, length][k] { seam.or(ends[k]) } else { None };
+    let mut known: Vec<Ends> = ranges.iter().map(|range| [0, 1].map(|k| at_end(range[k], k))).collect();
+    let count = ranges.len();
+    for (k, next) in (0..count).map(|k| (k, (k + 1) % count)).filter(|(_, next)| is_closed || *next > 0) {
+        if known[k][1].is_none()
+            && known[next][0].is_none()
+            && let Some(SelfCrossing { at: [s, t], point }) = parallel.tail([ranges[k][1], ranges[next][0]], tolerance)
+            && ranges[k][0] < s
+            && t < ranges[next][1]
+        {
+            let vertex = Some((point, vertices.add(point)));
+            (ranges[k][1], known[k][1]) = (s, vertex);
+            (ranges[next][0], known[next][0]) = (t, vertex);
+        }
+    }
+    (ranges, known)
+}
+
+/// The regular parts of the parallel of a curve.
 fn parallels(
     base: &Arc<dyn Piece>,
     number: usize,
     radius: f64,
     ends: Ends,
+    tolerance: f64,
     vertices: &mut Vertices,
     pieces: &mut Vec<Moved>,
 ) -> Result<(), Error> {
@@ -244,33 +273,18 @@ fn parallels(
     if !length.is_finite() {
         return Err(Error::Parameter { name: "length", must: "finite for a curved piece to be offset", value: length });
     }
-    // positive where the disk's curvature is greater than the curve's
-    let stretch = |s: f64| 1.0 - base.curvature(&base.point_at(s)) * radius;
-    let moved = |s: f64| {
-        let foot = base.point_at(s);
-        foot + base.closest(&foot).normal * radius
-    };
-    let seam = base.ends().is_none().then(|| {
-        let point = moved(0.0);
-        (point, vertices.add(point))
-    });
-    // the distance of a place from the parallel's point, in arc length of the base: next to a corner that counts as smooth, the normal is
-    // not the mean one
-    let ahead = |s: f64, place: Vector2<f64>| {
-        let normal = base.closest(&base.point_at(s)).normal;
-        (place - moved(s)).dot(&along(&normal)) / stretch(s)
-    };
-    for [low, high] in positive(length, stretch) {
+    let parallel = ParallelOf { base: &**base, distance: radius };
+    let (ranges, known) = regular(&parallel, ends, tolerance, vertices);
+    for ([low, high], [first, last]) in ranges.into_iter().zip(known) {
         let curve = pieces.len();
-        let [first, last] =
-            [if low == 0.0 { seam.or(ends[0]) } else { None }, if high == length { seam.or(ends[1]) } else { None }];
+        // the place may not be right above the end: next to a corner that counts as smooth, the normal is not the mean one
         let short = 0.25 * (high - low);
-        let from = first.map_or(low, |(place, _)| low + ahead(low, place).clamp(0.0, short));
-        let to = last.map_or(high, |(place, _)| high + ahead(high, place).clamp(-short, 0.0));
+        let from = first.map_or(low, |(place, _)| low + parallel.ahead(low, place).clamp(0.0, short));
+        let to = last.map_or(high, |(place, _)| high + parallel.ahead(high, place).clamp(-short, 0.0));
         let cuts = (1..PARTS).map(|k| from + (to - from) * (k as f64 / PARTS as f64));
         let mut vertex = |s: f64, known: Option<(Vector2<f64>, Site)>| {
             known.unwrap_or_else(|| {
-                let point = moved(s);
+                let point = parallel.point(s);
                 (point, vertices.add(point))
             })
         };

@@ -6,6 +6,7 @@ mod flat_arcs;
 mod lattices;
 mod nearly_largest;
 mod normals;
+mod swallowtails;
 mod thin_walls;
 
 use core::f64::consts::PI;
