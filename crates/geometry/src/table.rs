@@ -21,7 +21,7 @@ use crate::{
 };
 pub use cell::FundamentalCell;
 use container::Enclosed;
-pub(crate) use cuts::Vertices;
+pub(crate) use cuts::with_ends;
 use nalgebra::Vector2;
 pub(crate) use parted::Parted;
 use std::sync::{Arc, OnceLock};

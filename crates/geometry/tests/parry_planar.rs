@@ -599,6 +599,82 @@ fn what_lies_below_a_height_field_or_behind_a_half_space_is_hidden_however_far_f
 }
 
 #[test]
+fn a_short_side_of_a_member_stays_and_is_judged_as_that_of_a_shape_alone() {
+    let placed = |shape, x| Placed { shape, translation: [x, 0.0], rotation: 0.0 };
+    for (x, short) in [(0.0, false), (1e6, false), (1e8, true)] {
+        let border_radius = 1e-7;
+        let cuboid = || placed(ShapeSpec::RoundCuboid { half_extents: [0.5; 2], border_radius }, x);
+        let ball = placed(ShapeSpec::Ball { radius: 0.5 }, x + 5.0);
+        let made = [cuboid(), ShapeSpec::Compound(vec![ball, cuboid()]).into()]
+            .map(|shape: Placed| Table::new(shape.pieces(Side::Outside).unwrap()).unwrap().unbounded());
+        assert_eq!(made.each_ref().map(|table| table.pieces().len()), [8, 9]);
+        assert_eq!(made[0].corners(), made[1].corners());
+        for table in made {
+            assert_eq!(matches!(table.validate(), Err(Error::TooShort { .. })), short, "{x}");
+        }
+    }
+}
+
+#[test]
+fn two_half_spaces_at_an_angle_are_bounded_by_two_rays() {
+    let half = |x: f64, y: f64, normal: [f64; 2]| Placed {
+        shape: ShapeSpec::HalfSpace { normal },
+        translation: [x, y],
+        rotation: 0.0,
+    };
+    // below y = (x − 1)/2 or y = 4 − x/4, alone and with a ball much nearer to the origin than where they meet
+    let halves = || vec![half(5.0, 2.0, [-1.0, 2.0]), half(0.0, 4.0, [1.0, 4.0])];
+    let ball = ShapeSpec::Ball { radius: 0.01 }.into();
+    for members in [halves(), halves().into_iter().chain([ball]).collect()] {
+        let walls = Placed::from(ShapeSpec::Compound(members)).pieces(Side::Outside).unwrap();
+        assert_eq!(walls.len(), 2);
+        for x in [1.0, 5.0, 6.5, 9.0] {
+            let height = f64::max(0.5 * (x - 1.0), 4.0 - 0.25 * x);
+            let path = Line { point: Vector2::new(x, 20.0), velocity: Vector2::new(0.0, -1.0) };
+            let (_, time) = first(&walls, &path).unwrap();
+            assert!((time - (20.0 - height)).abs() < 1e-14, "at {x}: {time}");
+        }
+    }
+}
+
+#[test]
+fn sides_of_several_members_may_meet_in_one_point_at_any_angles() {
+    let mut random = Random(5);
+    for round in 0..300 {
+        // from a right angle to 10⁻⁶
+        let spread = libm::pow(10.0, -f64::from(round % 7));
+        let shift = match round / 7 % 3 {
+            0 => 0.0,
+            1 => 3.0,
+            _ => 1000.0,
+        };
+        let at = Vector2::new(shift + random.between(-1.0, 1.0), 0.4 * shift + random.between(-1.0, 1.0));
+        let turn = random.between(0.0, 2.0 * PI);
+        // triangles, each with a side that passes through the point
+        let triangles: Vec<[Vector2<f64>; 3]> = (0..3 + round % 3)
+            .map(|_| {
+                let half = if random.unit() < 0.3 { PI } else { 0.0 };
+                let (sin, cos) = libm::sincos(turn + half + spread * random.between(-1.5, 1.5));
+                let (along, across) = (Vector2::new(cos, sin), Vector2::new(-sin, cos));
+                let tip = at + along * random.between(-0.5, 0.5) + across * random.between(0.1, 1.0);
+                [at + along * random.between(0.3, 2.0), tip, at - along * random.between(0.3, 2.0)]
+            })
+            .collect();
+        let members = triangles.iter().map(|t| ShapeSpec::Triangle { vertices: t.map(Into::into) }.into()).collect();
+        let pieces = Placed::from(ShapeSpec::Compound(members)).pieces(Side::Inside).unwrap();
+        let union = Table::new(pieces).unwrap();
+        assert_eq!(union.validate(), Ok(()), "{round}");
+        for _ in 0..50 {
+            let p = at + Vector2::new(random.between(-2.0, 2.0), random.between(-2.0, 2.0));
+            let inside = |t: &[Vector2<f64>; 3]| (0..3).all(|i| (t[(i + 1) % 3] - t[i]).perp(&(p - t[i])) > 0.0);
+            if union.signed_distance(&p).abs() > 1e-9 {
+                assert_eq!(union.contains(&p), triangles.iter().any(inside), "{round}: {p}");
+            }
+        }
+    }
+}
+
+#[test]
 fn balls_that_touch_are_whole() {
     let mut random = Random(7);
     for _ in 0..100 {

@@ -62,7 +62,7 @@ fn ellipse(piece: &dyn Piece) -> Option<Ellipse> {
 }
 
 /// Part of a figure, between two points of it.
-fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
+pub(crate) fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
     let straight = |toward: Vector2<f64>| match ends.map(|end| is_finite(&end)) {
         [true, true] => Figure::Segment { ends },
         [true, false] => Figure::Ray { from: ends[0], direction: toward, left: true },
@@ -81,21 +81,21 @@ fn with_ends(figure: Figure, ends: [Vector2<f64>; 2]) -> Figure {
 }
 
 /// Points where pieces are cut, so that all pieces that end at a point share exactly the same one.
-pub(crate) struct Vertices {
+pub(super) struct Vertices {
     points: Vec<Vector2<f64>>,
     tree: BoxTree,
     near: f64,
 }
 
 impl Vertices {
-    pub(crate) fn new(points: impl Iterator<Item = Vector2<f64>>, near: f64) -> Vertices {
+    pub(super) fn new(points: impl Iterator<Item = Vector2<f64>>, near: f64) -> Vertices {
         let points: Vec<Vector2<f64>> = points.filter(is_finite).collect();
         let tree = BoxTree::new(points.iter().map(|&p| Extent { min: p, max: p }));
         Vertices { points, tree, near }
     }
 
     /// The first of the points that equal this one up to rounding, or else this one.
-    pub(crate) fn snap(&self, point: Vector2<f64>) -> Vector2<f64> {
+    pub(super) fn snap(&self, point: Vector2<f64>) -> Vector2<f64> {
         let here = Extent { min: point, max: point };
         let mut first = None;
         if is_finite(&point) {
