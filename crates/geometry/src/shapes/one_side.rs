@@ -4,7 +4,8 @@ use nalgebra::Vector2;
 use std::sync::Arc;
 
 /// A piece of a wall with the table on both sides, the other side of which is another, coincident piece: a path that starts on the wall,
-/// within rounding, and moves to the other side counts as being there already, and does not cross it.
+/// within rounding, and moves to the other side counts as being there already, and does not cross it there; it may cross the same piece
+/// farther on.
 #[derive(Clone, Debug)]
 pub(crate) struct OneSide {
     piece: Arc<dyn Piece>,
@@ -17,6 +18,10 @@ pub(crate) struct OneSide {
 /// A path with a hit farther away than this fraction of the size did not start on the wall, unless it grazes it to rounding.
 const FAR: f64 = 1e-3;
 
+/// A path that lies this many times [`OneSide::inside`] behind the wall has left it: eight times what counts as rounding of the piece's own
+/// coordinates, since that of its centre or base may be a few times as large.
+const CLEAR: f64 = 16.0;
+
 impl OneSide {
     pub(crate) fn new(piece: Arc<dyn Piece>) -> OneSide {
         let size = piece.extent().size();
@@ -24,16 +29,41 @@ impl OneSide {
     }
 }
 
+/// How far a path goes from a point on a wall of curvature `κ`, at an angle of sine `descent` behind it, until it lies so deep behind it:
+/// `descent s + κ s²/2 = depth`. Where the wall bends away so soon that the path never does, until it has come back and lies as high
+/// before it.
+fn way_to_leave(descent: f64, curvature: f64, depth: f64) -> f64 {
+    let [square, bend] = [descent * descent, 2.0 * curvature * depth];
+    if square + bend >= 0.0 {
+        2.0 * depth / (descent + (square + bend).sqrt())
+    } else {
+        (descent + (square - bend).sqrt()) / -curvature
+    }
+}
+
 impl Piece for OneSide {
     fn crossing(&self, path: &Line<2>) -> Crossing {
         let crossing = self.piece.crossing(path);
-        if crossing.time() * path.velocity.norm() > FAR * self.size {
+        let speed = path.velocity.norm();
+        if crossing.time() * speed > FAR * self.size {
             return crossing;
         }
         let foot = self.piece.closest(&path.point);
-        let from_behind =
-            (path.point - foot.point).dot(&foot.normal) < self.inside && path.velocity.dot(&foot.normal) <= 0.0;
-        if from_behind { Crossing::NEVER } else { crossing }
+        let (height, descent) = ((path.point - foot.point).dot(&foot.normal), -path.velocity.dot(&foot.normal) / speed);
+        let clear = CLEAR * self.inside;
+        if !(-clear..self.inside).contains(&height) || descent < 0.0 {
+            return crossing;
+        }
+        let left = way_to_leave(descent, self.piece.curvature(&foot.point), clear) / speed;
+        if crossing.time() > left {
+            return crossing;
+        }
+        // a path that never leaves the wall runs along it
+        if !left.is_finite() {
+            return Crossing::NEVER;
+        }
+        let onwards = self.piece.crossing(&Line { point: path.at(left), ..*path });
+        Crossing { num: left + onwards.time(), den: 1.0 }
     }
     fn landing(&self, path: &Line<2>, time: f64) -> Landing {
         self.piece.landing(path, time)

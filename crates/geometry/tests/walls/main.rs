@@ -12,6 +12,7 @@ mod reused;
 mod rooms;
 mod side_by_side;
 mod solids;
+mod spirals;
 mod whole_sides;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};
