@@ -59,22 +59,30 @@ fn components(table: &Table) -> Vec<Component> {
             groups.unite(k, next);
         }
     }
-    // in a fixed direction every chain sees the next one of its part of the table, and the last of them its outer wall: two degrees off
-    // the vertical, a direction that drawn sides and lines through two drawn vertices hardly ever have; or away from a wall that goes
-    // on for ever
+    // two degrees off the vertical, a direction that drawn sides and lines through two drawn vertices hardly ever have; or away from a
+    // wall that goes on for ever
     let forward = period.map_or(Vector2::new(1.0, 0.0), |period| period / libm::hypot(period.x, period.y));
     let up = Vector2::new(-forward.y, forward.x) * 0.999_472_5 + forward * 0.032_475_5;
     for k in 0..chains.len() {
         let others = distant.iter().filter(|&&other| other != k).map(|&other| Aim::At(other));
         // a part without an endless wall above it has one below it
         let down = period.map(|_| Aim::Along(-up));
+        // inward, should no line upwards be clear
         for aim in [Aim::Along(up), Aim::Inward].into_iter().chain(down).chain(others) {
             let until = |wall: &Wall| {
                 let there = sight.chain_of[wall.number];
-                if let Aim::At(other) = aim { there == other } else { there != k }
+                match aim {
+                    Aim::At(other) => there == other,
+                    // Where a line leaves an obstacle for the last time, it goes on into the part of the table around it, and is there
+                    // again beyond each obstacle of that part. Up to its first wall above the one where it began, these are all united
+                    // with that one, and the last of them, in front of that wall or around it, reaches higher, or bounds the part from
+                    // without. So each is united with a higher one, up to the outer wall.
+                    Aim::Along(direction) => there != k && sight.extents[k].is_behind(&wall.point, &direction),
+                    Aim::Inward | Aim::Outward => there != k,
+                }
             };
             let Some((walls, _)) = sight.look(k, aim, until) else { continue };
-            for pair in walls.windows(2).filter(|pair| pair[0].into_table) {
+            for pair in walls.windows(2).filter(|pair| sight.is_table_behind(&pair[0])) {
                 groups.unite(sight.chain_of[pair[0].number], sight.chain_of[pair[1].number]);
             }
         }
@@ -251,6 +259,67 @@ mod tests {
             let o = o.line_to(cap(-1.0, 1.0)).unwrap().line_to(cap(-1.0, -1.0)).unwrap();
             let area = Table::new(o.close().unwrap()).unwrap().area();
             assert!((area - (4.0 + 0.5 * PI)).abs() < 1e-14, "{far:e}: {area}");
+        }
+    }
+
+    #[test]
+    fn what_stands_in_a_pocket_of_an_obstacle_does_not_hide_what_lies_around() {
+        let loop_of = |corners: &[(f64, f64)]| {
+            let start = Outline::from(v(corners[0].0, corners[0].1));
+            let rest = corners[1..].iter().chain(&corners[..1]);
+            rest.fold(start, |o, &(x, y)| o.line_to(v(x, y)).unwrap()).close().unwrap()
+        };
+        // a C open to the right
+        let around = |x: f64, y: f64| {
+            let corners =
+                [(1.0, 1.0), (4.0, 1.0), (4.0, 0.0), (0.0, 0.0), (0.0, 5.0), (4.0, 5.0), (4.0, 4.0), (1.0, 4.0)];
+            corners.map(|(dx, dy)| (x + dx, y + dy))
+        };
+        let room = || square(-10.0, -10.0, 20.0, false);
+        let areas = |loops: Vec<Vec<Box<dyn Piece>>>| {
+            let table = Table::new(loops.into_iter().flatten().collect()).unwrap();
+            assert_eq!(table.validate(), Ok(()));
+            let mut areas: Vec<f64> = table.components().into_iter().map(|part| part.area).collect();
+            areas.sort_by(f64::total_cmp);
+            areas
+        };
+        let are = |found: &[f64], expected: &[f64]| {
+            let close = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-12;
+            assert!(found.len() == expected.len() && found.iter().zip(expected).all(close), "{found:?} {expected:?}");
+        };
+        let whole = 400.0 - 11.0;
+        for turn in 0..8 {
+            // in each of the four directions, and drawn from each corner
+            let turned = |corners: [(f64, f64); 8]| {
+                let mut corners = corners.map(|(x, y)| [(x, y), (-y, x), (-x, -y), (y, -x)][turn % 4]);
+                corners.rotate_left(turn);
+                loop_of(&corners)
+            };
+            let centre = |x: f64, y: f64| [(x, y), (-y, x), (-x, -y), (y, -x)][turn % 4];
+            let at = |x: f64, y: f64, r: f64| vec![disk(centre(x, y).0, centre(x, y).1, r)];
+            let slit = |x: f64, y: f64| {
+                let [from, to] = [(x, y), (x + 0.5, y + 0.1)].map(|(x, y)| centre(x, y));
+                loop_of(&[from, to])
+            };
+            let c = || turned(around(0.0, 0.0));
+            are(&areas(vec![room(), c(), at(2.2, 2.0, 0.5)]), &[whole - 0.25 * PI]);
+            are(&areas(vec![c(), room(), slit(2.0, 2.0), at(3.0, 3.0, 0.5)]), &[whole - 0.25 * PI]);
+            // a room in its wall, with something in it
+            let (x, y) = centre(0.5, 2.5);
+            let inner = || square(x - 0.25, y - 0.25, 0.5, false);
+            let pillar = || vec![disk(x, y, 0.125)];
+            let circle = || vec![Box::new(Circle::new(v(0.0, 0.0), 20.0, true).unwrap()) as Box<dyn Piece>];
+            let small = 0.25 - PI / 64.0;
+            are(&areas(vec![circle(), c(), inner(), pillar()]), &[small, 400.0 * PI - 11.0]);
+            are(&areas(vec![pillar(), c(), inner(), at(2.2, 2.0, 0.5), room()]), &[small, whole - 0.25 * PI]);
+            // two that reach into each other
+            let hook = || {
+                let hook = around(0.0, 0.0).map(|(x, y)| (5.5 - x, y + 2.5));
+                let mut hook = hook.map(|(x, y)| centre(x, y));
+                hook.reverse();
+                loop_of(&hook)
+            };
+            are(&areas(vec![room(), c(), hook(), at(2.2, 1.75, 0.125)]), &[whole - 11.0 - PI / 64.0]);
         }
     }
 

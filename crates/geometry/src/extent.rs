@@ -55,6 +55,12 @@ impl<const N: usize> Extent<N> {
         (0..N).all(|i| self.min[i] <= other.max[i] + reach && other.min[i] <= self.max[i] + reach)
     }
 
+    /// Whether the whole box lies behind a point, looking in some direction.
+    pub(crate) fn is_behind(&self, point: &SVector<f64, N>, direction: &SVector<f64, N>) -> bool {
+        let ahead = |i: usize| if direction[i] > 0.0 { self.max[i] } else { self.min[i] };
+        (0..N).map(|i| direction[i] * (point[i] - ahead(i))).sum::<f64>() > 0.0
+    }
+
     /// Greatest absolute value of the finite coordinates.
     pub(crate) fn size(&self) -> f64 {
         self.min.iter().chain(self.max.iter()).filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()))

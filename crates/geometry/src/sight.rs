@@ -59,6 +59,8 @@ pub(crate) enum Aim {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wall {
     pub(crate) number: usize,
+    /// Where the line meets it.
+    pub(crate) point: Vector2<f64>,
     /// Whether the line goes on into the table.
     pub(crate) into_table: bool,
 }
@@ -174,7 +176,7 @@ impl<'a> Sight<'a> {
             // of the two faces of one wall, the line starts on the one that it leaves
             let number = other_face.filter(|_| facing < 0.0).unwrap_or(copy.number);
             let has_two = other_face.is_some() || copy.piece.tips().is_some();
-            let mut walls = vec![Wall { number, into_table: facing > 0.0 || has_two }];
+            let mut walls = vec![Wall { number, point: from, into_table: facing > 0.0 || has_two }];
             for met in ahead.chunk_by(|a, b| b.far - a.far <= rounding / a.sine.min(b.sine)) {
                 if met.iter().any(|wall| wall.far + rounding > limit) {
                     break;
@@ -209,6 +211,11 @@ impl<'a> Sight<'a> {
             }
             _ => None,
         }
+    }
+
+    /// Whether the table lies behind a wall on a line of sight: so it does if the wall has two sides.
+    pub(crate) fn is_table_behind(&self, wall: &Wall) -> bool {
+        wall.into_table || self.table.pieces()[wall.number].tips().is_some()
     }
 
     /// The sum of the sides of the box around a chain.
@@ -261,7 +268,7 @@ impl<'a> Sight<'a> {
                     let clear = m.kind == MeetingKind::Crossing && facing.abs() > GRAZING;
                     // whichever of its normals a wall without thickness tells, the line arrives from the table
                     let into_table = facing > 0.0 && copy.piece.tips().is_none();
-                    let wall = clear.then_some(Wall { number: copy.number, into_table });
+                    let wall = clear.then_some(Wall { number: copy.number, point: m.point, into_table });
                     ahead.push(Ahead { far, index, sine: if clear { facing.abs() } else { 1.0 }, wall });
                 }
             },

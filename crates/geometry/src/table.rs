@@ -221,11 +221,15 @@ impl Table {
             return f64::INFINITY;
         }
         let size = pieces().map(|piece| piece.extent().size()).fold(0.0, f64::max);
-        let enclosed = self.enclosed_by(chains);
-        match self.shortest() {
-            _ if enclosed > slack([size]) * length => enclosed,
-            Some(lattice) => lattice.cell_area() + enclosed,
-            None => f64::INFINITY,
+        let (enclosed, rounding) = (self.enclosed_by(chains), slack([size]) * length);
+        let cell = self.shortest().map_or(f64::INFINITY, Lattice::cell_area);
+        if cell.is_finite() {
+            // which translates of the walls are drawn, those of this cell or of others, makes a difference of whole cells
+            enclosed - cell * libm::floor((enclosed - rounding) / cell)
+        } else if enclosed > rounding {
+            enclosed
+        } else {
+            f64::INFINITY
         }
     }
 

@@ -217,8 +217,6 @@ impl Table {
             });
             Error::Orientation { piece: if second < first { b.number } else { a.number } }
         };
-        // whether the table lies behind a wall: so it does if the wall has two sides
-        let behind = |wall: &Wall| wall.into_table || self.pieces()[wall.number].tips().is_some();
         // a wall behind which there is no other; all that lies around is one region
         let mut last: Option<Wall> = None;
         let surrounded = infinite.is_empty() && self.shortest().is_none();
@@ -234,12 +232,12 @@ impl Table {
                 let Some((walls, escapes)) = sight.look(k, aim, enough) else { continue };
                 // a wall seen from the table must not lead into it
                 let mut pairs = walls.iter().zip(&walls[1..]);
-                if let Some((from, hit)) = pairs.find(|(from, hit)| behind(from) == hit.into_table) {
+                if let Some((from, hit)) = pairs.find(|(from, hit)| sight.is_table_behind(from) == hit.into_table) {
                     return Err(disagree(from, hit));
                 }
                 if let (true, true, Some(wall)) = (escapes, surrounded, walls.last()) {
                     let other = *last.get_or_insert(*wall);
-                    if behind(wall) != behind(&other) {
+                    if sight.is_table_behind(wall) != sight.is_table_behind(&other) {
                         return Err(disagree(&other, wall));
                     }
                 }

@@ -1,12 +1,15 @@
 //! The connected parts of tables whose walls touch.
 #![allow(clippy::unwrap_used, reason = "tests panic where they fail")]
 
+mod random;
+
 use core::f64::consts::PI;
 use geometry::{
     Lattice, Outline, Piece, Table, Turn, Vector2,
     parry::{Placed, ShapeSpec, Side},
-    shapes::{Circle, FullLine},
+    shapes::{Circle, FullLine, Segment},
 };
+use random::Random;
 
 fn v(x: f64, y: f64) -> Vector2<f64> {
     Vector2::new(x, y)
@@ -155,6 +158,19 @@ fn disks_that_touch_on_a_lattice_leave_pores() {
 }
 
 #[test]
+fn a_band_has_its_area_whichever_translates_of_its_walls_are_drawn() {
+    let wall = |y: f64, forward: bool| {
+        let [from, to] = if forward { [0.0, 1.0] } else { [1.0, 0.0] };
+        Box::new(Segment::new(v(from, y), v(to, y)).unwrap()) as Box<dyn Piece>
+    };
+    for row in [-3.0, -2.0, -1.0, 0.0, 1.0, 2.0] {
+        let band = on(&[v(1.0, 0.0), v(0.0, 1.0)], vec![wall(0.25, true), wall(0.75 + row, false)]);
+        has_parts(&band, &[0.5]);
+        assert!((band.area() - 0.5).abs() < 1e-14);
+    }
+}
+
+#[test]
 fn a_piece_that_bounds_two_parts_is_named_in_both() {
     let parts = table([room(2.0, 1.0), screen(v(0.5, 0.0), v(0.5, 1.0))]).components();
     let pieces: Vec<_> = parts.into_iter().map(|part| part.pieces).collect();
@@ -191,4 +207,158 @@ fn corners_are_counted_on_both_sides_of_what_stands_on_a_wall() {
     assert_eq!(around(vec![screen(v(1.5, 1.0), v(1.7, 1.0))]), (7, 1));
     assert_eq!(around(vec![screen(v(1.5, 1.0), v(2.0, 1.2)), screen(v(1.5, 1.0), v(2.0, 0.8))]), (11, 0));
     assert_eq!(counts(vec![room(2.0, 1.0), screen(v(0.5, 0.5), v(1.0, 0.5))]), (6, 2));
+}
+
+/// Squares of side 1, some of them table and the others solid, no two of a kind touching at a point only.
+struct Maze {
+    side: i32,
+    table: Vec<bool>,
+    /// What lies beyond the outermost squares: more of the same (`None`), table, or solid.
+    beyond: Option<bool>,
+}
+
+/// One step to the right, up, to the left and down.
+const STEPS: [[i32; 2]; 4] = [[1, 0], [0, 1], [-1, 0], [0, -1]];
+
+impl Maze {
+    fn random(side: i32, beyond: Option<bool>, filling: f64, random: &mut Random) -> Maze {
+        let mut maze = Maze { side, table: vec![], beyond };
+        maze.table = (0..side * side).map(|_| random.unit() < filling).collect();
+        // until no squares touch at a point only
+        loop {
+            let all = || (-1..=side).flat_map(|x| (-1..=side).map(move |y| [x, y]));
+            let touch = |[x, y]: &[i32; 2]| {
+                let [a, b, c, d] = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| maze.is_table([x + i, y + j]));
+                a == d && b == c && a != b
+            };
+            let Some([x, y]) = all().find(touch) else { return maze };
+            let solid = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|[i, j]| [x + i, y + j]);
+            let place = solid.into_iter().find_map(|at| maze.place(at).filter(|&at| !maze.table[at]));
+            let other = solid.into_iter().find_map(|at| maze.place(at));
+            if let Some(at) = place.or(other) {
+                maze.table[at] = !maze.table[at];
+            }
+        }
+    }
+    fn place(&self, [x, y]: [i32; 2]) -> Option<usize> {
+        let [i, j] = [x, y].map(|c| c.rem_euclid(self.side));
+        (self.beyond.is_none() || [i, j] == [x, y]).then(|| usize::try_from(i + self.side * j).unwrap())
+    }
+    fn is_table(&self, at: [i32; 2]) -> bool {
+        self.place(at).map_or(self.beyond == Some(true), |place| self.table[place])
+    }
+    /// The square on the left of a side from a vertex on, and the one on its right.
+    fn beside([x, y]: [i32; 2], direction: usize) -> [[i32; 2]; 2] {
+        let [a, b] = [[x, y], [x, y - 1]];
+        let [c, d] = [[x - 1, y], [x - 1, y - 1]];
+        [[a, b], [c, a], [d, c], [b, d]][direction]
+    }
+    /// The sides of the table, loop by loop, each from one of its vertices on.
+    fn walls(&self, random: &mut Random) -> Vec<Box<dyn Piece>> {
+        let reach = if self.beyond.is_none() { self.side - 1 } else { self.side };
+        let mut seen = std::collections::HashSet::new();
+        let mut walls = vec![];
+        let every = (0..=reach).flat_map(|x| (0..=reach).flat_map(move |y| (0..4).map(move |turn| ([x, y], turn))));
+        let mut starts: Vec<([i32; 2], usize)> = every.collect();
+        for k in 1..starts.len() {
+            starts.swap(k, random.below(k + 1));
+        }
+        for start in starts {
+            let (mut at, mut direction) = start;
+            loop {
+                let key = if self.beyond.is_none() { at.map(|c| c.rem_euclid(self.side)) } else { at };
+                let [left, right] = Maze::beside(at, direction).map(|square| self.is_table(square));
+                if !(left && !right && seen.insert((key, direction))) {
+                    break;
+                }
+                let next = [0, 1].map(|i| at[i] + STEPS[direction][i]);
+                let [a, b] = [at, next].map(|[x, y]| v(f64::from(x), f64::from(y)));
+                walls.push(Box::new(Segment::new(a, b).unwrap()) as Box<dyn Piece>);
+                at = next;
+                let turns = [0, 1, 3].map(|turn| (direction + turn) % 4);
+                direction = *turns
+                    .iter()
+                    .find(|&&turn| {
+                        let [left, right] = Maze::beside(at, turn).map(|square| self.is_table(square));
+                        left && !right
+                    })
+                    .unwrap();
+            }
+        }
+        walls
+    }
+    /// For each square that is table, the number of its part: the least of its places, or that of what lies beyond.
+    fn parts(&self) -> Vec<Option<usize>> {
+        let count = self.table.len();
+        let mut parts: Vec<Option<usize>> = (0..count).map(|k| self.table[k].then_some(k)).collect();
+        loop {
+            let before = parts.clone();
+            for at in (0..self.side).flat_map(|x| (0..self.side).map(move |y| [x, y])) {
+                let here = self.place(at).unwrap();
+                for step in STEPS {
+                    let next = [0, 1].map(|i| at[i] + step[i]);
+                    let there = match self.place(next) {
+                        Some(place) => parts[place],
+                        None => (self.beyond == Some(true)).then_some(count),
+                    };
+                    // what lies beyond comes first
+                    let first = |a: usize, b: usize| if a == count || b == count { count } else { a.min(b) };
+                    if let (Some(a), Some(b)) = (parts[here], there) {
+                        parts[here] = Some(first(a, b));
+                    }
+                }
+            }
+            if parts == before {
+                return parts;
+            }
+        }
+    }
+}
+
+#[test]
+fn the_parts_of_a_maze_are_those_that_a_walk_finds() {
+    let mut random = Random(31);
+    let mut counts = [0; 6];
+    for k in 0..300 {
+        let side = 4 + k % 9;
+        let beyond = [Some(false), Some(true), None][usize::try_from(k).unwrap() / 9 % 3];
+        let maze = Maze::random(side, beyond, random.between(0.2, 0.7), &mut random);
+        let parts = maze.parts();
+        let mut walls = maze.walls(&mut random);
+        if walls.is_empty() {
+            continue;
+        }
+        let mut areas = vec![0.0; parts.len() + 1];
+        areas[parts.len()] = if beyond == Some(true) { f64::INFINITY } else { 0.0 };
+        for (place, part) in parts.iter().enumerate() {
+            let Some(part) = part else { continue };
+            areas[*part] += 1.0;
+            // something stands in some of the squares
+            let place = i32::try_from(place).unwrap();
+            let [x, y] = [place % side, place / side].map(|c| f64::from(c) + 0.5);
+            let what = random.unit();
+            if what < 0.2 {
+                walls.extend(disk(x, y, 0.25));
+                areas[*part] -= PI / 16.0;
+            } else if what < 0.3 {
+                walls.extend(screen(v(x - 0.3, y + 0.1), v(x + 0.3, y)));
+            } else if what < 0.4 {
+                walls.extend(closed(&[v(x - 0.3, y + 0.1), v(x + 0.3, y)]));
+            }
+        }
+        areas.retain(|area| *area > 0.0);
+        areas.sort_by(f64::total_cmp);
+        let table = match beyond {
+            None => on(&[v(f64::from(side), 0.0), v(0.0, f64::from(side))], walls),
+            Some(false) => table([walls]),
+            Some(true) => {
+                let table = Table::new(walls).unwrap().unbounded();
+                table.validate().unwrap();
+                table
+            }
+        };
+        has_parts(&table, &areas);
+        counts[areas.len().min(5)] += 1;
+    }
+    assert!(counts[1..].iter().all(|count| *count > 10), "{counts:?}");
 }
