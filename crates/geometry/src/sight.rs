@@ -166,10 +166,11 @@ impl<'a> Sight<'a> {
             return None;
         }
         let rounding = 4.0 * self.rounding.max(slack(from.iter().copied()));
-        let everything = 16.0 * (self.size + from.amax());
+        // farther away there is nothing, or nothing known
+        let everything = self.known.map_or(16.0 * (self.size + from.amax()), |known| (known.max - known.min).sum());
         let mut limit = 4.0 * self.width(chain);
         loop {
-            if !(limit < everything && self.known.is_none()) {
+            if limit.is_nan() || limit >= everything {
                 limit = f64::INFINITY;
             }
             let Prospect { other_face, ahead } = self.ahead(index, from, direction, limit)?;
