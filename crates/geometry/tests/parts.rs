@@ -209,6 +209,38 @@ fn corners_are_counted_on_both_sides_of_what_stands_on_a_wall() {
     assert_eq!(counts(vec![room(2.0, 1.0), screen(v(0.5, 0.5), v(1.0, 0.5))]), (6, 2));
 }
 
+#[test]
+fn what_stands_in_a_pocket_of_an_obstacle_does_not_hide_what_lies_around() {
+    let corners =
+        [v(1.0, 1.0), v(4.0, 1.0), v(4.0, 0.0), v(0.0, 0.0), v(0.0, 5.0), v(4.0, 5.0), v(4.0, 4.0), v(1.0, 4.0)];
+    for turn in 0..8 {
+        // open in each of the four directions, and drawn from each of its corners
+        let turned = |p: Vector2<f64>| [p, v(-p.y, p.x), -p, v(p.y, -p.x)][turn % 4];
+        let c = || {
+            let mut corners = corners.map(turned);
+            corners.rotate_left(turn);
+            closed(&corners)
+        };
+        let disk = |x: f64, y: f64, r: f64| disk(turned(v(x, y)).x, turned(v(x, y)).y, r);
+        let square = |r: f64, x: f64, y: f64| {
+            closed(&[v(-r, -r), v(r, -r), v(r, r), v(-r, r)].map(|corner| corner + turned(v(x, y))))
+        };
+        let around = || square(10.0, 0.0, 0.0);
+        has_parts(&table([around(), c(), disk(2.2, 2.0, 0.5)]), &[389.0 - 0.25 * PI]);
+        let slit = screen(turned(v(2.0, 2.0)), turned(v(2.5, 2.1)));
+        has_parts(&table([c(), around(), slit, disk(3.0, 3.0, 0.5)]), &[389.0 - 0.25 * PI]);
+        // a room in its wall, with something in it
+        let (room, pillar, small) = (|| square(0.25, 0.5, 2.5), || disk(0.5, 2.5, 0.125), 0.25 - PI / 64.0);
+        let circle = vec![Box::new(Circle::new(v(0.0, 0.0), 20.0, true).unwrap()) as Box<dyn Piece>];
+        has_parts(&table([circle, c(), room(), pillar()]), &[small, 400.0 * PI - 11.0]);
+        let all = [pillar(), c(), room(), disk(2.2, 2.0, 0.5), around()];
+        has_parts(&table(all), &[small, 389.0 - 0.25 * PI]);
+        // two that reach into each other
+        let hook: Vec<_> = corners.iter().rev().map(|p| turned(v(5.5 - p.x, p.y + 2.5))).collect();
+        has_parts(&table([around(), c(), closed(&hook), disk(2.2, 1.75, 0.125)]), &[378.0 - PI / 64.0]);
+    }
+}
+
 /// Squares of side 1, some of them table and the others solid, no two of a kind touching at a point only.
 struct Maze {
     side: i32,
