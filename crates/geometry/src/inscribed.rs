@@ -127,6 +127,20 @@ impl Field {
         feet
     }
 
+    /// Where the best step of at most this size along each axis leads from a place at some distance from the boundary, and the distance
+    /// there if all walls were straight.
+    fn stepped(&self, from: Vector2<f64>, distance: f64, limit: f64) -> (Vector2<f64>, f64) {
+        let reach = distance + 2.0 * limit;
+        let wall = |foot: &Landing| {
+            let off = from - foot.point;
+            let d = libm::hypot(off.x, off.y);
+            (d > 0.0 && d <= reach).then(|| Vector3::new(off.x / d, off.y / d, d))
+        };
+        let walls: Vec<Vector3<f64>> = self.local_feet(&from, reach).iter().filter_map(wall).collect();
+        let (value, step) = best_step(&walls, limit);
+        (self.home(from + step), value)
+    }
+
     /// Climbs from a point to the nearest local maximum of the distance, where three walls, or two opposite ones, are equally far.
     fn climb(&self, mut center: Vector2<f64>, start: f64) -> LargestDisk {
         let mut radius = self.copies.signed_distance(&center);
@@ -136,17 +150,14 @@ impl Field {
             if step <= f64::EPSILON * (radius + center.amax()) {
                 break;
             }
-            let walls: Vec<Vector3<f64>> = self
-                .local_feet(&center, radius + 2.0 * step)
-                .iter()
-                .filter_map(|foot| {
-                    let off = center - foot.point;
-                    let d = libm::hypot(off.x, off.y);
-                    (d > 0.0 && d <= radius + 2.0 * step).then(|| Vector3::new(off.x / d, off.y / d, d))
-                })
-                .collect();
-            let next = self.home(center + best_step(&walls, step));
-            let better = self.copies.signed_distance(&next);
+            let (mut next, expected) = self.stepped(center, radius, step);
+            let mut better = self.copies.signed_distance(&next);
+            // a step along a curved ridge leads off it: back onto it, by about as much as the distance fell short
+            let missing = expected - better;
+            if better <= radius && missing < step {
+                (next, _) = self.stepped(next, better, missing);
+                better = self.copies.signed_distance(&next);
+            }
             if better > radius {
                 (center, radius) = (next, better);
                 step *= 2.0;
@@ -158,8 +169,8 @@ impl Field {
     }
 }
 
-/// The step `δ`, `|δᵢ| ≤ limit`, that maximises the least of `d + n·δ` over walls `(n, d)`.
-fn best_step(walls: &[Vector3<f64>], limit: f64) -> Vector2<f64> {
+/// The step `δ`, `|δᵢ| ≤ limit`, that maximises the least of `d + n·δ` over walls `(n, d)`, after that maximum.
+fn best_step(walls: &[Vector3<f64>], limit: f64) -> (f64, Vector2<f64>) {
     // the nearest dozen decide: all combinations of three bounds are tried
     let mut walls = walls.to_vec();
     walls.sort_by(|a, b| a.z.total_cmp(&b.z));
@@ -185,7 +196,7 @@ fn best_step(walls: &[Vector3<f64>], limit: f64) -> Vector2<f64> {
             }
         }
     }
-    best.1
+    best
 }
 
 impl Table {
@@ -411,6 +422,22 @@ mod tests {
         let clover = || Polar::new(v(0.5, -0.25), Clover, true).unwrap();
         let disk = of(vec![Box::new(clover())]).largest_disk();
         assert!((disk.radius - 1.7).abs() < 1e-14 && (disk.center - v(0.5, -0.25)).norm() < 1e-14, "{disk:?}");
+    }
+
+    #[test]
+    fn the_largest_disk_of_a_bent_corridor_is_where_it_is_widest() {
+        // between a circle and an eccentric one inside: g wide on average, and 3/2 g at most
+        for g in [0.5, 0.1, 0.01, 1e-3, 1e-5] {
+            for angle in [0.0, 0.7, 2.0, 4.0] {
+                let (sin, cos) = libm::sincos(angle);
+                let off = 0.5 * g;
+                let circle = |at: f64, radius: f64, inside: bool| {
+                    Box::new(Circle::new(v(at * cos, at * sin), radius, inside).unwrap()) as Box<dyn Piece>
+                };
+                let disk = of(vec![circle(0.0, 1.0, true), circle(off, 1.0 - g, false)]).largest_disk();
+                assert!((disk.radius - 0.75 * g).abs() < 1e-15, "{g} {angle}: {disk:?}");
+            }
+        }
     }
 
     #[test]
