@@ -2,7 +2,7 @@
 use crate::{
     Extent, Figure, Landing, Lattice, Table,
     copies::{Copies, finite_extent},
-    plane::slack,
+    plane::{GOLDEN_SECTION, slack},
     shapes::curve::rising_root_near,
 };
 use core::f64::consts::TAU;
@@ -24,6 +24,9 @@ const COARSE: f64 = 1.0 / 1024.0;
 
 /// Most squares examined: a ridge of equally good places would need ever more.
 const MOST_SQUARES: usize = 40_000;
+
+/// Most places at which walls are touched to find more corridors than the search had squares for, and most on one piece.
+const MOST_TOUCHED: [usize; 2] = [4096, 16];
 
 /// Directions of walls without end that differ by no more than this (radians) are parallel: each is rounded to half an ulp per
 /// component.
@@ -127,6 +130,36 @@ impl Field {
         feet
     }
 
+    /// The largest disk that touches a wall at a point `p` of it, to a thousandth: each next one is smaller, through the point `q` of the
+    /// boundary nearest to the centre of the one before, of radius `|q − p|² / 2n·(q − p)`.
+    fn touching(&self, at: &Landing, largest: f64) -> LargestDisk {
+        let mut radius = largest;
+        loop {
+            let center = at.point + at.normal * radius;
+            let home = self.home(center);
+            let inside = self.copies.nearest(&home, radius * (1.0 - COARSE));
+            let smaller = inside.and_then(|(_, index)| {
+                let off = self.copies.get(index).0.piece.closest(&home).point + (center - home) - at.point;
+                let (square, ahead) = (off.norm_squared(), off.dot(&at.normal));
+                Some(0.5 * square / ahead).filter(|smaller| 0.0 < *smaller && *smaller < radius)
+            });
+            let Some(smaller) = smaller else { return LargestDisk { center: home, radius } };
+            radius = smaller;
+        }
+    }
+
+    /// The largest of the disks that touch walls at places spread over the boundary.
+    fn largest_touching(&self, table: &Table, largest: f64) -> Option<LargestDisk> {
+        let pieces: Vec<_> = table.pieces().iter().filter(|piece| piece.length().is_finite()).collect();
+        let [most, most_on_one] = MOST_TOUCHED;
+        let count = (most / pieces.len().max(1)).clamp(1, most_on_one);
+        let touching = pieces.iter().step_by(pieces.len().div_ceil(most).max(1)).flat_map(|piece| {
+            let places = (0..count).map(move |k| piece.length() * ((k as f64 + GOLDEN_SECTION) / count as f64));
+            places.map(|s| self.touching(&piece.landing_at(s), largest))
+        });
+        touching.max_by(|a, b| a.radius.total_cmp(&b.radius))
+    }
+
     /// Where the best step of at most this size along each axis leads from a place at some distance from the boundary, and the distance
     /// there if all walls were straight.
     fn stepped(&self, from: Vector2<f64>, distance: f64, limit: f64) -> (Vector2<f64>, f64) {
@@ -203,7 +236,8 @@ impl Table {
     /// The largest disk that fits in the table; on a lattice it may overlap its own translates.
     ///
     /// The radius is correct to rounding unless the best radii at two places far apart differ by less than a thousandth: then it is that
-    /// of one of them.
+    /// of one of them. In a table of very many rooms or very long corridors, for which 40 000 squares are too coarse, it is the greatest
+    /// to which an ascent leads from the best of those squares, or from the largest of the disks that touch a wall at one of 4096 places.
     pub fn largest_disk(&self) -> LargestDisk {
         let finite = self.pieces().iter().all(|p| p.extent().is_finite());
         let home = self.search_box();
@@ -350,7 +384,13 @@ impl Table {
         let step = best.half.max(best.distance.abs() * COARSE);
         let [here, beside] = [Vector2::zeros(), Vector2::new(0.61, 0.79) * step]
             .map(|aside| field.climb(field.home(best.middle + aside), step));
-        if beside.radius > here.radius { beside } else { here }
+        let best = if beside.radius > here.radius { beside } else { here };
+        if looked_at <= MOST_SQUARES {
+            return best;
+        }
+        let elsewhere = field.largest_touching(self, sides.norm());
+        let elsewhere = elsewhere.map(|disk| field.climb(disk.center, disk.radius * COARSE));
+        elsewhere.filter(|disk| disk.radius > best.radius).unwrap_or(best)
     }
 
     /// A place far from all walls, on a lattice of one vector with finite pieces only: to either side of these the table either ends or
@@ -437,6 +477,24 @@ mod tests {
                 let disk = of(vec![circle(0.0, 1.0, true), circle(off, 1.0 - g, false)]).largest_disk();
                 assert!((disk.radius - 0.75 * g).abs() < 1e-15, "{g} {angle}: {disk:?}");
             }
+        }
+    }
+
+    #[test]
+    fn the_largest_disk_is_in_the_widest_of_hundreds_of_rooms() {
+        for (count, wider) in [(100, 1.03), (100, 1.004), (300, 1.03), (300, 1.01)] {
+            let width = 1.0 / f64::from(count);
+            let mut pieces = vec![];
+            let mut x = 0.0137 * width;
+            for k in 0..count {
+                let end = x + if k == count / 3 { wider * width } else { width };
+                let corners = [v(x, 0.0), v(end, 0.0), v(end, 1.0), v(x, 1.0)];
+                let around = corners.into_iter().chain([corners[0]]).skip(1);
+                pieces.extend(around.fold(Outline::from(corners[0]), |o, p| o.line_to(p).unwrap()).close().unwrap());
+                x = end + 0.3 * width;
+            }
+            let disk = of(pieces).largest_disk();
+            assert!((disk.radius - 0.5 * wider * width).abs() < 1e-15, "{count} {wider}: {disk:?}");
         }
     }
 
