@@ -2,7 +2,7 @@
 use crate::{
     Extent, Figure, Lattice, MeetingKind, Piece, Table,
     copies::{Copies, finite_extent},
-    meetings,
+    enclosed_area, meetings,
     piece::rounding,
     plane::{GOLDEN_SECTION, PLASTIC_RATIOS, SAME_DIRECTION, is_finite, slack},
     shapes::Ray,
@@ -26,6 +26,11 @@ const LEAN: f64 = 0.0625;
 /// separated by the square of it times the difference of their curvatures, which is more than rounding.
 const BESIDE: f64 = 1e-5;
 
+/// A closed chain narrower than this many times the rounding of points is a point for lines of sight. Where a line crosses a curve is found
+/// between points so near one another that the curve is straight there, and on a curve some ten thousand roundings wide such points would
+/// be one.
+const POINT: f64 = 131_072.0; // 2¹⁷
+
 /// A table's chains of pieces, prepared for lines of sight.
 pub(crate) struct Sight<'a> {
     table: &'a Table,
@@ -43,6 +48,8 @@ pub(crate) struct Sight<'a> {
     pub(crate) chain_of: Vec<usize>,
     /// The boxes around the chains.
     pub(crate) extents: Vec<Extent>,
+    /// For each chain that is a point for lines of sight, 1 if the table lies around it, and −1 if not.
+    points: Vec<Option<f64>>,
 }
 
 /// Where a line of sight leads.
@@ -120,7 +127,23 @@ impl<'a> Sight<'a> {
         }
         let around = |chain: &Vec<usize>| chain.iter().map(|&i| pieces[i].extent()).fold(Extent::EMPTY, Extent::union);
         let extents = chains.iter().map(around).collect();
-        Sight { table, copies, middle, known, size, rounding, chains, chain_of, extents }
+        let points = vec![None; chains.len()];
+        let mut sight = Sight { table, copies, middle, known, size, rounding, chains, chain_of, extents, points };
+        sight.points = (0..sight.chains.len()).map(|k| sight.as_point(k)).collect();
+        sight
+    }
+
+    /// If a chain is a point for lines of sight, 1 or −1: whether the table lies around it. A wall with two sides is none.
+    fn as_point(&self, chain: usize) -> Option<f64> {
+        let is_point = self.width(chain) < POINT * self.rounding && self.table.is_closed(&self.chains[chain]);
+        is_point.then(|| self.area(chain)).filter(|area| *area != 0.0).map(|area| -area.signum())
+    }
+
+    /// The area on the left of a loop; that of a two-sided wall, zero within rounding, is 0.
+    pub(crate) fn area(&self, chain: usize) -> f64 {
+        let Extent { min, max } = self.extents[chain];
+        let area = enclosed_area(self.chains[chain].iter().map(|&i| &*self.table.pieces()[i]));
+        if area.abs() > slack([(max - min).product()]) { area } else { 0.0 }
     }
 
     pub(crate) fn copies(&self) -> &Copies {
@@ -135,6 +158,9 @@ impl<'a> Sight<'a> {
     /// The walls on a line of sight from a chain, starting with that chain itself, up to the first that satisfies `until`; and
     /// whether the line escapes beyond the last of them, or leaves the region where all translates are known. `None` where no line
     /// is clear.
+    ///
+    /// Chains that are points are not seen by others: a line enters a closed curve as often as it leaves it. From such a chain itself one
+    /// looks around, into every direction.
     pub(crate) fn look(&self, chain: usize, aim: Aim, until: impl Fn(&Wall) -> bool) -> Option<(Vec<Wall>, bool)> {
         (0..TRIES).find_map(|k| self.look_along(chain, aim, k, &until))
     }
@@ -161,7 +187,8 @@ impl<'a> Sight<'a> {
             Aim::At(other) => self.place(other, k, PLASTIC_RATIOS[0]).1 - from,
         };
         let direction = direction / libm::hypot(direction.x, direction.y);
-        let facing = self.normal_beside(&*copy.piece, &from, direction).dot(&direction);
+        let facing =
+            self.points[chain].unwrap_or_else(|| self.normal_beside(&*copy.piece, &from, direction).dot(&direction));
         if facing.is_nan() || facing.abs() <= GRAZING {
             return None;
         }
@@ -248,10 +275,20 @@ impl<'a> Sight<'a> {
         let rounding = self.rounding.max(slack(from.iter().copied()));
         let normal = self.copies.get(own).0.piece.closest(&from).normal;
         let (mut other_face, mut ahead) = (None, vec![]);
+        let own_chain = self.chain_of[self.copies.get(own).0.number];
+        let start = Extent { min: from, max: from };
+        let mut is_clear = true;
         self.copies.search(
             |e| is_hit(e, &from, &direction, rounding, limit),
             |index| {
-                let (copy, _) = self.copies.get(index);
+                let (copy, extent) = self.copies.get(index);
+                let chain = self.chain_of[copy.number];
+                if self.points[chain].is_some() {
+                    // a start beside another one may be inside it
+                    let is_own = chain == own_chain && copy.cell == [0.0; 2];
+                    is_clear &= is_own || !extent.meets(&start, self.width(chain));
+                    return;
+                }
                 for m in meetings(&ray, &*copy.piece) {
                     let here = Extent { min: m.point, max: m.point };
                     if self.known.is_some_and(|known| !known.meets(&here, 0.0)) {
@@ -275,7 +312,7 @@ impl<'a> Sight<'a> {
             },
         );
         ahead.sort_by(|a, b| a.far.total_cmp(&b.far));
-        Some(Prospect { other_face, ahead })
+        is_clear.then_some(Prospect { other_face, ahead })
     }
 
     /// The `k`-th of some places spread over a chain: index of the copy, and the point. With irrational fractions of the length one

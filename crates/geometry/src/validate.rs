@@ -1,6 +1,6 @@
 //! Is this a table? What a set of pieces must satisfy before a particle may run in it.
 use crate::{
-    Error, Figure, Meeting, MeetingKind, Piece, Table, enclosed_area,
+    Error, Figure, Meeting, MeetingKind, Piece, Table,
     intersect::{direction_at, self_crossing},
     meetings,
     plane::{key, slack},
@@ -179,13 +179,7 @@ impl Table {
     /// Fails where a piece has the table on its right.
     fn orientation(&self, sight: &Sight) -> Result<(), Error> {
         let chains = &sight.chains;
-        let sides = |k: usize| sight.extents[k].max - sight.extents[k].min;
-        let width = |k: usize| sight.width(k);
-        // the area on the left of a loop; that of a two-sided wall is zero within rounding
-        let area = |k: usize| {
-            let area = enclosed_area(chains[k].iter().map(|&i| &*self.pieces()[i]));
-            if area.abs() > slack([sides(k).product()]) { area } else { 0.0 }
-        };
+        let (width, area) = (|k: usize| sight.width(k), |k: usize| sight.area(k));
         let collapsed = |k: usize| area(k).abs() <= slack([sight.extents[k].size()]) * width(k);
         // in the plane, the widest loop lies in no other; of equally wide ones that touch it, it has the largest area; a two-sided wall
         // may be wider, but nothing lies in it

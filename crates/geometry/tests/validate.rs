@@ -633,3 +633,57 @@ fn a_wall_without_thickness_along_another_wall_is_refused_whichever_way_it_is_dr
     let standing = vec![thin([1.0, 0.0], [1.0, 1.0]), thin([1.0, 1.0], [1.0, 2.0]), thin([1.0, 1.0], [0.0, 1.0])];
     assert_eq!(check([room(), standing]), Ok(()));
 }
+
+/// Small closed curves and polygons around a point: their names, and their pieces.
+fn small(center: Vector2<f64>, size: f64, inside: bool) -> Vec<(&'static str, Vec<Box<dyn Piece>>)> {
+    let ellipse = |axes: [f64; 2], angle: f64| {
+        vec![Box::new(Ellipse::new(center, axes.map(|a| a * size), angle, inside).unwrap()) as Box<dyn Piece>]
+    };
+    let corner = |i: u32| {
+        let (sin, cos) = libm::sincos(0.3 + 0.4 * PI * f64::from(if inside { i } else { 4 - i }));
+        (center + v(cos, sin) * size).into()
+    };
+    vec![
+        ("circle", vec![disk(center.x, center.y, size, inside)]),
+        ("ellipse", ellipse([1.0, 0.6], 0.0)),
+        ("turned ellipse", ellipse([0.3, 1.0], 0.7)),
+        ("pentagon", polygon(&[0, 1, 2, 3, 4].map(corner))),
+    ]
+}
+
+#[test]
+fn an_obstacle_of_any_size_has_the_table_around_it() {
+    for k in 0..71 {
+        let size = libm::pow(10.0, -8.0 - 0.1 * f64::from(k));
+        for center in [v(0.0, 0.0), v(-0.4, 0.02), v(0.1, 0.1), v(1e-6, -0.7), v(-0.81, 0.33)] {
+            let room = || vec![disk(0.0, 0.0, 1.0, true)];
+            for (what, obstacle) in small(center, size, false) {
+                let checked = check([room(), obstacle]);
+                let is_lost = matches!(checked, Err(Error::TooShort { .. } | Error::Thin { .. }));
+                assert!(checked.is_ok() || (is_lost && size < 1e-14), "{what} of {size:e} at {center:?}: {checked:?}");
+            }
+            for (what, room_in_it) in small(center, size, true) {
+                let checked = check([room(), room_in_it]);
+                let is_lost = matches!(checked, Err(Error::TooShort { .. } | Error::Thin { .. }));
+                let is_seen = matches!(checked, Err(Error::Orientation { piece: 1.. }));
+                assert!(is_seen || (is_lost && size < 1e-14), "{what} of {size:e} at {center:?}: {checked:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn tiny_obstacles_inside_and_beside_each_other_are_told_apart() {
+    for size in [1e-10, 2.9e-12, 1e-13] {
+        let at = |x: f64| v(0.3 + x * size, -0.6);
+        let room = || vec![disk(0.0, 0.0, 1.0, true)];
+        for (what, beside) in [small(at(3.0), size, false).remove(0), small(at(3.0), size, false).remove(3)] {
+            assert_eq!(check([room(), vec![disk(at(0.0).x, -0.6, size, false)], beside]), Ok(()), "{what} of {size:e}");
+        }
+        // a room in an obstacle
+        for (what, obstacle) in [small(at(0.0), size, false).remove(0), small(at(0.0), size, false).remove(3)] {
+            let inner = vec![disk(at(0.0).x, -0.6, 0.25 * size, true)];
+            assert_eq!(check([room(), obstacle, inner]), Ok(()), "{what} of {size:e}");
+        }
+    }
+}
