@@ -15,7 +15,7 @@ use crate::scene::{Arguments, Border, Curve, EdgePath, LawKind, Scene, Starts, T
 use super::scale;
 
 pub(super) use complaint::{in_user_units, with_advice, wrong_argument};
-use pieces::explicit;
+use pieces::{Outline, explicit, outlines};
 
 /// Where a piece comes from.
 #[derive(Clone, Debug)]
@@ -41,10 +41,16 @@ pub(crate) struct Drawn {
 
 /// Draws the table of a planar scene.
 pub(crate) fn draw(scene: &Scene) -> Result<Drawn, Vec<Diagnostic>> {
-    let factor = scale::to_unity(lengths(scene));
     let mut drawn = match &scene.table.shape {
-        TableShape::Named { model, arguments, span } => named(scene, model.name, arguments, *span, factor)?,
-        TableShape::Boundary(entries) => explicit(scene, entries, factor)?,
+        TableShape::Named { model, arguments, span } => {
+            named(scene, model.name, arguments, *span, scale::to_unity(lengths(scene, [])))?
+        }
+        TableShape::Boundary(entries) => {
+            let outlines = outlines(scene, entries);
+            let sizes = outlines.iter().flatten().flatten().map(Outline::size);
+            let factor = scale::to_unity(lengths(scene, sizes));
+            explicit(scene, entries, outlines, factor)?
+        }
     };
     let mut checked = drawn.table.validate();
     if matches!(checked, Err(Error::Spike { .. }))
@@ -98,15 +104,10 @@ impl Drawn {
     }
 }
 
-/// Every length that determines the size of a scene; none, and so no scaling, if part of it is drawn in a
-/// file.
-pub(super) fn lengths(scene: &Scene) -> Vec<f64> {
-    if let TableShape::Boundary(entries) = &scene.table.shape
-        && entries.iter().any(|entry| matches!(entry.border, Border::Outline { .. } | Border::Mesh { .. }))
-    {
-        return vec![];
-    }
+/// Every length that determines the size of a scene, with the sizes of what is drawn in files.
+pub(super) fn lengths(scene: &Scene, of_files: impl IntoIterator<Item = f64>) -> Vec<f64> {
     let mut all = vec![scene.particle.radius.value];
+    all.extend(of_files);
     all.extend(scene.table.lattice.iter().flat_map(|vector| vector.value.iter().copied()));
     match &scene.table.shape {
         TableShape::Named { model, arguments, .. } => {
@@ -158,7 +159,8 @@ fn of_border(border: &Border, all: &mut Vec<f64>) {
         }
         Border::Curve { curve: Curve::Implicit { within, .. }, .. } => all.extend(within.value.as_flattened()),
         Border::Shape { lengths, .. } => all.extend(lengths),
-        Border::Outline { .. } | Border::Mesh { .. } => {}
+        Border::Mesh { center, .. } => all.extend(&center.value),
+        Border::Outline { .. } => {}
     }
 }
 

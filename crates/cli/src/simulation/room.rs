@@ -46,6 +46,11 @@ pub(crate) fn between(
 }
 
 impl Entered {
+    /// The largest coordinate of a mesh about its centre; `None` for what the scene itself describes.
+    pub(crate) fn size_in_file(&self) -> Option<f64> {
+        (!self.places.is_empty()).then(|| largest(&self.wall.spec))
+    }
+
     /// An error about this wall, all lengths multiplied by a factor, in the user's units and with the place in its file.
     fn complaint(&self, error: &Error, factor: f64) -> String {
         match error {
@@ -108,10 +113,7 @@ fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<Imported<Sol
         [("stl", import::stl), ("obj", |bytes| import::obj(&String::from_utf8_lossy(bytes)))];
     let Imported { walls, places } = drawing::read(scene, file, "a mesh is read from a .stl or .obj file", &readers)?;
     let walls = walls.scaled(unit);
-    let largest = match &walls {
-        SolidSpec::TriMesh { vertices, .. } => vertices.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())),
-        _ => 0.0,
-    };
+    let largest = largest(&walls);
     if (SMALLEST..=LARGEST).contains(&largest) {
         return Ok(Imported { walls, places });
     }
@@ -119,6 +121,14 @@ fn mesh(scene: &Scene, file: &Spanned<String>, unit: f64) -> Result<Imported<Sol
     let help =
         format!("coordinates, times `unit`, may be as large as {LARGEST:e} and must not all be below {SMALLEST:e}");
     Err(Box::new(scene.source.diagnostic(file.span, what).with_help(help)))
+}
+
+/// The largest coordinate of a mesh.
+fn largest(mesh: &SolidSpec) -> f64 {
+    match mesh {
+        SolidSpec::TriMesh { vertices, .. } => vertices.iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs())),
+        _ => 0.0,
+    }
 }
 
 fn coordinates(p: &[f64]) -> [f64; 3] {

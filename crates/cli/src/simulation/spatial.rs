@@ -11,7 +11,7 @@ use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
 use super::law::{Place, SpatialLaw, keeps_spin};
 use super::remote::{self, Remote};
-use super::room;
+use super::room::{self, Entered};
 use super::scale::{Scale, to_unity};
 use super::start::{self, ByNumber, Spins, Start, Starts, Still};
 use super::wires::Wall;
@@ -124,7 +124,11 @@ impl Space {
 impl Spatial {
     /// Builds everything and checks every start.
     pub(crate) fn new(scene: &Scene) -> Result<Spatial, Vec<Diagnostic>> {
-        let factor = to_unity(boundary::lengths(scene));
+        let entered = match &scene.table.shape {
+            TableShape::Named { .. } => vec![],
+            TableShape::Boundary(entries) => room::walls(scene, entries)?,
+        };
+        let factor = to_unity(boundary::lengths(scene, entered.iter().filter_map(Entered::size_in_file)));
         let (built_in, centres, shift, walls, pieces, mut laws) = match &scene.table.shape {
             TableShape::Named { model, arguments, .. } => {
                 let table = named(scene, model.name, arguments, factor).map_err(|d| vec![*d])?;
@@ -145,7 +149,6 @@ impl Spatial {
                 (Some(table), Space::Named(centres), shift, walls, pieces, laws)
             }
             TableShape::Boundary(entries) => {
-                let entered = room::walls(scene, entries)?;
                 let room = room::between(scene, entries, &entered, factor)?;
                 let (walls, pieces): (Vec<_>, Vec<_>) =
                     entered.into_iter().map(|entered| (entered.wall, entered.name)).unzip();

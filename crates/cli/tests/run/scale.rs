@@ -1,5 +1,7 @@
 //! Scenes of any size.
 
+use std::fs;
+
 use super::Folder;
 
 /// A stadium of radius `length` with speeds near `speed`, both powers of two or decimal powers.
@@ -115,5 +117,72 @@ fn a_polar_formula_says_how_large_a_scene_is() {
              [ensemble]\ncount = 4\n[run]\ncollisions = 50\n"
         );
         assert_eq!(folder.done(&scene, &[])["stops"]["finished"], 4, "{curve}");
+    }
+}
+
+/// Records of collisions in a unit of length, in that unit.
+fn in_unit(rows: &[Vec<f64>], unit: f64, lengths: &[usize]) -> Vec<Vec<f64>> {
+    let row = |row: &Vec<f64>| {
+        row.iter().enumerate().map(|(i, x)| if lengths.contains(&i) { x / unit } else { *x }).collect::<Vec<f64>>()
+    };
+    rows.iter().map(row).collect()
+}
+
+#[test]
+fn a_drawing_of_any_size_is_hit_and_scales_to_the_last_digit() {
+    let folder = Folder::new("drawn-size");
+    let rows = |unit: f64| {
+        let ring = |corners: [[f64; 2]; 4]| {
+            let at = |[x, y]: [f64; 2]| format!("[{:e}, {:e}]", x * unit, y * unit);
+            let [a, b, c, d] = corners.map(at);
+            format!("[{a}, {b}, {c}, {d}, {a}]")
+        };
+        let diamond = |x: f64| ring([[x - 1.0, 0.0], [x, 1.0], [x + 1.0, 0.0], [x, -1.0]]);
+        let rings = [ring([[-8.0, -4.0], [8.0, -4.0], [8.0, 4.0], [-8.0, 4.0]]), diamond(2.0), diamond(-2.0)];
+        let drawing = format!("{{\"type\": \"Polygon\", \"coordinates\": [{}]}}", rings.join(", "));
+        fs::write(folder.0.join("two.geojson"), drawing).unwrap();
+        let scene = format!(
+            "law = \"specular\"\n[[table.boundary]]\noutline = \"two.geojson\"\n[particle]\nradius = {:e}\ninertia = \"hoop\"\n\
+             [[orbit]]\nposition = [{:e}, {:e}]\nvelocity = [1, 0]\n[run]\ncollisions = 20\n[output]\ncollisions = \"csv\"\n",
+            0.5 * unit,
+            -6.0 * unit,
+            0.125 * unit
+        );
+        folder.done(&scene, &[]);
+        in_unit(&folder.rows(), unit, &[2, 4, 5, 6])
+    };
+    let one = rows(1.0);
+    // the diamond on the left comes first, not the one behind it
+    assert_eq!(one[0][3], 11.0);
+    for exponent in [-480, -370, 370, 480] {
+        assert_eq!(rows(libm::ldexp(1.0, exponent)), one, "2^{exponent}");
+    }
+}
+
+#[test]
+fn a_mesh_of_any_size_is_hit_and_scales_to_the_last_digit() {
+    let folder = Folder::new("mesh-size");
+    let octahedron = "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n\
+                      f 1 3 5\nf 3 2 5\nf 2 4 5\nf 4 1 5\nf 3 1 6\nf 2 3 6\nf 4 2 6\nf 1 4 6\n";
+    fs::write(folder.0.join("octahedron.obj"), octahedron).unwrap();
+    let rows = |unit: f64| {
+        let scene = format!(
+            "law = \"no-slip\"\n[table]\ndimension = 3\n[[table.boundary]]\nsphere = {{ center = [0, 0, 0], radius = {:e} }}\n\
+             [[table.boundary]]\nmesh = {{ file = \"octahedron.obj\", unit = {unit:e} }}\n[particle]\nradius = {:e}\n\
+             inertia = \"uniform-ball\"\n[[orbit]]\nposition = [{:e}, {:e}, {:e}]\nvelocity = [-0.8, -0.2, -0.125]\n\
+             [run]\ncollisions = 20\n[output]\ncollisions = \"csv\"\n",
+            3.0 * unit,
+            0.25 * unit,
+            2.0 * unit,
+            0.5 * unit,
+            0.25 * unit
+        );
+        folder.done(&scene, &[]);
+        in_unit(&folder.rows(), unit, &[2, 4, 5, 6])
+    };
+    let one = rows(1.0);
+    assert!(one.iter().any(|row| row[3] == 1.0), "the mesh is hit");
+    for exponent in [-480, -370, 370, 480] {
+        assert_eq!(rows(libm::ldexp(1.0, exponent)), one, "2^{exponent}");
     }
 }

@@ -28,6 +28,14 @@ pub(super) struct Oval {
 }
 
 impl Oval {
+    fn scaled(&self, factor: f64) -> Oval {
+        Oval { center: self.center * factor, semi_axes: self.semi_axes.map(|a| a * factor), angle: self.angle }
+    }
+
+    fn size(&self) -> f64 {
+        self.semi_axes.into_iter().fold(self.center.amax(), f64::max)
+    }
+
     fn radius(&self) -> Option<f64> {
         let [a, b] = self.semi_axes;
         ((a - b).abs() <= ROUND * a.max(b)).then(|| (a * b).sqrt())
@@ -49,6 +57,13 @@ pub(super) enum Edge {
 }
 
 impl Edge {
+    fn scaled(&self, factor: f64) -> Edge {
+        match *self {
+            Edge::Line => Edge::Line,
+            Edge::Arc { oval, counter_clockwise } => Edge::Arc { oval: oval.scaled(factor), counter_clockwise },
+        }
+    }
+
     fn piece(&self, from: Vector2<f64>, to: Vector2<f64>, reversed: bool) -> Result<Box<dyn Piece>, Error> {
         let (a, b) = if reversed { (to, from) } else { (from, to) };
         Ok(match *self {
@@ -72,6 +87,32 @@ pub(super) enum Form {
     /// A start, and edges with the vertices that they lead to; the last one leads back.
     Path(Vector2<f64>, Vec<(Edge, Vector2<f64>)>),
     Oval(Oval),
+}
+
+impl Form {
+    fn scaled(&self, factor: f64) -> Form {
+        match self {
+            Form::Path(start, edges) => {
+                let scaled = |(edge, to): &(Edge, Vector2<f64>)| (edge.scaled(factor), to * factor);
+                Form::Path(start * factor, edges.iter().map(scaled).collect())
+            }
+            Form::Oval(oval) => Form::Oval(oval.scaled(factor)),
+        }
+    }
+
+    /// The greatest of its lengths.
+    fn size(&self) -> f64 {
+        match self {
+            Form::Path(start, edges) => {
+                let of_edge = |(edge, to): &(Edge, Vector2<f64>)| match edge {
+                    Edge::Line => to.amax(),
+                    Edge::Arc { oval, .. } => oval.size().max(to.amax()),
+                };
+                edges.iter().map(of_edge).fold(start.amax(), f64::max)
+            }
+            Form::Oval(oval) => oval.size(),
+        }
+    }
 }
 
 /// Fails where the coordinates of an outline are so large or so small that areas would over- or underflow.
@@ -126,6 +167,10 @@ impl Contour {
 }
 
 impl Contour {
+    fn scaled(&self, factor: f64) -> Contour {
+        Contour { form: self.form.scaled(factor), ..self.clone() }
+    }
+
     /// Where each of its pieces is.
     fn places(&self, count: usize, reversed: bool) -> Vec<Place> {
         let outline: sync::Arc<str> = self.place.as_str().into();
@@ -186,13 +231,45 @@ impl Pen {
     }
 }
 
-/// The pieces of all outlines, in their order, each loop turned so that the table is on its left; and where they are.
-pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
+/// The closed outlines of a drawing or a map, each with the table on its left.
+#[derive(Clone, Debug)]
+pub struct Drawing {
+    contours: Vec<Contour>,
+    /// Whether each runs the other way round than in the file.
+    turned: Vec<bool>,
+}
+
+impl Drawing {
+    /// The outlines as pieces of a table, in their order, and where these are in the file. One unit of the file has the length `unit`
+    /// \[L\].
+    ///
+    /// A power of two changes no digit: `unit = 1.0 / size` with [`Drawing::size`] rounded to one brings a drawing of any size to one near 1.
+    ///
+    /// # Errors
+    /// [`Error::Import`] where a length over- or underflows in that unit.
+    pub fn pieces(&self, unit: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
+        let (mut walls, mut places) = (vec![], vec![]);
+        for (contour, &reversed) in self.contours.iter().zip(&self.turned) {
+            let pieces = contour.scaled(unit).pieces(reversed)?;
+            places.extend(contour.places(pieces.len(), reversed));
+            walls.extend(pieces);
+        }
+        Ok(Imported { walls, places })
+    }
+
+    /// The greatest coordinate of a vertex or a centre, or semi-axis of an ellipse, in units of the file.
+    pub fn size(&self) -> f64 {
+        self.contours.iter().map(|contour| contour.form.size()).fold(0.0, f64::max)
+    }
+}
+
+/// Turns each outline so that the table is on its left.
+pub(super) fn oriented(contours: Vec<Contour>) -> Result<Drawing, Error> {
     if contours.is_empty() {
         return Err(Error::Empty);
     }
     let mut loops = vec![];
-    for contour in contours {
+    for contour in &contours {
         loops.push(contour.pieces(false)?);
     }
     let owners: Vec<usize> = loops.iter().enumerate().flat_map(|(k, l)| l.iter().map(move |_| k)).collect();
@@ -240,12 +317,7 @@ pub(super) fn oriented(contours: &[Contour]) -> Result<Imported<Vec<Box<dyn Piec
         };
         turned.push((area < 0.0) != hole);
     }
-    let (mut walls, mut places) = (vec![], vec![]);
-    for ((contour, given), reversed) in contours.iter().zip(loops).zip(turned) {
-        places.extend(contour.places(given.len(), reversed));
-        walls.extend(if reversed { contour.pieces(true)? } else { given });
-    }
-    Ok(Imported { walls, places })
+    Ok(Drawing { contours, turned })
 }
 
 /// Number of tries to find a ray from an outline that touches no other one.

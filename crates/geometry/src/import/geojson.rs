@@ -1,12 +1,11 @@
 //! Outlines from `GeoJSON`: polygons with holes.
-use super::contour::{Contour, Edge, Pen, Role, in_range, oriented};
+use super::contour::{Contour, Drawing, Edge, Pen, Role, in_range, oriented};
 use super::distinct::Distinct;
-use super::place::Imported;
-use crate::{Error, Piece};
+use crate::Error;
 use nalgebra::Vector2;
 use serde_json::Value;
 
-/// The outlines of all polygons of a `GeoJSON` text, as pieces of a table, and for each piece the position where it starts in the file.
+/// The outlines of all polygons of a `GeoJSON` text.
 ///
 /// `Polygon` and `MultiPolygon` are read, alone or in features and collections; other geometries do not bound anything and are an
 /// error. Coordinates are taken as they are (a plane, not a sphere); a third one is ignored. Rings end with the position that they
@@ -15,14 +14,14 @@ use serde_json::Value;
 /// ```
 /// use geometry::{Table, import};
 /// let text = r#"{"type": "Polygon", "coordinates": [[[0, 0], [0, 3], [4, 0], [0, 0]]]}"#;
-/// let table = Table::new(import::geojson(text)?.walls)?;
+/// let table = Table::new(import::geojson(text)?.pieces(1.0)?.walls)?;
 /// assert_eq!(table.area(), 6.0);
 /// # Ok::<(), geometry::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::Import`] with the place of the problem, [`Error::Empty`] where there is no polygon.
-pub fn geojson(text: &str) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
+pub fn geojson(text: &str) -> Result<Drawing, Error> {
     let Distinct(value) = serde_json::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
         let problem = e.to_string();
         let problem = problem.rsplit_once(" at line").map_or(problem.as_str(), |(what, _)| what).to_string();
@@ -30,7 +29,7 @@ pub fn geojson(text: &str) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
     })?;
     let mut contours = vec![];
     object(&value, "the file", &mut contours)?;
-    oriented(&contours)
+    oriented(contours)
 }
 
 fn fail<T>(place: &str, problem: impl Into<String>) -> Result<T, Error> {

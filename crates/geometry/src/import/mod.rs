@@ -11,7 +11,7 @@
 //!   <path d="M 0 0 h 4 v 2 h -4 z"/>
 //!   <circle cx="2" cy="1" r="0.5"/>
 //! </svg>"#;
-//! let table = Table::new(import::svg(drawing, import::TOLERANCE)?.walls)?;
+//! let table = Table::new(import::svg(drawing, import::TOLERANCE)?.pieces(1.0)?.walls)?;
 //! assert!((table.area() - (8.0 - core::f64::consts::PI / 4.0)).abs() < 1e-15);
 //! # Ok::<(), geometry::Error>(())
 //! ```
@@ -25,6 +25,7 @@ mod place;
 mod stl;
 mod svg;
 
+pub use contour::Drawing;
 pub use geojson::geojson;
 pub use obj::obj;
 pub use place::{Imported, Place};

@@ -19,9 +19,9 @@ pub enum Place {
     Line(usize),
     /// A facet of a binary file, counted from 0.
     Facet(usize),
-    /// An outline: line and element, or the path of keys.
+    /// An outline: line and element of a drawing, or the path of keys of a map.
     Outline(Arc<str>),
-    /// A position of an outline, counted from 0.
+    /// A position of an outline of a map, counted from 0: the one where the file starts the piece.
     Position(Arc<str>, usize),
 }
 

@@ -5,16 +5,15 @@ mod style;
 
 use super::{
     biarc::Fit,
-    contour::{Contour, Edge, Form, Oval, Pen, Role, in_range, oriented},
-    place::Imported,
+    contour::{Contour, Drawing, Edge, Form, Oval, Pen, Role, in_range, oriented},
 };
-use crate::{Error, Piece};
+use crate::Error;
 use affine::Affine;
 use nalgebra::Vector2;
 use path::{Draw, Subpath};
 use roxmltree::{Document, Node, ParsingOptions};
 
-/// The outlines of an SVG drawing, as pieces of a table, and line and element of each piece.
+/// The outlines of an SVG drawing.
 ///
 /// The elements `path`, `polygon`, `polyline`, `rect`, `circle` and `ellipse` are read, with the transformations of elements and groups
 /// given as attributes; open outlines that are filled are closed by a straight edge, as filling does. Hidden elements, texts, images and
@@ -28,7 +27,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 /// is not filled, or may be left unfilled by a style sheet, for a `use`, which should be expanded by the drawing program, and for styles
 /// that place, form or (in a style sheet) hide outlines; [`Error::Empty`] for a drawing without outlines; [`Error::Parameter`] unless the
 /// tolerance is between 10⁻¹⁴ and 1.
-pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, Error> {
+pub fn svg(text: &str, tolerance: f64) -> Result<Drawing, Error> {
     if !(1e-14..=1.0).contains(&tolerance) {
         return Err(Error::Parameter { name: "tolerance", must: "between 1e-14 and 1", value: tolerance });
     }
@@ -48,7 +47,7 @@ pub fn svg(text: &str, tolerance: f64) -> Result<Imported<Vec<Box<dyn Piece>>>, 
     for outline in &outlines {
         contours.extend(outline.contour(&fit)?);
     }
-    oriented(&contours)
+    oriented(contours)
 }
 
 /// Everything that is drawn, in the order of the file.

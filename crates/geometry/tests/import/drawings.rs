@@ -7,7 +7,8 @@ pub(super) fn drawing(body: &str) -> String {
     format!("<svg xmlns=\"http://www.w3.org/2000/svg\">\n{body}\n</svg>")
 }
 fn pieces(body: &str) -> Vec<Box<dyn Piece>> {
-    import::svg(&drawing(body), import::TOLERANCE).unwrap_or_else(|e| panic!("{body}: {e}")).walls
+    let read = import::svg(&drawing(body), import::TOLERANCE).and_then(|drawing| drawing.pieces(1.0));
+    read.unwrap_or_else(|e| panic!("{body}: {e}")).walls
 }
 fn table(body: &str) -> Table {
     let table = Table::new(pieces(body)).unwrap_or_else(|e| panic!("{body}: {e}"));
@@ -108,7 +109,7 @@ fn bezier_curves_become_smooth_arcs_within_the_tolerance() {
         assert!(off <= 1e-9, "{i}: {off:e}");
     }
     // a coarse tolerance needs few arcs
-    let coarse = import::svg(&drawing(&format!("<path d=\"{d}\"/>")), 1e-3).unwrap().walls;
+    let coarse = import::svg(&drawing(&format!("<path d=\"{d}\"/>")), 1e-3).unwrap().pieces(1.0).unwrap().walls;
     assert!(coarse.len() <= 16 && round.pieces().len() < 2000, "{} {}", coarse.len(), round.pieces().len());
     // curves with inflections, loops of control points and straight parts
     for d in ["M0 0C1 3 2 -3 3 0L1.5 -40Z", "M0 0C2.5 4 0.5 4 3 0Z", "M0 0C1 0 2 0 3 0L0 3Z"] {
@@ -278,7 +279,7 @@ fn only_outlines_are_drawn() {
     assert_eq!(t.pieces().len(), 4);
     assert!(matches!(import::svg(&drawing(""), 1e-9), Err(Error::Empty)));
     let doctype = "<?xml version='1.0'?><!DOCTYPE svg PUBLIC \"a\" \"b\"><svg><rect width='1' height='1'/></svg>";
-    assert_eq!(import::svg(doctype, 1e-9).unwrap().walls.len(), 4);
+    assert_eq!(import::svg(doctype, 1e-9).unwrap().pieces(1.0).unwrap().walls.len(), 4);
 }
 
 #[test]
@@ -308,7 +309,7 @@ fn styles_hide_outlines_or_are_refused() {
     let foreign = "<svg xmlns='http://x'><rect width='1' height='1'/></svg>";
     assert!(import::svg(foreign, 1e-9).is_err());
     let page = "<svg style='width:100%;height:auto'><rect width='1' height='1'/></svg>";
-    assert_eq!(import::svg(page, 1e-9).unwrap().walls.len(), 4);
+    assert_eq!(import::svg(page, 1e-9).unwrap().pieces(1.0).unwrap().walls.len(), 4);
 }
 
 #[test]
@@ -434,8 +435,8 @@ proptest! {
         commands in prop::collection::vec(("[MLHVCSQTAZmlhvcsqtaz]", prop::collection::vec(-9..9_i32, 0..8)), 1..12),
     ) {
         let d: String = commands.iter().map(|(c, n)| format!("{c}{n:?}").replace(['[', ']'], " ")).collect();
-        if let Ok(pieces) = import::svg(&drawing(&format!("<path d=\"M0 0{d}\"/>")), 1e-3)
-            && let Ok(table) = Table::new(pieces.walls)
+        if let Ok(drawn) = import::svg(&drawing(&format!("<path d=\"M0 0{d}\"/>")), 1e-3)
+            && let Ok(table) = drawn.pieces(1.0).and_then(|pieces| Table::new(pieces.walls))
         {
             let _ = table.validate();
         }
@@ -446,5 +447,45 @@ proptest! {
         let _ = import::svg(&text, 1e-3);
         let _ = import::svg(&drawing(&text), 1e-3);
         let _ = import::svg(&drawing(&format!("<rect width=\"{attribute}\" transform=\"{attribute}\"/>")), 1e-3);
+    }
+}
+
+#[test]
+fn a_drawing_in_a_unit_of_a_power_of_two_is_the_same_to_the_last_digit() {
+    let body = "<rect x='-9' y='-5' width='18' height='10' rx='1.3'/><circle cx='0.1' cy='0.7' r='2.3'/>
+        <ellipse cx='-4.1' cy='0.3' rx='0.3' ry='1.1' transform='rotate(20)'/>
+        <path d='M5 0A1.7 0.6 30 0 1 6 1L6.3 -1Z'/><path d='M3 3C4 3 4 4 3 4Z'/>";
+    let drawn = import::svg(&drawing(body), import::TOLERANCE).unwrap();
+    assert_eq!(drawn.size(), 9.0);
+    let ten = drawn.pieces(1.0).unwrap();
+    for exponent in [-400, -3, 400] {
+        let unit = libm::ldexp(1.0, exponent);
+        let scaled = drawn.pieces(unit).unwrap();
+        assert_eq!((scaled.walls.len(), &scaled.places), (ten.walls.len(), &ten.places));
+        for (piece, one) in scaled.walls.iter().zip(&ten.walls) {
+            assert_eq!(piece.length(), one.length() * unit);
+            for part in [0.0, 0.1, 0.6, 1.0] {
+                let [at, there] = [&piece, &one].map(|p| p.landing_at(p.length() * part));
+                assert_eq!((at.point, at.normal), (there.point * unit, there.normal), "{one:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn outlines_of_any_size_are_nested_alike() {
+    let nested = |size: f64| {
+        let square = |half: f64| {
+            let [a, b] = [-half * size, half * size];
+            format!("<polygon points='{a:e},{a:e} {b:e},{a:e} {b:e},{b:e} {a:e},{b:e}'/>")
+        };
+        let oval = format!("<ellipse cx='{:e}' cy='0' rx='{:e}' ry='{:e}'/>", -7.0 * size, 0.5 * size, size);
+        let body = [square(8.0), square(5.0), square(2.0), oval].concat();
+        let read = import::svg(&drawing(&body), import::TOLERANCE).unwrap();
+        let pieces = read.pieces(1.0 / size).unwrap();
+        pieces.walls.iter().map(|piece| piece.landing_at(0.0).normal.map(f64::signum)).collect::<Vec<_>>()
+    };
+    for size in [1e149, 1e100, 1e-100, 1e-150] {
+        assert_eq!(nested(size), nested(1.0), "{size:e}");
     }
 }

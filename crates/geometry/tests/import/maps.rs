@@ -8,7 +8,7 @@ fn maps_become_tables() {
         [[0, 0], [0, 4], [4, 4], [4, 0], [0, 0]],
         [[1, 1], [2, 1, 99], [2, 2], [1, 2], [1, 1]]]}"#;
     let check = |text: &str, area: f64, parts: usize| {
-        let t = Table::new(import::geojson(text).unwrap().walls).unwrap();
+        let t = Table::new(import::geojson(text).unwrap().pieces(1.0).unwrap().walls).unwrap();
         assert_eq!(t.validate(), Ok(()));
         assert_eq!((t.area(), t.components().len()), (area, parts));
     };

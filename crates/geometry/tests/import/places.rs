@@ -5,11 +5,15 @@ use geometry::{Vector2, import};
 #[test]
 fn every_piece_and_every_triangle_knows_its_place_in_the_file() {
     let shown = |places: &[import::Place]| places.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let drawn = import::svg(&drawing("<circle r='9'/>\n<path d='M0 0H2V2Z'/>"), import::TOLERANCE).unwrap();
+    let drawn = import::svg(&drawing("<circle r='9'/>\n<path d='M0 0H2V2Z'/>"), import::TOLERANCE)
+        .unwrap()
+        .pieces(1.0)
+        .unwrap();
     assert_eq!(shown(&drawn.places), ["line 2, <circle>", "line 3, <path>", "line 3, <path>", "line 3, <path>"]);
     // a position written twice starts no piece, and the outline is turned round
     let ring = "[[[0, 0], [0, 0], [0, 3], [4, 3], [4, 3], [4, 0], [0, 0]]]";
-    let map = import::geojson(&format!("{{\"type\": \"Polygon\", \"coordinates\": {ring}}}")).unwrap();
+    let map =
+        import::geojson(&format!("{{\"type\": \"Polygon\", \"coordinates\": {ring}}}")).unwrap().pieces(1.0).unwrap();
     let names = [5, 4, 2, 1].map(|n| format!("coordinates[0][{n}]"));
     assert_eq!(shown(&map.places), names);
     // the piece that the file draws from a position ends there now

@@ -119,7 +119,7 @@ fn bezier_outline(seed: u32, tolerance: f64) -> Option<Table> {
         path.push(format!("C{} {} {}", place(start), place(end), place(b)));
     }
     let drawing = format!("<svg xmlns='http://www.w3.org/2000/svg'><path d='{}Z'/></svg>", path.concat());
-    let drawn = table(import::svg(&drawing, tolerance).unwrap().walls);
+    let drawn = table(import::svg(&drawing, tolerance).unwrap().pieces(1.0).unwrap().walls);
     drawn.validate().is_ok().then_some(drawn)
 }
 

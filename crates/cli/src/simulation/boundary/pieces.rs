@@ -9,15 +9,43 @@ use billiards::geometry::{Error, Extent, Lattice, Piece, Table, Vector2, enclose
 use super::complaint::{about, in_user_units, with_advice};
 use super::scaled::Scaled;
 use super::{Drawn, PieceSource};
-use crate::document::{Diagnostic, Span, Spanned};
+use crate::document::{Diagnostic, Span};
 use crate::expression::{Expression, ImplicitCurve, ParametricCurve, PolarCurve};
 use crate::scene::{self, Border, Curve, Domain, Edge, EdgePath, Entry, LawKind, Scene, Side, Turn};
 use crate::simulation::drawing::{self, Reader};
 use crate::simulation::scale;
 use crate::simulation::words::short;
 
-/// The pieces of a drawing or a map.
-type Outlines = import::Imported<Vec<Box<dyn Piece>>>;
+/// A drawing or a map.
+pub(super) struct Outline {
+    /// Where the scene names its file.
+    span: Span,
+    drawing: import::Drawing,
+}
+
+impl Outline {
+    /// Its greatest length, in the scene's unit.
+    pub(super) fn size(&self) -> f64 {
+        self.drawing.size()
+    }
+}
+
+/// The outline of an entry, or why it cannot be read; `None` if it is none.
+type Read = Option<Result<Outline, Box<Diagnostic>>>;
+
+/// The outlines of entries, read from their files.
+pub(super) fn outlines(scene: &Scene, entries: &[Entry]) -> Vec<Read> {
+    let kinds = "an outline is read from a .svg, .json or .geojson file";
+    let svg: Reader<import::Drawing> = |bytes| import::svg(&String::from_utf8_lossy(bytes), import::TOLERANCE);
+    let geojson: Reader<import::Drawing> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
+    let readers = [("svg", svg), ("json", geojson), ("geojson", geojson)];
+    let outline = |entry: &Entry| {
+        let Border::Outline { file } = &entry.border else { return None };
+        let read = drawing::read(scene, file, kinds, &readers);
+        Some(read.map(|drawing| Outline { span: file.span, drawing }))
+    };
+    entries.iter().map(outline).collect()
+}
 
 /// The pieces of an explicit boundary, collected in order.
 struct Collected<'a> {
@@ -28,14 +56,24 @@ struct Collected<'a> {
     laws: Vec<Option<LawKind>>,
 }
 
-pub(super) fn explicit(scene: &Scene, entries: &[Entry], factor: f64) -> Result<Drawn, Vec<Diagnostic>> {
+/// The table of entries and their outlines, all lengths multiplied by a factor.
+pub(super) fn explicit(
+    scene: &Scene,
+    entries: &[Entry],
+    outlines: Vec<Read>,
+    factor: f64,
+) -> Result<Drawn, Vec<Diagnostic>> {
     let mut all = Collected { scene, factor, pieces: vec![], sources: vec![], laws: vec![] };
     let mut wrong = vec![];
     // two-sided walls aside, which enclose nothing
     let mut others = vec![];
-    for entry in entries {
+    for (entry, outline) in entries.iter().zip(outlines) {
         let first = all.pieces.len();
-        match all.entry(entry) {
+        let entered = match outline {
+            Some(read) => read.and_then(|outline| all.outline(&outline, entry.law.as_ref())),
+            None => all.entry(entry),
+        };
+        match entered {
             Ok(()) if matches!(entry.border, Border::Loop { closed: true, .. }) && all.area_of_loop(first) == 0.0 => {}
             Ok(()) => others.push(entry),
             Err(diagnostic) => wrong.push(*diagnostic),
@@ -126,15 +164,8 @@ impl Collected<'_> {
                 }
                 return Ok(());
             }
-            Border::Outline { file } => {
-                let import::Imported { walls, places } = self.outline(file)?;
-                for (piece, place) in walls.into_iter().zip(places) {
-                    self.push_from(piece, PieceSource { span: file.span, place: Some(place) }, law);
-                }
-                return Ok(());
-            }
-            // the scene's reader accepts these only in space
-            Border::Plane { .. } | Border::Shape { .. } | Border::Mesh { .. } => {
+            // outlines are read before, and the scene's reader accepts the others only in space
+            Border::Outline { .. } | Border::Plane { .. } | Border::Shape { .. } | Border::Mesh { .. } => {
                 return Err(Box::new(self.scene.source.diagnostic(entry.span, "this is no planar boundary")));
             }
         };
@@ -257,11 +288,14 @@ impl Collected<'_> {
     }
 
     /// Loops from a drawing or a map.
-    fn outline(&self, file: &Spanned<String>) -> Result<Outlines, Box<Diagnostic>> {
-        let kinds = "an outline is read from a .svg, .json or .geojson file";
-        let svg: Reader<Outlines> = |bytes| import::svg(&String::from_utf8_lossy(bytes), import::TOLERANCE);
-        let geojson: Reader<Outlines> = |bytes| import::geojson(&String::from_utf8_lossy(bytes));
-        drawing::read(self.scene, file, kinds, &[("svg", svg), ("json", geojson), ("geojson", geojson)])
+    fn outline(&mut self, outline: &Outline, law: Option<&scene::Law>) -> Result<(), Box<Diagnostic>> {
+        let Outline { span, drawing } = outline;
+        let import::Imported { walls, places } =
+            drawing.pieces(self.factor).map_err(|error| self.wrong(*span, &error))?;
+        for (piece, place) in walls.into_iter().zip(places) {
+            self.push_from(piece, PieceSource { span: *span, place: Some(place) }, law);
+        }
+        Ok(())
     }
 }
 
