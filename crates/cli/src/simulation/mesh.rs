@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use billiards::geometry::Vector3;
 use billiards::geometry::edges::{chains, merged, sides};
 
+use super::scale::to_unity;
+
 /// Up to this many triangles are shown individually; of more, one sees the shape and not the triangles.
 const FEW: usize = 1000;
 /// Cosines of the angles between two triangles above which the edge between them is drawn: 1° for few triangles, 30° for many.
@@ -25,9 +27,12 @@ pub(super) fn seen(vertices: &[[f64; 3]], triangles: &[[usize; 3]], towards: &Ve
     let number = merged(vertices.iter().copied());
     let points: Vec<Vector3<f64>> = vertices.iter().map(|vertex| Vector3::from(*vertex)).collect();
     let known = triangles.iter().filter(|t| t.iter().all(|v| *v < number.len())).map(|t| t.map(|v| number[v]));
-    // a triangle without an area has no side
-    let normal =
-        |t: &[usize; 3]| (points[t[1]] - points[t[0]]).cross(&(points[t[2]] - points[t[0]])).try_normalize(0.0);
+    // a triangle without an area has no side; of one of any size the fourth powers of lengths are within range in a unit of its own
+    let normal = |t: &[usize; 3]| {
+        let [a, b] = [1, 2].map(|k| points[t[k]] - points[t[0]]);
+        let unit = to_unity(a.iter().chain(&b).copied());
+        (a * unit).cross(&(b * unit)).try_normalize(0.0)
+    };
     let faces: Vec<([usize; 3], Vector3<f64>)> = known.filter_map(|t| Some((t, normal(&t)?))).collect();
     let owner: HashMap<[usize; 2], usize> =
         faces.iter().enumerate().flat_map(|(k, face)| sides(face.0).map(|side| (side, k))).collect();
@@ -96,6 +101,22 @@ mod tests {
         assert!((100..400).contains(&edges), "{edges} edges of {} triangles", triangles.len());
         assert_eq!(seen.areas.len(), 1);
         assert!((area(&seen.areas[0]) - core::f64::consts::PI).abs() < 0.01, "{}", area(&seen.areas[0]));
+    }
+
+    #[test]
+    fn triangles_of_any_size_are_seen() {
+        let (vertices, triangles) = ball(4);
+        let one = seen(&vertices, &triangles, &UP);
+        for exponent in [-480, -250, 250, 480] {
+            let unit = libm::ldexp(1.0, exponent);
+            let scaled: Vec<[f64; 3]> = vertices.iter().map(|p| p.map(|x| x * unit)).collect();
+            let seen = seen(&scaled, &triangles, &UP);
+            let times = |chains: &[Vec<Vector3<f64>>]| -> Vec<Vec<_>> {
+                chains.iter().map(|chain| chain.iter().map(|p| p * unit).collect()).collect()
+            };
+            assert_eq!(seen.lines, times(&one.lines), "2^{exponent}");
+            assert_eq!(seen.areas, one.areas.iter().map(|area| times(area)).collect::<Vec<_>>(), "2^{exponent}");
+        }
     }
 
     #[test]
