@@ -250,6 +250,19 @@ pub enum Error {
         /// Its length.
         length: f64,
     },
+    /// A piece so small in its table that the times of hits on it cannot be compared.
+    #[error(
+        "piece {piece} is only {} wide, and must be at least {} wide in this table: times at which it is hit could not be compared with others",
+        short(*width), short(six_digits(*least))
+    )]
+    Small {
+        /// The piece.
+        piece: usize,
+        /// Its width: the longer side of the box around it.
+        width: f64,
+        /// The least that it may have.
+        least: f64,
+    },
     /// A curve that crosses itself.
     #[error("piece {piece} crosses itself near {}", about(at))]
     SelfCrossing {

@@ -1,6 +1,6 @@
 //! Is this a table? What a set of pieces must satisfy before a particle may run in it.
 use crate::{
-    Error, Figure, Meeting, MeetingKind, Piece, Table,
+    Error, Extent, Figure, Lattice, Meeting, MeetingKind, Piece, Table,
     intersect::{direction_at, self_crossing},
     meetings,
     plane::{key, slack},
@@ -19,6 +19,11 @@ const FLATTEST: f64 = 1e6;
 /// Least ratio of the semi-axes of an ellipse. With this one, its two sides are closer together than rounding of coordinates ([`slack`])
 /// only within 3·10⁻¹¹ of its longer semi-axis from its ends.
 const THINNEST: f64 = 1.0 / (1_u64 << 32) as f64;
+
+/// Least width of a piece, in units of the table's size. Hits are compared as fractions of products of lengths: the numerator and denominator
+/// for an ellipse are, in units of its shorter semi-axis (which [`THINNEST`] bounds), squares of distances in the table, so that with pieces
+/// of this width the products of two of them are up to 10²⁷⁸.
+const SMALLEST: f64 = 1e-60;
 
 /// Where pieces of a table touch.
 struct Contacts {
@@ -75,12 +80,13 @@ impl Table {
     /// loops have in common with the table on neither side.
     ///
     /// # Errors
-    /// [`Error::TooShort`], [`Error::Flat`], [`Error::Thin`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`], [`Error::Crossing`],
-    /// [`Error::Spike`], [`Error::Faces`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the numbers of the pieces
-    /// and about where.
+    /// [`Error::TooShort`], [`Error::Small`], [`Error::Flat`], [`Error::Thin`], [`Error::InfiniteOnLattice`], [`Error::SelfCrossing`],
+    /// [`Error::Crossing`], [`Error::Spike`], [`Error::Faces`], [`Error::Collapsed`], [`Error::Orientation`] or [`Error::OneSided`], with the
+    /// numbers of the pieces and about where.
     pub fn validate(&self) -> Result<(), Error> {
         let vertices = self.pieces().iter().filter_map(Piece::ends).flatten();
         let size = vertices.map(|v| v.amax()).filter(|x| x.is_finite()).fold(0.0, f64::max);
+        let least = SMALLEST * self.reach();
         for (piece, p) in self.pieces().iter().enumerate() {
             if let Figure::Arc { radius, .. } = p.figure()
                 && radius > FLATTEST * size
@@ -90,6 +96,11 @@ impl Table {
             let length = p.length();
             if length <= slack([p.extent().size()]) {
                 return Err(Error::TooShort { piece, length });
+            }
+            let Extent { min, max } = p.extent();
+            let width = (max - min).amax();
+            if width < least {
+                return Err(Error::Small { piece, width, least });
             }
             if !length.is_finite() && !self.is_along_lattice(&p.figure()) {
                 return Err(Error::InfiniteOnLattice { piece });
@@ -115,6 +126,12 @@ impl Table {
         faces.map_or(Ok(()), Err)?;
         self.orientation(&sight)?;
         self.sides_of_a_torus()
+    }
+
+    /// The greatest finite coordinate of a piece or of a lattice vector.
+    fn reach(&self) -> f64 {
+        let vectors = self.shortest().into_iter().flat_map(Lattice::vectors).map(Vector2::amax);
+        self.pieces().iter().map(|p| p.extent().size()).chain(vectors).fold(0.0, f64::max)
     }
 
     /// Whether an infinite piece is allowed on the lattice: only a line along the only lattice vector.

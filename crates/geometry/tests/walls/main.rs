@@ -18,7 +18,7 @@ mod whole_sides;
 use geometry::shapes::curve::{Implicit, ImplicitFormula};
 use geometry::shapes::{Arc, Bump, Circle, Ellipse, EllipticArc, FullLine, Ray, Screen, Segment, Translated};
 use geometry::{
-    Interior, Lattice, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
+    Error, Interior, Lattice, Line, Outline, Piece, SVector, Table, Turn, Vector2, WallHit, Walls, WithWalls, tables,
     tables::{Build, Entry},
     walls::{Few, List},
 };
@@ -55,6 +55,50 @@ fn circles_that_are_tiny_beside_the_flights_reflect_as_well_as_others() {
             }
             let paths = paths(&table, 64, &mut Random(5));
             table.with_walls(side_by_side::SameBits { name: "a tiny disk", paths: &paths });
+        }
+    }
+}
+
+#[test]
+fn the_smallest_pieces_that_a_table_may_have_are_hit_in_the_order_of_times() {
+    struct First(Line<2>);
+    impl WithWalls<2> for First {
+        type Output = (usize, f64);
+        fn run<W: Walls<2>>(self, walls: &W) -> (usize, f64) {
+            let hit = walls.hit(&self.0).unwrap();
+            (hit.piece, hit.time)
+        }
+    }
+    let v = Vector2::new;
+    let room = || Box::new(Circle::new(v(0.0, 0.0), 1.0, true).unwrap()) as Box<dyn Piece>;
+    for width in [1e-3, 1.1e-60, 0.9e-60] {
+        let disk = |x: f64| Box::new(Circle::new(v(x * width, 0.0), 0.5 * width, false).unwrap()) as Box<dyn Piece>;
+        let oval = |x: f64| {
+            let semi_axes = [3e-10, 0.5].map(|a| a * width);
+            Box::new(Ellipse::new(v(x * width, 0.0), semi_axes, 0.0, false).unwrap()) as Box<dyn Piece>
+        };
+        let tables =
+            [[disk(1.0), disk(-1.0)], [oval(1.0), oval(-1.0)], [disk(1.0), oval(-1.0)], [oval(1.0), disk(-1.0)]];
+        for (k, [right, left]) in tables.into_iter().enumerate() {
+            let table = Table::new(vec![room(), right, left]).unwrap();
+            if width < 1e-60 {
+                let checked = table.validate();
+                assert!(matches!(checked, Err(Error::Small { piece: 1, .. })), "{checked:?}");
+                continue;
+            }
+            assert_eq!(table.validate(), Ok(()));
+            // where the left one begins
+            let begins = [-1.5, -1.0, -1.0, -1.5][k];
+            let path = |from: f64, toward: f64| First(Line { point: v(from, 0.0), velocity: v(toward, 0.0) });
+            let (piece, time) = table.with_walls(path(-3.0 * width, 1.0));
+            let expected = (begins + 3.0) * width;
+            assert_eq!(piece, 2, "{k}: {width:e}");
+            assert!((time - expected).abs() <= 1e-9 * expected, "{k}: {width:e}: {time:e}, not {expected:e}");
+            assert_eq!(table.with_walls(path(3.0 * width, -1.0)).0, 1, "{k}: {width:e}");
+            // from afar either comes first, within rounding, but not the wall beyond
+            let (piece, time) = table.with_walls(path(-0.5, 1.0));
+            assert_ne!(piece, 0, "{k}: {width:e}");
+            assert!((time - 0.5).abs() <= 2.0 * width, "{k}: {width:e}: {time}");
         }
     }
 }

@@ -35,6 +35,7 @@ pub(crate) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
         Error::TooShort { piece, length } => Error::TooShort { piece, length: back(length) },
         Error::Flat { piece, radius, size } => Error::Flat { piece, radius: back(radius), size: back(size) },
+        Error::Small { piece, width, least } => Error::Small { piece, width: back(width), least: back(least) },
         Error::Thin { piece, width, least } => Error::Thin { piece, width: back(width), least: back(least) },
         Error::Field { field, must } => Error::Field { field: key(&field), must: what(must) },
         Error::SamePoint { field, other } => Error::SamePoint { field: key(&field), other: key(&other) },
@@ -152,6 +153,7 @@ fn piece_of(error: &Error) -> Option<usize> {
         | Error::Collapsed { piece, .. }
         | Error::TooShort { piece, .. }
         | Error::Flat { piece, .. }
+        | Error::Small { piece, .. }
         | Error::Thin { piece, .. }
         | Error::ManyCells { piece, .. }
         | Error::FarFromCell { piece, .. }
@@ -179,6 +181,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
     Some(match error {
         Error::ZeroLength => "leave it out, or move one of its ends",
         Error::TooShort { .. } => "leave it out, make it longer, or move it nearer to the origin",
+        Error::Small { .. } => "make it larger, or leave it out",
         Error::Flat { .. } => "put a straight piece there (line_to), or move the center nearer",
         Error::Thin { .. } => {
             "make it less flat, or move it nearer to the origin; a wall without thickness is a shape = { name = \"segment\", from = ..., to \
@@ -261,6 +264,7 @@ fn about_parameters(error: &Error) -> Option<&'static str> {
         Error::TooShort { .. } => {
             "change the parameters of the table so that this piece is longer, or take a table without it"
         }
+        Error::Small { .. } => "change the parameters of the table so that this piece is larger",
         Error::Flat { .. } => "change the parameters of the table so that this arc is less flat",
         Error::Collapsed { .. } => "change the parameters of the table so that it is wider",
         Error::Thin { .. } | Error::Faces { .. } => "change the parameters of the table so that it is less thin",

@@ -21,6 +21,22 @@ fn a_circle_too_far_from_the_origin_is_told_to_move_nearer() {
 }
 
 #[test]
+fn a_piece_too_small_for_its_table_is_told_to_be_larger() {
+    let folder = Folder::new("small-circle");
+    let scene = "law = \"specular\"\n[table]\nboundary = [\n  { circle = { center = [0, 0], radius = 4 } },\n  \
+                 { circle = { center = [\"2e-140\", 0], radius = \"1e-140\", domain = \"outside\" } },\n]\n[[orbit]]\n\
+                 position = [0.5, 0]\nvelocity = [1, 0]\n[run]\ncollisions = 3\n";
+    fs::write(folder.0.join("scene.toml"), scene).unwrap();
+    let output =
+        Command::cargo_bin("billiards").unwrap().current_dir(&folder.0).args(["run", "scene.toml"]).output().unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{text}");
+    for part in ["scene.toml:5", "piece 1 is only 2e-140 wide, and must be at least 4e-60", "make it larger"] {
+        assert!(text.contains(part), "{text}");
+    }
+}
+
+#[test]
 fn what_is_too_far_away_for_a_lattice_is_told() {
     let cases = [
         (
