@@ -86,7 +86,7 @@ pub const LAWS: &[LawModel] = &[
     LawModel {
         name: "random",
         example: "law = { name = \"random\", rank = 1, seed = 0 }",
-        summary: "k = rank rough directions, uniformly random, as a function of the seed and the contact point",
+        summary: "k = rank rough directions, uniformly random, as a function of the seed, the contact point and the piece",
         form: Form::Table(random),
     },
     LawModel {
