@@ -138,6 +138,9 @@ impl Horizon {
     /// it hit next, which is the width of a strip however it lies. Where a path displaced by the error would hit something else, and not
     /// be beside the orbit again soon after, the orbit is lost.
     ///
+    /// Lengths and speeds should be between 10⁻⁴⁵ and 10⁴⁵: beyond, squares of errors over- or underflow, and the bound is wrong. A scene
+    /// scaled by powers of two to a size and a speed near 1 has the same horizon.
+    ///
     /// Any law will do, even one that varies from place to place: it is differentiated with respect to velocity, spin, normal and place.
     /// If the curvature of the walls is not known, `walls` is [`Felt`].
     ///

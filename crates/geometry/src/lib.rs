@@ -11,7 +11,8 @@
 //!
 //! Everything is oriented: the boundary is traversed with the table on its left, and normals point into the table.
 //! Nothing here has an absolute tolerance; scaling a table by a power of two scales every answer exactly, to the
-//! last bit.
+//! last bit, while it is neither larger than 10⁴⁵ nor smaller than 10⁻⁴⁵: beyond, products of lengths in the formulas for hits may
+//! over- or underflow. Scale such a table to a size near 1, as the command does.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::print_stdout))]
 
 mod afar;
