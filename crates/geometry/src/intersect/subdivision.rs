@@ -1,7 +1,8 @@
 //! Curves of any kind, by subdivision over their arc length.
 //!
 //! An arc of length `ℓ` from `p` to `q` lies in the ellipse with foci `p`, `q` and sum of focal distances `ℓ`; two arcs whose ellipses are
-//! disjoint do not meet. Arcs that turn less than their chords differ in direction meet at most once, and Newton's method decides.
+//! disjoint do not meet. Arcs that turn less than their chords differ in direction meet at most once, and Newton's method decides, unless it
+//! leads out of them.
 use super::{Meeting, MeetingKind, along};
 use crate::{
     Landing, Piece,
@@ -24,6 +25,10 @@ const SHORT: f64 = 1.0 / 8192.0;
 /// A short arc that seems to turn by more than this (radians), and is longer than its chord by more than rounding, really does so, whatever
 /// the curvature at its ends: there is a sharp bend between them.
 const HIDDEN: f64 = 1e-2;
+
+/// Newton's method has come down to the rounding of the points if eight times its last step is shorter than this fraction of the stretches.
+/// Where it is held at the limits of its search, beyond an end, its steps are a larger fraction of them, however short they are.
+const SETTLED: f64 = 1.0 / 16.0;
 
 /// A point of a piece.
 #[derive(Clone, Copy, Debug)]
@@ -197,14 +202,17 @@ pub(super) fn search(pieces: [&dyn Piece; 2], ranges: [[f64; 2]; 2], tolerance: 
         steps += 1;
         let sine = hulls[0].along.perp(&hulls[1].along).abs();
         if sine > 2.0 * (hulls[0].turning + hulls[1].turning) {
-            if let Some((m, known)) = newton(pieces, pair, &hulls, tolerance) {
+            let answer = newton(pieces, pair, &hulls, tolerance);
+            if let Answer::Crossing(m, known) = answer {
                 let touch = touching_at(pieces, &m, tolerance);
                 let near = touch.unwrap_or(8.0 * known / sine);
                 if !found.iter().any(|n| (n.point - m.point).norm() <= near) {
                     found.push(if touch.is_some() { Meeting { kind: MeetingKind::Tangency, ..m } } else { m });
                 }
             }
-            continue;
+            if !matches!(answer, Answer::Undecided) {
+                continue;
+            }
         }
         if steps > PATIENCE {
             overlap(pieces, ranges, tolerance, found);
@@ -255,8 +263,18 @@ fn domain(piece: &dyn Piece) -> [f64; 2] {
     }
 }
 
-/// The crossing of two nearly straight stretches, and the accuracy of its position.
-fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Option<(Meeting, f64)> {
+/// Whether two nearly straight stretches cross.
+enum Answer {
+    /// They do, and the position is this accurate.
+    Crossing(Meeting, f64),
+    /// They do not.
+    Apart,
+    /// Newton's method leads out of the stretches, or does not converge: they are to be halved further.
+    Undecided,
+}
+
+/// The crossing of two nearly straight stretches.
+fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolerance: f64) -> Answer {
     let mut at = pair.map(|s| 0.5 * (s.from.s + s.to.s));
     let (mut last, mut rest) = (f64::INFINITY, f64::INFINITY);
     let mut point = hulls[0].middle;
@@ -299,17 +317,24 @@ fn newton(pieces: [&dyn Piece; 2], pair: [Stretch; 2], hulls: &[Hull; 2], tolera
     // points of a steep formula are less accurate than all others, since they move by the slope times the rounding of the angle: there
     // steps stop shrinking early, and whether the pieces cross is decided a little before and behind
     let way = 8.0 * rest.max(last);
+    if !converged && pair.iter().any(|s| way > SETTLED * s.length()) {
+        return Answer::Undecided;
+    }
     let crosses = || {
         let passes = |k: usize| {
             let (through, along) = places[1 - k];
             let [before, behind] = [-way, way].map(|step| along.perp(&(place(k, at[k] + step).0 - through)));
             before * behind < 0.0
         };
-        pair.iter().all(|s| way <= s.length()) && passes(0) && passes(1)
+        passes(0) && passes(1)
     };
     let known = if converged { tolerance } else { tolerance.max(way) };
     let inside = (0..2).all(|k| pair[k].from.s - known <= at[k] && at[k] <= pair[k].to.s + known);
-    (inside && (converged || crosses())).then_some((Meeting { point, at, kind: MeetingKind::Crossing }, known))
+    if inside && (converged || crosses()) {
+        Answer::Crossing(Meeting { point, at, kind: MeetingKind::Crossing }, known)
+    } else {
+        Answer::Apart
+    }
 }
 
 /// For pieces that run along each other: the common stretch begins and ends at ends of the pieces.

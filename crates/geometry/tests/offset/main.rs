@@ -4,6 +4,7 @@ mod closed;
 mod cusps;
 mod flat_arcs;
 mod lattices;
+mod near_curves;
 mod nearly_largest;
 mod normals;
 mod swallowtails;
@@ -11,7 +12,7 @@ mod thin_walls;
 
 use core::f64::consts::PI;
 use geometry::{
-    Error, Figure, Lattice, Origin, Outline, Piece, Table, Turn, Vector2, Walls, WithWalls,
+    Error, Figure, Lattice, Line, Origin, Outline, Piece, Table, Turn, Vector2, Walls, WithWalls,
     shapes::{Arc, Circle, Ellipse, FullLine, Ray, Screen, Segment},
     tables,
 };
