@@ -7,7 +7,7 @@ use super::{
     biarc::Fit,
     contour::{Contour, Drawing, Edge, Form, Oval, Pen, Role, in_range, oriented},
 };
-use crate::Error;
+use crate::{Error, plane::slack};
 use affine::Affine;
 use nalgebra::Vector2;
 use path::{Draw, Subpath};
@@ -266,21 +266,22 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
             }
             let corner = |to| Draw::Arc { radii: [rx, ry], tilt: 0.0, large: false, sweep: true, to };
             let (right, bottom) = (x + w, y + h);
+            let ([left_end, right_end], [top_end, bottom_end]) = (straight([x, right], rx), straight([y, bottom], ry));
             let edges = if rx == 0.0 || ry == 0.0 {
                 [v(right, y), v(right, bottom), v(x, bottom)].map(Draw::Line).to_vec()
             } else {
                 vec![
-                    Draw::Line(v(right - rx, y)),
-                    corner(v(right, y + ry)),
-                    Draw::Line(v(right, bottom - ry)),
-                    corner(v(right - rx, bottom)),
-                    Draw::Line(v(x + rx, bottom)),
-                    corner(v(x, bottom - ry)),
-                    Draw::Line(v(x, y + ry)),
-                    corner(v(x + rx, y)),
+                    Draw::Line(v(right_end, y)),
+                    corner(v(right, top_end)),
+                    Draw::Line(v(right, bottom_end)),
+                    corner(v(right_end, bottom)),
+                    Draw::Line(v(left_end, bottom)),
+                    corner(v(x, bottom_end)),
+                    Draw::Line(v(x, top_end)),
+                    corner(v(left_end, y)),
                 ]
             };
-            let start = if rx == 0.0 || ry == 0.0 { v(x, y) } else { v(x + rx, y) };
+            let start = if rx == 0.0 || ry == 0.0 { v(x, y) } else { v(left_end, y) };
             vec![Drawn::Path(Subpath { start, edges, closed: true })]
         }
         "line" => return fail("a straight line bounds nothing: an outline must enclose an area".into()),
@@ -289,6 +290,13 @@ fn element(name: &str, node: &Node) -> Result<Vec<Drawn>, Error> {
             return fail(problem.into());
         }
     })
+}
+
+/// Where the straight part of a rectangle's side begins and ends between corners of this radius: a single coordinate where no more than
+/// rounding is left of it.
+fn straight([from, to]: [f64; 2], radius: f64) -> [f64; 2] {
+    let [near, far] = [from + radius, to - radius];
+    if far - near <= slack([from, to]) { [near; 2] } else { [near, far] }
 }
 
 /// Whether an outline is filled, and so closed where it is open.

@@ -24,6 +24,13 @@ fn problem(body: &str) -> (String, String) {
         other => panic!("{body}: {other:?}"),
     }
 }
+/// That of an arc.
+fn center(piece: &dyn Piece) -> Option<Vector2<f64>> {
+    match piece.figure() {
+        Figure::Arc { center, .. } => Some(center),
+        _ => None,
+    }
+}
 fn is_near(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-14 * (1.0 + b.abs())
 }
@@ -134,6 +141,55 @@ fn shapes_are_exact() {
     assert!(is_near(table("<ellipse rx='2' ry='1'/>").area(), 2.0 * PI));
     assert_eq!(table("<polygon points='0,0 4,0 4,3'/>").area(), 6.0);
     assert_eq!(table("<polyline points='0 0 4 0 4 3'/>").area(), 6.0);
+}
+
+#[test]
+fn where_a_radius_is_half_a_side_that_side_is_left_out_whatever_its_coordinates() {
+    // area of a rectangle without the corners of an ellipse
+    let area = |[w, h]: [f64; 2], [rx, ry]: [f64; 2]| w * h - (4.0 - PI) * rx * ry;
+    for (given, size, radii, pieces) in [
+        ("x='10.3' y='5.7' width='40' height='12.2' rx='6.1'", [40.0, 12.2], [6.1, 6.1], 6),
+        ("x='12.7' y='3.3' width='25.4' height='10.1' rx='20'", [25.4, 10.1], [12.7, 5.05], 4),
+        ("x='0.2' width='0.1' height='1' rx='0.05'", [0.1, 1.0], [0.05, 0.05], 6),
+        ("x='0.7' width='2' height='0.6' ry='1'", [2.0, 0.6], [1.0, 0.3], 4),
+        // as a program may have computed it
+        ("x='0.7' width='2.1' height='0.6' rx='1.0499999999999996' ry='0.1'", [2.1, 0.6], [1.05, 0.1], 6),
+    ] {
+        let pill = table(&format!("<rect {given}/>"));
+        assert_eq!((pill.pieces().len(), pill.corners().len()), (pieces, 0), "{given}");
+        let exact = area(size, radii);
+        assert!((pill.area() - exact).abs() < 1e-13 * exact, "{given}: {} {exact}", pill.area());
+    }
+}
+
+#[test]
+fn an_arc_a_little_short_of_half_a_turn_is_as_high_as_its_ends_say() {
+    // the ends are nearer than a diameter by δ = 5·10⁻¹³, and the centre is lower than they are by √(δ − δ²/4), or higher
+    for (large, height) in [(0, 0.999_999_292_89), (1, 1.000_000_707_11)] {
+        let top = path(&format!("M0 0A1 1 0 {large} 1 1.9999999999995 0Z")).extent().max.y;
+        // the end is rounded, by 2·10⁻¹⁶
+        assert!((top - height).abs() < 1e-9, "{top} {height}");
+    }
+}
+
+#[test]
+fn an_arc_is_half_a_circle_where_its_ends_are_a_diameter_apart_but_for_rounding() {
+    for start in 1..200 {
+        for radius in 1..20 {
+            // of one decimal, and so rounded
+            let [x, r, end] =
+                [start, radius, start + 2 * radius].map(|tenths| format!("{}.{}", tenths / 10, tenths % 10));
+            let middle = f64::from(start + radius) / 10.0;
+            for (d, middle) in [
+                (format!("M{x} 0.7A{r} {r} 0 0 1 {end} 0.7Z"), Vector2::new(middle, -0.7)),
+                (format!("M0.7 {end}A{r} {r} 33 0 1 0.7 {x}Z"), Vector2::new(0.7, -middle)),
+            ] {
+                let drawn = pieces(&format!("<path d=\"{d}\"/>"));
+                let [center] = drawn.iter().filter_map(|p| center(&**p)).collect::<Vec<_>>()[..] else { panic!("{d}") };
+                assert!((center - middle).norm() < 1e-15 * middle.norm(), "{d}: {center} {middle}");
+            }
+        }
+    }
 }
 
 #[test]

@@ -217,8 +217,15 @@ pub(super) fn parse(text: &str) -> Result<Vec<Subpath>, String> {
     Ok(parts)
 }
 
+/// The rounding of the ends and radii of an arc, and that of the formulas here, change the square of half its chord, in units of its radius,
+/// by no more than this many times the rounding of coordinates.
+const ROUNDING: f64 = 8.0;
+
 /// The centre of an elliptic arc given by its ends, and its radii, enlarged where they are too small to reach; `None`
 /// where the arc is straight (SVG 1.1, F.6.5 and F.6.6).
+///
+/// An arc whose chord is a diameter within rounding is half the ellipse. Its centre is at a height of `√(1 − d²)` over the chord, where `d` is
+/// half the chord in units of the radius: rounding of `d` would move it by some 10⁻⁸.
 pub(super) fn center(
     from: Vector2<f64>,
     to: Vector2<f64>,
@@ -238,9 +245,9 @@ pub(super) fn center(
     let d = Vector2::new(turned.x / radii[0], turned.y / radii[1]);
     let square = d.norm_squared();
     let scale = square.sqrt().max(1.0);
+    let rounding = ROUNDING * f64::EPSILON * from.amax().max(to.amax()) * (d.x.abs() / radii[0] + d.y.abs() / radii[1]);
     let radii = radii.map(|r| r * scale);
-    // half a circle to within the rounding of a drawing's decimals: the centre is the middle
-    let height = if square > 1.0 - 1e-12 { 0.0 } else { ((1.0 - square) / square).sqrt() };
+    let height = if square > 1.0 - rounding { 0.0 } else { ((1.0 - square) / square).sqrt() };
     let height = if large == sweep { -height } else { height };
     let c = Vector2::new(d.y * height * radii[0], -d.x * height * radii[1]);
     let middle = (from + to) * 0.5;
