@@ -146,8 +146,8 @@ pub enum Error {
         /// Approximate location.
         at: [f64; 2],
     },
-    /// A piece with such a kink, or with unbounded curvature: where a disk can go around it is not known.
-    #[error("piece {piece} has a kink near {} around which the path of a disk cannot be computed", about(at))]
+    /// A piece with such a kink or cusp, or with unbounded curvature: where a disk can go around it is not known.
+    #[error("piece {piece} has a cusp or a kink near {} around which the path of a disk cannot be computed", about(at))]
     RoughPiece {
         /// The piece.
         piece: usize,

@@ -12,7 +12,7 @@ mod tips;
 mod tolerances;
 mod vertices;
 
-use crate::{Error, Extent, Figure, Piece, Table, shapes::kink};
+use crate::{Error, Extent, Figure, Piece, Table, plane::is_finite, shapes::kink};
 use arrangement::Arrangement;
 use nalgebra::Vector2;
 
@@ -98,7 +98,7 @@ impl Table {
         let loops = if self.is_less_than(radius) {
             vec![]
         } else {
-            let loops = Arrangement::new(self, radius, raw::raw(self, radius)?).loops();
+            let loops = raw::raw(self, radius).and_then(|raw| Arrangement::new(self, radius, raw).loops());
             loops.map_err(|error| self.rough_piece(radius, &error).unwrap_or(error))?
         };
         if loops.is_empty() {
@@ -144,16 +144,25 @@ impl Table {
         extent.is_finite() && radius > size.min() && !self.contains(&(extent.max + size))
     }
 
-    /// An error for a kink within a piece, where the offset is undecided for every radius.
+    /// An error for a kink or cusp within a piece, where the offset fails because of it, for every radius.
     fn rough_piece(&self, radius: f64, error: &Error) -> Option<Error> {
-        let Error::Undecided { at, .. } = error else { return None };
+        let at = match error {
+            Error::Undecided { at, .. } | Error::Bend { at, .. } => Vector2::from(*at),
+            // somewhere
+            Error::ZeroLength => Vector2::repeat(f64::NAN),
+            _ => return None,
+        };
         // on a lattice it may be the kink of a copy
-        let is_there = |p: &Vector2<f64>| self.lattice().is_some() || (p - Vector2::from(*at)).norm() <= 1.5 * radius;
+        let is_anywhere = self.lattice().is_some() || !is_finite(&at);
+        let is_there = |p: &Vector2<f64>, reach: f64| is_anywhere || (p - at).norm() <= 1.5 * radius + reach;
         let is_curve = |p: &dyn Piece| p.figure() == Figure::Other && p.tips().is_none();
         self.pieces().iter().enumerate().filter(|(_, curve)| is_curve(&***curve)).find_map(|(piece, curve)| {
-            let place = |k: u32| curve.length() * f64::from(k) / f64::from(PLACES);
-            let s = kink(&**curve, (0..PLACES).map(|k| [place(k), place(k + 1)]))?;
-            Some(curve.point_at(s)).filter(is_there).map(|at| Error::RoughPiece { piece, at: at.into() })
+            let part = curve.length() / f64::from(PLACES);
+            let place = |k: u32| part * f64::from(k);
+            // the first kink that is found may be elsewhere
+            let is_near = |k: &u32| is_there(&curve.point_at(place(*k) + 0.5 * part), 0.5 * part);
+            let s = kink(&**curve, (0..PLACES).filter(is_near).map(|k| [place(k), place(k + 1)]))?;
+            Some(curve.point_at(s)).filter(|p| is_there(p, 0.0)).map(|at| Error::RoughPiece { piece, at: at.into() })
         })
     }
 }

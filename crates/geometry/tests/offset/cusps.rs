@@ -62,6 +62,24 @@ fn a_disk_goes_right_between_the_flanks_of_cusps_or_not_at_all() {
     }
 }
 
+#[test]
+fn where_a_disk_is_not_followed_about_cusps_one_of_them_is_named_whatever_the_radius() {
+    for power in [0.25, 0.5, 0.75] {
+        for (waves, phase) in [(2.0, 0.0), (1.0, 0.3), (0.5, 0.0)] {
+            for size in [0.2, -0.2] {
+                let drawn = curve(Cusps { size, waves, phase, power }, size < 0.0);
+                for radius in [0.01, 0.1, 0.3] {
+                    let Err(Error::RoughPiece { piece: 0, at }) = drawn.offset(radius) else {
+                        panic!("{power} {waves} {phase} {size} {radius}: {:?}", drawn.offset(radius).err());
+                    };
+                    let tip = v(at[0] - 0.125, at[1] + 0.25).norm();
+                    assert!((tip - 2.0).abs() < 1e-3, "{power} {waves} {phase} {size} {radius}: {tip}");
+                }
+            }
+        }
+    }
+}
+
 /// `(1 + k) e(t) − e((1 + k) t)`, `e(t) = (cos t, sin t)`: a cycloid about a circle with `k` cusps, or in one with `−k`.
 #[derive(Debug)]
 struct Cycloid(f64);

@@ -241,8 +241,8 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
             "write kinks with abs, as in abs(cos(t)) for sqrt(1-sin(t)^2), 2000 of them at most, and keep the curvature bounded"
         }
         Error::RoughPiece { .. } => {
-            "take radius = 0, or write kinks with abs in a formula of t, as in abs(sin(t)): its powers below 2 have unbounded \
-             slopes or curvatures, and an implicit formula has no kinks"
+            "take radius = 0: no disk is followed here around cusps or where the curvature is unbounded, as for powers of \
+             abs(...) below 2; only where an implicit formula has a kink is there another way, a formula of t with abs"
         }
         Error::Bend { .. } => "take another radius, or a formula with bounded curvature",
         Error::PolarKink { .. } => {
