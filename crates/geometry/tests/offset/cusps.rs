@@ -25,7 +25,9 @@ impl PolarFormula for Cusps {
     }
     fn jet_over(&self, angle: Interval) -> [Interval; 3] {
         let Cusps { size, waves, phase, power } = *self;
-        let [sin, cos] = (angle * waves + phase).sin_cos();
+        // where nothing widens the angle, the arcs between the cusps are found
+        let angle = if (waves, phase) == (1.0, 0.0) { angle } else { angle * waves + phase };
+        let [sin, cos] = angle.sin_cos();
         let value = sin.abs().powf(power.into());
         if sin.contains(0.0) {
             return [value * -size + 2.0, Interval::ENTIRE, Interval::ENTIRE];
@@ -56,6 +58,45 @@ fn a_disk_goes_right_between_the_flanks_of_cusps_or_not_at_all() {
                         assert!((tip - 2.0).abs() < 1e-4, "{power} {waves} {radius}: {tip}");
                     }
                     Err(error) => panic!("{power} {waves} {radius}: {error}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_disk_goes_about_the_tips_of_cusps_although_no_angle_is_theirs() {
+    // the square root bends on a radius of 0.01
+    let radius = 0.001;
+    for power in [0.5, 1.0 / 3.0, 0.25] {
+        for size in [0.2, -0.2] {
+            let inside = size < 0.0;
+            let formula = Cusps { size, waves: 1.0, phase: 0.0, power };
+            let mut pieces = Polar::new(v(0.125, -0.25), formula, inside).unwrap().pieces();
+            assert_eq!(pieces.len(), 2, "{power} {size}");
+            if !inside {
+                pieces.push(circle(0.0, 0.0, 4.0, true));
+            }
+            let drawn = table(pieces);
+            check("cusps", &drawn, 0.1);
+            let centres = drawn.offset(radius).unwrap().table;
+            for side in [1.0, -1.0] {
+                let tip = v(0.125 + side * 2.0, -0.25);
+                for end in drawn.pieces().iter().filter_map(Piece::ends).flatten() {
+                    let off = (end - tip).norm();
+                    assert!(!(2e-15..3.0).contains(&off), "{power} {size}: {end}");
+                }
+                // r = 2 ± a ε^p at the nearest angles: in between, the curve is a needle, and a disk above it touches its side
+                let spike = 0.2 * libm::pow(f64::EPSILON, power);
+                for part in [0.01, 0.1, 0.3, 0.5, 0.7, 0.9] {
+                    let beside = tip.x - side * spike * part * size.signum();
+                    let path = geometry::Line { point: v(beside, tip.y + 0.0015), velocity: v(0.0, -1.0) };
+                    let time = centres.pieces().iter().map(|p| p.crossing(&path).time()).fold(f64::INFINITY, f64::min);
+                    assert!((time - (0.0015 - radius)).abs() < 1e-14, "{power} {size} {side} {part}: {time}");
+                    let touched = drawn.pieces().iter().map(|p| p.closest(&path.at(time)));
+                    let off = touched.map(|foot| (foot.point - v(beside, tip.y)).norm()).fold(f64::INFINITY, f64::min);
+                    // not right below it, as the side bends
+                    assert!(off < 0.125 * spike * part + 2e-15, "{power} {size} {side} {part}: {off}");
                 }
             }
         }

@@ -25,6 +25,7 @@ mod polar_points;
 mod ranges;
 mod root;
 mod seeds;
+mod spike;
 
 pub(crate) use arc_length::ArcLength;
 pub use arc_length::Parametric;

@@ -120,6 +120,9 @@ const NEAR: f64 = 1e-8;
 /// sectors are fine enough.
 const WIDEST: f64 = 0.5;
 
+/// A radius has an extremum between two angles if it rises, or falls, to them from this many times their distance on both sides.
+const AROUND: f64 = 64.0;
+
 /// The error that the angle 2π may have in a formula (radians): some ulp.
 const SEAM: f64 = 16.0 * f64::EPSILON;
 
@@ -299,6 +302,24 @@ impl<F: PolarFormula> Polar<F> {
         let tangent = radial * slope + Vector2::new(-radial.y, radial.x) * r;
         let speed = libm::hypot(slope, r) * if self.inside { 1.0 } else { -1.0 };
         Landing { point: self.center + radial * r, normal: Vector2::new(-tangent.y, tangent.x) / speed }
+    }
+
+    /// The tip of a cusp that lies between two angles some ulp apart; `None` for anything else.
+    ///
+    /// At a rounded angle `|sin φ|ᵖ` is not 0 but `ε^p`. At the tip `r` is extreme, and bounds on it over an interval around the tip contain
+    /// that value. (So may bounds that are too wide, beyond a kink; but the radius does not rise towards those.)
+    pub(super) fn tip(&self, place: Interval) -> Option<Vector2<f64>> {
+        let [r, slope, _] = self.formula.jet_over(place);
+        let Interval { low, high } = place;
+        let room = AROUND * place.width();
+        let [far_before, before, after, far_after] =
+            [low - room, low, high, high + room].map(|angle| self.formula.jet(angle)[0]);
+        let radius = if far_before < before && far_after < after { r.high } else { r.low };
+        let beyond = (radius - before).abs().min((radius - after).abs());
+        let is_extreme = (far_before - before) * (far_after - after) > 0.0;
+        let is_tip = !slope.magnitude().is_finite() && is_extreme && is_radius(radius) && beyond > slack([radius]);
+        let (sin, cos) = libm::sincos(0.5 * (low + high));
+        is_tip.then(|| self.center + Vector2::new(cos, sin) * radius)
     }
 
     /// The curvature at an angle, as [`Piece::curvature`].

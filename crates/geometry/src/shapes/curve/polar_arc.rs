@@ -1,5 +1,5 @@
 //! Part of a polar curve, between two kinks.
-use super::{Aimed, ArcLength, Graph, Interval, Polar, PolarFormula};
+use super::{Aimed, ArcLength, Graph, Interval, Polar, PolarFormula, spike::Spike};
 use crate::{
     crossing::Crossing,
     path::Line,
@@ -13,7 +13,8 @@ use std::sync::Arc;
 /// The part of a [`Polar`] curve between two angles, between which it is smooth; [`Polar::pieces`] makes them.
 ///
 /// Traversed counter-clockwise with the table inside, clockwise with it outside. Paths meet its polynomial [`graphs`](super::graphs());
-/// everything else uses the formula, at an end on the arc's side of the kink.
+/// everything else uses the formula, at an end on the arc's side of the kink. It ends at
+/// the tip of a cusp, although no angle is that of the tip.
 #[derive(Clone, Debug)]
 pub struct PolarArc<F> {
     curve: Arc<Polar<F>>,
@@ -21,6 +22,8 @@ pub struct PolarArc<F> {
     range: [f64; 2],
     /// The points at these angles, as its neighbours have them.
     vertices: [Vector2<f64>; 2],
+    /// At an end that is the tip of a cusp, what lies beyond the angle of that end, which is rounded.
+    spikes: [Option<Spike>; 2],
     graphs: Vec<Graph>,
     table: ArcLength,
     area: f64,
@@ -52,7 +55,7 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
             cuts.push(Interval::from(kink.low + PI));
         }
         let curve = Arc::new(curve);
-        let vertices: Vec<_> = cuts.iter().map(|cut| curve.at_angle(0.5 * (cut.low + cut.high)).point).collect();
+        let vertices: Vec<_> = cuts.iter().map(|cut| Vertex::new(&curve, *cut)).collect();
         let arcs: Option<Vec<PolarArc<F>>> = (0..cuts.len())
             .map(|k| {
                 let next = (k + 1) % cuts.len();
@@ -77,11 +80,14 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
     }
 
     /// The arc between two angles with these points; `None` if it cannot be represented by polynomial graphs.
-    fn new(curve: &Arc<Polar<F>>, range: [f64; 2], vertices: [Vector2<f64>; 2]) -> Option<PolarArc<F>> {
+    fn new(curve: &Arc<Polar<F>>, range: [f64; 2], ends: [Vertex; 2]) -> Option<PolarArc<F>> {
         if range[0] >= range[1] {
             return None;
         }
+        let vertices = ends.map(|end| end.point);
         let points = curve.points();
+        let spike = |k: usize| Spike::new(points.center, vertices[k], curve.at_angle(range[k]));
+        let spikes = [0, 1].map(|k| ends[k].is_tip.then(|| spike(k)));
         let parameter = |k: u32| range[0] + (range[1] - range[0]) * (f64::from(k) / f64::from(PARTS));
         let table = ArcLength::new(&points, (0..PARTS).map(parameter).chain([range[1]]));
         let extent = table.extent(&points).union(Extent::of(vertices));
@@ -90,7 +96,8 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         let area = if curve.is_inside() { swept } else { -swept };
         let size = extent.size();
         let graphs = curve.graphs_between(range, vertices, size)?;
-        Some(PolarArc { curve: Arc::clone(curve), range, vertices, graphs, table, area, extent, slack: slack([size]) })
+        let slack = slack([size]);
+        Some(PolarArc { curve: Arc::clone(curve), range, vertices, spikes, graphs, table, area, extent, slack })
     }
 
     /// The angle of a point that is on the arc up to rounding, or else which end is closest.
@@ -105,15 +112,53 @@ impl<F: PolarFormula + Clone + 'static> PolarArc<F> {
         Err(usize::from(after < before))
     }
 
+    /// Which end is at this angle, if one is.
+    fn end_at(&self, angle: f64) -> Option<usize> {
+        self.range.iter().position(|end| *end == angle)
+    }
+
     /// The end at the lower or the higher angle, and the normal of the arc there.
     fn vertex(&self, which: usize) -> Landing {
         let Landing { normal, .. } = self.curve.at_angle(self.range[which]);
-        Landing { point: self.vertices[which], normal }
+        self.spikes[which].map_or(Landing { point: self.vertices[which], normal }, |spike| spike.landing_at(0.0))
+    }
+
+    /// The closest point to one that is closer to the lower or the higher end than to any point at an angle, and the normal there.
+    fn near_end(&self, which: usize, point: &Vector2<f64>) -> Landing {
+        self.spikes[which].map_or_else(|| self.vertex(which), |spike| spike.landing_at(spike.closest(point)))
+    }
+
+    /// How far that point is from this end.
+    fn distance_from_end(&self, which: usize, point: &Vector2<f64>) -> f64 {
+        self.spikes[which].map_or(0.0, |spike| spike.closest(point))
+    }
+
+    /// The lengths beyond the angles of the ends.
+    fn beyond(&self) -> [f64; 2] {
+        self.spikes.map(|spike| spike.map_or(0.0, |spike| spike.length()))
     }
 
     /// From arc length counter-clockwise to arc length in the sense of traversal, and back.
     fn traversed(&self, s: f64) -> f64 {
-        if self.curve.is_inside() { s } else { self.table.length() - s }
+        if self.curve.is_inside() { s } else { self.length() - s }
+    }
+}
+
+/// An end of two arcs.
+#[derive(Clone, Copy, Debug)]
+struct Vertex {
+    point: Vector2<f64>,
+    /// Whether it is the tip of a cusp.
+    is_tip: bool,
+}
+
+impl Vertex {
+    /// The kink or cusp between two angles.
+    fn new<F: PolarFormula>(curve: &Polar<F>, place: Interval) -> Vertex {
+        match curve.tip(place) {
+            Some(point) => Vertex { point, is_tip: true },
+            None => Vertex { point: curve.at_angle(0.5 * (place.low + place.high)).point, is_tip: false },
+        }
     }
 }
 
@@ -127,36 +172,48 @@ impl<F: PolarFormula + Clone + 'static> Piece for PolarArc<F> {
         let point = path.at(time);
         match self.angle(&point) {
             Ok(_) => self.curve.landing(path, time),
-            Err(end) => self.vertex(end),
+            Err(end) => self.near_end(end, &point),
         }
     }
     fn curvature(&self, point: &Vector2<f64>) -> f64 {
         self.curve.curvature_at(self.angle(point).unwrap_or_else(|end| self.range[end]))
     }
     fn length(&self) -> f64 {
-        self.table.length()
+        let [before, after] = self.beyond();
+        self.table.length() + before + after
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
         self.landing_at(s).point
     }
     fn landing_at(&self, s: f64) -> Landing {
         let s = self.traversed(s);
+        let rest = self.length() - s;
         if s <= 0.0 {
             self.vertex(0)
-        } else if s >= self.length() {
+        } else if rest <= 0.0 {
             self.vertex(1)
         } else {
-            self.curve.at_angle(self.table.parameter(&self.curve.points(), s))
+            match self.spikes {
+                [Some(spike), _] if s < spike.length() => spike.landing_at(s),
+                [_, Some(spike)] if rest < spike.length() => spike.landing_at(rest),
+                _ => self.curve.at_angle(self.table.parameter(&self.curve.points(), s - self.beyond()[0])),
+            }
         }
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
         let points = self.curve.points();
-        self.traversed(self.table.at_parameter(&points, self.table.closest(&points, point)))
+        let angle = self.table.closest(&points, point);
+        let s = match self.end_at(angle) {
+            Some(0) => self.distance_from_end(0, point),
+            Some(_) => self.length() - self.distance_from_end(1, point),
+            None => self.beyond()[0] + self.table.at_parameter(&points, angle),
+        };
+        self.traversed(s)
     }
     fn closest(&self, point: &Vector2<f64>) -> Landing {
         let angle = self.table.closest(&self.curve.points(), point);
-        match self.range.iter().position(|end| *end == angle) {
-            Some(end) => self.vertex(end),
+        match self.end_at(angle) {
+            Some(end) => self.near_end(end, point),
             None => self.curve.at_angle(angle),
         }
     }
