@@ -137,6 +137,11 @@ impl ImplicitFormula for ImplicitCurve {
         self.gradient.evaluate(&region)
     }
 
+    fn value_over(&self, region: [Interval; 2]) -> Interval {
+        let [value] = self.value.evaluate(&region);
+        value
+    }
+
     fn extent(&self) -> Extent {
         self.extent
     }

@@ -46,6 +46,9 @@ impl<F: ImplicitFormula> ImplicitFormula for Scaled<F> {
         let back = |x: Interval| scaled(x, 1.0 / self.factor);
         self.formula.gradient_over(region.map(back)).map(back)
     }
+    fn value_over(&self, region: [Interval; 2]) -> Interval {
+        self.formula.value_over(region.map(|x| scaled(x, 1.0 / self.factor)))
+    }
     fn extent(&self) -> Extent {
         let Extent { min, max } = self.formula.extent();
         Extent { min: min * self.factor, max: max * self.factor }

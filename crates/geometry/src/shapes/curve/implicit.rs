@@ -1,4 +1,10 @@
 //! A closed curve given by an equation `f(x, y) = 0`.
+mod alone;
+mod followed;
+
+use alone::alone;
+use followed::is_followed;
+
 use super::{ArcLength, Graph, Interval, Parametric, Smooth, first_rise, rough_graphs};
 use crate::{
     Error, ImplicitRule,
@@ -63,6 +69,12 @@ pub trait ImplicitFormula: Debug + Send + Sync {
         [Interval::ENTIRE; 2]
     }
 
+    /// An interval that contains `f` everywhere in a box. It need not be implemented if the derivatives are bounded wherever `f` is; where
+    /// they are not, as those of the polar angle at the origin, it tells that the curve does not pass.
+    fn value_over(&self, _region: [Interval; 2]) -> Interval {
+        Interval::ENTIRE
+    }
+
     /// A box that contains the curve, not very much larger than it.
     fn extent(&self) -> Extent;
 }
@@ -106,6 +118,9 @@ impl<F: ImplicitFormula> ImplicitFormula for Levelled<F> {
     fn gradient_over(&self, region: [Interval; 2]) -> [Interval; 2] {
         self.formula.gradient_over(region).map(|x| self.level(x))
     }
+    fn value_over(&self, region: [Interval; 2]) -> Interval {
+        self.level(self.formula.value_over(region))
+    }
     fn extent(&self) -> Extent {
         self.formula.extent()
     }
@@ -138,12 +153,6 @@ pub struct Implicit<F> {
 const STRAIGHT: f64 = 0.988_77;
 /// Most chords; a curve that needs more is not smooth, or not closed.
 const CHORDS: usize = 100_000;
-/// Parts of a side of the box in which other zeros of `f` are looked for, and how often these are halved: where `f` is still not known to
-/// differ from 0 then, it is taken to vanish.
-const GRID: u32 = 48;
-const HALVINGS: u32 = 10;
-/// Most parts for which more than the sign in the middle is examined.
-const MOST_PARTS: u32 = 1 << 18;
 
 impl<F: ImplicitFormula> Implicit<F> {
     /// The curve `f = 0`, with the table inside (`inside`) or outside.
@@ -151,7 +160,8 @@ impl<F: ImplicitFormula> Implicit<F> {
     /// # Errors
     /// [`Error::Parameter`] if the box is empty or infinite; [`Error::NoCurve`] if no curve is found in it; [`Error::Inverted`] if `f` is positive inside;
     /// [`Error::Curve`] if the box cuts the curve or holds another zero of `f`, or if the curve is not smooth. (A zero that is as near to
-    /// the curve as the points tabulated for its length are to each other is not detected.)
+    /// the curve as the points tabulated for its length are to each other there is not detected; nor is one as near as they are anywhere,
+    /// if `f` has the wrong sign in no square of 10⁻⁵ of the box.)
     pub fn new(formula: F, inside: bool) -> Result<Implicit<F>, Error> {
         let given = formula.extent();
         let size = (given.max - given.min).amax();
@@ -172,7 +182,7 @@ impl<F: ImplicitFormula> Implicit<F> {
         if area <= 0.0 || area.is_nan() {
             return Err(Error::Inverted);
         }
-        single(&formula, &region, &table)?;
+        alone(&formula, &region, &table)?;
         let extent = table.extent(&chords);
         let position = slack([region.min.x, region.min.y, region.max.x, region.max.y]);
         let noise = vertices.iter().fold(0.0_f64, |noise, p| {
@@ -298,10 +308,21 @@ fn onto<F: ImplicitFormula>(formula: &F, mut p: Vector2<f64>, size: f64) -> Opti
         p -= step;
         last = length;
     }
-    let gradient = Vector2::from(formula.gradient(p.into()));
-    let slope = libm::hypot(gradient.x, gradient.y);
-    (last <= LAST * size && slope > 0.0 && slope.is_finite())
-        .then(|| [p, Vector2::new(-gradient.y, gradient.x) / slope])
+    Some([p, tangent(formula, p)?]).filter(|_| last <= LAST * size)
+}
+
+/// The unit tangent at a point, with `f < 0` on its left.
+fn tangent<F: ImplicitFormula>(formula: &F, p: Vector2<f64>) -> Option<Vector2<f64>> {
+    let [x, y] = formula.gradient(p.into());
+    let slope = libm::hypot(x, y);
+    (slope > 0.0 && slope.is_finite()).then(|| Vector2::new(-y, x) / slope)
+}
+
+/// Whether a chord makes small angles with the curve at its ends, given as points and unit tangents.
+fn is_straight([p, t]: [Vector2<f64>; 2], [q, u]: [Vector2<f64>; 2]) -> bool {
+    let chord = q - p;
+    let least = STRAIGHT * chord.norm();
+    chord.dot(&t) >= least && chord.dot(&u) >= least && t.dot(&u) > 0.0
 }
 
 /// Where a curve has a radius of curvature of this many steps or less, chords of two steps turn by more than [`STRAIGHT`] allows.
@@ -323,23 +344,20 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
         let is_narrow = bend_radius(formula, p) <= NARROW * least;
         Error::Curve { must: if is_narrow { ImplicitRule::Wide } else { ImplicitRule::Smooth }, at: p.into() }
     };
-    let straight = |[p, t]: [Vector2<f64>; 2], [q, u]: [Vector2<f64>; 2]| {
-        let chord = q - p;
-        let least = STRAIGHT * chord.norm();
-        chord.dot(&t) >= least && chord.dot(&u) >= least && t.dot(&u) > 0.0
-    };
+    // the curve may come back close to itself
+    let follows = |p: [Vector2<f64>; 2], q: [Vector2<f64>; 2]| is_straight(p, q) && is_followed(formula, [p[0], q[0]]);
     let first = onto(formula, start, size).ok_or_else(|| rough(start))?;
     let mut here = first;
     let mut vertices = vec![first[0]];
     let mut step = size / 64.0;
     while vertices.len() < CHORDS {
         let home = first[0] - here[0];
-        if vertices.len() > 2 && home.norm() <= 2.0 * step && straight(here, first) {
+        if vertices.len() > 2 && home.norm() <= 2.0 * step && follows(here, first) {
             vertices.push(first[0]);
             return Ok(vertices);
         }
         match onto(formula, here[0] + here[1] * step, size) {
-            Some(next) if straight(here, next) && (next[0] - here[0]).norm() <= 2.0 * step => {
+            Some(next) if (next[0] - here[0]).norm() <= 2.0 * step && follows(here, next) => {
                 let [p, _] = next;
                 let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
                 if !(inside(0) && inside(1)) {
@@ -356,52 +374,6 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
         }
     }
     Err(rough(here[0]))
-}
-
-/// Fails unless the traced curve is the only one: elsewhere in the box `f` has no zero, and has the right sign.
-fn single<F: ImplicitFormula>(formula: &F, region: &Extent, table: &ArcLength) -> Result<(), Error> {
-    let points: Vec<Vector2<f64>> = table.points().collect();
-    let longest = points.windows(2).fold(0.0_f64, |m, w| m.max((w[1] - w[0]).norm()));
-    // crossings of the half-line to the right of a point
-    let is_within = |p: &Vector2<f64>| {
-        let crosses = |w: &&[Vector2<f64>]| {
-            (w[0].y <= p.y) != (w[1].y <= p.y) && {
-                let side = (w[1] - w[0]).perp(&(p - w[0]));
-                (side > 0.0) == (w[0].y < w[1].y)
-            }
-        };
-        points.windows(2).filter(crosses).count() % 2 == 1
-    };
-    let half = (region.max - region.min) * (0.5 / f64::from(GRID));
-    let part = |k: u32| Vector2::new(f64::from(k % GRID), f64::from(k / GRID)) * 2.0 + Vector2::repeat(1.0);
-    let mut open: Vec<(Vector2<f64>, u32)> =
-        (0..GRID * GRID).map(|k| (region.min + half.component_mul(&part(k)), 0)).collect();
-    let mut looked_at = 0;
-    while let Some((middle, halvings)) = open.pop() {
-        looked_at += 1;
-        let half = half / f64::from(1 << halvings);
-        let is_near = |q: &Vector2<f64>| (q - middle).norm() <= longest + half.norm();
-        let value = formula.value(middle.into());
-        // the mean value theorem, with the gradient over the part, or with that in the middle and second derivatives
-        let over = [0, 1].map(|i| Interval::new(middle[i] - half[i], middle[i] + half[i]));
-        let [fx, fy] = formula.gradient_over(over).map(Interval::magnitude);
-        let [gx, gy] = formula.gradient(middle.into()).map(f64::abs);
-        let [fxx, fxy, fyy] = formula.hessian_over(over).map(Interval::magnitude);
-        let bend = 0.5 * (fxx * half.x * half.x + fyy * half.y * half.y) + fxy * half.x * half.y;
-        let change = (fx * half.x + fy * half.y).min(gx * half.x + gy * half.y + bend);
-        // where nothing is known of either, or `f` changes too fast everywhere, the sign in the middle must suffice
-        let is_known = value.abs() > change || change == f64::INFINITY || value.is_nan() || looked_at > MOST_PARTS;
-        let fails = if is_known { is_within(&middle) != (value < 0.0) } else { halvings == HALVINGS };
-        if (is_known && !fails) || points.iter().any(is_near) {
-            continue;
-        }
-        if fails {
-            return Err(Error::Curve { must: ImplicitRule::Alone, at: middle.into() });
-        }
-        let quarters = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]].map(Vector2::from);
-        open.extend(quarters.map(|q| (middle + half.component_mul(&q), halvings + 1)));
-    }
-    Ok(())
 }
 
 /// The curve as a graph over each chord; the parameter counts chords.
