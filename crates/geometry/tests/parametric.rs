@@ -230,6 +230,64 @@ fn what_is_no_curve_is_refused() {
     }
 }
 
+/// A circle about a point on the x-axis.
+#[derive(Clone, Copy, Debug)]
+struct Round {
+    center: f64,
+}
+
+impl ParametricFormula for Round {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let (sin, cos) = libm::sincos(t);
+        [[self.center + cos, sin], [-sin, cos], [-cos, -sin]]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let [sin, cos] = t.sin_cos();
+        [[cos + self.center, sin], [-sin, cos], [-cos, -sin]]
+    }
+}
+
+#[test]
+fn whether_a_curve_is_closed_does_not_depend_on_its_distance_from_the_origin() {
+    for center in [0.0, 1e3, 1e6] {
+        assert!(ParametricCurve::around(Round { center }, [0.0, TAU], true).is_ok(), "{center}");
+        let found = ParametricCurve::around(Round { center }, [0.0, TAU - 2e-4], true).map(|_| ());
+        assert!(matches!(found, Err(Error::Parametrised { must: ParametricRule::Closed, .. })), "{center}: {found:?}");
+    }
+}
+
+/// `(t, √(b − t)⁷)`, not defined beyond `t = b`.
+#[derive(Clone, Copy, Debug)]
+struct Ending {
+    end: f64,
+}
+
+impl ParametricFormula for Ending {
+    fn jet(&self, t: f64) -> [[f64; 2]; 3] {
+        let root = (self.end - t).sqrt();
+        let cube = root * root * root;
+        [[t, cube * cube * root], [1.0, -3.5 * cube * root * root], [0.0, 8.75 * cube]]
+    }
+    fn jet_over(&self, t: Interval) -> [[Interval; 2]; 3] {
+        let root = (-t + self.end).sqrt();
+        [[t, root.powi(7)], [Interval::from(1.0), root.powi(5) * -3.5], [Interval::from(0.0), root.powi(3) * 8.75]]
+    }
+}
+
+#[test]
+fn a_formula_is_asked_nowhere_beyond_its_range() {
+    // ranges that are longer when written as a share of a turn
+    let ends = (1..400).map(|k| 0.01 * f64::from(k)).filter(|end| end / TAU * TAU > *end);
+    for end in ends.take(4) {
+        let formula = Ending { end };
+        let points = [0.0, end].map(|t| Vector2::from(formula.jet(t)[0]));
+        for (range, points) in [([0.0, end], points), ([end, 0.0], [points[1], points[0]])] {
+            let arcs = ParametricCurve::along(formula, range, points).unwrap();
+            assert!(arcs.len() == 1 && arcs[0].ends() == Some(points), "{end}");
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(64) })]
 

@@ -116,7 +116,8 @@ const STRETCHES: f64 = 32.0;
 /// Most parts of one width that kinks are looked for in: two about each of 2000 kinks.
 const MOST_PARTS: usize = 4096;
 
-/// The ends of a closed curve may be this far apart, relative to its size: the end of the range is rounded, and formulas multiply it.
+/// The ends of a closed curve may be this far apart, relative to its size, and by the rounding of its coordinates: the end of the range is
+/// rounded, and formulas multiply it.
 const CLOSED: f64 = 1e-9;
 
 /// Directions at the seam of a closed curve that differ by less than this (radians) count as a smooth continuation.
@@ -130,6 +131,7 @@ const NARROW: f64 = 16.0 * f64::EPSILON;
 struct InTurns<F> {
     formula: F,
     start: f64,
+    end: f64,
     /// Parameters per radian.
     rate: f64,
     /// Factor by which more parts are needed, as the curve bends more sharply than others.
@@ -139,7 +141,8 @@ struct InTurns<F> {
 
 impl<F: ParametricFormula> InTurns<F> {
     fn parameter(&self, u: f64) -> f64 {
-        self.start + self.rate * u
+        // beyond its range a formula need not be defined, not even by rounding
+        (self.start + self.rate * u).min(self.end)
     }
 
     /// The cusp beside which a parameter lies.
@@ -191,14 +194,16 @@ impl<F: ParametricFormula> ParametricCurve<F> {
     ///
     /// # Errors
     /// [`Error::Parameter`] for a range that is empty or not finite, [`Error::Parametrised`] unless the curve is finite, comes back to where it
-    /// starts (to 10⁻⁹), has a finite `c′`, has `c′ = 0` nowhere except at cusps, where `c″` is not 0 as well and which are some 10⁻⁵ of
-    /// the range apart, and is smooth except for kinks that the bounds on `c″` reveal.
+    /// starts (to 10⁻⁹ of its size, and rounding), has a finite `c′`, has `c′ = 0` nowhere except at cusps, where `c″` is not 0 as well and
+    /// which are some 10⁻⁵ of the range apart, and is smooth except for kinks that the bounds on `c″` reveal.
     pub fn around(formula: F, range: [f64; 2], inside: bool) -> Result<Vec<ParametricCurve<F>>, Error> {
         let (formula, kinks) = looked_at(formula, range)?;
         let [start, end] = [0.0, 2.0 * PI].map(|u| formula.at(u));
         let tabulated = TABULATED * formula.fineness;
         let whole = ArcLength::new(&*formula, (0..=tabulated).map(|k| part(k, tabulated)));
-        if (end[0] - start[0]).amax() > CLOSED * whole.extent(&*formula).size() {
+        let extent = whole.extent(&*formula);
+        let near = CLOSED * (extent.max - extent.min).amax() + rounding(extent.size(), end[1]);
+        if (end[0] - start[0]).amax() > near {
             return Err(failing(&formula, 2.0 * PI, ParametricRule::Closed));
         }
         let rises = (whole.enclosed_area(&*formula, start[0]) > 0.0) == inside;
@@ -359,12 +364,17 @@ fn inner_vertices<'a, F: ParametricFormula>(
     kinks
         .map(|kink| {
             let [vertex, rate] = formula.at(0.5 * (kink.low + kink.high));
-            let near = 4.0 * slack([size]) + NARROW * rate.amax();
+            let near = rounding(size, rate);
             let vertex = known.iter().copied().find(|p| (p - vertex).amax() <= near).unwrap_or(vertex);
             known.push(vertex);
             vertex
         })
         .collect()
+}
+
+/// How far rounding moves a point of a curve with coordinates up to `size`, where its derivative is `rate` \[L\].
+fn rounding(size: f64, rate: Vector2<f64>) -> f64 {
+    4.0 * slack([size]) + NARROW * rate.amax()
 }
 
 /// A formula with its range rescaled to one turn, and its kinks.
@@ -378,7 +388,7 @@ fn looked_at<F: ParametricFormula>(
     }
     // if the range is one turn, parameters stay exactly as they are
     let rate = if length == 2.0 * PI { 1.0 } else { length / (2.0 * PI) };
-    let mut formula = InTurns { formula, start, rate, fineness: 1, cusps: vec![] };
+    let mut formula = InTurns { formula, start, end, rate, fineness: 1, cusps: vec![] };
     let mut size = 0.0_f64;
     for u in (0..=PARTS).map(|k| part(k, PARTS)) {
         let [c, ..] = formula.jet(u);
