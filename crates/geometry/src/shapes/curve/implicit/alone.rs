@@ -123,3 +123,38 @@ impl Tabulated {
         self.tree.nearest(p, self.longest + distance, |k| (self.points[k] - p).norm()).is_some()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{random, shapes::curve::Parametric};
+
+    /// `(1 + cos(7u)/4) (cos u, sin u)`
+    struct Clover;
+    impl Parametric for Clover {
+        fn at(&self, u: f64) -> [Vector2<f64>; 2] {
+            let ((sin, cos), (wave, crest)) = (libm::sincos(u), libm::sincos(7.0 * u));
+            let (r, rate) = (1.0 + 0.25 * crest, -1.75 * wave);
+            [Vector2::new(r * cos, r * sin), Vector2::new(rate * cos - r * sin, rate * sin + r * cos)]
+        }
+    }
+
+    #[test]
+    fn the_tree_of_chords_tells_what_asking_each_of_them_tells() {
+        let turn = |k: i32| core::f64::consts::TAU * f64::from(k) / 64.0;
+        let chords = Tabulated::new(&ArcLength::new(&Clover, (0..=64).map(turn)));
+        let distances = |p: Vector2<f64>| chords.points.iter().map(move |q| (q - p).norm());
+        let mut random = random::signed(5);
+        for _ in 0..20_000 {
+            let p = Vector2::new(1.5 * random(), 1.5 * random());
+            let radius = 1.0 + 0.25 * libm::cos(7.0 * libm::atan2(p.y, p.x));
+            // a chord is nowhere so far from the curve
+            if (p.norm() - radius).abs() > 0.01 {
+                assert_eq!(chords.surrounds(&p), p.norm() < radius, "{p}");
+            }
+            let nearest = distances(p).fold(f64::INFINITY, f64::min);
+            assert_eq!(chords.is_near(&p, 0.05), nearest < chords.longest + 0.05, "{p}");
+            assert!(!chords.is_beside(&p, 0.0) || nearest < 2.5 * chords.longest, "{p}");
+        }
+    }
+}
