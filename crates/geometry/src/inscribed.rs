@@ -28,6 +28,9 @@ const MOST_SQUARES: usize = 40_000;
 /// Most places at which walls are touched to find more corridors than the search had squares for, and most on one piece.
 const MOST_TOUCHED: [usize; 2] = [4096, 16];
 
+/// A direction that walls hardly ever have.
+const ASIDE: Vector2<f64> = Vector2::new(0.61, 0.79);
+
 /// Directions of walls without end that differ by no more than this (radians) are parallel: each is rounded to half an ulp per
 /// component.
 const PARALLEL: f64 = 8.0 * f64::EPSILON;
@@ -382,8 +385,8 @@ impl Table {
         // exactly midway between walls the slope may vanish although the distance rises to both sides: a second ascent begins beside that
         // point
         let step = best.half.max(best.distance.abs() * COARSE);
-        let [here, beside] = [Vector2::zeros(), Vector2::new(0.61, 0.79) * step]
-            .map(|aside| field.climb(field.home(best.middle + aside), step));
+        let [here, beside] =
+            [Vector2::zeros(), ASIDE * step].map(|aside| field.climb(field.home(best.middle + aside), step));
         let best = if beside.radius > here.radius { beside } else { here };
         if looked_at <= MOST_SQUARES {
             return best;

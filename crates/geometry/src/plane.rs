@@ -103,6 +103,11 @@ pub(crate) fn direction(a: [f64; 2], b: [f64; 2]) -> Option<([f64; 2], f64)> {
     distance.is_finite().then(|| (d.map(|d| d.over(length).value()), distance))
 }
 
+/// The arc length of the same point of a closed curve that lies between 0 and its length, up to rounding.
+pub(crate) fn once_around(s: f64, length: f64) -> f64 {
+    s - libm::floor(s / length) * length
+}
+
 /// How far outside a start may lie and still count as on the boundary: rounding of coordinates of this size.
 ///
 /// A projected point is off by at most 2 ulp per coordinate, and evaluating its distance adds as much again; 16 leaves

@@ -13,7 +13,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::slack,
+    plane::{once_around, slack},
 };
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -343,7 +343,7 @@ impl Piece for Parallel {
     }
     fn landing_at(&self, s: f64) -> Landing {
         let length = self.length();
-        let along = if self.ends.is_some() { s } else { s - length * libm::floor(s / length) };
+        let along = if self.ends.is_some() { s } else { once_around(s, length) };
         let Node { point, normal, .. } = self.node(self.base_parameter(along));
         let point = match self.ends {
             Some([a, _]) if s <= 0.0 => a,

@@ -9,7 +9,7 @@ use crate::{
     joints::{Joint, joints_around_parts},
     meetings,
     parry::piece_of,
-    plane::{is_finite, slack},
+    plane::{is_finite, once_around, slack},
     shapes::Translated,
 };
 use nalgebra::Vector2;
@@ -127,7 +127,7 @@ fn cut(piece: &Arc<dyn Piece>, mut cuts: Vec<Place>, vertices: &Vertices, near: 
 fn cut_line(line: &Arc<dyn Piece>, cuts: Vec<Place>, lattice: &Lattice, near: f64) -> Option<Vec<Box<dyn Piece>>> {
     let vector = lattice.vectors()[0];
     let round = libm::hypot(vector.x, vector.y);
-    let mut places: Vec<f64> = cuts.into_iter().map(|(s, _)| s - round * libm::floor(s / round)).collect();
+    let mut places: Vec<f64> = cuts.into_iter().map(|(s, _)| once_around(s, round)).collect();
     places.sort_by(f64::total_cmp);
     places.dedup_by(|later, earlier| *later - *earlier <= near);
     let Some(&first) = places.first() else { return Some(vec![Box::new(Arc::clone(line))]) };

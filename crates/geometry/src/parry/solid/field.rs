@@ -32,11 +32,11 @@ impl Field<3> for Spatial {
     fn project(&self, x: &Vector3<f64>) -> (Vector3<f64>, bool) {
         let projection = self.shape.project_local_point(to_glam3(x), false);
         // parry's own shapes project by formula
-        let own = matches!(self.shape.as_typed_shape(), TypedShape::Custom(_));
+        let is_users = matches!(self.shape.as_typed_shape(), TypedShape::Custom(_));
         let support = self
             .shape
             .as_support_map()
-            .filter(|_| own)
+            .filter(|_| is_users)
             .map(|s| move |n: &Vector3<f64>| from_glam3(s.local_support_point(to_glam3(n))));
         projected(x, (from_glam3(projection.point), projection.is_inside), support)
     }

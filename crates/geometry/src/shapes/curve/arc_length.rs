@@ -72,6 +72,10 @@ const FINEST: f64 = 1.0 / 536_870_912.0;
 /// 64 waves has one.
 const IN_VAIN: u32 = 6;
 
+/// A halving helps if it reduces the relative difference to this fraction or less: less than `√½`, to which it falls next to a place
+/// where the speed is unbounded like `1/√u`.
+const FALLING: f64 = 0.7;
+
 /// Halving should reduce the difference per width to this fraction or less; where a derivative jumps, it becomes half. Rounding
 /// differences stay as they are.
 const LESS: f64 = 0.6;
@@ -285,7 +289,7 @@ fn extend(curve: &impl Parametric, nodes: &mut Vec<Node>, [from, u]: [f64; 2], l
     let rate = |u: f64| speed(curve, u);
     let (left, right) = (integral(rate, from, middle), integral(rate, middle, u));
     let difference = (integral(rate, from, u) / (left + right) - 1.0).abs();
-    let in_vain = if difference <= 0.7 * last.difference { 0 } else { last.in_vain + 1 };
+    let in_vain = if difference <= FALLING * last.difference { 0 } else { last.in_vain + 1 };
     let patience = if difference > NOISE { IN_VAIN } else { 1 };
     // halving does not help where the difference is NaN
     let is_singular = difference > NOISE && in_vain >= patience && is_one_sided(rate, [from, middle, u]);

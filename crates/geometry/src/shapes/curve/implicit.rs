@@ -11,7 +11,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::slack,
+    plane::{once_around, slack},
 };
 use core::fmt::Debug;
 use nalgebra::Vector2;
@@ -461,7 +461,7 @@ impl<F: ImplicitFormula> Piece for Implicit<F> {
         self.table.length()
     }
     fn point_at(&self, s: f64) -> Vector2<f64> {
-        let s = s - libm::floor(s / self.length()) * self.length();
+        let s = once_around(s, self.length());
         self.chords().at(self.table.parameter(&self.chords(), self.traversed(s)))[0]
     }
     fn landing_at(&self, s: f64) -> Landing {

@@ -10,7 +10,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::slack,
+    plane::{once_around, slack},
 };
 use core::f64::consts::PI;
 use core::fmt::Debug;
@@ -502,7 +502,7 @@ impl<F: ParametricFormula + 'static> Piece for ParametricCurve<F> {
     }
     fn landing_at(&self, s: f64) -> Landing {
         let length = self.length();
-        let s = if self.is_closed { s - libm::floor(s / length) * length } else { s };
+        let s = if self.is_closed { once_around(s, length) } else { s };
         self.at_parameter(self.table.parameter(&*self.formula, self.traversed(s)))
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {

@@ -13,7 +13,7 @@ use crate::{
     crossing::Crossing,
     path::Line,
     piece::{Extent, Landing, Piece},
-    plane::{finite, slack},
+    plane::{finite, once_around, slack},
 };
 use core::f64::consts::{FRAC_PI_2, PI};
 use core::fmt::Debug;
@@ -475,7 +475,7 @@ impl<F: PolarFormula> Piece for Polar<F> {
         self.landing_at(s).point
     }
     fn landing_at(&self, s: f64) -> Landing {
-        let s = s - libm::floor(s / self.length()) * self.length();
+        let s = once_around(s, self.length());
         self.at_angle(self.table.parameter(&self.points(), self.traversed(s)))
     }
     fn arc_length_at(&self, point: &Vector2<f64>) -> f64 {
