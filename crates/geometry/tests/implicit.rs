@@ -3,7 +3,10 @@
 
 mod formulas;
 
-use core::f64::consts::PI;
+use core::{
+    f64::consts::PI,
+    sync::atomic::{AtomicU64, Ordering},
+};
 use formulas::Conic;
 use geometry::{
     Error, Extent, ImplicitRule, Piece, Vector2,
@@ -137,4 +140,41 @@ fn a_curve_beside_a_sharp_bend_of_another_is_found_although_there_are_long_chord
         let Err(Error::Curve { must: ImplicitRule::Alone, at }) = found else { panic!("{x}: {found:?}") };
         assert!((Vector2::from(at) - Vector2::new(x, y)).norm() < 0.01, "{x}: {at:?}");
     }
+}
+
+/// `|x| + |y| − 1`, which counts how often it is asked.
+#[derive(Debug, Default)]
+struct Rhombus(AtomicU64);
+
+impl ImplicitFormula for &'static Rhombus {
+    fn value(&self, [x, y]: [f64; 2]) -> f64 {
+        self.0.fetch_add(1, Ordering::Relaxed);
+        x.abs() + y.abs() - 1.0
+    }
+    fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [1.0_f64.copysign(x), 1.0_f64.copysign(y)]
+    }
+    fn hessian(&self, _: [f64; 2]) -> [f64; 3] {
+        [0.0; 3]
+    }
+    fn hessian_over(&self, [x, y]: [Interval; 2]) -> [Interval; 3] {
+        let bend = |x: Interval| if x.contains(0.0) { Interval::ENTIRE } else { 0.0.into() };
+        [bend(x), 0.0.into(), bend(y)]
+    }
+    fn gradient_over(&self, [x, y]: [Interval; 2]) -> [Interval; 2] {
+        [x, y].map(|x| Interval::new(1.0_f64.copysign(x.low), 1.0_f64.copysign(x.high)))
+    }
+    fn extent(&self) -> Extent {
+        Extent { min: Vector2::repeat(-2.0), max: Vector2::repeat(2.0) }
+    }
+}
+
+/// At a kink, steps that led back to where they began had been taken a hundred thousand times, and each proved in vain.
+#[test]
+fn a_curve_with_a_kink_is_refused_at_once() {
+    static RHOMBUS: Rhombus = Rhombus(AtomicU64::new(0));
+    let refused = Implicit::new(&RHOMBUS, true).unwrap_err();
+    assert!(matches!(refused, Error::Curve { must: ImplicitRule::Smooth, .. }), "{refused:?}");
+    let asked = RHOMBUS.0.load(Ordering::Relaxed);
+    assert!(asked < 10_000, "{asked}");
 }

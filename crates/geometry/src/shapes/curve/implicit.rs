@@ -357,7 +357,8 @@ fn trace<F: ImplicitFormula>(formula: &F, region: &Extent, start: Vector2<f64>) 
             return Ok(vertices);
         }
         match onto(formula, here[0] + here[1] * step, size) {
-            Some(next) if (next[0] - here[0]).norm() <= 2.0 * step && follows(here, next) => {
+            // at a kink a step may lead back to where it began
+            Some(next) if (0.5 * step..=2.0 * step).contains(&(next[0] - here[0]).norm()) && follows(here, next) => {
                 let [p, _] = next;
                 let inside = |i: usize| region.min[i] <= p[i] && p[i] <= region.max[i];
                 if !(inside(0) && inside(1)) {
