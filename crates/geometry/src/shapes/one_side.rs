@@ -108,3 +108,30 @@ impl Piece for OneSide {
         self.piece.tips()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn where_a_path_has_left_a_wall_it_lies_so_deep_behind_it_or_has_come_back_before_it() {
+        let depth = 1e-14;
+        for curvature in [-2.0, -1e-3, 0.0, 1e-3, 2.0] {
+            for descent in [0.0, 1e-16, 1e-12, 1e-8, 1e-6, 0.5] {
+                let way = way_to_leave(descent, curvature, depth);
+                if descent == 0.0 && curvature == 0.0 {
+                    assert_eq!(way, f64::INFINITY);
+                    continue;
+                }
+                // so shallow a path comes back from a wall that bends after it
+                let comes_back = descent * descent < -2.0 * curvature * depth;
+                let expected = if comes_back { -depth } else { depth };
+                let behind = descent * way + 0.5 * curvature * way * way;
+                assert!(
+                    way > 0.0 && (behind - expected).abs() < 1e-12 * depth.max(descent * way),
+                    "{descent} {curvature}"
+                );
+            }
+        }
+    }
+}

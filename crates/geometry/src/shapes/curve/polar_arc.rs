@@ -13,8 +13,8 @@ use std::sync::Arc;
 /// The part of a [`Polar`] curve between two angles, between which it is smooth; [`Polar::pieces`] makes them.
 ///
 /// Traversed counter-clockwise with the table inside, clockwise with it outside. Paths meet its polynomial [`graphs`](super::graphs());
-/// everything else uses the formula, at an end on the arc's side of the kink. It ends at
-/// the tip of a cusp, although no angle is that of the tip.
+/// everything else uses the formula, at an end on the arc's side of the kink. It ends at the tip of a cusp, although no angle is that of the
+/// tip.
 #[derive(Clone, Debug)]
 pub struct PolarArc<F> {
     curve: Arc<Polar<F>>,
