@@ -220,6 +220,11 @@ impl Table {
         if !length.is_finite() {
             return f64::INFINITY;
         }
+        let steps = || pieces().filter_map(Piece::ends).map(|[a, b]| b - a).sum::<Vector2<f64>>();
+        let is_open = |lattice: &Lattice| lattice.vectors().len() == 1 && lattice.rounded(&steps()) != [0.0; 2];
+        if self.shortest().is_some_and(is_open) {
+            return f64::INFINITY; // a channel of which more walls run one way than the other
+        }
         let size = pieces().map(|piece| piece.extent().size()).fold(0.0, f64::max);
         let (enclosed, rounding) = (self.enclosed_by(chains), slack([size]) * length);
         let cell = self.shortest().map_or(f64::INFINITY, Lattice::cell_area);
@@ -238,17 +243,33 @@ impl Table {
     pub(crate) fn enclosed_by<'a>(&self, chains: impl IntoIterator<Item = &'a Vec<usize>>) -> f64 {
         // edges of the cell lead from all chains to one common point
         let mut corner = None;
-        let of_chain = |chain: &Vec<usize>| {
+        let (mut sum, mut open) = (0.0, vec![]);
+        for chain in chains {
             let inside = enclosed_area(chain.iter().map(|&i| &*self.pieces[i]));
-            let ends = [chain[0], chain[chain.len() - 1]].map(|i| self.pieces[i].ends());
-            match ends {
-                [Some([a, _]), Some([_, b])] if !self.is_closed(chain) => {
-                    inside + (a - *corner.get_or_insert(a)).perp(&(b - a))
-                }
-                _ => inside,
+            sum += inside;
+            if let [Some([a, _]), Some([_, b])] = [chain[0], chain[chain.len() - 1]].map(|i| self.pieces[i].ends())
+                && !self.is_closed(chain)
+            {
+                open.push([a, b]);
             }
+        }
+        let continues = |start: &Vector2<f64>, end: &Vector2<f64>| {
+            self.shortest().is_some_and(|lattice| lattice.between(start, end).is_some())
         };
-        chains.into_iter().map(of_chain).sum()
+        open.reverse();
+        while let Some([a, mut at]) = open.pop() {
+            // translates of other chains lead on to a translate of the start
+            while !continues(&a, &at)
+                && let Some(k) = open.iter().rposition(|[start, _]| continues(start, &at))
+            {
+                let [start, end] = open.remove(k);
+                let to = at + (end - start);
+                sum += 0.5 * (at - a).perp(&(to - a));
+                at = to;
+            }
+            sum += (a - *corner.get_or_insert(a)).perp(&(at - a));
+        }
+        sum
     }
 
     /// Length of the boundary \[L\], per unit cell on a lattice.

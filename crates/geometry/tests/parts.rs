@@ -394,3 +394,46 @@ fn the_parts_of_a_maze_are_those_that_a_walk_finds() {
     }
     assert!(counts[1..].iter().all(|count| *count > 10), "{counts:?}");
 }
+
+fn segments(ends: &[[[f64; 2]; 2]]) -> Vec<Box<dyn Piece>> {
+    ends.iter().map(|[a, b]| Box::new(Segment::new((*a).into(), (*b).into()).unwrap()) as Box<dyn Piece>).collect()
+}
+
+#[test]
+fn a_half_plane_above_a_periodic_floor_has_no_finite_area() {
+    let channel = || Some(Lattice::new(&[v(1.0, 0.0)]).unwrap());
+    let pits = [[[0.0, 0.5], [0.5, 0.0]], [[0.5, 0.0], [1.0, 0.5]]];
+    let hills = [[[0.0, 0.0], [0.5, 0.5]], [[0.5, 0.5], [1.0, 0.0]]];
+    for floor in [pits, hills] {
+        let open = Table::periodic(segments(&floor), channel()).unwrap();
+        assert_eq!(open.area(), f64::INFINITY, "{floor:?}");
+        let walls = segments(&[floor[0], floor[1], [[1.0, 2.0], [0.0, 2.0]]]);
+        let closed = Table::periodic(walls, channel()).unwrap();
+        assert!((closed.area() - 1.75).abs() < 1e-15, "{floor:?}");
+    }
+}
+
+#[test]
+fn an_area_does_not_depend_on_the_cells_in_which_sides_are_drawn() {
+    let mut random = Random(3);
+    for _ in 0..300 {
+        let vectors =
+            [v(random.between(1.0, 2.0), 0.3 * random.unit()), v(0.3 * random.unit(), random.between(1.0, 2.0))];
+        let lattice = Lattice::new(&vectors).unwrap();
+        let center = vectors[0] * random.unit() + vectors[1] * random.unit();
+        let sides = 3 + random.below(5);
+        let corner = |i: usize| {
+            let (sin, cos) = libm::sincos(-2.0 * PI * (i % sides) as f64 / sides as f64);
+            center + v(cos, sin) * 0.4
+        };
+        let mut cells = || (vectors[0] * random.below(3) as f64) + vectors[1] * random.below(3) as f64;
+        let walls = (0..sides).map(|i| {
+            let side = Segment::new(corner(i), corner(i + 1)).unwrap();
+            Box::new(geometry::shapes::Translated::new(std::sync::Arc::new(side), cells())) as Box<dyn Piece>
+        });
+        let table = Table::periodic(walls.collect(), Some(lattice.clone())).unwrap();
+        let obstacle = 0.5 * sides as f64 * 0.16 * libm::sin(2.0 * PI / sides as f64);
+        let expected = lattice.cell_area() - obstacle;
+        assert!((table.area() - expected).abs() < 1e-12, "{} {expected}", table.area());
+    }
+}

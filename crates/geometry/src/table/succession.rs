@@ -18,7 +18,7 @@ pub(crate) const SMOOTH: f64 = 1e-9;
 
 /// How pieces are connected.
 pub(super) struct Succession {
-    /// For each piece, the one that starts where it ends; on a lattice, the one a translate of which does.
+    /// For each piece, the one that starts where it ends; `None` where only a translate of one does.
     pub(super) next: Vec<Option<usize>>,
     /// The vertices at which the direction of the boundary jumps; both ends of a joint across cells.
     pub(super) corners: Vec<Vector2<f64>>,
