@@ -135,8 +135,7 @@ impl Circle {
     #[inline(always)]
     pub(crate) fn land_where<F: Lane>(&self, here: F::Mask, x: [F; 2], v: [F; 2], time: F) -> ([F; 2], [F; 2]) {
         let p = along(x, v, time);
-        let [y0, y1] = from(p, self.center);
-        let y = [-y0, -y1];
+        let y = [p[0] - self.center[0], p[1] - self.center[1]];
         // one Newton step towards |y| = r. The deficit of |y|² is not computed from a sum near r², since round-to-even would favour
         // one side: along an ellipse that bias adds up
         let change = ((y[0].same(self.square) - y[0] * y[0]) - y[1] * y[1]) * self.half;
