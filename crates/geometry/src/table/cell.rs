@@ -163,9 +163,10 @@ fn span_of_disk(center: Vector2<f64>, radius: f64, [f, g]: [f64; 2]) -> [f64; 2]
 /// The least and the largest number of cells by which a span can be moved to reach within `margin` cells of the cell that starts at
 /// `corner`.
 fn reaching([low, high]: [f64; 2], corner: f64, margin: f64) -> [f64; 2] {
-    // a wall along an edge of cells bounds those on both sides of it
+    // a wall along an edge of cells bounds those on both sides of it; and of two walls that meet in a vertex on an edge, both must be there
+    // to decide which of them a path through it hits
     let rounding = slack([1.0, low, high]);
-    let margin = if high - low <= rounding { margin + rounding } else { margin };
+    let margin = margin + rounding;
     // translates by t reach that far where low + t < corner + 1 + margin and high + t ≥ corner − margin
     [-libm::floor(high + margin - corner), libm::ceil(1.0 + margin + corner - low) - 1.0]
 }

@@ -1,5 +1,5 @@
 //! Ends that are one vertex but for rounding.
-use super::cuts::part;
+use super::{cuts::part, two_sided::one_side};
 use crate::{
     BoxTree, Extent, Figure, Piece,
     plane::{is_finite, key, slack},
@@ -57,7 +57,8 @@ fn follow(pieces: &mut [Arc<dyn Piece>], (i, stop): Loose, (j, start): Loose) ->
     }
     let moved = ways.into_iter().find_map(|(k, ends)| Some((k, part(&*pieces[k], ends).ok()?)));
     moved.is_some_and(|(k, piece)| {
-        pieces[k] = Arc::from(piece);
+        let piece = Arc::from(piece);
+        pieces[k] = if pieces[k].has_two_sides() { one_side(&piece) } else { piece };
         true
     })
 }

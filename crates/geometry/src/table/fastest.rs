@@ -2,6 +2,7 @@
 use super::{
     FundamentalCell, Table, Translate,
     container::{Container, Enclosed, MOST_SIDES, container, strip},
+    ends::unite,
     sides::{Side, sides},
     translates,
 };
@@ -19,6 +20,9 @@ use crate::{
 };
 use nalgebra::Vector2;
 use std::sync::Arc;
+
+/// Places along a piece, in parts of its length, of which one at least is off a curve that the piece touches.
+const PLACES: [f64; 4] = [0.13, 0.37, 0.62, 0.91];
 
 impl Table {
     /// Runs a computation with the best walls for this table.
@@ -181,11 +185,21 @@ impl Table {
         rest.iter().all(|&i| self.inside(chain, i)).then_some(Enclosed { container, seams, rest })
     }
 
-    /// Whether a piece lies on the table's side of a chain that it does not cross.
+    /// Whether a piece lies on the table's side of a chain that it does not cross; never one of infinite length, since the chain is closed.
     fn inside(&self, chain: &[usize], piece: usize) -> bool {
-        let point = self.pieces[piece].point_at(0.5 * self.pieces[piece].length());
-        let nearest = nearest_of(chain.iter().map(|&i| (i, &*self.pieces[i])), &point);
-        nearest.is_some_and(|nearest| !nearest.is_outside)
+        let piece = &self.pieces[piece];
+        let length = piece.length();
+        if !length.is_finite() {
+            return false;
+        }
+        // the place that is farthest from the chain tells, for it may touch the chain elsewhere
+        let seen = |part: f64| {
+            let point = piece.point_at(part * length);
+            let nearest = nearest_of(chain.iter().map(|&i| (i, &*self.pieces[i])), &point)?;
+            Some(((nearest.landing.point - point).norm(), nearest.is_outside))
+        };
+        let farthest = PLACES.into_iter().filter_map(seen).max_by(|a, b| a.0.total_cmp(&b.0));
+        farthest.is_some_and(|(_, is_outside)| !is_outside)
     }
 
     /// Every piece that reaches into the cell, translated there.
@@ -193,7 +207,11 @@ impl Table {
         self.parts.get_or_init(|| {
             let mut corners = vec![];
             let mut pieces = vec![];
-            for Translate { number, by, piece, .. } in translates(&self.pieces, cell, 0.0) {
+            let copies = translates(&self.pieces, cell, 0.0);
+            // neighbours across an edge share a vertex exactly, or a path through it could slip through between them
+            let mut moved: Vec<_> = copies.iter().map(|copy| copy.piece.clone()).collect();
+            unite(&mut moved);
+            for (Translate { number, by, .. }, piece) in copies.into_iter().zip(moved) {
                 let ends = self.pieces[number].ends().map_or(vec![], Vec::from);
                 corners.extend(ends.iter().filter(|end| self.corners.contains(end)).map(|end| end + by));
                 pieces.push((number, piece));

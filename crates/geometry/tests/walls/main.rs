@@ -13,6 +13,7 @@ mod rooms;
 mod side_by_side;
 mod solids;
 mod spirals;
+mod touching;
 mod whole_sides;
 
 use geometry::shapes::curve::{Implicit, ImplicitFormula};

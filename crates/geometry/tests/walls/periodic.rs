@@ -279,3 +279,27 @@ fn a_flight_through_hundreds_of_cells_ends_where_its_time_says() {
     }
     assert!(hits > 900 && longest > 500.0, "{hits} {longest}");
 }
+
+#[test]
+fn a_path_through_a_joint_on_the_edge_of_a_cell_hits_one_of_the_pieces_there() {
+    // widths and offsets that are not exact in binary: the end of a wall and the start of its translate differ by an ulp or so
+    let mut random = Random(2);
+    for k in 1..200 {
+        let width = 0.1 * f64::from(k);
+        let start = if k % 2 == 0 { 0.0 } else { random.between(-1.0, 1.0) };
+        let end = start + width;
+        for second in [None, Some(Vector2::new(0.0, 3.0))] {
+            let segment = |a: [f64; 2], b: [f64; 2]| -> Box<dyn Piece> {
+                Box::new(geometry::shapes::Segment::new(a.into(), b.into()).unwrap())
+            };
+            let walls = vec![segment([start, 0.0], [end, 0.0]), segment([end, 1.0], [start, 1.0])];
+            let vectors: Vec<_> = [Vector2::new(width, 0.0)].into_iter().chain(second).collect();
+            let table = Table::periodic(walls, Some(Lattice::new(&vectors).unwrap())).unwrap();
+            for (x, v) in [(start, 1.0), (start, -1.0), (end, 1.0), (end, -1.0)] {
+                let path = Line { point: table.home(&Vector2::new(x, 0.5)), velocity: Vector2::new(0.0, v) };
+                let hit = table.with_walls(Ask(path)).map(|hit| (hit.piece, hit.time));
+                assert_eq!(hit, Some((usize::from(v > 0.0), 0.5)), "{width} from {start}, {second:?}: {path:?}");
+            }
+        }
+    }
+}
