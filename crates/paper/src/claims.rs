@@ -114,6 +114,22 @@ pub const UNMEASURED: &[Unmeasured] = &[
                  each with such angles. No finite orbit could decide it.",
     },
     Unmeasured {
+        place: "Section 1",
+        statement: "The field of no-slip maps of a disk in the plane is parallel.",
+        reason: "Derived: the boundary of its configurations is flat, a curve times a circle, and the rough direction makes the same angle with both \
+                 everywhere. Nothing depends on it: see the claim measure-of-fields.",
+    },
+    Unmeasured {
+        place: "Section 1, Figure 3",
+        statement: "The phase space is typically the product of a 2-torus and a disk, and the reduced one a solid torus.",
+        reason: "By definition, for a boundary that is one closed curve. With an inner wall, as in Figure 5 on the right, there is one for each curve.",
+    },
+    Unmeasured {
+        place: "Section 3.1",
+        statement: "Standard billiards in a circle, or another smooth convex curve, have a countably infinite family of periodic orbits for each period.",
+        reason: "Not about no-slip billiards. (Those of the circle are the n-gons and star polygons of the claim circle-polygons, turned at will.)",
+    },
+    Unmeasured {
         place: "Section 3.3, Figure 18",
         statement: "In isosceles triangles, as in polygons, most orbits appear as closed curves around periodic points, as many as the period; there \
                     may be no ergodic component of positive measure.",

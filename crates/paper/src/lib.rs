@@ -22,12 +22,13 @@
 mod circle;
 mod claim;
 pub mod claims;
+pub mod fractions;
 mod law;
 mod motion;
 mod random;
 pub mod side_sequences;
 mod statistics;
-mod strip;
+pub mod strip;
 pub mod wedge;
 
 pub use claim::{Claim, Effort, Measurement, Quantity, Relation, STANDARD_ERRORS, Verdict};

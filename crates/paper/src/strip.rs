@@ -6,7 +6,7 @@
 use crate::motion::{Bounce, State};
 
 /// A point or vector seen along `x₂`: `(x₀, x₁)`.
-pub(crate) type Seen = [f64; 2];
+pub type Seen = [f64; 2];
 
 /// `(x₀, x₁)` of a collision.
 pub(crate) fn seen(bounce: &Bounce) -> Seen {
@@ -14,7 +14,7 @@ pub(crate) fn seen(bounce: &Bounce) -> Seen {
 }
 
 /// Unit direction of the line of contact points of a wall: `(γ, 1)/√(1+γ²)` on the lower one, `(γ, −1)/√(1+γ²)` on the upper one.
-pub(crate) fn contact_direction(gamma_squared: f64, piece: usize) -> Seen {
+pub fn contact_direction(gamma_squared: f64, piece: usize) -> Seen {
     let length = libm::sqrt(1.0 + gamma_squared);
     let sign = if piece == 0 { 1.0 } else { -1.0 };
     [libm::sqrt(gamma_squared) / length, sign / length]
@@ -22,8 +22,12 @@ pub(crate) fn contact_direction(gamma_squared: f64, piece: usize) -> Seen {
 
 /// The crossing `O` of the lines of contact points through two collisions, one on each wall.
 pub(crate) fn centre(gamma_squared: f64, a: &Bounce, b: &Bounce) -> Seen {
-    let (p, q) = (seen(a), seen(b));
-    let (d, e) = (contact_direction(gamma_squared, a.piece), contact_direction(gamma_squared, b.piece));
+    let lines = [a, b].map(|bounce| (seen(bounce), contact_direction(gamma_squared, bounce.piece)));
+    crossing(lines)
+}
+
+/// Where two lines cross, each given by a point and a direction.
+pub fn crossing([(p, d), (q, e)]: [(Seen, Seen); 2]) -> Seen {
     // p + t d on the line through q: (p − q + t d) × e = 0
     let t = cross([q[0] - p[0], q[1] - p[1]], e) / cross(d, e);
     [p[0] + t * d[0], p[1] + t * d[1]]

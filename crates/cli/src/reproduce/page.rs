@@ -150,7 +150,7 @@ fn introduction(page: &mut String, figures: &[Drawn], claims: &[Measured], effor
         if off == 0 {
             write!(page, "; every measurement agrees with our verdict.")?;
         } else {
-            write!(page, "; <b>{off} measurements disagree with our verdict</b>.")?;
+            write!(page, "; <b>for {off} of them a measurement disagrees with our verdict</b>.")?;
         }
     }
     writeln!(page, "</p>\n<nav>")?;

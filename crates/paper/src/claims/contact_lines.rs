@@ -13,9 +13,12 @@ use billiards::geometry::tables;
 pub(super) const CLAIM: Claim = Claim {
     name: "contact-lines",
     place: "proof of Proposition 2.1, Figure 7",
-    statement: "Seen along x₂, all contact points of an orbit with one wall of a strip lie on a line; the lines of the two walls have the \
-                slopes dx₁/dx₀ = √2 and −√2.",
-    verdict: Verdict::Holds,
+    statement: "Seen along x₂, all contact points of an orbit with one wall of a strip lie on a line, of slope dx₁/dx₀ = √2 for the upper wall and −√2 \
+                for the lower one.",
+    verdict: Verdict::HoldsCorrected(
+        "True with the matrix T, that is, with x₀ counted clockwise (see the claim matrix-t); with equation (2.1) it is −√2 for the upper wall and √2 for the \
+         lower one.",
+    ),
     general_gamma: Some("The slopes are ±1/γ, so the lines cross at the angle β, bisected by the x₁ axis."),
     measure,
 };

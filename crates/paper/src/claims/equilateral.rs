@@ -22,9 +22,19 @@ pub(super) const CLAIM: Claim = Claim {
          period 4 (sides 1212) and 65 % period 6 (123123 or 121323); 37 % and 63 % if starts on a side have directions uniform in the half space. \
          Period 3 occurs only on the centre line of a band 123123 and period 2 only on the axis of a corner, which have measure zero. The reason: the collision maps of the three sides are half-turns about orthogonal axes, with C₁C₂C₃ = 1, and form Klein's four-group.",
     ),
-    general_gamma: Some("For other γ the axes are not orthogonal, and there is no such periodicity."),
+    general_gamma: Some(
+        "For one other γ ≤ 1 all orbits seem to be periodic again: for γ² = (7 − 3√5)/2 = 0.1459 the axes are at 72° to each other, so that the half-turns generate \
+         the rotations of an icosahedron. The periods are 10, 12, 18, 22, 24 and 30. For any further γ the group is infinite, and no orbit of a sample has \
+         a period up to 60. (Measured for 0.3, 0.6 and 1.)",
+    ),
     measure,
 };
+
+/// `γ² = (7 − 3√5)/2`, the fourth power of (√5 − 1)/2: there `eᵢ·eⱼ = (γ² − 1/2)/(1 + γ²) = −cos 72°`.
+pub(super) const ICOSAHEDRAL: f64 = 0.145_898_033_750_315_46;
+
+/// The periods that occur there.
+const ICOSAHEDRAL_PERIODS: [usize; 6] = [10, 12, 18, 22, 24, 30];
 
 /// The same orbit with the first point in the middle between collisions 0 and 3, which have the same velocity and side where the
 /// sides are 123123.
@@ -61,8 +71,8 @@ fn survey(orbits: usize) -> Survey {
         let normal: Range = orbit.iter().map(Bounce::normal_velocity).collect();
         let weight = planar.min * normal.min * normal.min;
         found.closed.push(apart(&orbit[0], &orbit[orbit.len() - 1]) * weight);
-        // rounding leaves 1e-14 or so in six collisions; a drift below 1e-9 by chance has that probability
-        found.drifting += usize::from((orbit[period].state.x[0] - orbit[0].state.x[0]).abs() > 1e-9);
+        // rounding leaves 1e-14 or so in six collisions; a drift below 1e-11 by chance is as rare as 10⁻⁹ (8·10⁻⁸ below 1e-9, in 5·10⁷ orbits)
+        found.drifting += usize::from((orbit[period].state.x[0] - orbit[0].state.x[0]).abs() > 1e-11);
         if let Some(middle) = centre_line(&orbit) {
             let line = bounces(&triangle, middle, 4);
             found.bands.push(apart(&line[0], &line[3]) * weight);
@@ -130,12 +140,23 @@ fn measure(effort: Effort) -> Measurement {
     let off = apart(&orbit[0], &orbit[2]);
     quantities.push(Quantity::residual("axis of a corner: deviation after 2 collisions", off, 16.0 * f64::EPSILON));
     let some = effort.of(1000, 10_000);
-    for gamma_squared in [0.3, 0.6, 1.0] {
+    let periods_at = |gamma_squared: f64, most: usize| -> Vec<usize> {
         let triangle = no_slip(tables::equilateral(1.0), gamma_squared);
-        let has_period = |start: &State| reduced_period(&bounces(&triangle, *start, 61), 60) > 0;
-        let starts = (0..some).map(canonical(&triangle, 242));
+        let period = |start: State| reduced_period(&bounces(&triangle, start, most + 1), most);
+        (0..some).map(canonical(&triangle, 242)).map(period).collect()
+    };
+    for gamma_squared in [0.3, 0.6, 1.0] {
         let label = format!("γ² = {gamma_squared}: orbits with a period up to 60, of {some}");
-        quantities.push(Quantity::count(label, starts.filter(has_period).count(), 0));
+        let periodic = periods_at(gamma_squared, 60).into_iter().filter(|period| *period > 0);
+        quantities.push(Quantity::count(label, periodic.count(), 0));
     }
+    let icosahedral = periods_at(ICOSAHEDRAL, 30);
+    for period in ICOSAHEDRAL_PERIODS {
+        let label = format!("γ² = (7 − 3√5)/2: share of orbits of period {period}, at the least");
+        let count = icosahedral.iter().filter(|found| **found == period).count();
+        quantities.push(Quantity::at_least(label, count as f64 / some as f64, 0.01, 0.0));
+    }
+    let periodic = icosahedral.iter().filter(|period| ICOSAHEDRAL_PERIODS.contains(period)).count();
+    quantities.push(Quantity::count("γ² = (7 − 3√5)/2: orbits of one of these periods", periodic, some));
     quantities.into()
 }

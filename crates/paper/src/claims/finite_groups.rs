@@ -1,5 +1,5 @@
 //! Polygons with finitely many velocities.
-use super::wedge_periods::reduced_period;
+use super::{equilateral::ICOSAHEDRAL, wedge_periods::reduced_period};
 use crate::{
     Claim, Effort, Measurement, Quantity, Verdict,
     law::{UNIFORM, no_slip},
@@ -14,7 +14,7 @@ pub(super) const CLAIM: Claim = Claim {
     name: "finite-groups",
     place: "beyond the paper",
     statement: "Where the half-turns of a polygon's sides generate a finite group, an orbit has finitely many velocities. The equilateral triangle with γ² = 1/2 \
-                has Klein's four-group; the square with γ = 1 the rotations of a cube, so that dyadic velocities stay dyadic. In the hexagon with γ² = 1/2 every other side \
+                has Klein's four-group, and with γ² = (7 − 3√5)/2 the rotations of an icosahedron; the square with γ = 1 the rotations of a cube, so that dyadic velocities stay dyadic. In the hexagon with γ² = 1/2 every other side \
                 has an orthogonal axis, and orbits that hit only every other side have period 4 or 6; they have positive measure.",
     verdict: Verdict::Holds,
     general_gamma: Some("The axes of two sides satisfy eᵢ·eⱼ = (γ² + νᵢ·νⱼ)/(1+γ²)."),
@@ -61,6 +61,11 @@ fn measure(effort: Effort) -> Measurement {
     let every_other: Vec<[f64; 2]> = hexagon_normals.iter().copied().step_by(2).collect();
     let mut quantities = vec![
         Quantity::count("equilateral triangle, γ² = 1/2: velocity maps", order(UNIFORM, &normals(3), 1000), 4),
+        Quantity::count(
+            "equilateral triangle, γ² = (7 − 3√5)/2: velocity maps",
+            order(ICOSAHEDRAL, &normals(3), 1000),
+            60,
+        ),
         Quantity::count("square, γ = 1: velocity maps", order(1.0, &normals(4), 1000), 24),
         Quantity::count(
             "every other side of the hexagon, γ² = 1/2: velocity maps",

@@ -1,5 +1,5 @@
 //! Rational cosines of rational angles.
-use crate::{Claim, Effort, Measurement, Quantity, Verdict, statistics::Range};
+use crate::{Claim, Effort, Measurement, Quantity, Verdict, fractions::reduced_numerators, statistics::Range};
 use core::f64::consts::TAU;
 
 pub(super) const CLAIM: Claim = Claim {
@@ -11,15 +11,11 @@ pub(super) const CLAIM: Claim = Claim {
     measure,
 };
 
-fn gcd(a: u32, b: u32) -> u32 {
-    if b == 0 { a } else { gcd(b, a % b) }
-}
-
 fn measure(effort: Effort) -> Measurement {
     let most = effort.of(300, 3000);
     let (mut integers, mut nearest) = (vec![], Range::EMPTY);
     for q in 1..=most {
-        for p in (0..=q / 2).filter(|p| gcd(*p, q) == 1) {
+        for p in reduced_numerators(q) {
             let twice = 2.0 * libm::cos(TAU * f64::from(p) / f64::from(q));
             let gap = (twice - libm::round(twice)).abs();
             if q <= 6 && gap < 1e-12 {

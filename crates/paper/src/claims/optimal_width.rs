@@ -30,7 +30,7 @@ pub(super) const CLAIM: Claim = Claim {
 fn turning(gamma_squared: f64, sample: usize, collisions: usize) -> ([f64; 2], f64) {
     let strip = no_slip(tables::strip(1.0), gamma_squared);
     let steep = Stream::new(207, sample).between(0.3, 0.9);
-    // towards the upper wall, which reverses (1, −γ) in the (x₀, x₁) plane: perpendicular to its contact line
+    // towards the upper wall, which reverses (1, −γ) in the (x₀, x₁) plane: perpendicular to the lower wall's line of contacts
     let flat = libm::sqrt((1.0 - steep) * (1.0 + steep) / (1.0 + gamma_squared));
     let start = State { x: [0.0, 0.0, 0.5], v: [flat, -libm::sqrt(gamma_squared) * flat, steep] };
     let orbit = bounces(&strip, start, collisions);

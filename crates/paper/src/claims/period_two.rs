@@ -57,12 +57,12 @@ pub(super) fn velocity(gamma_squared: f64, a: f64) -> [f64; 2] {
     [v0, -libm::sin(a) * along]
 }
 
-/// `(μ + 1/μ)/2 = (2 cos²a + κd cos a)/(1+γ²) − 1`, where `over = κd` and `κ` is the curvature, positive for dispersing arcs.
+/// `(μ + 1/μ)/2 = (2 cos²a − κd cos a)/(1+γ²) − 1`, where `over = −κd` and `κ` is the curvature, positive for focusing arcs.
 ///
 /// A collision turns velocities by `C = 2ee′ − 1` about `e = sin(β/2) x₀ + cos(β/2) t`, to which the orbit is perpendicular. Let `y` be the distance from
 /// the chord and `(η, ω)` the change of velocity, along `y` and perpendicular to it and to the orbit; `e = (p, q)` in these, `p = cos(β/2) cos a`. Flight
-/// takes `y` to `y + dη`; mirror and collision take `(η, ω)` to `C (η, −ω) + 2κ cos(β/2) y e`, as `e` turns with the wall. The trace of both is
-/// `4p² − 1 + 2κd cos²(β/2) cos a`, the determinant is 1, and one eigenvalue is 1.
+/// takes `y` to `y + dη`; mirror and collision take `(η, ω)` to `C (η, −ω) − 2κ cos(β/2) y e`, as `e` turns with the wall. The trace of both is
+/// `4p² − 1 − 2κd cos²(β/2) cos a`, the determinant is 1, and one eigenvalue is 1.
 fn formula(gamma_squared: f64, a: f64, over: f64) -> f64 {
     let cos = libm::cos(a);
     (2.0 * cos * cos + over * cos) / (1.0 + gamma_squared) - 1.0

@@ -15,7 +15,9 @@ pub(super) const CLAIM: Claim = Claim {
     place: "Proposition 2.6",
     statement: "Two collisions in the wedge of angle θ turn the velocity about the axis of periodicity by the angle α with \
                 cos α = (32/9) cos⁴(θ/2) − (16/3) cos²(θ/2) + 1.",
-    verdict: Verdict::Holds,
+    verdict: Verdict::HoldsCorrected(
+        "The formula holds. In its proof, cos α = v·S v is to be w·S w: v is the axis of the rotation S, and w = (0, 0, 1) is perpendicular to it.",
+    ),
     general_gamma: Some("cos(α/2) = (γ² − cos θ)/(1+γ²), or α = 2π − 4δ with cos δ = cos(θ/2)/√(1+γ²)."),
     measure,
 };
@@ -27,12 +29,13 @@ fn quartic(theta: f64) -> f64 {
 }
 
 fn measure(effort: Effort) -> Measurement {
-    let (mut by_quartic, mut general, mut by_delta, mut orbits) = (vec![], vec![], vec![], vec![]);
+    let (mut by_w, mut by_quartic, mut general, mut by_delta, mut orbits) = (vec![], vec![], vec![], vec![], vec![]);
     for sample in 0..effort.of(200, 20_000) {
         let mut stream = Stream::new(221, sample);
         let theta = stream.between(0.01, PI - 0.01);
         let cos = 0.5 * (two_hits(theta, UNIFORM).trace() - 1.0);
         by_quartic.push((cos - quartic(theta)).abs());
+        by_w.push((two_hits(theta, UNIFORM)[(2, 2)] - quartic(theta)).abs());
         for gamma_squared in ALL.into_iter().chain([1.0]) {
             let cos = 0.5 * (two_hits(theta, gamma_squared).trace() - 1.0);
             let half = (gamma_squared - libm::cos(theta)) / (1.0 + gamma_squared);
@@ -52,6 +55,7 @@ fn measure(effort: Effort) -> Measurement {
     let rounding = 64.0 * f64::EPSILON;
     [
         Quantity::residual("cos α of the law's matrices against the paper's quartic", worst(by_quartic), rounding),
+        Quantity::residual("w·S w, w = (0, 0, 1), against it", worst(by_w), rounding),
         Quantity::residual("cos α of orbits against the paper's quartic", worst(orbits), rounding),
         // the strip is the wedge of angle 0
         Quantity::equal(

@@ -13,7 +13,7 @@ pub(super) const CLAIM: Claim = Claim {
     name: "wedge-dense",
     place: "Corollary 2.2",
     statement: "The wedge angles for which all bounded orbits are periodic are dense in (0, π).",
-    verdict: Verdict::Holds,
+    verdict: Verdict::HoldsCorrected("So they are not isolated, as the beginning of Section 2.2 calls them."),
     general_gamma: Some(
         "Holds for every γ > 0: δ is a continuous, increasing function of θ, and these angles are those with δ ∈ πℚ (derived; measured for γ² = 1/2).",
     ),

@@ -7,16 +7,16 @@ use crate::{
     statistics::{Range, worst},
     wedge::{billiard, bounded_start, opening_of_turn},
 };
-use core::f64::consts::{FRAC_PI_3, PI};
+use core::f64::consts::{FRAC_PI_3, PI, TAU};
 
 pub(super) const CLAIM: Claim = Claim {
     name: "wedge-periods",
     place: "Corollary 2.1, Figures 9 and 12",
-    statement: "For every n ≥ 2 there is a wedge angle for which all bounded orbits, degenerate ones excepted, have period 2n: the one \
+    statement: "For every n ≥ 2 (in the introduction, n ≥ 1) there is a wedge angle for which all bounded orbits, degenerate ones excepted, have period 2n: the one \
                 for which S turns by α = π/n. Period 4 occurs at π/3, period 8 at 2.16598, period 10 at 0.2709.",
     verdict: Verdict::HoldsCorrected(
         "The angle must be α = 2πm/n with m coprime to n (α = π/n gives period 4n): θ = arccos(1/2 − (3/2) cos(πm/n)), which agrees \
-         with the captions, m = 1 for π/3 and 2.16598, and m = 3, n = 5 for 0.2709. And 2n is the period in the reduced phase \
+         with the captions, m = 1 for π/3 and 2.16598, and m = 3, n = 5 for 0.2709. There is none for n = 1: α = 2π would need cos θ = 2. And 2n is the period in the reduced phase \
          space: with δ = πp/q in lowest terms, cos δ = cos(θ/2)/√(3/2), the spin position x₀ returns if and only if q is odd (for \
          m = 1: if n is), and drifts in each period otherwise.",
     ),
@@ -104,6 +104,7 @@ fn measure(effort: Effort) -> Measurement {
     let tenfold = opening_of_turn(1.2 * PI).unwrap_or(f64::NAN);
     try_angle("Figure 9, α = 6π/5".into(), tenfold, 10, true);
     quantities.extend([
+        Quantity::count("angles for n = 1", usize::from(opening_of_turn(TAU).is_some()), 0),
         // the paper's angles are given to that many digits
         Quantity::equal("θ for n = 2, against π/3", opening_of_turn(PI).unwrap_or(f64::NAN), FRAC_PI_3, 1e-15),
         Quantity::equal(

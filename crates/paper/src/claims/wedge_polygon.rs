@@ -5,22 +5,24 @@ use crate::{
     motion::{State, bounces, fly},
     random::Stream,
     statistics::{Range, least, worst},
-    wedge::{axis, billiard, bounded_start, inradius, near_axis, opening, period},
+    wedge::{axis, billiard, bounded_start, delta, inradius, near_axis, normals, opening, period},
 };
 use billiards::Stop;
 use core::{
     f64::consts::{FRAC_PI_2, PI, TAU},
     ops::ControlFlow,
 };
+use nalgebra::Vector3;
 
 pub(super) const CLAIM: Claim = Claim {
     name: "wedge-polygon",
     place: "Proposition 2.7",
-    statement: "Orbits with a non-escape velocity keep such velocities. If θ is not periodic the region is bounded by a circle; if it has period \
+    statement: "Orbits with a non-escape velocity keep such velocities, and are bounded. If θ is not periodic the region is bounded by a circle; if it has period \
                 2n it is a regular polygon with n sides for odd n and 2n for even n.",
     verdict: Verdict::HoldsCorrected(
         "The polygon is a regular spherical q-gon, q the denominator of δ/π in lowest terms, cos δ = cos(θ/2)/√(3/2). For even n that is 2n, \
-         but for odd n it may be n or 2n: θ = 1.53431 has δ = 3π/10, period 10, n = 5, and ten sides.",
+         but for odd n it may be n or 2n: θ = 1.53431 has δ = 3π/10, period 10, n = 5, and ten sides. Orbits are bounded but for a set of measure \
+         zero: where θ is not periodic, one with a velocity on the circle itself never escapes, and its distance l = I/(v·ν) has no bound.",
     ),
     general_gamma: Some(
         "The q-gon, or circle, has the inradius ρ, cos ρ = sin(θ/2)·√((1+γ²)/(γ² + sin²(θ/2))) (derived; measured for γ² = 1/2).",
@@ -46,6 +48,15 @@ fn radii(theta: f64, collisions: usize, directions: u32) -> Vec<f64> {
         low
     };
     (0..directions).map(radius).collect()
+}
+
+/// The least `v·ν` after so many collisions with the left wall, for velocities on the circle that bounds the region and touches `v·ν = 0`.
+fn least_on_the_circle(theta: f64, hits: u32) -> f64 {
+    let turn = TAU - 4.0 * delta(theta, UNIFORM);
+    let [_, left] = normals(theta);
+    let normal = Vector3::new(0.0, left[0], left[1]);
+    let rho = inradius(theta, UNIFORM);
+    least((0..hits).map(|n| Vector3::from(near_axis(theta, UNIFORM, rho, 1.0 + turn * f64::from(n))).dot(&normal)))
 }
 
 /// The number of corners of a curve: its local maxima. Flat stretches, within the error of bisection, count once.
@@ -94,6 +105,12 @@ fn measure(effort: Effort) -> Measurement {
             inradius,
             late,
         ));
+    }
+    for theta in [0.7, FRAC_PI_2, 2.3] {
+        let fall = least_on_the_circle(theta, 10_000) / least_on_the_circle(theta, 100);
+        let label = format!("θ = {theta:.4}, on the circle: least v·ν of 10 000 collisions over that of 100");
+        // the nearest of n places on a circle is about 1/n from a given one, and v·ν goes like the square: 10⁻⁴, give or take
+        quantities.push(Quantity::at_most(label, fall, 0.1, 0.0));
     }
     // in the region for good: the angle from the axis is kept
     let mut angles = vec![];

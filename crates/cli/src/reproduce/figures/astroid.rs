@@ -47,9 +47,7 @@ fn envelope(l: f64) -> [Vec<[f64; 2]>; 4] {
 fn draw(_: Effort) -> Drawing {
     let (v, l) = strip::start();
     let path = follow(&no_slip(tables::strip(1.0)?), [0.0, 0.0, 0.5], v, 160);
-    let lower = path.hits.iter().find(|hit| hit.piece == 0).ok_or("no collision below")?;
-    let upper = path.hits.iter().find(|hit| hit.piece == 1).ok_or("no collision above")?;
-    let [c0, c1] = strip::centre(lower.x, upper.x, [UNIFORM, 1.0], [UNIFORM, -1.0]);
+    let [c0, c1] = strip::middle(&path, UNIFORM).ok_or(strip::ONE_WALL)?;
     let seen = |p: [f64; 3]| [p[0] - c0, p[1] - c1];
     let (r0, r1) = (0.5 * libm::sqrt(1.5) * l, 0.5 * libm::sqrt(3.0) * l);
     let window = Window { low: [-r0 - 0.12, -r1 - 0.12], high: [r0 + 0.12, r1 + 0.12] };

@@ -14,7 +14,8 @@ pub(super) const FIGURE: Figure = Figure {
     caption: "A collision with the wall x₂ = 0 in the space of (x₀, x₁, x₂), where x₀ = γRθ is the scaled angle of the disk. The \
               velocity after the collision, Cv, and the velocity before it, v, lie opposite to one another on a cone: C is the \
               half-turn about e, the direction in the wall in which the disk rolls without slipping. The axis e makes the angle \
-              β/2, tan(β/2) = γ, with the x₁ axis.",
+              β/2, tan(β/2) = γ, with the x₁ axis. (The paper reaches Cv on another cone, about the normal: it reflects v, reverses the \
+              spin, and turns by β.)",
     parameters: "Uniform disk, γ² = 1/2. v = (0.15, 0.55, −0.82) before the collision; Cv is computed by the engine.",
     draw,
 };

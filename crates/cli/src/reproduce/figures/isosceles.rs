@@ -9,8 +9,8 @@ pub(super) const FIGURE: Figure = Figure {
     name: "isosceles",
     title: "An isosceles triangle",
     place: "Figure 18",
-    caption: "Left: the velocity portrait of many orbits. The axes of periodicity of its corners are surrounded by closed curves; so are many \
-              periodic points of higher order. Right: a single orbit around one of high order, a closed curve around each of its points. \
+    caption: "Left: the velocity portrait of many orbits. The axes of periodicity of its corners are surrounded by closed curves (upper left and lower \
+              right; in the paper, which counts rotation clockwise, upper right and lower left); so are many periodic points of higher order. Right: a single orbit around one of high order, a closed curve around each of its points. \
               (Curves may cross, since the place on the boundary is left out.)",
     parameters: "Base 1, height 1.25, uniform disk, γ² = 1/2. Orbits start by the canonical measure (seed 10): 300 × 3000 collisions (--quick \
                  120 × 1000). Right: of the 300 starts, the orbit whose portrait has at least 20 components of which the smallest is as large as \

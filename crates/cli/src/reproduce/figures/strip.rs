@@ -1,10 +1,11 @@
 //! The strip in the plane.
-use super::super::motion::{follow, no_slip};
+use super::super::motion::{Path, follow, no_slip};
 use super::super::portrait::colour;
 use super::super::sheet::{LABEL, Sheet};
 use super::super::{Drawing, Effort, Figure, UNIFORM};
 use crate::picture::{Anchor, COLUMN, Colour, Style, View, Window};
 use billiards::geometry::tables;
+use paper::strip::crossing;
 
 pub(super) const FIGURE: Figure = Figure {
     name: "strip",
@@ -24,19 +25,22 @@ pub(super) fn start() -> ([f64; 3], f64) {
     ([a, b, v2], libm::hypot(a, b) / v2)
 }
 
-/// The middle of the orbit: where the lines of contact points cross, from a collision on each wall.
-pub(super) fn centre(p: [f64; 3], q: [f64; 3], lower: [f64; 2], upper: [f64; 2]) -> [f64; 2] {
-    let across = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
-    let t = across([q[0] - p[0], q[1] - p[1]], upper) / across(lower, upper);
-    [p[0] + t * lower[0], p[1] + t * lower[1]]
+/// The middle of an orbit in `(x₀, x₁)`: where the lines of contact points cross, from a collision on each wall; `None` without one.
+pub(super) fn middle(path: &Path, gamma: f64) -> Option<[f64; 2]> {
+    let line = |piece: usize, rise: f64| {
+        let hit = path.hits.iter().find(|hit| hit.piece == piece)?;
+        Some(([hit.x[0], hit.x[1]], [gamma, rise]))
+    };
+    Some(crossing([line(0, 1.0)?, line(1, -1.0)?]))
 }
+
+/// Why an orbit has no middle.
+pub(super) const ONE_WALL: &str = "no collision on one of the walls";
 
 fn draw(_: Effort) -> Drawing {
     let (v, ladder) = start();
     let path = follow(&no_slip(tables::strip(1.0)?), [0.0, 0.0, 0.5], v, 120);
-    let lower = path.hits.iter().find(|hit| hit.piece == 0).ok_or("no collision below")?;
-    let upper = path.hits.iter().find(|hit| hit.piece == 1).ok_or("no collision above")?;
-    let [_, middle] = centre(lower.x, upper.x, [UNIFORM, 1.0], [UNIFORM, -1.0]);
+    let [_, middle] = middle(&path, UNIFORM).ok_or(ONE_WALL)?;
     let half = 0.5 * libm::sqrt(3.0) * ladder;
     let papers = 0.5 * libm::sqrt(1.5) * ladder;
     let window = Window { low: [middle - half - 0.25, -0.3], high: [middle + half + 0.25, 1.3] };

@@ -21,9 +21,7 @@ fn draw(_: Effort) -> Drawing {
     let gamma = 1.0 / libm::sqrt(3.0);
     let v = [0.3, 0.42, libm::sqrt(1.0 - 0.3 * 0.3 - 0.42 * 0.42)];
     let path = follow(&no_slip_with(tables::strip(1.0)?, gamma), [0.0, 0.0, 0.5], v, 60);
-    let lower = path.hits.iter().find(|hit| hit.piece == 0).ok_or("no collision below")?;
-    let upper = path.hits.iter().find(|hit| hit.piece == 1).ok_or("no collision above")?;
-    let [c0, c1] = strip::centre(lower.x, upper.x, [gamma, 1.0], [gamma, -1.0]);
+    let [c0, c1] = strip::middle(&path, gamma).ok_or(strip::ONE_WALL)?;
     let half = 0.66;
     let mut sheet = Sheet::new(COLUMN, 108.0);
     let view = fit(Window { low: [-half, -0.16], high: [half, 1.16] }, [3.0, 3.0], 108.0, 102.0);

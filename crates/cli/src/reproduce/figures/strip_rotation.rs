@@ -21,9 +21,7 @@ pub(super) const FIGURE: Figure = Figure {
 fn draw(_: Effort) -> Drawing {
     let (v, ladder) = strip::start();
     let path = follow(&no_slip(tables::strip(1.0)?), [0.0, 0.0, 0.5], v, 60);
-    let lower = path.hits.iter().find(|hit| hit.piece == 0).ok_or("no collision below")?;
-    let upper = path.hits.iter().find(|hit| hit.piece == 1).ok_or("no collision above")?;
-    let [c0, c1] = strip::centre(lower.x, upper.x, [UNIFORM, 1.0], [UNIFORM, -1.0]);
+    let [c0, c1] = strip::middle(&path, UNIFORM).ok_or(strip::ONE_WALL)?;
     let camera = Camera::at(-20.0, 22.0);
     let shifted = |p: [f64; 3]| [p[0] - c0, p[1] - c1, p[2]];
     let see = |p: [f64; 3]| camera.see(p);

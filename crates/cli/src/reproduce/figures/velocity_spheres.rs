@@ -14,7 +14,7 @@ pub(super) const FIGURE: Figure = Figure {
     caption: "The sphere of velocities (v₀, v₁, v₂). First: velocities that leave the wedge at once, or have come from outside (brown), a \
               double sector. Each collision turns the folded velocity by 2δ about the axis b. What the sector never covers (blue) never \
               escapes: a regular polygon with q sides if δ/π = p/q, here a square and a triangle, otherwise a disk bounded by a \
-              caustic circle. Dots: the velocities of one orbit.",
+              caustic circle. Dots: the folded velocities of one orbit.",
     parameters: "θ = π/3 (twice: δ = π/4, q = 4), θ = 1.8235 (δ = π/3, q = 3) and θ = 1.3; uniform disk, γ² = 1/2. Each pixel is turned up to \
                  400 times (--quick 100).",
     draw,

@@ -4,6 +4,7 @@ use super::super::sheet::Sheet;
 use super::super::{BEYOND, Drawing, Effort, Figure};
 use crate::picture::{AXES_MARGIN, Anchor, Axis, COLUMN, Colour, Label, Style, View, Window, axes};
 use core::f64::consts::PI;
+use paper::fractions::reduced_numerators;
 
 pub(super) const FIGURE: Figure = Figure {
     name: "wedge-chart",
@@ -24,7 +25,7 @@ fn draw(_: Effort) -> Drawing {
     let view = View::fit(window, [left, above], side, side);
     let mut sheet = Sheet::new(COLUMN, above + side + below);
     for q in 3..=9_u32 {
-        for p in (1..q).filter(|p| 2 * p < q && gcd(*p, q) == 1) {
+        for p in reduced_numerators(q) {
             let cos = libm::cos(PI * f64::from(p) / f64::from(q));
             let most = (1.0 / (cos * cos) - 1.0).min(1.0);
             // from one edge of the frame to another
@@ -45,8 +46,4 @@ fn draw(_: Effort) -> Drawing {
     let axis = |symbol: &str, index: &str| Axis::between(0.0, 1.0, 5, Label::indexed(symbol, index));
     axes(&mut sheet.svg, &view, &axis("θ/π", ""), &axis("γ²", ""));
     Ok(sheet.svg)
-}
-
-fn gcd(a: u32, b: u32) -> u32 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }
