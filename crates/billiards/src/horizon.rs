@@ -114,9 +114,12 @@ pub struct Horizon {
 
 /// The relative step of difference quotients of laws.
 ///
-/// Strict laws are linear in the velocities and quadratic in the normal, so that symmetric quotients are exact up to rounding, 10⁻¹³
-/// here: neutral orbits stay neutral. For any other law the derivative is accurate to 10⁻⁶.
+/// Strict laws are linear in the velocities and of the second degree in the normal ([`weights`]), so that symmetric quotients are exact up to
+/// rounding, 10⁻¹³ here: neutral orbits stay neutral. For any other law the derivative is accurate to 10⁻⁶.
 const STEP: f64 = 1.0 / 1024.0;
+
+/// Tangents of the angles through which normals are turned.
+const TURNS: [f64; 2] = [STEP, 2.0 * STEP];
 
 /// The same for the place of a hit, where the rounding of coordinates is the limit. Most laws are the same next to it, and then this
 /// derivative is exactly 0; for a field that is smooth over a flight it is accurate to 10⁻⁸. A field that is drawn anew at each place
@@ -309,20 +312,23 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
             turned = plus(&turned, dot(&position, along), bend);
         }
         let speed = self.before.speed();
-        // symmetric difference quotients along (dv, dw), dn and dq; the normal keeps its length to first order
+        // symmetric difference quotients along (dv, dw), dn and dq
         let change = libm::sqrt(dot(&d.velocity, &d.velocity) + dot(&d.spin, &d.spin)) / speed;
         let there = &hit.point;
         let by_motion =
             quotient(STEP / change, |step| self.collide(there, n, plus(v, step, &d.velocity), plus(w, step, &d.spin)));
-        let by_normal = quotient(STEP / norm(&turned), |step| self.collide(there, &plus(n, step, &turned), *v, *w));
+        let by_normal = TURNS
+            .map(|turn| quotient(turn / norm(&turned), |step| self.collide(there, &plus(n, step, &turned), *v, *w)));
         let by_place =
             quotient(PLACE * nearby / norm(&position), |step| self.collide(&plus(there, step, &position), n, *v, *w));
-        let velocity = plus(&plus(&by_motion.0, 1.0, &by_normal.0), 1.0, &by_place.0);
-        let spin = plus(&plus(&by_motion.1, 1.0, &by_normal.1), 1.0, &by_place.1);
+        let (mut velocity, mut spin) = (plus(&by_motion.0, 1.0, &by_place.0), plus(&by_motion.1, 1.0, &by_place.1));
+        for ((dv, dw), weight) in by_normal.iter().zip(weights()) {
+            (velocity, spin) = (plus(&velocity, weight, dv), plus(&spin, weight, dw));
+        }
         Start { position, velocity, spin }
     }
 
-    /// What the hit does to a velocity and a spin if it is at another point, with another normal of about unit length.
+    /// What the hit does to a velocity and a spin if it is at another point, with another normal, of any length.
     fn collide(
         &self,
         point: &[f64; N],
@@ -330,7 +336,7 @@ impl<'a, const N: usize, const S: usize> Derivative<'a, N, S> {
         mut velocity: [f64; N],
         mut spin: [f64; S],
     ) -> ([f64; N], [f64; S]) {
-        let hit = WallHit { point: *point, normal: *normal, inverse: 1.0, ..self.hit };
+        let hit = WallHit { point: *point, normal: *normal, inverse: 1.0 / norm(normal), ..self.hit };
         self.billiard.collide(&hit, &mut velocity, &mut spin);
         (velocity, spin)
     }
@@ -348,6 +354,17 @@ fn quotient<const N: usize, const S: usize>(
     let (low, high) = (f(-step), f(step));
     let rate = 0.5 / step;
     (plus(&high.0, -1.0, &low.0).map(|x| x * rate), plus(&high.1, -1.0, &low.1).map(|x| x * rate))
+}
+
+/// The weights of quotients by normals turned through [`TURNS`] that make a derivative: exact for terms of the first and of the second degree in
+/// the unit normal, of which strict laws along it or in all of the contact plane consist, and of fourth order for others.
+///
+/// Where `n ± s t` is as long as `r = √(1 + s²)`, the quotient of such terms is `a/r + b/r²` in place of `a + b`.
+fn weights() -> [f64; 2] {
+    let lengths = TURNS.map(|s| (1.0 + s * s).sqrt());
+    // 1 − 1/r
+    let [near, far] = [0, 1].map(|i| TURNS[i] * TURNS[i] / (lengths[i] * (1.0 + lengths[i])));
+    [far / (far - near) * lengths[0], near / (near - far) * lengths[1]]
 }
 
 /// `N − 1` orthogonal unit vectors at right angles to a unit vector.

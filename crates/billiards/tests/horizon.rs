@@ -6,11 +6,11 @@ use billiards::{
 };
 use collision_laws::{
     CollisionLaw, Contact, Delassus,
-    laws::{NoSlip, RandomGrassmannian, Specular},
+    laws::{NoSlip, RandomGrassmannian, RoughPlane, Specular},
 };
 use core::f64::consts::{FRAC_1_SQRT_2, TAU};
 use geometry::{
-    Piece, Table, Vector2, Walls, WithWalls,
+    Piece, Table, Vector2, Vector3, Walls, WithWalls,
     parry::{Room, Side, SolidSpec},
     shapes::{Circle, Segment},
     tables,
@@ -279,6 +279,21 @@ impl CollisionLaw<2> for Kicks {
     fn impulse(&self, contact: &Contact<2>, _: &Delassus<2>, u: &geometry::Vector2<f64>) -> geometry::Vector2<f64> {
         let nu = contact.normal.as_ref();
         nu * (-2.0 * nu.dot(u)) + geometry::Vector2::new(libm::sin(TAU * contact.point.x), 0.0)
+    }
+}
+
+#[test]
+fn a_law_that_projects_its_rough_directions_has_the_horizon_of_the_ball_that_rolls_along_one() {
+    let ball = || tables::ball(1.0).unwrap();
+    let (direction, gamma) = (Vector3::new(1.0, 0.5, 0.25), libm::sqrt(0.4));
+    let start = Start { position: [0.25, 0.125, -0.25], velocity: [0.5, 0.75, 0.25], spin: [0.25, -0.5, 0.375] };
+    let named = Spatial { table: ball(), law: RoughBall::along(gamma, direction).unwrap() };
+    let custom = Spatial { table: ball(), law: Custom::ball(RoughPlane::new(&[direction]).unwrap(), gamma).unwrap() };
+    for collisions in [4.0, 20.0, 60.0] {
+        let limit = [collisions, f64::INFINITY];
+        let (a, b) = (named.horizon(start, 1.0, limit), custom.horizon(start, 1.0, limit));
+        assert!(!a.lost && !b.lost, "{a:?} {b:?}");
+        assert!((a.error / b.error - 1.0).abs() < 1e-6, "{a:?} {b:?}");
     }
 }
 
