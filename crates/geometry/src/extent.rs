@@ -37,6 +37,16 @@ impl<const N: usize> Extent<N> {
         is_finite(&self.min) && is_finite(&self.max)
     }
 
+    /// Its corners.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = SVector<f64, N>> {
+        (0..1 << N).map(|k: usize| SVector::from_fn(|i, _| if (k >> i) & 1 == 0 { self.min[i] } else { self.max[i] }))
+    }
+
+    /// A box larger by this length on all sides.
+    pub(crate) fn grown(&self, by: f64) -> Extent<N> {
+        Extent { min: self.min.add_scalar(-by), max: self.max.add_scalar(by) }
+    }
+
     /// A point on the same side of everything in the box, moved so that along each axis it lies no farther from the box
     /// than the box is long (where the box has a length).
     pub(crate) fn beside(&self, point: &SVector<f64, N>) -> SVector<f64, N> {

@@ -118,9 +118,7 @@ impl<const N: usize> Distance<N> {
 
     /// The box around the shape in space, as its corners' bounds.
     pub(crate) fn extent(&self) -> Extent<N> {
-        let Extent { min, max } = self.extent;
-        let corner = |k: usize| SVector::from_fn(|i, _| if (k >> i) & 1 == 0 { min[i] } else { max[i] });
-        Extent::of((0..1 << N).map(|k| self.outward(&corner(k))))
+        Extent::of(self.extent.corners().map(|corner| self.outward(&corner)))
     }
 
     /// The unit normal into the table at the closest point of `y`.

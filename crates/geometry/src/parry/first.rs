@@ -2,25 +2,32 @@
 use super::Solid;
 use crate::{Boundary, BoxTree, Crossing, Hit, Line, plane::slack, walls::CORNER};
 use core::cell::Cell;
+use nalgebra::Vector3;
 
 /// The first of the hits of a path with several walls; a corner if another wall with another normal is hit within rounding as well.
 pub(super) fn first_of(path: &Line<3>, hits: impl Iterator<Item = Hit<3>>) -> Option<Hit<3>> {
     hits.reduce(|a, b| sooner(path, a, b))
 }
 
+/// Whether walls with these unit normals continue one another.
+pub(super) fn continue_smoothly(a: &Vector3<f64>, b: &Vector3<f64>) -> bool {
+    /// Where a wall with the radius `r` is tangent to another, both are hit within rounding as long as their normals differ by less than
+    /// `4 √(ε size/r)`: the bound covers radii from 10⁻⁵ of the size on.
+    const SMOOTH: f64 = 1e-5;
+    (a - b).norm() <= SMOOTH
+}
+
 /// The sooner of two hits; for equal times the one with the lower number.
 pub(super) fn sooner(path: &Line<3>, a: Hit<3>, b: Hit<3>) -> Hit<3> {
-    /// Normals that differ by less than this belong to walls that continue one another. Where a wall with the radius `r` is tangent to
-    /// another, both are hit within rounding as long as their normals differ by less than `4 √(ε size/r)`: the bound covers radii from
-    /// 10⁻⁵ of the size on.
-    const SMOOTH: f64 = 1e-5;
     let b_is_first = b.time < a.time || (b.time == a.time && b.piece < a.piece);
     let [first, second] = if b_is_first { [b, a] } else { [a, b] };
     // how far in front of the second wall the path meets the first
     let apart = (first.time - second.time) * path.velocity.dot(&second.normal);
     let size = path.point.amax().max(first.point.amax());
-    let edge = apart.abs() <= CORNER * size && (first.normal - second.normal).norm() > SMOOTH;
-    Hit { corner: first.corner || edge, ..first }
+    let near = CORNER * size;
+    let edge = apart.abs() <= near && !continue_smoothly(&first.normal, &second.normal);
+    let same_place = || (first.point - second.point).amax() <= near;
+    Hit { corner: first.corner || edge || (second.corner && same_place()), ..first }
 }
 
 /// The first of the hits of a path with numbered solids, whose boxes are those of the tree.

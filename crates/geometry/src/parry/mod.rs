@@ -16,6 +16,7 @@ mod contour;
 mod convert;
 mod curve;
 mod distance;
+mod feet;
 mod first;
 mod mesh;
 mod outer;

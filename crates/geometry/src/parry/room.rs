@@ -5,10 +5,11 @@ mod rim;
 use super::{
     Side, Solid,
     distance::to_unit,
+    feet::Feet,
     first::first_in,
     solid::{area::Trials, bound::Bound},
 };
-use crate::{Boundary, BoxTree, Error, Extent, Hit, Line, plane::slack, random, surface::Surface};
+use crate::{Boundary, BoxTree, Error, Extent, Hit, Line, plane::slack, random, surface::Surface, walls::CORNER};
 use nalgebra::{Matrix3, Vector3};
 
 /// The points on the table's side of all of some solids: inside a container and around obstacles, between planes, ...
@@ -31,6 +32,7 @@ pub struct Room {
     tree: BoxTree<3>,
     /// Whether any solid has triangles with the table on both sides.
     sheets: bool,
+    feet: Feet,
 }
 
 impl Room {
@@ -38,7 +40,24 @@ impl Room {
     pub fn new(solids: Vec<Solid>) -> Room {
         let tree = BoxTree::new(solids.iter().map(Solid::extent));
         let sheets = solids.iter().any(Solid::has_two_sides);
-        Room { solids, tree, sheets }
+        let reach = 2.0 * slack([tree.size()]);
+        let standing = solids.iter().enumerate().filter(|(_, solid)| solid.may_stand());
+        let boxes = standing.map(|(number, solid)| (number, solid.extent().grown(reach)));
+        let feet = Feet::new(&tree, boxes, |other, extent| solids[other].stays_out_of(extent));
+        Room { solids, tree, sheets, feet }
+    }
+
+    /// Whether a point lies on an obstacle that may touch other walls, to within `near`, and not only on the piece with this number.
+    fn is_at_foot(&self, point: &Vector3<f64>, piece: usize, near: f64) -> bool {
+        self.feet.any_at(point, near, |k| k != piece && self.solids[k].has_on_it(point, near))
+    }
+
+    /// Whether another solid stands where a path hits one.
+    fn is_foot(&self, path: &Line<3>, hit: &Hit<3>) -> bool {
+        let near = |solid: &Solid| CORNER * solid.size().max(path.point.amax()).max(hit.point.amax());
+        let stands = |k: usize| self.solids[k].stands_at(&hit.point, &hit.normal, near(&self.solids[k]));
+        let reach = CORNER * self.tree.size().max(path.point.amax());
+        self.feet.any_at(&hit.point, reach, |k| k != hit.piece && stands(k))
     }
 
     /// Its solids, in the order of their numbers.
@@ -199,7 +218,8 @@ fn ends(halves: &[Half], [a, b]: [&Half; 2], little: f64, size: f64) -> Option<[
 
 impl Boundary<3> for Room {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
-        first_in(&self.tree, self.sheets, path, |k| (k, &self.solids[k]))
+        let hit = first_in(&self.tree, self.sheets, path, |k| (k, &self.solids[k]))?;
+        Some(Hit { corner: hit.corner || self.is_foot(path, &hit), ..hit })
     }
 }
 

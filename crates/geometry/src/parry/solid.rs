@@ -12,14 +12,15 @@ use super::{
     Side,
     convert::{Frame, from_glam3},
     distance::Distance,
+    feet::Feet,
     first::first_of,
     mesh::Mesh,
     polytope::Polytope,
 };
 use crate::{
-    Boundary, Error, Extent, Hit, Line,
+    Boundary, BoxTree, Error, Extent, Hit, Line,
     plane::{finite, has_square, has_squares, is_finite, slack},
-    walls::ConvexBody,
+    walls::{CORNER, ConvexBody},
 };
 use convex::Convex;
 pub(in crate::parry) use convex::Figure;
@@ -59,6 +60,8 @@ const FAR: f64 = 1e9;
 pub struct Solid {
     members: Vec<Body>,
     side: Side,
+    /// Members of a union that touch others.
+    feet: Feet,
 }
 
 /// What finds the first hit, and what gives the distance where that does not.
@@ -118,8 +121,14 @@ impl Solid {
     }
 
     fn of(members: Vec<Body>, side: Side) -> Result<Solid, Error> {
-        has_squares(members.iter().map(Body::extent))?;
-        Ok(Solid { members, side })
+        let boxes: Vec<Extent<3>> = members.iter().map(Body::extent).collect();
+        has_squares(boxes.iter().copied())?;
+        let tree = BoxTree::new(boxes.iter().copied());
+        let reach = 2.0 * slack([tree.size()]);
+        let standing = boxes.iter().enumerate().filter(|(k, _)| members.len() > 1 && members[*k].has_edges());
+        let standing = standing.map(|(k, extent)| (k, extent.grown(reach)));
+        let feet = Feet::new(&tree, standing, |other, extent| members[other].stays_out_of(extent, side));
+        Ok(Solid { members, side, feet })
     }
 
     /// The table for the centre of a ball of radius `margin` \[L\] in this one: all points farther than that from the triangles of
@@ -143,7 +152,7 @@ impl Solid {
     /// # Ok::<(), geometry::Error>(())
     /// ```
     pub fn kept_off(self, margin: f64) -> Result<Solid, Error> {
-        let Solid { members, side } = self;
+        let Solid { members, side, .. } = self;
         let parallel = |body| match body {
             Body::Mesh(mesh, distance) => Parallel::new(mesh, distance, margin).map(Body::Parallel),
             _ => Err(unsupported(
@@ -239,6 +248,45 @@ impl Solid {
         self.meshes().any(|mesh| mesh.meets_a_sheet(point, normal))
     }
 
+    /// Whether it is an obstacle with edges, which may stand on other walls. The table inside of a convex solid needs no such test: a
+    /// path that comes to its surface hits it.
+    pub(super) fn may_stand(&self) -> bool {
+        self.side == Side::Outside && self.members.iter().any(Body::has_edges)
+    }
+
+    /// Whether its surface is known to stay out of a box.
+    pub(super) fn stays_out_of(&self, extent: &Extent<3>) -> bool {
+        self.members.iter().all(|member| member.stays_out_of(extent, self.side))
+    }
+
+    /// Whether a point lies on its exact convex members, to within `near`; beside an edge, to within a strip.
+    pub(super) fn has_on_it(&self, point: &Vector3<f64>, near: f64) -> bool {
+        self.convex().any(|(_, convex)| convex.off(point).abs() <= near)
+    }
+
+    /// Whether it stands at a point of a wall with this normal, to within `near`.
+    pub(super) fn stands_at(&self, point: &Vector3<f64>, normal: &Vector3<f64>, near: f64) -> bool {
+        self.convex().any(|(_, convex)| convex.stands_at(point, normal, near))
+    }
+
+    /// Whether another member of a union stands where one is hit.
+    fn is_foot(&self, path: &Line<3>, hit: &Hit<3>) -> bool {
+        let outward = if self.side == Side::Outside { hit.normal } else { -hit.normal };
+        let size = path.point.amax().max(hit.point.amax());
+        self.feet.any_at(&hit.point, CORNER * size, |k| match &self.members[k] {
+            Body::Convex(convex, _) if k != hit.piece => convex.stands_at(&hit.point, &outward, CORNER * size),
+            _ => false,
+        })
+    }
+
+    /// The exact convex members, with their numbers.
+    fn convex(&self) -> impl Iterator<Item = (usize, &Convex)> {
+        self.members.iter().enumerate().filter_map(|(i, member)| match member {
+            Body::Convex(convex, _) => Some((i, convex)),
+            _ => None,
+        })
+    }
+
     /// Its figure, if it is one that walls in lanes support.
     pub(super) fn figure(&self) -> Option<Figure> {
         match &self.members[..] {
@@ -259,17 +307,12 @@ impl Solid {
 
     /// Leaves a union of convex shapes: through each shape entered on the way, until one is left without another being entered.
     fn leave(&self, path: &Line<3>) -> Option<Hit<3>> {
-        let convex = || {
-            self.members.iter().enumerate().filter_map(|(i, m)| match m {
-                Body::Convex(convex, _) => Some((i, convex)),
-                _ => None,
-            })
-        };
         let mut best: Option<(usize, f64, usize)> = None; // member, time, face
         loop {
             let reached = best.map_or(0.0, |b| b.1);
             let at = path.at(reached);
-            let farther = convex()
+            let farther = self
+                .convex()
                 .filter(|(_, c)| c.contains(&at))
                 .filter_map(|(i, c)| c.exit(path).map(|(t, face)| (i, t, face)))
                 .filter(|(_, t, _)| best.is_none() || *t > reached)
@@ -300,7 +343,8 @@ impl Solid {
 impl Boundary<3> for Solid {
     fn first_hit(&self, path: &Line<3>) -> Option<Hit<3>> {
         if self.side == Side::Inside && matches!(self.members[0], Body::Convex(..)) {
-            return self.leave(path);
+            let hit = self.leave(path)?;
+            return Some(Hit { corner: hit.corner || self.is_foot(path, &hit), ..hit });
         }
         let several = self.members.len() > 1;
         let hits = self.members.iter().enumerate().filter_map(|(i, member)| match member {
@@ -327,7 +371,8 @@ impl Boundary<3> for Solid {
         });
         let hit = first_of(path, hits)?;
         // a single mesh has checked for that already
-        let corner = hit.corner || (several && self.meets_a_sheet(&hit.point, &hit.normal));
+        let corner =
+            hit.corner || (several && (self.meets_a_sheet(&hit.point, &hit.normal) || self.is_foot(path, &hit)));
         Some(Hit { corner, ..hit })
     }
 }
@@ -340,6 +385,23 @@ impl Body {
         }
         let distance = field::polytope(polytope)?.placed(frame, side);
         Ok(Body::Convex(Convex::polytope(polytope, frame), distance))
+    }
+
+    /// Whether it is an exact convex solid with edges.
+    fn has_edges(&self) -> bool {
+        matches!(self, Body::Convex(convex, _) if convex.has_edges())
+    }
+
+    /// Whether its surface is known to stay out of a box.
+    fn stays_out_of(&self, extent: &Extent<3>, side: Side) -> bool {
+        let is_apart = |convex: &Convex| {
+            // the box lies within, or in front of a plane
+            let off = || extent.corners().map(|corner| convex.off(&corner));
+            off().all(|off| off < 0.0) || (convex.is_half_space() && off().all(|off| off > 0.0))
+        };
+        let (middle, half) = (extent.min * 0.5 + extent.max * 0.5, extent.max * 0.5 - extent.min * 0.5);
+        matches!(self, Body::Convex(convex, _) if is_apart(convex))
+            || self.closest(&middle, side).distance.abs() > half.norm()
     }
 
     fn closest(&self, point: &Vector3<f64>, side: Side) -> Closest {

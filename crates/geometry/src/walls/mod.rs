@@ -60,7 +60,7 @@ pub use rotated::Rotated;
 pub use scatterer::Scatterer;
 pub use scatterers::Scatterers;
 pub use slab::Slab;
-pub(crate) use solids::{ConvexBody, Member, OneByOne, Solids};
+pub(crate) use solids::{AtFoot, ConvexBody, Member, OneByOne, Solids};
 pub use sphere::Sphere;
 pub use strip::Strip;
 pub use vessel::Vessel;

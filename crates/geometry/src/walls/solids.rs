@@ -5,7 +5,7 @@ mod grounds;
 mod pill;
 mod round;
 
-use super::{ByLane, CORNER, WallHit, Walls, center::Center, first::First};
+use super::{ByLane, CORNER, WallHit, Walls, center::Center, first::First, number};
 use crate::{Boundary, Extent, plane::slack};
 use block::{Block, Plane};
 use cone::Nappe;
@@ -61,6 +61,9 @@ pub(crate) struct Member {
 /// A boundary in space that answers for one path at a time.
 pub(crate) type OneByOne<'a> = &'a (dyn Boundary<3> + Sync);
 
+/// Whether a point lies within a length \[L\] of an obstacle that stands on other walls, and that is not the piece with this number.
+pub(crate) type AtFoot<'a> = &'a (dyn Fn(&Vector3<f64>, usize, f64) -> bool + Sync);
+
 /// Convex solids with the table inside or outside of each, tested one after another, each for all lanes at once.
 ///
 /// Times are compared as fractions, and the data for the landing on the surface that is hit are looked up at the end. The result is
@@ -73,6 +76,8 @@ pub(crate) struct Solids<'a> {
     grounds: Grounds,
     /// The rest of the boundary, if any.
     others: Option<ByLane<OneByOne<'a>>>,
+    /// Obstacles that stand on walls, if these or those are among the rest.
+    feet: Option<AtFoot<'a>>,
     /// The whole boundary.
     exact: ByLane<OneByOne<'a>>,
     /// Size of the coordinates \[L\], to which rounding is relative.
@@ -104,9 +109,15 @@ impl<'a> Solids<'a> {
             bodies,
             grounds: Grounds::new(&grounds),
             others: others.map(ByLane),
+            feet: None,
             exact: ByLane(exact),
             size,
         }
+    }
+
+    /// The same walls, with obstacles that stand on the rest of the boundary or are part of it.
+    pub(crate) fn with_feet(self, feet: Option<AtFoot<'a>>) -> Self {
+        Solids { feet, ..self }
     }
 }
 
@@ -164,6 +175,16 @@ impl Member {
             }
         }
     }
+}
+
+/// The lanes in which another piece stands where one is hit, to within `near`.
+#[inline(never)]
+fn at_feet<F: Lane>(feet: AtFoot<'_>, hit: &WallHit<F, 3>, near: F) -> F::Mask {
+    let stands = |lane: usize| {
+        let point = Vector3::from(hit.point.map(|p| p.lane(lane)));
+        hit.time.lane(lane) < f64::INFINITY && feet(&point, number(hit.piece.lane(lane)), near.lane(lane))
+    };
+    near.same(0.0).lt(near.each(|lane| if stands(lane) { 1.0 } else { 0.0 }))
 }
 
 /// An upper bound of the largest coordinate.
@@ -244,6 +265,9 @@ impl Walls<3> for Solids<'_> {
             let apart = ((other.time - hit.time) * speed).abs();
             doubt = (doubt & !sooner) | (apart.lt(near) & other.time.lt(never) & hit.time.lt(never));
             hit = hit.or(sooner, &other);
+            if let Some(feet) = self.feet {
+                doubt = doubt | at_feet(feet, &hit, near);
+            }
         }
         if doubt.any() { self.asked(*x, *v, doubt, hit) } else { hit }
     }

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at the first surprise")]
 
 mod along;
+mod feet;
 mod few;
 #[path = "../formulas/mod.rs"]
 mod formulas;

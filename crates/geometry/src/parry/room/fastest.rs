@@ -5,7 +5,9 @@ use crate::{
     afar::NEWTON,
     parry::{Side, Solid, first::first_in, solid::Figure},
     plane::slack,
-    walls::{Around, ByLane, Cuboid, Cylinder, Member, OneByOne, Scatterers, Slab, Solids, Sphere, Vessel, WithWalls},
+    walls::{
+        Around, AtFoot, ByLane, Cuboid, Cylinder, Member, OneByOne, Scatterers, Slab, Solids, Sphere, Vessel, WithWalls,
+    },
 };
 use nalgebra::Vector3;
 
@@ -46,7 +48,9 @@ impl Room {
             Some((members, rest)) => {
                 let size = self.solids.iter().map(Solid::size).fold(0.0, f64::max);
                 let others = (!rest.solids.is_empty()).then_some(&rest as OneByOne);
-                visit.run(&Solids::new(&members, others, self, size))
+                let is_at_foot = |point: &Vector3<f64>, piece, near| self.is_at_foot(point, piece, near);
+                let feet = (others.is_some() && !self.feet.is_empty()).then_some(&is_at_foot as AtFoot);
+                visit.run(&Solids::new(&members, others, self, size).with_feet(feet))
             }
             None => visit.run(&ByLane(self)),
         }
@@ -157,12 +161,12 @@ impl Container {
     fn holds_the_rest_of(&self, room: &Room) -> bool {
         let (own, others): (Vec<_>, Vec<_>) = room.solids.iter().enumerate().partition(|(number, _)| self.has(*number));
         let off = own.iter().map(|(_, solid)| off(solid)).fold(0.0, f64::max);
-        others.iter().map(|(_, solid)| solid.extent()).all(|Extent { min, max }| match self {
+        others.iter().map(|(_, solid)| solid.extent()).all(|extent @ Extent { min, max }| match self {
             Container::Ball { center, radius, .. } => {
                 (center - min).abs().sup(&(max - center).abs()).norm() < radius - off
             }
-            Container::Cylinder { center, axis, radius, half_height, .. } => (0..8).all(|corner| {
-                let away = Vector3::from_fn(|i, _| if corner >> i & 1 == 0 { min[i] } else { max[i] }) - center;
+            Container::Cylinder { center, axis, radius, half_height, .. } => extent.corners().all(|corner| {
+                let away = corner - center;
                 let height = axis.dot(&away);
                 height.abs() < half_height - off && (away - axis * height).norm() < radius - off
             }),

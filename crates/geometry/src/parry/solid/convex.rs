@@ -3,7 +3,7 @@ use super::super::convert::{Frame, from_glam3};
 use crate::{
     Error, Line,
     chord::is_chord,
-    parry::{Side, polytope::Polytope},
+    parry::{Side, first::continue_smoothly, polytope::Polytope},
     plane::{has_square, slack},
     surface::any_across,
     walls::{CORNER, ConvexBody},
@@ -500,7 +500,7 @@ impl Convex {
     }
 
     /// How far a point lies outside; negative inside.
-    fn off(&self, x: &Vector3<f64>) -> f64 {
+    pub(super) fn off(&self, x: &Vector3<f64>) -> f64 {
         match &self.kind {
             Kind::Intersection(faces) => faces.iter().map(|f| f.off(x)).fold(f64::NEG_INFINITY, f64::max),
             Kind::Capsule(_) => self.face(0, x).map_or(f64::INFINITY, |f| f.off(x)),
@@ -552,6 +552,31 @@ impl Convex {
             }
             Kind::Capsule(_) => false,
         }
+    }
+
+    /// Whether it has edges: several faces that are not tangent to each other.
+    pub(super) fn has_edges(&self) -> bool {
+        matches!(&self.kind, Kind::Intersection(faces) if faces.len() > 1)
+    }
+
+    /// Whether it stands at a point of another wall with this outward normal, to within `near`. It does not where a face of its continues
+    /// that wall: then it lies behind it.
+    ///
+    /// Where faces meet at a small angle, they pass by points far beyond their edge within rounding.
+    pub(super) fn stands_at(&self, x: &Vector3<f64>, normal: &Vector3<f64>, near: f64) -> bool {
+        let Kind::Intersection(faces) = &self.kind else { return false };
+        if self.off(x) > near {
+            return false;
+        }
+        let (mut count, mut at_edge) = (0, false);
+        for (i, face) in faces.iter().enumerate().filter(|(_, face)| face.off(x).abs() <= near) {
+            if continue_smoothly(&face.project(x).1, normal) {
+                return false;
+            }
+            count += 1;
+            at_edge |= self.edges.get(i).is_none_or(|own| own.iter().any(|edge| edge.distance(x) <= near));
+        }
+        count == 1 || at_edge
     }
 
     /// For points whose closest point of the surface is that of the nearest face: closest point, outward normal, and distance
