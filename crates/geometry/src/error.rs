@@ -263,6 +263,12 @@ pub enum Error {
         /// The least that it may have.
         least: f64,
     },
+    /// The closed outline of a shape of which several parts meet in a vertex, or that runs there and back from one.
+    #[error("the closed outline of the shape touches itself at {}", about(at))]
+    TouchingOutline {
+        /// The vertex.
+        at: [f64; 2],
+    },
     /// A curve that crosses itself.
     #[error("piece {piece} crosses itself near {}", about(at))]
     SelfCrossing {

@@ -76,6 +76,26 @@ fn scale_does_not_matter() {
 }
 
 #[test]
+fn a_closed_polygon_that_touches_itself_in_a_vertex_is_refused_with_the_vertex() {
+    let polygon = |vertices: &[[f64; 2]]| ShapeSpec::Polyline { vertices: vertices.to_vec(), closed: true };
+    // two triangles that meet, and a square with an antenna
+    let pinched = polygon(&[[0.0, 0.0], [1.0, -0.5], [1.0, 0.5], [0.0, 0.0], [-1.0, 0.5], [-1.0, -0.5]]);
+    let antenna = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [2.0, 2.0], [1.0, 1.0], [0.0, 1.0]]);
+    let beside = Placed { translation: [5.0, 0.0], ..ShapeSpec::Ball { radius: 1.0 }.into() };
+    for (shape, at) in [(pinched, [0.0, 0.0]), (antenna, [1.0, 1.0])] {
+        for shape in [shape.clone(), ShapeSpec::Compound(vec![beside.clone(), shape.into()])] {
+            for side in [Side::Inside, Side::Outside] {
+                let error = Placed::from(shape.clone()).pieces(side).unwrap_err();
+                assert_eq!(error, Error::TouchingOutline { at });
+            }
+        }
+    }
+    // a vertex twice in a row is one
+    let square = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]]);
+    assert_eq!(Table::new(Placed::from(square).pieces(Side::Inside).unwrap()).unwrap().area(), 1.0);
+}
+
+#[test]
 fn wrong_fields_are_named() {
     assert_eq!(field(ShapeSpec::Ball { radius: -1.0 }), "radius");
     assert_eq!(field(ShapeSpec::Ball { radius: f64::NAN }), "radius");

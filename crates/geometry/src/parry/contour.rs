@@ -3,7 +3,7 @@ use super::convert::{Frame, from_glam2};
 use crate::{
     Error, Extent, Figure, Piece,
     edges::{chains, merged, sides},
-    plane::{cross, slack},
+    plane::{cross, key, slack},
     shapes::{Arc, Circle, FullLine, Ray, Segment},
     validate::crosses_itself,
 };
@@ -56,6 +56,17 @@ pub(crate) fn reversed(figure: &Figure) -> Figure {
 impl Contour {
     fn solid(name: &'static str, figures: Vec<Figure>) -> Contour {
         Contour { name, figures, screens: vec![] }
+    }
+
+    /// The same outline, of a closed polygon: it must bound an inside, which has no place for walls on both sides.
+    pub(crate) fn closed(self) -> Result<Contour, Error> {
+        let mut ends: HashMap<[u64; 2], usize> = HashMap::new();
+        for point in self.screens.as_flattened() {
+            *ends.entry(key(*point)).or_default() += 1;
+        }
+        // where most edges meet; the first of such places
+        let meets = self.screens.as_flattened().iter().rev().max_by_key(|point| ends.get(&key(**point)));
+        if let Some(at) = meets { Err(Error::TouchingOutline { at: (*at).into() }) } else { Ok(self) }
     }
 
     /// A convex polygon (or a segment, as two points), in either sense, with a border around it.

@@ -270,7 +270,9 @@ impl ShapeSpec {
             }
             ShapeSpec::Compound(_) => return Err(at.wrong("compound", "unfolded before its members")),
         };
-        Contour::of(&shape.as_typed_shape(), frame)?.ok_or_else(|| at.wrong("shape", "made of segments and arcs"))
+        let contour = Contour::of(&shape.as_typed_shape(), frame)?;
+        let contour = contour.ok_or_else(|| at.wrong("shape", "made of segments and arcs"))?;
+        if let ShapeSpec::Polyline { closed: true, .. } = self { contour.closed() } else { Ok(contour) }
     }
 }
 

@@ -30,6 +30,7 @@ pub(crate) fn in_user_units(error: &Error, factor: f64) -> Error {
         Error::Collapsed { piece, area } => Error::Collapsed { piece, area: back(back(area)) },
         Error::SelfCrossing { piece, at } => Error::SelfCrossing { piece, at: at.map(back) },
         Error::CrossedOutline { at } => Error::CrossedOutline { at: at.map(back) },
+        Error::TouchingOutline { at } => Error::TouchingOutline { at: at.map(back) },
         Error::Bend { distance, at } => Error::Bend { distance: back(distance), at: at.map(back) },
         Error::RoughPiece { piece, at } => Error::RoughPiece { piece, at: at.map(back) },
         Error::Curve { must, at } => Error::Curve { must, at: at.map(back) },
@@ -196,6 +197,7 @@ fn about_pieces(error: &Error) -> Option<&'static str> {
         Error::Crossing { .. } => "pieces may touch but not cross: move one of them, or make one loop of both",
         Error::SelfCrossing { .. } => "a piece of wall is a simple curve: change its formula or split the loop there",
         Error::CrossedOutline { .. } => "list its corners in order around it: sides may touch but not cross",
+        Error::TouchingOutline { .. } => "write it as a loop, in which parts may touch, or move the vertex a little",
         Error::Unclosed { .. } => "a formula of period 2π closes: cos(t) or sin(3*t), not cos(t/2) or t alone",
         Error::PolarRadius { .. } => {
             "put its center where the whole curve can be seen from; a curve may pass through its center only in a cusp, as \
