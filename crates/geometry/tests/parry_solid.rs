@@ -650,3 +650,34 @@ fn a_ball_is_kept_off_voxels_and_height_fields() {
     assert!(matches!(ball.kept_off(margin), Err(Error::Shape { .. })));
     assert!(Solid::new(&voxels, &here(), Side::Outside).unwrap().kept_off(-1.0).is_err());
 }
+
+#[test]
+fn obstacles_with_edges_no_thicker_than_rounding_are_refused_and_no_path_passes_thicker_ones() {
+    use geometry::parry::SolidSpec as S;
+    let thin = |t: f64| {
+        [
+            S::Cuboid { size: [1.0, 1.0, t], rounding: 0.0 },
+            S::Cylinder { radius: 0.5, height: t, rounding: 0.0 },
+            S::Cone { radius: 0.5, height: t, rounding: 0.0 },
+            S::Cuboid { size: [1.0, t, 1.0], rounding: 0.0 },
+            S::Cylinder { radius: 0.5 * t, height: 1.0, rounding: 0.0 },
+        ]
+    };
+    for t in [1e-100, 1e-16, 1e-15] {
+        for spec in thin(t) {
+            let error = spec.solid([0.0; 3], Side::Outside).unwrap_err();
+            assert!(matches!(error, Error::Shape { .. }), "{spec:?}: {error:?}");
+            // as a room it is narrow but exact
+            assert!(spec.solid([0.0; 3], Side::Inside).is_ok(), "{spec:?}");
+        }
+    }
+    for t in [1e-13, 1e-9] {
+        for (k, spec) in thin(t).into_iter().enumerate() {
+            let solid = spec.solid([0.0; 3], Side::Outside).unwrap();
+            let (point, velocity) =
+                if k < 3 { ([0.05, 0.1, 0.6], [0.05, 0.1, -1.0]) } else { ([0.05, 0.6, 0.1], [-0.05, -0.6, 0.1]) };
+            let hit = solid.first_hit(&Line { point: point.into(), velocity: velocity.into() });
+            assert!(hit.is_some_and(|hit| !hit.corner), "{spec:?}");
+        }
+    }
+}

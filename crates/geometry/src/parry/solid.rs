@@ -94,8 +94,8 @@ impl Solid {
     /// The boundary of a shape in a pose, with the table on the given side.
     ///
     /// # Errors
-    /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border),
-    /// and the inside of a compound with members that are not convex; [`Error::Triangle`] for triangles of a mesh that do not form a
+    /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), obstacles no thicker than
+    /// the rounding of their coordinates, and the inside of a compound with members that are not convex; [`Error::Triangle`] for triangles of a mesh that do not form a
     /// surface or are not oriented alike, and closed meshes with contradictory parts; [`Error::Length`] for a size, or a greatest coordinate
     /// of the boundary, that is not between 10⁻¹⁵⁰ and 10¹⁵⁰, since squares would over- or underflow, and for a border that is not positive
     /// or is wider than that; [`Error::Parameter`] for a
@@ -441,6 +441,12 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
     let exact = |convex: Convex, members: &mut Vec<Body>| {
         members.push(Body::Convex(convex, field::distance(shape, frame, side)));
     };
+    // narrow rooms are exact
+    let thick = |name: &'static str, widths: [f64; 2], convex: Convex| {
+        let why = "it is no thicker than the rounding of its coordinates: paths would pass through it";
+        let is_thin = outside && convex.is_too_thin(widths[0].min(widths[1]));
+        if is_thin { Err(unsupported(name, why)) } else { Ok(convex) }
+    };
     let mesh = |vertices: Vec<Vector3<f64>>, triangles: &[[usize; 3]], loose| {
         let mesh = Mesh::new(&vertices, frame, triangles, outside, loose)?;
         let distance = field::mesh_distance(&mesh, side)?;
@@ -452,11 +458,20 @@ fn add(shape: &dyn Shape, frame: &Frame<3>, side: Side, members: &mut Vec<Body>)
             has_square("the radius", ball.radius)?;
             exact(Convex::ball(frame.translation, ball.radius), members);
         }
-        TypedShape::Cuboid(cuboid) => exact(Convex::cuboid(cuboid, frame)?, members),
+        TypedShape::Cuboid(cuboid) => {
+            let least = 2.0 * from_glam3(cuboid.half_extents).min();
+            exact(thick("cuboid", [least; 2], Convex::cuboid(cuboid, frame)?)?, members);
+        }
         TypedShape::HalfSpace(half) => exact(Convex::half_space(half, frame), members),
         TypedShape::Capsule(capsule) => exact(Convex::capsule(capsule, frame)?, members),
-        TypedShape::Cylinder(cylinder) => exact(Convex::cylinder(cylinder, frame)?, members),
-        TypedShape::Cone(cone) => exact(Convex::cone(cone, frame)?, members),
+        TypedShape::Cylinder(cylinder) => {
+            let widths = [2.0 * cylinder.half_height, 2.0 * cylinder.radius];
+            exact(thick("cylinder", widths, Convex::cylinder(cylinder, frame)?)?, members);
+        }
+        TypedShape::Cone(cone) => {
+            let widths = [2.0 * cone.half_height, 2.0 * cone.radius];
+            exact(thick("cone", widths, Convex::cone(cone, frame)?)?, members);
+        }
         TypedShape::ConvexPolyhedron(hull) => {
             members.push(Body::polytope(&polytope(hull)?, 0.0, frame, side)?);
         }

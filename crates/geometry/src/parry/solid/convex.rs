@@ -554,6 +554,12 @@ impl Convex {
         }
     }
 
+    /// Whether a solid of this width is no thicker than some roundings of its coordinates: a chord through it would count as a touch, and
+    /// paths would pass. The bound is that for hulls of points.
+    pub(super) fn is_too_thin(&self, width: f64) -> bool {
+        width <= 4.0 * self.slack
+    }
+
     /// Whether it has edges: several faces that are not tangent to each other.
     pub(super) fn has_edges(&self) -> bool {
         matches!(&self.kind, Kind::Intersection(faces) if faces.len() > 1)
