@@ -681,3 +681,53 @@ fn obstacles_with_edges_no_thicker_than_rounding_are_refused_and_no_path_passes_
         }
     }
 }
+
+#[test]
+fn a_path_from_an_edge_leads_into_the_room_on_one_side_of_the_edge_and_not_on_the_other() {
+    use geometry::parry::SolidSpec as S;
+    let (vertices, triangles) = Cuboid::new([1.0; 3].into()).to_trimesh();
+    let vertices = vertices.iter().map(|v| (*v).into()).collect();
+    let triangles = triangles.iter().map(|t| t.map(|k| k as usize)).collect();
+    let hull = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let (past, into) = ([-1.0, 2.0, -1.0], [-1.0, -2.0, -1.0]);
+    // a start on an edge, a way past it into the room, and one into the solid
+    let cases = [
+        (S::Cuboid { size: [2.0; 3], rounding: 0.0 }, [1.0, 1.0, 0.5], past, into),
+        (S::TriMesh { vertices, triangles, margin: 0.0 }, [1.0, 1.0, 0.5], past, into),
+        (S::Cylinder { radius: 1.0, height: 2.0, rounding: 0.0 }, [1.0, 0.0, 1.0], [1.0, 0.5, -1.0], [-1.0, 0.5, -1.0]),
+        (S::Cone { radius: 1.0, height: 2.0, rounding: 0.0 }, [0.0, 0.0, 1.0], [-1.0, 0.0, -1.0], [-0.25, 0.0, -1.0]),
+        (S::ConvexHull { points: hull, rounding: 0.0 }, [0.5, 0.0, 0.0], [0.2, -1.0, 0.3], [0.2, 1.0, 0.3]),
+    ];
+    for (spec, point, past, into) in cases {
+        for shift in [[0.0; 3], [0.3, -0.7, 0.1]] {
+            let container = S::Ball { radius: 5.0 }.solid([0.0; 3], Side::Inside).unwrap();
+            let room = Room::new(vec![container, spec.solid(shift, Side::Outside).unwrap()]);
+            let path = |velocity: [f64; 3]| Line {
+                point: Vector3::from(point) + Vector3::from(shift),
+                velocity: Vector3::from(velocity),
+            };
+            let time = room.time_to_leave(&path(past)).unwrap();
+            assert!(time > 0.0 && time < 1e-12, "{spec:?}: {time}");
+            let away = Line { point: path(past).at(time), ..path(past) };
+            assert_eq!(room.first_hit(&away).unwrap().piece, 0, "{spec:?}");
+            assert_eq!(room.time_to_leave(&path(into)), None, "{spec:?}");
+        }
+    }
+    // between two cubes that share a part of a side there is no table
+    let corners = |low: [f64; 3]| (0..8).map(move |k| [0, 1, 2].map(|i| low[i] + f64::from(k >> i & 1)));
+    let vertices = corners([0.0; 3]).chain(corners([1.0, 0.25, 0.25])).collect();
+    let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+    let cube = |first: usize| {
+        sides.iter().flat_map(move |[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]].map(|t| t.map(|k| k + first)))
+    };
+    let cubes = S::TriMesh { vertices, triangles: cube(0).chain(cube(8)).collect(), margin: 0.0 };
+    let cubes = Room::new(vec![cubes.solid([0.0; 3], Side::Outside).unwrap()]);
+    for velocity in [[1.0, 0.1, 0.1], [-1.0, 0.1, 0.1], [0.0, 0.3, -0.2]] {
+        let path = Line { point: Vector3::new(1.0, 0.65, 0.6), velocity: velocity.into() };
+        assert_eq!(cubes.time_to_leave(&path), None);
+    }
+    // along a wall there is no way off
+    let floor = S::HalfSpace { normal: [0.0, 0.0, 1.0] }.solid([0.0; 3], Side::Outside).unwrap();
+    let along = Line { point: Vector3::new(1.0, 2.0, 0.0), velocity: Vector3::new(1.0, -0.5, 0.0) };
+    assert_eq!(Room::new(vec![floor]).time_to_leave(&along), None);
+}

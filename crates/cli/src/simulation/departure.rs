@@ -1,6 +1,9 @@
 //! How paths leave a corner in which they start.
 
-use billiards::geometry::{Line, Table, Vector2, Walls, WithWalls};
+use billiards::Track;
+use billiards::geometry::{Line, Table, Vector2, WallHit, Walls, WithWalls};
+
+use super::engine::Watched;
 
 /// The time after which a path that leads from a corner into the table is away from the walls that meet there: 0 unless it would hit one
 /// of them at once, as rounding hides that it leaves the end of that wall. `None` if the path runs along one of them, within rounding.
@@ -8,6 +11,20 @@ use billiards::geometry::{Line, Table, Vector2, Walls, WithWalls};
 /// Points that differ by less than `rounding` \[L\] cannot be told apart.
 pub(super) fn time_to_leave(table: &Table, path: Line<2>, rounding: f64) -> Option<f64> {
     table.with_walls(Departure { path, rounding })
+}
+
+/// An orbit from its start, where the engine takes over after this time.
+pub(super) fn departed<T: Track<f64, N, S>, const N: usize, const S: usize>(
+    mut orbit: Watched<N, S, T>,
+    departure: f64,
+) -> Watched<N, S, T> {
+    if departure > 0.0 {
+        let point = core::array::from_fn(|i| orbit.position[i] + departure * orbit.velocity[i]);
+        let away = WallHit { time: departure, ..WallHit::never(point) };
+        orbit.track.fly(&orbit.position, &orbit.velocity, &orbit.spin, &away);
+        orbit.position = point;
+    }
+    orbit
 }
 
 struct Departure {

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use billiards::geometry::{Error, Piece, Table, Vector2, WallHit};
-use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit, Track as _};
+use billiards::geometry::{Error, Piece, Table, Vector2};
+use billiards::{Angle, BallLaw, Canonical, Cell, Clock, Grid, OnWalls, Orbit};
 
 use super::Control;
 use super::boundary::{self, Drawn};
+use super::departure::departed;
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::frame::Frame;
 use super::horizon::{self, Horizons};
@@ -116,20 +117,14 @@ impl Planar {
             cell
         });
         let trail = PlanarTrail { angle: Angle::new(start.angle), cell };
-        let mut orbit = Orbit {
+        let orbit = Orbit {
             position: start.position,
             velocity: start.velocity,
             spin: start.spin,
             keeper: conserved(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), trail),
         };
-        if start.departure > 0.0 {
-            let point = [0, 1].map(|i| start.position[i] + start.departure * start.velocity[i]);
-            let away = WallHit { time: start.departure, ..WallHit::never(point) };
-            orbit.track.fly(&start.position, &start.velocity, &start.spin, &away);
-            orbit.position = point;
-        }
-        orbit
+        departed(orbit, start.departure)
     }
 
     /// A maker of counters of at most `points` points for these clouds, if there are any.

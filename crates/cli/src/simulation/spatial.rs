@@ -7,6 +7,7 @@ use billiards::{BallLaw, Bend, Bounce, CanonicalSpatial, Clock, Felt, OnWalls, O
 
 use super::Control;
 use super::boundary;
+use super::departure::departed;
 use super::engine::{Engine, Watched, WithEngine, conserved};
 use super::horizon::{self, Horizons};
 use super::law::{Place, SpatialLaw, keeps_spin};
@@ -95,6 +96,12 @@ impl Space {
         let at_once =
             |solid: &Solid| solid.first_hit(path).is_some_and(|hit| hit.time * speed <= solid.slack(&path.point));
         room.solids().iter().any(at_once)
+    }
+
+    /// The time after which a path that starts on walls of a room, and may hit one at once, is away from them.
+    fn time_to_leave(&self, path: &Line<3>) -> Option<f64> {
+        let Space::Room(room) = self else { return None };
+        room.time_to_leave(path)
     }
 
     /// The distance of a point from the boundary; negative outside.
@@ -239,13 +246,14 @@ impl Spatial {
 
     /// An orbit at its start.
     pub(crate) fn launch(&self, start: &Start<3, 3>) -> Watched<3, 3, ()> {
-        Orbit {
+        let orbit = Orbit {
             position: start.position,
             velocity: start.velocity,
             spin: start.spin,
             keeper: conserved(self.strict, &start.velocity, &start.spin),
             track: (Clock::new(0.0), ()),
-        }
+        };
+        departed(orbit, start.departure)
     }
 
     /// How long the digits of the first orbits last, within a number of collisions and a time.
@@ -332,13 +340,17 @@ fn checked(
         }
         return Err(Box::new(start::outside(scene, at, distance / length, piece as u64)));
     }
-    let leaves = touched.normals.iter().all(|normal| velocity.dot(normal) > 0.0);
-    if !leaves || centres.is_hit_at_once(&Line { point, velocity }) {
+    let (leaves, path) = (touched.normals.iter().all(|normal| velocity.dot(normal) > 0.0), Line { point, velocity });
+    if leaves && !centres.is_hit_at_once(&path) {
+        return Ok(start);
+    }
+    let Some(departure) = centres.time_to_leave(&path) else {
         let what = "the start lies on a wall and does not move into the table";
         return Err(Box::new(
             scene.source.diagnostic(at, what).with_help("turn the velocity, or start farther from the wall"),
         ));
-    }
+    };
+    start.departure = departure;
     Ok(start)
 }
 

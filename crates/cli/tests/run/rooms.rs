@@ -332,6 +332,29 @@ fn a_start_on_an_edge_must_leave_all_faces_of_a_container() {
 }
 
 #[test]
+fn a_start_on_an_edge_of_an_obstacle_may_leave_past_any_of_its_faces() {
+    let folder = Folder::new("rooms-past-edge");
+    let around = "sphere = { center = [0, 0, 0], radius = 5 }";
+    for (obstacle, position, past, into) in [
+        ("name = \"cylinder\", radius = 1, height = 2", "[1, 0, 1]", "[1, 0.5, -1]", "[-1, 0.5, -1]"),
+        ("name = \"cone\", radius = 1, height = 2", "[0, 0, 1]", "[-1, 0, -1]", "[-0.25, 0, -1]"),
+        (
+            "name = \"convex-hull\", points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]",
+            "[0.5, 0, 0]",
+            "[0.2, -1, 0.3]",
+            "[0.2, 1, 0.3]",
+        ),
+    ] {
+        let walls = [around, &format!("shape = {{ {obstacle} }}")];
+        let summary = folder.done(&one(&walls, position, past), &[]);
+        assert_eq!(summary["stops"]["finished"], 1, "{obstacle}");
+        let output = folder.run(&one(&walls, position, into), &[]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.code() == Some(2) && told.contains("does not move into the table"), "{told}");
+    }
+}
+
+#[test]
 fn a_start_that_moves_along_a_wall_in_space_is_refused() {
     let folder = Folder::new("rooms-along");
     let floor = "plane = { through = [0, 0, 0], normal = [0, 0, 1] }";

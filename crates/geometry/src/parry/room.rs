@@ -1,4 +1,5 @@
 //! A region of space bounded by several solids.
+mod departure;
 mod fastest;
 mod rim;
 
