@@ -22,9 +22,10 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
             continue;
         }
         let there = source.text().get(span.start..).unwrap_or_default();
-        match mend(fault.message(), there) {
-            Some(help) => problems.add_with_help(span, fault.message(), help),
-            None => problems.add(span, fault.message()),
+        let fault = said(fault.message());
+        match mend(fault, there) {
+            Some(help) => problems.add_with_help(span, fault, help),
+            None => problems.add(span, fault),
         }
     }
     if !faults.is_empty() {
@@ -36,6 +37,12 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     }
     let whole = Span::new(0, 0);
     Some(Spanned::new(table(document.into_inner()), whole))
+}
+
+/// The parser's message. It takes a word that begins with n, i, t or f for a misspelt `nan`, `inf`, `true` or `false`.
+fn said(fault: &str) -> &str {
+    let is_of_word = ["invalid float, expected `", "invalid boolean"].iter().any(|of_word| fault.starts_with(of_word));
+    if is_of_word { "string values must be quoted" } else { fault }
 }
 
 /// How to fix a number that is invalid in TOML, from the parser's message and the text at that place.
@@ -131,6 +138,22 @@ mod tests {
             assert!(parse(&mut problems).is_none(), "{number}");
             let help = problems.into_diagnostics().swap_remove(0).help.unwrap_or_default();
             assert!(help.contains(mend), "{number}: {help}");
+        }
+    }
+
+    #[test]
+    fn a_word_without_quotes_is_told_to_be_quoted_whatever_letter_it_begins_with() {
+        for word in ["no-slip", "npy", "inside", "isosceles", "triangle", "truth", "flower", "specular", "-nobody"] {
+            let mut problems = Problems::new(&Source::new("x.toml", &format!("a = {word}\n")));
+            assert!(parse(&mut problems).is_none(), "{word}");
+            let fault = problems.into_diagnostics().swap_remove(0);
+            assert!(fault.what.starts_with("string values must be quoted"), "{word}: {}", fault.what);
+            assert!(fault.help.unwrap_or_default().contains("in quotes"), "{word}");
+        }
+        for (number, mend) in [("1.5.2", None), ("nan", None)] {
+            let mut problems = Problems::new(&Source::new("x.toml", &format!("a = {number}\n")));
+            parse(&mut problems);
+            assert_eq!(problems.into_diagnostics().first().and_then(|fault| fault.help.as_deref()), mend, "{number}");
         }
     }
 
