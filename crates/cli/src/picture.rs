@@ -82,8 +82,10 @@ pub struct Material {
 pub struct Path {
     /// Connected parts, each a chain of points; more than one where it crosses the edge of a lattice cell.
     pub chains: Vec<Vec<[f64; 2]>>,
-    /// How an orbit that escapes leaves for ever; more than one leg where it crosses edges of lattice cells.
+    /// How an orbit leaves that meets no wall any more; more than one leg where it crosses edges of lattice cells.
     pub escape: Vec<Leaving>,
+    /// Where it is when its time is over, if it leaves until then.
+    pub rest: Option<[f64; 2]>,
     /// The last collision whose position is known, if the lines continue beyond it.
     pub horizon: Option<[f64; 2]>,
 }
@@ -95,7 +97,7 @@ pub struct Leaving {
     pub from: [f64; 2],
     /// Its direction.
     pub direction: [f64; 2],
-    /// How far it goes, in units of the direction; infinite on a plane that is not folded.
+    /// How far it goes, in units of the direction; infinite for ever, on a plane that is not folded.
     pub until: f64,
 }
 

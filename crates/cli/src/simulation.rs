@@ -369,3 +369,57 @@ struct Asked<'a> {
     needs: &'a [Needs],
     horizons: &'a Horizons,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::Source;
+    use crate::scene::Request;
+
+    /// The picture of the orbits of a scene with a limit.
+    fn drawn(name: &str, scene: &str, limit: &str) -> String {
+        let folder = std::env::temp_dir().join(format!("billiards-drawn-{}-{name}", std::process::id()));
+        let scene = format!("law = \"specular\"\n{scene}\n[run]\n{limit}\n[output]\npictures = [\"orbit\"]\n");
+        let scene = Scene::parse(&Source::new("x.toml", &scene), &Request::default()).unwrap();
+        Simulation::new(scene).unwrap().run(&folder, &Control::new(1)).unwrap();
+        let picture = std::fs::read_to_string(folder.join("orbit.svg")).unwrap();
+        std::fs::remove_dir_all(folder).unwrap();
+        picture
+    }
+
+    const OBSTACLES: &str = "[[table.boundary]]\ncircle = { center = [0, 0], radius = 1, domain = \"outside\" }\n\
+        [[table.boundary]]\ncircle = { center = [4, 0], radius = 1, domain = \"outside\" }\n\
+        [[orbit]]\nposition = [2, 0]\nvelocity = [1, 0.01]";
+    const BALLS: &str = "[table]\ndimension = 3\n\
+        [[table.boundary]]\nsphere = { center = [0, 0, 0], radius = 1, domain = \"outside\" }\n\
+        [[table.boundary]]\nsphere = { center = [4, 0, 0], radius = 1, domain = \"outside\" }\n\
+        [[orbit]]\nposition = [2, 0, 0]\nvelocity = [1, 0.01, 0.02]";
+    const FLOOR: &str = "[[table.boundary]]\nline = { through = [0, 0], direction = [1, 0] }\n\
+        [[orbit]]\nposition = [0, 1]\nvelocity = [1, -1]";
+    const WEDGE: &str = "table = { name = \"wedge\", angle = 1.2 }\n\
+        [[orbit]]\nposition = [0, 1]\nvelocity = [-1, 0.1]";
+    const PILLARS: &str = "[table]\nlattice = [[3, 0]]\n\
+        [[table.boundary]]\ncircle = { center = [0, 0], radius = 1, domain = \"outside\" }\n\
+        [[orbit]]\nposition = [1.5, 0]\nvelocity = [1, 0.02]";
+
+    #[test]
+    fn a_flight_that_meets_no_wall_until_the_time_is_over_does_not_shrink_the_picture() {
+        for (name, scene) in
+            [("obstacles", OBSTACLES), ("balls", BALLS), ("floor", FLOOR), ("wedge", WEDGE), ("pillars", PILLARS)]
+        {
+            let whole = drawn(name, scene, "collisions = 100");
+            for time in ["1e6", "1e30"] {
+                assert!(drawn(name, scene, &format!("time = {time}")) == whole, "{name}, until {time}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_short_flight_that_meets_no_wall_until_the_time_is_over_is_shown_to_its_end() {
+        for (name, scene) in [("short", FLOOR), ("shorter", OBSTACLES), ("shortest", BALLS)] {
+            let [whole, picture, earlier] =
+                ["collisions = 100", "time = 9", "time = 8"].map(|limit| drawn(name, scene, limit));
+            assert!(picture != whole && picture != earlier, "{name}");
+        }
+    }
+}

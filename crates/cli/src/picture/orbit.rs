@@ -4,7 +4,7 @@ use super::ink::{Colour, ORBITS};
 use super::stroke::{Stroke, joined};
 use super::svg::{Outline, Style, Svg};
 use super::view::{View, Window};
-use super::{COLUMN, File, Leaving, Material, Needs, Picture};
+use super::{COLUMN, File, Leaving, Material, Needs, Path, Picture};
 
 /// Width of walls.
 const WALL: f64 = 0.8;
@@ -24,7 +24,8 @@ pub(super) const PICTURE: Picture = Picture {
     draw: |material| vec![File { name: "orbit.svg".into(), content: draw(material).to_string().into_bytes() }],
 };
 
-/// How many times longer than high, or higher than long, an infinite table may be shown so that all of every orbit is seen.
+/// How many times longer than high, or higher than long, an infinite table may be shown so that all of every orbit is seen, and how
+/// many times as large as without the flights that no wall ends.
 const WHOLE: f64 = 30.0;
 /// The same where they are longer still, so that a part of them is shown, but larger.
 const LONGEST: f64 = 5.0;
@@ -77,8 +78,15 @@ fn window(material: &Material) -> Window {
         seen.collect()
     };
     let whole = Window { low: [-1.0, -1.0], high: [1.0, 1.0] };
-    let tight = Window::around(seen).unwrap_or(whole);
-    if !has_endless_walls && material.paths.iter().all(|path| path.escape.is_empty()) {
+    let tight = Window::around(seen.iter().copied()).unwrap_or(whole);
+    // where the time is over of orbits that meet no wall any more, unless it is too far away
+    let rests = material.paths.iter().filter_map(|path| path.rest);
+    let rests = rests.flat_map(|at| if has_endless_walls { particle(at) } else { [at; 2] });
+    let all = Window::around(seen.into_iter().chain(rests)).unwrap_or(tight);
+    let shows_rests = tight.largest() == 0.0 || all.largest() <= WHOLE * tight.largest();
+    let tight = if shows_rests { all } else { tight };
+    let is_seen = |path: &Path| path.escape.is_empty() || (shows_rests && path.rest.is_some());
+    if !has_endless_walls && material.paths.iter().all(is_seen) {
         return tight;
     }
     // show that infinite walls and orbits go on, but do not shrink the picture to a line
@@ -156,7 +164,7 @@ fn ends(svg: &mut Svg, view: &View, material: &Material) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::picture::{Path, Solid, Stroke};
+    use crate::picture::{Solid, Stroke};
 
     /// How many paths there are in a picture, how many styles of lines, and how many parts of paths and legs.
     fn counts(material: &Material) -> [usize; 4] {
@@ -262,6 +270,25 @@ mod tests {
     }
 
     #[test]
+    fn where_the_time_is_over_of_what_meets_no_wall_any_more_is_shown_unless_it_is_far_away() {
+        let obstacle = Stroke::Circle { center: [0.0, 0.0], radius: 1.0 };
+        for wall in [obstacle, Stroke::Line([0.0, -1.0], [1.0, 0.0])] {
+            let of = |rest: Option<[f64; 2]>| {
+                let escape = vec![Leaving { from: [1.0, 0.0], direction: [1.0, 1.0], until: f64::INFINITY }];
+                let path = Path { chains: vec![vec![[3.0, 0.0], [1.0, 0.0]]], escape, rest, horizon: None };
+                window(&Material { outline: vec![wall.clone()], paths: vec![path], ..Material::default() })
+            };
+            for far in [[1e6, 1e6], [-1e300, 0.0]] {
+                assert_eq!(of(Some(far)), of(None));
+            }
+            for at in [[4.0, 3.0], [-20.0, 5.0]] {
+                let Window { low, high } = of(Some(at));
+                assert!((0..2).all(|i| low[i] <= at[i] && at[i] <= high[i]), "{at:?}: {low:?} {high:?}");
+            }
+        }
+    }
+
+    #[test]
     fn every_kind_of_wall_and_path_gives_a_finite_picture() {
         let material = Material {
             outline: vec![
@@ -277,6 +304,7 @@ mod tests {
                 Path {
                     chains: vec![vec![[0.0, 0.0], [2.0, 2.0]], vec![]],
                     escape: vec![Leaving { from: [2.0, 2.0], direction: [1.0, 1.0], until: f64::INFINITY }],
+                    rest: Some([1e300, 1e300]),
                     horizon: Some([2.0, 2.0]),
                 },
                 Path { chains: vec![vec![[f64::NAN, 0.0]]], ..Path::default() },

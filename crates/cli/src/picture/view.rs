@@ -29,12 +29,17 @@ impl Window {
         [self.high[0] - self.low[0], self.high[1] - self.low[1]]
     }
 
+    /// Its width or height, whichever is larger.
+    pub fn largest(self) -> f64 {
+        let [width, height] = self.size();
+        width.max(height)
+    }
+
     /// The same, wider on all sides by a fraction of its larger extent; never of size zero.
     #[must_use]
     pub fn padded(self, share: f64) -> Self {
-        let [width, height] = self.size();
-        let largest = if width.max(height) > 0.0 {
-            width.max(height)
+        let largest = if self.largest() > 0.0 {
+            self.largest()
         } else {
             // A single point: a window of its own order of magnitude.
             self.low[0].abs().max(self.low[1].abs()).max(f64::MIN_POSITIVE)

@@ -70,6 +70,8 @@ pub(crate) trait Seen {
     fn start(&self, orbit: u64) -> [f64; 2];
     /// A point in the plane of the picture.
     fn point(&self, position: [f64; 3]) -> [f64; 2];
+    /// The same for where the time of an orbit is over that meets no wall any more: it need not be shown.
+    fn rest(&self, position: [f64; 3]) -> [f64; 2];
     /// A direction in the plane of the picture.
     fn direction(&self, velocity: [f64; 3]) -> [f64; 2];
     /// An empty reduced phase space, where there is one.
@@ -187,9 +189,11 @@ impl<'a> Harvest<'a> {
         if ended.collisions <= self.legs
             && let Some(paths) = Self::paths_of(&mut self.paths, ended.orbit, self.seen, &mut self.cell)
         {
-            match ended.stop {
-                Some(Stop::Escaped) => paths.escape(self.seen.direction(ended.velocity)),
-                Some(Stop::Finished | Stop::Corner) => paths.rest(self.seen.point(ended.position)),
+            let (position, direction) = (ended.position, self.seen.direction(ended.velocity));
+            match (ended.stop, ended.adrift) {
+                (Some(Stop::Escaped), _) => paths.escape(direction),
+                (Some(Stop::Finished), Some(time)) => paths.drift(direction, time, self.seen.rest(position)),
+                (Some(Stop::Finished | Stop::Corner), _) => paths.rest(self.seen.point(position)),
                 _ => {}
             }
         }

@@ -272,7 +272,9 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Job<'_, N, S, T> {
         let velocity = velocity.map(|v| scale.speed_out(v));
         let out_of_time = stop == Some(Stop::Finished) && collisions < self.work.collisions;
         let time = if out_of_time { self.work.time } else { scale.time_out(orbit.time()) };
-        let ended = Ended { orbit: index, stop, collisions, time, drift: drift.largest(), position, velocity };
+        let is_adrift = out_of_time && self.work.drawn && orbit.flight(self.engine) == f64::INFINITY;
+        let adrift = is_adrift.then(|| time - scale.time_out(orbit.time()));
+        let ended = Ended { orbit: index, stop, collisions, time, drift: drift.largest(), position, velocity, adrift };
         self.results.ends.push((events, ended));
     }
 
@@ -350,13 +352,18 @@ impl<const N: usize, const S: usize, T: Trail<N, S>> Running<N, S, T> {
         }
     }
 
+    /// The time to the next wall.
+    fn flight(&self, engine: &dyn Engine<N, S, T>) -> f64 {
+        engine.first_hit(&self.position(), &self.velocity()).time
+    }
+
     /// Position and velocity at the end: at the time limit, in the corner that the path runs into, or at the last collision.
     fn end(&self, engine: &dyn Engine<N, S, T>, end: f64, stop: Option<Stop>) -> ([f64; N], [f64; 3]) {
         let at = match stop {
             Some(Stop::Finished) if end.is_finite() => self.position_at(end),
             Some(Stop::Corner) => {
                 let (from, along) = (self.position(), self.velocity());
-                let flight = engine.first_hit(&from, &along).time;
+                let flight = self.flight(engine);
                 // past a corner in which the particle already is, there is no wall
                 let flight = if flight < f64::INFINITY { flight } else { 0.0 };
                 core::array::from_fn(|i| from[i] + along[i] * flight)

@@ -32,6 +32,10 @@ impl Seen for Flat<'_> {
         [x, y]
     }
 
+    fn rest(&self, position: [f64; 3]) -> [f64; 2] {
+        self.point(position)
+    }
+
     fn direction(&self, [x, y, _]: [f64; 3]) -> [f64; 2] {
         [x, y]
     }
@@ -54,6 +58,8 @@ const FARTHEST: f64 = 3.0;
 const FARTHEST_START: f64 = 50.0;
 /// How thin the shown part may be, as a fraction of its largest side.
 const THINNEST: f64 = 0.5;
+/// How many times as large as all else the shown part may become by where the time of an orbit is over that meets no wall any more.
+const FARTHEST_REST: f64 = 30.0;
 /// The room around what is seen of an infinite table, in units of that and of its height.
 const AROUND: f64 = 0.1;
 
@@ -68,6 +74,8 @@ pub(crate) struct Solid<'a> {
     /// The box of all points seen so far, and that of the starts among them.
     bounds: Cell<Bounds>,
     begins: Cell<Bounds>,
+    /// The box of where the time of orbits is over that meet no wall any more.
+    rests: Cell<Bounds>,
     /// The first point seen.
     first: Cell<[f64; 3]>,
 }
@@ -78,14 +86,27 @@ type Bounds = [[f64; 3]; 2];
 /// The box of nothing.
 const EMPTY: Bounds = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
 
+/// The smallest box around two.
+fn union([low, high]: Bounds, [least, most]: Bounds) -> Bounds {
+    [[0, 1, 2].map(|i| low[i].min(least[i])), [0, 1, 2].map(|i| high[i].max(most[i]))]
+}
+
+/// A box made larger by another one, unless it became too large.
+fn unless_too_large(seen: Bounds, other: Bounds) -> Bounds {
+    let size = |[low, high]: Bounds| (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    let (all, before) = (union(seen, other), size(seen));
+    if before == 0.0 || size(all) <= FARTHEST_REST * before { all } else { seen }
+}
+
 /// A box made larger, so that a point is in it.
-fn around([low, high]: Bounds, point: [f64; 3]) -> Bounds {
-    [[0, 1, 2].map(|i| low[i].min(point[i])), [0, 1, 2].map(|i| high[i].max(point[i]))]
+fn around(bounds: Bounds, point: [f64; 3]) -> Bounds {
+    union(bounds, [point; 2])
 }
 
 impl<'a> Solid<'a> {
     pub(crate) fn new(spatial: &'a Spatial, starts: &'a dyn Fn(u64) -> Start<3, 3>) -> Self {
-        Solid { spatial, starts, bounds: Cell::new(EMPTY), begins: Cell::new(EMPTY), first: Cell::new([0.0; 3]) }
+        let [bounds, begins, rests] = [(); 3].map(|()| Cell::new(EMPTY));
+        Solid { spatial, starts, bounds, begins, rests, first: Cell::new([0.0; 3]) }
     }
 
     /// Draws the walls and, for a particle of positive radius, those of its centre; of an infinite table, the part around the orbits.
@@ -122,7 +143,8 @@ impl<'a> Solid<'a> {
                 most[i] = end(1.0).map_or(most[i], |end| most[i].max(end));
             }
         }
-        shown([low, high].map(Into::into), [least, most], self.begins.get(), self.first.get())
+        let seen = unless_too_large([least, most], self.rests.get());
+        shown([low, high].map(Into::into), seen, self.begins.get(), self.first.get())
     }
 }
 
@@ -169,6 +191,11 @@ impl Seen for Solid<'_> {
             self.first.set(position);
         }
         self.bounds.set(around([low, high], position));
+        projected(position)
+    }
+
+    fn rest(&self, position: [f64; 3]) -> [f64; 2] {
+        self.rests.set(around(self.rests.get(), position));
         projected(position)
     }
 

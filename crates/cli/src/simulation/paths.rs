@@ -71,12 +71,25 @@ impl Paths {
 
     /// Leaves for ever in a direction; on a lattice, the drawn part is folded into the unit cell.
     pub(crate) fn escape(&mut self, direction: [f64; 2]) {
+        self.leave(direction, f64::INFINITY);
+    }
+
+    /// The same for a time, after which it is at a point that may lie in another cell.
+    pub(crate) fn drift(&mut self, direction: [f64; 2], time: f64, to: [f64; 2]) {
+        self.leave(direction, time);
+        let home = self.lattice.as_ref().map_or(to, |lattice| lattice.reduce(&to.into()).0.into());
+        if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond) {
+            path.rest = Some(home);
+        }
+    }
+
+    fn leave(&mut self, direction: [f64; 2], until: f64) {
         if let Some(path) = self.drawn.last_mut().filter(|_| !self.is_beyond)
             && let Some(&from) = path.chains.last().and_then(|chain| chain.last())
         {
             path.escape = match &self.lattice {
-                Some(lattice) => leaving(lattice, from.into(), direction.into(), self.left.min(MOST_FOLDS)),
-                None => vec![Leaving { from, direction, until: f64::INFINITY }],
+                Some(lattice) => leaving(lattice, from.into(), direction.into(), until, self.left.min(MOST_FOLDS)),
+                None => vec![Leaving { from, direction, until }],
             };
         }
     }
@@ -132,15 +145,17 @@ fn fold(
     drawn
 }
 
-/// An infinite leg, cut at the edges of cells, with its first `most` parts moved into the unit cell.
-fn leaving(lattice: &Lattice, from: Vector2<f64>, direction: Vector2<f64>, most: usize) -> Vec<Leaving> {
-    let cuts = cuts(lattice, &from, &direction, f64::INFINITY, most);
+/// A leg that no wall ends, cut at the edges of cells, with its first `most` parts moved into the unit cell.
+fn leaving(lattice: &Lattice, from: Vector2<f64>, direction: Vector2<f64>, until: f64, most: usize) -> Vec<Leaving> {
+    let cuts = cuts(lattice, &from, &direction, until, most);
     if cuts.is_empty() {
-        return vec![Leaving { from: from.into(), direction: direction.into(), until: f64::INFINITY }];
+        return vec![Leaving { from: from.into(), direction: direction.into(), until }];
     }
     let mut begun = 0.0;
     let mut legs = vec![];
-    for end in cuts.into_iter().filter(|end| *end > 0.0) {
+    // of a leg without end there are more cuts than are drawn
+    let last = Some(until).filter(|until| until.is_finite());
+    for end in cuts.into_iter().chain(last).filter(|end| *end > 0.0) {
         if end > begun && legs.len() < most {
             let middle = from + direction * (0.5 * (begun + end));
             let home = lattice.translation(lattice.reduce(&middle).1);
@@ -193,6 +208,22 @@ mod tests {
         paths.escape([0.0, -2.0]);
         let straight = Leaving { from: [0.25, 0.0], direction: [0.0, -2.0], until: f64::INFINITY };
         assert_eq!(paths.drawn.last().unwrap().escape, [straight]);
+    }
+
+    #[test]
+    fn a_way_out_of_a_channel_that_the_time_ends_ends_there() {
+        let band = Lattice::new(&[Vector2::new(1.0, 0.0)]).unwrap();
+        let mut paths = Paths::new(Some(band), 20_000);
+        for (time, parts, rest) in [(2.0, 1, [0.75, 0.5]), (5.0, 2, [0.5, 1.25]), (1e6, MOST_FOLDS, [0.25, 250_000.0])]
+        {
+            paths.start([0.25, 0.0]);
+            paths.drift([0.25, 0.25], time, [0.25 + 0.25 * time, 0.25 * time]);
+            let path = paths.drawn.last().unwrap();
+            assert_eq!((path.escape.len(), path.rest), (parts, Some(rest)));
+            let last = path.escape.last().unwrap();
+            let end = [0, 1].map(|i| last.from[i] + last.until * last.direction[i]);
+            assert_eq!(end == rest, parts < MOST_FOLDS, "{time}: {end:?}");
+        }
     }
 
     fn on_torus(most: usize) -> Paths {

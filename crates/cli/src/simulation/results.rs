@@ -22,6 +22,8 @@ pub(crate) struct Ended {
     pub(crate) position: [f64; 3],
     /// Velocity at the end.
     pub(crate) velocity: [f64; 3],
+    /// For how long it has been flying when its time is over, if it meets no wall any more and is drawn.
+    pub(crate) adrift: Option<f64>,
 }
 
 /// Results of consecutive orbits, or of a part of one.
