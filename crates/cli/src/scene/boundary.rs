@@ -108,7 +108,7 @@ fn border(key: &str, mut section: Section<'_>, n: usize, problems: &mut Problems
             let normal = section.required("normal", "normal = [0, 0, 1]").and_then(|item| direction(item, n, problems));
             (|| Some(Border::Plane { through: through?, normal: normal? }))()
         }
-        "curve" => curve(&mut section, problems),
+        "curve" => return curve(section, problems),
         "mesh" => {
             let file = section
                 .required("file", "file = \"rock.obj\"")
@@ -143,12 +143,34 @@ fn domain(section: &mut Section<'_>, default: Domain, problems: &mut Problems) -
     section.optional("domain").map_or(Some(default), |item| choice(item, "domain", &DOMAINS, problems))
 }
 
-fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
-    let domain = domain(section, Domain::Inside, problems);
-    if lacks_x(section, &["polar", "x", "implicit"]) {
+fn curve(mut section: Section<'_>, problems: &mut Problems) -> Option<Border> {
+    const KINDS: &[&str] = &["polar", "x", "implicit"];
+    let domain = domain(&mut section, Domain::Inside, problems);
+    if lacks_x(&mut section, KINDS) {
+        section.finish(problems);
         return None;
     }
-    let (curve, text) = match section.one_of(&["polar", "x", "implicit"], "polar = \"2 + 0.2*cos(5*t)\"", problems)? {
+    let Some(found) = section.one_of(KINDS, "polar = \"2 + 0.2*cos(5*t)\"", problems) else {
+        // keys of any kind
+        for key in ["y", "over", "center", "within"] {
+            section.optional(key);
+        }
+        section.finish(problems);
+        return None;
+    };
+    let curve = curve_of(found, &mut section, problems);
+    section.finish(problems);
+    let (curve, formula) = curve?;
+    Some(Border::Curve { curve, formula, domain: domain? })
+}
+
+/// The curve given by this key, and its formula as written.
+fn curve_of(
+    found: (&str, &Item),
+    section: &mut Section<'_>,
+    problems: &mut Problems,
+) -> Option<(Curve, Spanned<String>)> {
+    Some(match found {
         ("polar", item) => {
             let center = section
                 .optional("center")
@@ -179,8 +201,7 @@ fn curve(section: &mut Section<'_>, problems: &mut Problems) -> Option<Border> {
             let function = formula(&text, &["x", "y"], problems)?;
             (Curve::Implicit { function, within: within? }, text)
         }
-    };
-    Some(Border::Curve { curve, formula: text, domain: domain? })
+    })
 }
 
 /// Whether a curve given by coordinates is meant of which only the second one is there; the first is then reported as missing.
@@ -282,4 +303,35 @@ fn edge(item: &Item, problems: &mut Problems) -> Option<Edge> {
     };
     section.finish(problems);
     Some(Edge { span: item.span, path: path?, law })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::document::Source;
+    use crate::scene::{Request, Scene};
+
+    /// What is wrong with a scene that has this curve.
+    fn faults(curve: &str) -> Vec<String> {
+        let start = "[[orbit]]\nposition = [0, 0]\nvelocity = [1, 0]\n[run]\ncollisions = 1";
+        let scene = format!("law = \"specular\"\n[[table.boundary]]\ncurve = {{ {curve} }}\n{start}");
+        let faults = Scene::parse(&Source::new("x.toml", &scene), &Request::default()).err().unwrap_or_default();
+        faults.into_iter().map(|fault| fault.what).collect()
+    }
+
+    #[test]
+    fn of_a_curve_of_no_kind_or_of_several_no_key_of_any_kind_is_unknown() {
+        let both = r#"polar = "1", x = "cos(t)", y = "sin(t)", over = [0, "2*pi"]"#;
+        assert_eq!(faults(both), [r#"curve has both "polar" and "x""#]);
+        let all =
+            r#"polar = "1", x = "cos(t)", implicit = "x^2 + y^2 - 1", within = [[-2, -2], [2, 2]], center = [0, 0]"#;
+        assert_eq!(faults(all), [r#"curve has "polar", "x" and "implicit""#]);
+        for none in ["center = [0, 0]", "over = [0, 1]", "within = [[-2, -2], [2, 2]]"] {
+            assert_eq!(faults(none), [r#"curve needs "polar", "x" or "implicit""#], "{none}");
+        }
+        let misspelt = faults(r#"polr = "1", center = [0, 0], colour = 3"#);
+        assert_eq!(misspelt, [r#"unknown key "polr" in curve"#, r#"unknown key "colour" in curve"#]);
+        assert_eq!(faults(r#"y = "sin(t)", over = [0, 1]"#), [r#"curve lacks the key "x""#]);
+        assert_eq!(faults(r#"polar = "1", y = "sin(t)""#), [r#"unknown key "y" in curve"#]);
+        assert_eq!(faults(r#"polar = "1""#), [""; 0]);
+    }
 }
