@@ -5,7 +5,9 @@
 
 mod examples;
 
-use crate::document::{self, Diagnostic, Item, Problems, Section, Source, Span, Spanned, Value, vector};
+use crate::document::{
+    self, Diagnostic, Item, LARGEST, Problems, SMALLEST, Section, Source, Span, Spanned, Value, vector,
+};
 use crate::scene::{self, LawKind};
 
 /// Dimensions of space a contact may have.
@@ -211,8 +213,8 @@ fn matrix(item: &Item, n: usize, problems: &mut Problems) -> Option<Vec<f64>> {
 
 fn body(item: &Item, n: usize, problems: &mut Problems) -> Option<BodyEntry> {
     let mut section = Section::inline(item, "a body", "{ mass = \"inf\" }", problems)?;
-    let mass = section.required("mass", "mass = 1, or mass = \"inf\"").map(|item| (item, is_infinite(&item.value)));
-    if let Some((_, true)) = mass {
+    let mass = section.required("mass", "mass = 1, or mass = \"inf\"");
+    if mass.is_some_and(|item| is_infinite(item, problems.source())) {
         // A fixed body has no inertia, and where its centre of mass lies does not matter.
         section.optional("inertia");
         section.optional("S");
@@ -222,7 +224,7 @@ fn body(item: &Item, n: usize, problems: &mut Problems) -> Option<BodyEntry> {
         section.finish(problems);
         return Some(BodyEntry { position: position?, free: None });
     }
-    let mass = mass.and_then(|(item, _)| document::positive(item, problems));
+    let mass = mass.and_then(|item| finite_mass(item, problems));
     let position = section.required("position", &format!("position = {}", examples::vector(n, "1")));
     let position = position.and_then(|item| vector(item, n, problems));
     let keys: &[&str] = if n <= 3 { &["inertia", "S"] } else { &["S"] };
@@ -242,11 +244,32 @@ fn spanned<T>(item: &Item, value: Option<T>) -> Option<Spanned<T>> {
     value.map(|value| Spanned::new(value, item.span))
 }
 
-fn is_infinite(mass: &Value) -> bool {
-    match mass {
-        Value::Float(x) => *x == f64::INFINITY,
+/// Whether a mass is written as infinite; a number with digits is finite, however large.
+fn is_infinite(mass: &Item, source: &Source) -> bool {
+    match &mass.value {
+        Value::Float(x) => *x == f64::INFINITY && !source.slice(mass.span).contains(|c: char| c.is_ascii_digit()),
         Value::Text(text) => text == "inf" || text == "infinity",
         _ => false,
+    }
+}
+
+/// Whether a text means infinity.
+fn is_infinity(text: &str) -> bool {
+    ["inf", "infinity", "\u{221e}"].contains(&&text.trim_start_matches('+').to_lowercase()[..])
+}
+
+fn finite_mass(item: &Item, problems: &mut Problems) -> Option<Spanned<f64>> {
+    match &item.value {
+        Value::Float(x) if *x == f64::INFINITY => {
+            let what = format!("the number is not between {SMALLEST:e} and {LARGEST:e}");
+            problems.add_with_help(item.span, what, "write a smaller number, or for a fixed body mass = \"inf\"");
+            None
+        }
+        Value::Text(text) if is_infinity(text) => {
+            problems.add_with_help(item.span, format!("unknown mass \"{text}\""), "write mass = \"inf\"");
+            None
+        }
+        _ => document::positive(item, problems),
     }
 }
 
@@ -285,4 +308,49 @@ fn rough(item: &Item, n: usize, problems: &mut Problems) -> Option<LawEntry> {
         problems.add(span, what);
     }
     directions.into_iter().collect::<Option<_>>().map(LawEntry::Rough)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(name: &str, text: &str) -> Result<ContactFile, (String, String)> {
+        ContactFile::parse(&Source::new(name, text)).map_err(|mut wrong| {
+            let first = wrong.swap_remove(0);
+            (first.what, first.help.unwrap_or_default())
+        })
+    }
+
+    /// A contact whose second body has this mass.
+    fn with_mass(mass: &str) -> Result<ContactFile, (String, String)> {
+        let bodies = format!(
+            "[{{ mass = 1, position = [0, 1], inertia = 1 }}, {{ mass = {mass}, position = [0, -1], inertia = 1 }}]"
+        );
+        let pre = "[{ v = [0, -1], w = 0 }, { v = [0, 0], w = 0 }]";
+        let contact = "dim = 2\nlaw = \"no-slip\"\ncontact_point = [0, 0]\nnormal = [0, 1]";
+        read("x.toml", &format!("{contact}\npre = {pre}\nbodies = {bodies}"))
+    }
+
+    #[test]
+    fn a_mass_with_digits_is_finite_however_large() {
+        for mass in ["1e400", "1_0e999", "+1e309"] {
+            let (what, help) = with_mass(mass).unwrap_err();
+            assert_eq!(what, "the number is not between 1e-150 and 1e150", "{mass}");
+            assert_eq!(help, "write a smaller number, or for a fixed body mass = \"inf\"");
+        }
+        let (what, _) = with_mass("1e200").unwrap_err();
+        assert_eq!(what, "1e200 is not between 1e-150 and 1e150");
+    }
+
+    #[test]
+    fn an_infinite_mass_is_told_how_it_is_written() {
+        for mass in ["inf", "+inf", "\"inf\"", "\"infinity\""] {
+            assert!(with_mass(mass).unwrap().bodies.value[1].free.is_none(), "{mass}");
+        }
+        for mass in ["Infinity", "Inf", "INF", "+inf", "\u{221e}"] {
+            let expected = (format!("unknown mass \"{mass}\""), "write mass = \"inf\"".into());
+            assert_eq!(with_mass(&format!("\"{mass}\"")).unwrap_err(), expected);
+        }
+        assert_eq!(with_mass("-inf").unwrap_err().0, "the number is infinite");
+    }
 }
