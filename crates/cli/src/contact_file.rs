@@ -83,7 +83,8 @@ impl ContactFile {
         let json = text.starts_with('{') || text.strip_prefix('[').is_some_and(|rest| !is_header(rest));
         let item = if json { document::parse_json(&mut problems) } else { document::parse_toml(&mut problems) };
         let file = item.and_then(|item| {
-            let root = Section::new(&item, "the contact file", &mut problems)?;
+            // only JSON can be anything but a table
+            let root = Section::inline(&item, "the contact file", &examples::file(2), &mut problems)?;
             read(root, &mut problems)
         });
         match file {
@@ -352,5 +353,14 @@ mod tests {
             assert_eq!(with_mass(&format!("\"{mass}\"")).unwrap_err(), expected);
         }
         assert_eq!(with_mass("-inf").unwrap_err().0, "the number is infinite");
+    }
+
+    #[test]
+    fn what_is_no_table_is_shown_a_contact_file_that_can_be_read() {
+        for json in ["[1, 2]", "[]"] {
+            let (what, help) = read("x.json", json).unwrap_err();
+            assert_eq!(what, "the contact file must be a table, found an array");
+            read("x.json", help.strip_prefix("write for instance ").unwrap()).unwrap();
+        }
     }
 }

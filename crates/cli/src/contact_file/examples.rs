@@ -38,3 +38,12 @@ pub(super) fn no_spin(n: usize) -> String {
 pub(super) fn motion(n: usize, x: &str) -> String {
     format!("{{ v = {}, w = {} }}", vector(n, x), no_spin(n))
 }
+
+/// All of it.
+pub(super) fn file(n: usize) -> String {
+    let [point, normal, bodies] = [vector(n, "0"), vector(n, "1"), bodies(n)];
+    let [first, second] = ["-1", "0"].map(|x| motion(n, x));
+    format!(
+        "{{ dim = {n}, law = \"no-slip\", bodies = {bodies}, contact_point = {point}, normal = {normal}, pre = [{first}, {second}] }}"
+    )
+}
