@@ -6,6 +6,7 @@ use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
@@ -193,10 +194,7 @@ impl WholeFile {
 
 /// Takes a temporary file that is gone off the list.
 fn forget(files: &mut Vec<PathBuf>, temporary: &Path) {
-    // only one entry: once the file has its own name, another file may already have been begun under this temporary name
-    if let Some(at) = files.iter().position(|file| file == temporary) {
-        files.swap_remove(at);
-    }
+    files.retain(|file| file != temporary);
 }
 
 /// The folder that a file is in.
@@ -243,13 +241,11 @@ fn sweep(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let (left, hidden) = (entry.path(), entry.file_name());
         let Some((name, ending)) = hidden.to_str().and_then(shown) else { continue };
-        // a failure to remove it does not prevent writing
         if ending == PARTIAL
             && entry.file_type().is_ok_and(|kind| kind.is_file())
             && let Ok(file) = File::options().write(true).open(&left)
-            && file.try_lock().is_ok()
         {
-            let _ = fs::remove_file(left);
+            remove_abandoned(&left, &file);
         } else if ending == EARLIER
             && let Some(_locked) = lock(folder, Duration::ZERO)
         {
@@ -259,13 +255,40 @@ fn sweep(folder: &Path) {
     }
 }
 
+/// Removes a temporary file, opened under this name, unless it is being written.
+fn remove_abandoned(left: &Path, file: &File) {
+    // Since it was opened, it may have been removed, and another one begun under its name. Once it is locked, its name stays.
+    if file.try_lock().is_ok() && is_named(file, left) {
+        // a failure to remove it does not prevent writing
+        let _ = fs::remove_file(left);
+    }
+}
+
+/// Whether an open file still has this name.
+#[cfg(unix)]
+fn is_named(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let identity = |of: fs::Metadata| (of.dev(), of.ino());
+    let [opened, named] = [file.metadata(), fs::symlink_metadata(path)].map(|of| of.ok().map(identity));
+    opened.is_some() && opened == named
+}
+
+/// Whether an open file still has this name: unknown, but no process uses a name twice.
+#[cfg(not(unix))]
+fn is_named(_: &File, _: &Path) -> bool {
+    true
+}
+
+/// Number of temporary files begun by this process, so that no two have the same name, not even one after the other.
+static BEGUN: AtomicU64 = AtomicU64::new(0);
+
 /// A new file that no other process writes. In containers that share a folder, processes may have the same number, and a killed
 /// process leaves its file behind.
 fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
     let process = std::process::id();
-    let mut number = 0_u64;
     let mut files = temporary_files();
     loop {
+        let number = BEGUN.fetch_add(1, Ordering::Relaxed);
         let mut hidden = hidden(name);
         hidden.push(format!("{process}-{number}.{PARTIAL}"));
         let path = folder.join(hidden);
@@ -280,7 +303,6 @@ fn temporary(folder: &Path, name: &OsStr) -> io::Result<(PathBuf, File)> {
                 }
             }
         }
-        number += 1;
     }
 }
 
@@ -462,6 +484,34 @@ mod tests {
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 5);
         WholeFile::finish(vec![written]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"by another one");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn no_temporary_name_is_used_twice() {
+        let folder = std::env::temp_dir().join(format!("billiards-twice-{}", std::process::id()));
+        let path = folder.join("x.txt");
+        let name = || WholeFile::create(&path).unwrap().temporary.clone().unwrap();
+        // each is gone before the next one is begun
+        let names = [(); 3].map(|()| name());
+        assert!(names[0] != names[1] && names[1] != names[2] && names[0] != names[2], "{names:?}");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn a_file_begun_under_the_name_of_one_that_is_swept_stays() {
+        let folder = std::env::temp_dir().join(format!("billiards-reused-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let left = folder.join(".x.txt.4000000-0.partial");
+        fs::write(&left, b"probe").unwrap();
+        let opened = File::options().write(true).open(&left).unwrap();
+        fs::remove_file(&left).unwrap();
+        fs::write(&left, b"record").unwrap();
+        remove_abandoned(&left, &opened);
+        assert_eq!(fs::read(&left).unwrap(), b"record");
+        remove_abandoned(&left, &File::options().write(true).open(&left).unwrap());
+        assert!(!left.exists());
         fs::remove_dir_all(folder).unwrap();
     }
 
