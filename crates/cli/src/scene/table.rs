@@ -4,7 +4,7 @@ use super::boundary::{self, Border, Entry};
 use super::law::{self, LawKind};
 use super::parameters::{self, Arguments, Model};
 use super::{direction, list};
-use crate::document::{Item, Problems, Section, Span, Spanned, Value, count};
+use crate::document::{Item, Problems, Section, Span, Spanned, Value, number};
 
 /// The table of a scene.
 #[derive(Clone, Debug)]
@@ -84,15 +84,12 @@ pub(super) fn dimension(item: &Item, problems: &mut Problems) -> Option<usize> {
         problems.add_with_help(key.span, what, "did you mean \"dimension\"?");
         return None;
     };
-    let dimension = count(item, 0, problems)?.value;
-    match dimension {
-        2 => Some(2),
-        3 => Some(3),
-        _ => {
-            problems.add(item.span, "the dimension must be 2 or 3");
-            None
-        }
+    let dimension = number(item, problems)?.value;
+    let found = [2, 3].into_iter().find(|n| *n as f64 == dimension);
+    if found.is_none() {
+        problems.add(item.span, "the dimension must be 2 or 3");
     }
+    found
 }
 
 pub(super) fn read(item: &Item, dimension: usize, problems: &mut Problems) -> Option<Table> {

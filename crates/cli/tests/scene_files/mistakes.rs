@@ -101,6 +101,7 @@ fn each_mistake_has_its_own_message_at_its_own_place() {
         (SPATIAL, "[[1, 2, -3]]", "[[1, 0, 0], [1, 1e-13, 0]]", "2:21: this rough direction is parallel to the first"),
         (SPATIAL, "[[1, 2, -3]]", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]", "2:9: 3 rough directions, but"),
         (SPATIAL, "dimension = 3", "dimension = 4", "4:13: the dimension must be 2 or 3"),
+        (SPATIAL, "dimension = 3", "dimension = 2.5", "4:13: the dimension must be 2 or 3"),
         (SPATIAL, "rank = 1", "rank = 3", "6:56: 3 is not a whole number from 0 to 2"),
         (SPATIAL, "4 =", "floor =", "6:10: \"floor\" is not the number of a piece"),
         (SPATIAL, "4 =", "04 =", "6:10: \"04\" is not the number of a piece"),
