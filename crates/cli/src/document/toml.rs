@@ -31,12 +31,27 @@ pub fn parse(problems: &mut Problems) -> Option<Item> {
     if !faults.is_empty() {
         return None;
     }
-    for duplicate in duplicates {
-        let span = place(duplicate);
-        problems.add(span, format!("duplicate key \"{}\"", source.slice(span)));
-    }
+    report_duplicates(duplicates.into_iter().map(place), problems);
     let whole = Span::new(0, 0);
     Some(Spanned::new(table(document.into_inner()), whole))
+}
+
+/// Records repeated keys, by their places. Under a repeated header they are read as further keys of the first one, which is no
+/// mistake of its own.
+fn report_duplicates(places: impl Iterator<Item = Span>, problems: &mut Problems) {
+    let source = problems.source().clone();
+    let text = |from, to| source.text().get(from..to).unwrap_or_default();
+    let is_header = |line: &str| line.trim_start().starts_with('[');
+    let mut under_repeated = None;
+    for span in places {
+        if under_repeated.is_some_and(|last| !text(last, span.start).split('\n').skip(1).any(is_header)) {
+            under_repeated = Some(span.end);
+            continue;
+        }
+        under_repeated = text(0, span.start).rsplit('\n').next().is_some_and(is_header).then_some(span.end);
+        let key = source.slice(span).trim_matches(['"', '\'']);
+        problems.add(span, format!("duplicate key \"{key}\""));
+    }
 }
 
 /// The parser's message. It takes a word that begins with n, i, t or f for a misspelt `nan`, `inf`, `true` or `false`.
@@ -155,6 +170,21 @@ mod tests {
             parse(&mut problems);
             assert_eq!(problems.into_diagnostics().first().and_then(|fault| fault.help.as_deref()), mend, "{number}");
         }
+    }
+
+    #[test]
+    fn a_repeated_key_is_told_without_its_quotes_and_a_repeated_header_once() {
+        let told = |text: &str| {
+            let mut problems = Problems::new(&Source::new("x.toml", text));
+            parse(&mut problems).unwrap();
+            let told = problems.into_diagnostics();
+            told.into_iter().map(|told| format!("{}: {}", told.place().unwrap().line, told.what)).collect::<Vec<_>>()
+        };
+        let keys = "a = 1\n\"a\" = 2\n'a' = 3\n\"b c\" = 4\n\"b c\" = 5\n";
+        let of = |line: u32, key: &str| format!("{line}: duplicate key \"{key}\"");
+        assert_eq!(told(keys), [of(2, "a"), of(3, "a"), of(5, "b c")]);
+        let tables = "[t]\na = 1\nb = [\n[2]]\n[ t ] # again\na = 3\nb = 4\n\n[u]\nc = 5\nc = 6\n[t]\na = 7\n[t]\n";
+        assert_eq!(told(tables), [of(5, "t"), of(11, "c"), of(12, "t"), of(14, "t")]);
     }
 
     #[test]
