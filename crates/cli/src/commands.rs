@@ -17,7 +17,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, plain};
 use crate::spelling;
 use crate::whole_file;
 
@@ -92,17 +92,22 @@ impl From<io::Error> for Failure {
     }
 }
 
+/// A path as it may be printed.
+fn shown(path: &Path) -> String {
+    plain(&path.display().to_string())
+}
+
 /// The failure of standard output after all files in a folder have been written.
 fn untold(folder: &Path, error: io::Error) -> Failure {
     match Failure::from(error) {
-        Failure::Work(what) => Failure::Work(format!("{what}\nhelp: the files in {} are complete", folder.display())),
+        Failure::Work(what) => Failure::Work(format!("{what}\nhelp: the files in {} are complete", shown(folder))),
         other => other,
     }
 }
 
 /// The failure that a file cannot be written there, with advice.
 fn unwritable(path: &Path, error: &io::Error) -> Failure {
-    let what = format!("{}: {error}", path.display());
+    let what = format!("{}: {error}", shown(path));
     let help = match error.kind() {
         io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
             "there is a file, or a link that leads nowhere, where a folder should be: name another folder, --out DIR"
@@ -158,4 +163,19 @@ fn on_ctrl_c(interrupt: impl Fn() + Send + 'static) -> Result<(), Failure> {
         Some(_) => whole_file::exit(130),
     };
     ctrlc::set_handler(handler).map_err(|error| Failure::Work(format!("cannot listen to Ctrl-C: {error}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_printed_without_control_characters() {
+        let folder = Path::new("out/red \u{1b}[31m\nor not");
+        assert_eq!(shown(folder), "out/red  [31m or not");
+        let full = || io::Error::from(io::ErrorKind::StorageFull);
+        for failure in [unwritable(folder, &full()), untold(folder, full())] {
+            assert!(failure.to_string().contains("out/red  [31m or not"), "{failure}");
+        }
+    }
 }

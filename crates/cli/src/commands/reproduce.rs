@@ -91,7 +91,7 @@ fn work(jobs: &[Job], files: &Files, arguments: &args::Reproduce, out: &mut impl
         let page = arguments.out.join(&files.page);
         let figures = plural(drawn.len() as u64, "figure");
         let claims = plural(measured.len() as u64, "claim");
-        told = writeln!(out, "{}: {figures}, {claims}", page.display());
+        told = writeln!(out, "{}: {figures}, {claims}", super::shown(&page));
     }
     let interrupted = (!left_out.is_empty())
         .then(|| format!("interrupted: {} of {} figures and claims are done", jobs.len() - left_out.len(), jobs.len()));

@@ -84,7 +84,7 @@ fn report(simulation: &Simulation, done: &Done, folder: &Path, out: &mut impl Wr
     writeln!(out, "  energy      changes by at most {drift} (relative)")?;
     writeln!(out, "  digits      {}", summary.horizon.in_words(summary.orbits))?;
     let names = done.files.iter().filter_map(|file| file.file_name()).map(|name| name.to_string_lossy());
-    writeln!(out, "  written     {}: {}", folder.display(), names.collect::<Vec<_>>().join(", "))
+    writeln!(out, "  written     {}: {}", super::shown(folder), names.collect::<Vec<_>>().join(", "))
 }
 
 #[cfg(test)]
