@@ -19,6 +19,7 @@ pub use number::{
     positive, real, seed, spell, vector, whole,
 };
 pub use section::Section;
+pub(crate) use source::bytes_of;
 pub use source::{STANDARD_INPUT, Source, Span, Spanned};
 pub use toml::parse as parse_toml;
 

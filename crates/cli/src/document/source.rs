@@ -36,11 +36,7 @@ impl Source {
     pub fn read(path: &Path) -> Result<Self, Box<Diagnostic>> {
         let is_standard = path == Path::new(STANDARD_INPUT);
         let name = if is_standard { "standard input".into() } else { path.display().to_string() };
-        let bytes = if is_standard {
-            up_to(LONGEST, io::stdin())
-        } else {
-            File::open(path).and_then(|file| up_to(LONGEST, file))
-        };
+        let bytes = if is_standard { up_to(LONGEST, io::stdin()) } else { bytes_of(path) };
         let bytes = bytes.map_err(|error| {
             let diagnostic = Diagnostic::of_file(&name, format!("cannot read it: {error}"));
             Box::new(with_file_meant(diagnostic, &error, path))
@@ -95,11 +91,25 @@ impl Source {
     }
 }
 
+/// The bytes of an input file.
+///
+/// # Errors
+/// It cannot be read, or is longer than a gibibyte.
+pub(crate) fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    let file = File::open(path)?;
+    // known before it is read, unless it is endless
+    if file.metadata()?.len() > LONGEST { Err(too_long(LONGEST)) } else { up_to(LONGEST, file) }
+}
+
+fn too_long(longest: u64) -> io::Error {
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {longest} bytes"))
+}
+
 /// All that can be read, if it is not longer than this.
 fn up_to(longest: u64, from: impl Read) -> io::Result<Vec<u8>> {
     let mut bytes = vec![];
     if from.take(longest + 1).read_to_end(&mut bytes)? as u64 > longest {
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {longest} bytes")));
+        return Err(too_long(longest));
     }
     Ok(bytes)
 }
