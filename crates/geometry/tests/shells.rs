@@ -231,3 +231,47 @@ fn the_normal_of_a_thin_triangle_is_that_of_its_own_coordinates_wherever_the_mes
         }
     }
 }
+
+/// A block about the origin.
+fn block(half: [f64; 3]) -> Triangles {
+    let (vertices, triangles) = cube(0.0, 1.0);
+    (vertices.into_iter().map(|v| [0, 1, 2].map(|i| v[i] * half[i])).collect(), triangles)
+}
+
+/// A closed beam of rectangular section along a polygon about the third axis, each of whose vertices is `step` fifths of a turn from the
+/// last.
+fn ring(step: usize) -> Triangles {
+    let station = |k: usize| {
+        let (sin, cos) = libm::sincos(core::f64::consts::TAU * ((k * step) % 5) as f64 / 5.0);
+        [[0.9, -0.1], [1.0, -0.1], [1.0, 0.1], [0.9, 0.1]].map(|[r, z]| [r * cos, r * sin, z])
+    };
+    let side = |(k, i): (usize, usize)| {
+        let at = |k: usize, i: usize| 4 * (k % 5) + i % 4;
+        let [a, b, c, d] = [at(k, i), at(k + 1, i), at(k + 1, i + 1), at(k, i + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    let sides = (0..5).flat_map(|k| (0..4).map(move |i| (k, i)));
+    ((0..5).flat_map(station).collect(), sides.flat_map(side).collect())
+}
+
+#[test]
+fn a_surface_that_runs_through_itself_is_refused() {
+    // a rod through a plate: all vertices, and the middles of all triangles, lie outside of the other
+    let [rod, plate] = [block([0.1, 0.1, 1.0]), block([1.0, 1.0, 0.05])];
+    assert_eq!(refused(&[plate.clone(), rod.clone()]), Some(0));
+    assert_eq!(refused(&[rod, plate]), Some(12));
+    // one part: a pentagram, whose beams run through one another, and a pentagon
+    assert!(refused(&[ring(2)]).is_some());
+    assert_eq!(refused(&[ring(1)]), None);
+    // a sheet across a wall, and across another sheet, has table on both sides
+    let flat = |[a, b]: [usize; 2]| {
+        let corners = [[0.5, 0.5], [1.5, 0.5], [1.5, -0.5], [0.5, -0.5]].map(|way| {
+            let mut v = [0.0, 0.25, 0.0];
+            (v[a], v[b]) = (way[0], way[1]);
+            v
+        });
+        (corners.into(), vec![[0, 1, 2], [0, 2, 3], [3, 2, 1], [3, 1, 0]])
+    };
+    assert_eq!(refused(&[cube(0.0, 1.0), flat([0, 2])]), None);
+    assert_eq!(refused(&[flat([0, 1]), flat([0, 2])]), None);
+}

@@ -1,5 +1,6 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
 mod convex;
+mod crossings;
 mod exposed;
 mod manifold;
 mod rim;
@@ -189,6 +190,9 @@ impl Mesh {
             Mesh { vertices, triangles, normals, edges, tree, behind, sheets, slack, closed, outside, size, near };
         mesh.check_shells(&shell, &numbers)?;
         mesh.mark_two_sided();
+        if closed && !loose {
+            mesh.check_crossings(&numbers)?;
+        }
         Ok(mesh)
     }
 

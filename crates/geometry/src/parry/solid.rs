@@ -95,10 +95,10 @@ impl Solid {
     ///
     /// # Errors
     /// [`Error::Shape`] for shapes without volume (segments, polylines, single triangles; give them a border), obstacles no thicker than
-    /// the rounding of their coordinates, and the inside of a compound with members that are not convex; [`Error::Triangle`] for triangles of a mesh that do not form a
-    /// surface or are not oriented alike, and closed meshes with contradictory parts; [`Error::Length`] for a size, or a greatest coordinate
-    /// of the boundary, that is not between 10⁻¹⁵⁰ and 10¹⁵⁰, since squares would over- or underflow, and for a border that is not positive
-    /// or is wider than that; [`Error::Parameter`] for a
+    /// the rounding of their coordinates, and the inside of a compound with members that are not convex; [`Error::Triangle`] for
+    /// triangles of a mesh that do not form a surface or are not oriented alike, and closed meshes with contradictory parts or that run
+    /// through themselves; [`Error::Length`] for a size, or a greatest coordinate of the boundary, that is not between 10⁻¹⁵⁰ and 10¹⁵⁰,
+    /// since squares would over- or underflow, and for a border that is not positive or is wider than that; [`Error::Parameter`] for a
     /// translation that is not finite.
     pub fn new(shape: &dyn Shape, pose: &Isometry3<f64>, side: Side) -> Result<Solid, Error> {
         finite("translation", &pose.translation.vector)?;

@@ -40,7 +40,8 @@ impl Mesh {
     /// body again.
     ///
     /// So around the points of a part the others wind 0 times if it is a body and once if it is a cavity. Points that
-    /// lie on others decide nothing, nor do parts that enclose nothing.
+    /// lie on others decide nothing, nor do parts that enclose nothing. Where no triangle of another part is near, one
+    /// point speaks for all.
     ///
     /// # Errors
     /// [`Error::Triangle`] with one of these `numbers`.
@@ -63,14 +64,21 @@ impl Mesh {
             if volume == 0.0 {
                 continue;
             }
+            let mut is_decided = false;
             for &k in &part.members {
+                if is_decided && !self.is_near_others(k, shell) {
+                    continue;
+                }
                 let [a, b, c] = self.corners(k);
                 for point in [a, b, c, (a + b + c) / 3.0] {
                     let Some(around) = self.winding_of_others(&parts, &boxes, part.first, shell, &point) else {
                         continue;
                     };
                     let problem = match (volume > 0.0, outwards * around) {
-                        (true, 0) | (false, 1) => continue,
+                        (true, 0) | (false, 1) => {
+                            is_decided = true;
+                            continue;
+                        }
                         (false, 0) => {
                             "belongs to a part of the surface that is inside out: reverse all triangles of that part"
                         }
@@ -84,6 +92,13 @@ impl Mesh {
             }
         }
         Ok(())
+    }
+
+    /// Whether the box around a triangle meets that around a triangle of another part.
+    fn is_near_others(&self, k: usize, shell: &[usize]) -> bool {
+        let (extent, mut found) = (Extent::of(self.corners(k)), false);
+        self.tree.search(|e| e.meets(&extent, self.slack), |other| found |= shell[other] != shell[k]);
+        found
     }
 
     /// How often all parts except one wind around a point; `None` if it lies on one of them, within rounding.

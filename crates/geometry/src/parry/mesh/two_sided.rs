@@ -44,21 +44,19 @@ impl Mesh {
         self.triangles[k].map(|v| self.vertices[v])
     }
 
+    /// Whether two triangles coincide, at least in part, and have the table on opposite sides.
+    pub(super) fn are_back_to_back(&self, k: usize, j: usize) -> bool {
+        let normals = [&self.normals[k], &self.normals[j]];
+        normals[0].dot(normals[1]) < 0.0 && overlap(&self.corners(k), &self.corners(j), normals, self.slack)
+    }
+
     /// The triangles that coincide, at least in part, with another one that has the table on the other side.
     ///
     /// `n log n` operations for triangles in general position.
     fn doubles(&self) -> Vec<usize> {
         let is_double = |&k: &usize| {
-            let (corners, normal, mut found) = (self.corners(k), &self.normals[k], false);
-            let extent = Extent::of(corners);
-            self.tree.search(
-                |e| e.meets(&extent, self.slack),
-                |j| {
-                    found = found
-                        || (normal.dot(&self.normals[j]) < 0.0
-                            && overlap(&corners, &self.corners(j), [normal, &self.normals[j]], self.slack));
-                },
-            );
+            let (extent, mut found) = (Extent::of(self.corners(k)), false);
+            self.tree.search(|e| e.meets(&extent, self.slack), |j| found = found || self.are_back_to_back(k, j));
             found
         };
         (0..self.triangles.len()).filter(is_double).collect()
