@@ -275,3 +275,40 @@ fn a_surface_that_runs_through_itself_is_refused() {
     assert_eq!(refused(&[cube(0.0, 1.0), flat([0, 2])]), None);
     assert_eq!(refused(&[flat([0, 1]), flat([0, 2])]), None);
 }
+
+/// A path from one point towards another.
+fn towards(from: [f64; 3], to: [f64; 3]) -> Line<3> {
+    Line { point: from.into(), velocity: Vector3::from(to) - Vector3::from(from) }
+}
+
+#[test]
+fn whether_a_vertex_is_a_corner_does_not_depend_on_the_order_of_triangles() {
+    // a cube with a triangle of its lid that meets the edges in vertices only
+    let (mut vertices, mut triangles) = cube(0.0, 1.0);
+    triangles.retain(|t| !t.contains(&7) && !t.iter().all(|v| vertices[*v][2] > 0.0));
+    vertices.extend([[1.0, 0.0, 1.0], [0.0, 1.0, 1.0]]);
+    triangles.extend([[4, 8, 9], [4, 5, 8], [8, 7, 9], [4, 9, 6]]);
+    triangles.extend([[1, 3, 8], [1, 8, 5], [3, 7, 8], [3, 2, 9], [3, 9, 7], [2, 6, 9]]);
+    for first in 0..triangles.len() {
+        triangles.rotate_left(1);
+        let room = together(vec![(vertices.clone(), triangles.clone())]).solid([0.0; 3], Side::Inside).unwrap();
+        for to in [[-1.0, -1.0, 1.0], [1.0, 0.0, 1.0], [0.0, 1.0, 1.0]] {
+            assert!(room.first_hit(&towards([0.25, -0.5, 0.125], to)).unwrap().corner, "{first} {to:?}");
+        }
+        assert!(!room.first_hit(&towards([0.25, -0.5, 0.125], [0.0, 0.0, 1.0])).unwrap().corner);
+    }
+    // a wedge, and a pyramid, that stand on a cube by an edge or a vertex
+    let wedge =
+        [[0.0, -0.5, 1.0], [0.3, -0.5, 1.3], [-0.3, -0.5, 1.3], [0.0, 0.5, 1.0], [0.3, 0.5, 1.3], [-0.3, 0.5, 1.3]];
+    let wedge: Triangles =
+        (wedge.into(), vec![[0, 1, 2], [3, 5, 4], [0, 3, 4], [0, 4, 1], [1, 4, 5], [1, 5, 2], [2, 5, 3], [2, 3, 0]]);
+    let pyramid = [[0.0, 0.125, 1.0], [0.2, -0.075, 1.3], [0.2, 0.325, 1.3], [-0.2, 0.125, 1.3]];
+    let pyramid: Triangles = (pyramid.into(), vec![[0, 1, 3], [0, 2, 1], [0, 3, 2], [1, 2, 3]]);
+    for upon in [wedge, pyramid] {
+        for parts in [vec![cube(0.0, 1.0), upon.clone()], vec![upon, cube(0.0, 1.0)]] {
+            let solid = together(parts).solid([0.0; 3], Side::Outside).unwrap();
+            assert!(solid.first_hit(&towards([-0.5, 0.125, 1.25], [0.0, 0.125, 1.0])).unwrap().corner);
+            assert!(!solid.first_hit(&towards([-0.5, 0.125, 1.25], [-1e-9, 0.125, 1.0])).unwrap().corner);
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Triangle meshes in space: watertight, one-sided, through a tree of boxes.
 mod convex;
+mod corner;
 mod crossings;
 mod exposed;
 mod manifold;
@@ -17,6 +18,7 @@ use crate::{
     plane::{is_finite, slack},
     walls::CORNER,
 };
+use corner::Meetings;
 use lanes::{Double, two_sum};
 use nalgebra::Vector3;
 pub(crate) use rim::OnRim;
@@ -33,6 +35,8 @@ pub(crate) struct Mesh {
     pub(crate) normals: Vec<Vector3<f64>>,
     /// Whether the side from corner `k` to corner `k + 1` is an edge: another normal or nothing on its other side.
     edges: Vec<[bool; 3]>,
+    /// Where it may meet other edges.
+    meetings: Vec<Meetings>,
     tree: BoxTree<3>,
     /// Minus the distance by which a start may lie behind through rounding. For two-sided triangles, the distance by which it must lie
     /// in front.
@@ -185,10 +189,24 @@ impl Mesh {
         let tree = BoxTree::new(triangles.iter().map(|t| Extent::of(t.map(|v| vertices[v]))));
         let (slack, near) = (slack([size]), CORNER * size);
         let behind = vec![-slack; triangles.len()];
-        let sheets = None;
-        let mut mesh =
-            Mesh { vertices, triangles, normals, edges, tree, behind, sheets, slack, closed, outside, size, near };
+        let (meetings, sheets) = (vec![], None);
+        let mut mesh = Mesh {
+            vertices,
+            triangles,
+            normals,
+            edges,
+            meetings,
+            tree,
+            behind,
+            sheets,
+            slack,
+            closed,
+            outside,
+            size,
+            near,
+        };
         mesh.check_shells(&shell, &numbers)?;
+        mesh.mark_meetings();
         mesh.mark_two_sided();
         if closed && !loose {
             mesh.check_crossings(&numbers)?;
@@ -240,14 +258,8 @@ impl Mesh {
     /// A point projected onto a triangle's plane, and whether it lies on an edge of the surface, within rounding, or where another,
     /// two-sided triangle meets it.
     pub(crate) fn land(&self, k: usize, point: &Vector3<f64>) -> (Vector3<f64>, bool) {
-        let corners = self.triangles[k].map(|v| self.vertices[v]);
         let normal = &self.normals[k];
-        let point = point - normal * normal.dot(&(point - corners[0]));
-        let on_edge = |i: usize| {
-            let (a, b) = (corners[i], corners[(i + 1) % 3]);
-            let along = b - a;
-            self.edges[k][i] && (along / along.norm()).cross(&(point - a)).norm() <= self.near
-        };
-        (point, (0..3).any(on_edge) || self.meets_a_sheet(&point, normal))
+        let point = point - normal * normal.dot(&(point - self.vertices[self.triangles[k][0]]));
+        (point, self.is_corner(k, &point) || self.meets_a_sheet(&point, normal))
     }
 }
