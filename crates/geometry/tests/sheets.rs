@@ -381,3 +381,31 @@ fn above_a_face_of_a_mesh_the_normal_is_exactly_that_of_the_face() {
         }
     }
 }
+
+#[test]
+fn a_box_no_thicker_than_rounding_is_a_wall_on_both_sides() {
+    let about = |[i, j]: [usize; 2], mut p: Vector3<f64>| {
+        (p[i], p[j]) = (0.8 * p[i] - 0.6 * p[j], 0.6 * p[i] + 0.8 * p[j]);
+        p
+    };
+    let turned = |p: Vector3<f64>| about([1, 2], about([0, 1], p));
+    let as_is = |p: Vector3<f64>| p;
+    for (which, place) in [&as_is as Motion, &turned].into_iter().enumerate() {
+        for k in 1..80 {
+            let (vertices, triangles) = cuboid([-0.5, -0.5, 0.0], [0.5, 0.5, 1e-16 * f64::from(k)]);
+            let vertices = vertices.into_iter().map(|p| place(p.into()).into()).collect();
+            let Ok(thin) = (SolidSpec::TriMesh { vertices, triangles, margin: 0.0 }).solid([0.0; 3], Side::Outside)
+            else {
+                continue;
+            };
+            for side in [-1.0, 1.0] {
+                let start = Vector3::new(0.1, 0.2, 0.6 * side);
+                let path = Line { point: place(start), velocity: place(Vector3::new(0.05, 0.1, -side)) };
+                let hit = thin.first_hit(&path).unwrap();
+                assert!((hit.time - 0.6).abs() < 1e-14 && !hit.corner, "{which} {k} {side}: {hit:?}");
+                let next = thin.first_hit(&reflected(&hit, &path.velocity));
+                assert!(next.is_none(), "{which} {k} {side}: {hit:?} {next:?}");
+            }
+        }
+    }
+}

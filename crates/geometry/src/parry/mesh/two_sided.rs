@@ -7,6 +7,10 @@ use nalgebra::Vector3;
 /// the triangle, one for the point, and a half for the rounding of a start there.
 const BAND: f64 = 2.5;
 
+/// Two triangles are one wall where they are no farther apart than this many times the surface's [`slack`]: a path that starts on one may
+/// do so a slack behind the other and still hit it, and the start is rounded by up to a half.
+const THICKNESS: f64 = 1.5;
+
 /// Unit normals that differ by less than this, or are opposite to within this, belong to one wall.
 pub(super) const SAME: f64 = 1e-9;
 
@@ -17,11 +21,11 @@ pub(super) struct Sheets {
     pub(super) tree: BoxTree<3>,
 }
 
-/// Whether two triangles lie in one plane, up to rounding of vertices, and share more than an edge.
+/// Whether two triangles lie in one plane, up to rounding of vertices and of starts, and share more than an edge.
 ///
 /// Two triangles in a plane are disjoint if a line along one of their six sides separates them.
 fn overlap(a: &[Vector3<f64>; 3], b: &[Vector3<f64>; 3], normals: [&Vector3<f64>; 2], slack: f64) -> bool {
-    let rounding = 0.25 * slack;
+    let rounding = THICKNESS * slack;
     let flat = |of: &[Vector3<f64>; 3], n: &Vector3<f64>, on: &[Vector3<f64>; 3]| {
         of.iter().all(|p| n.dot(&(p - on[0])).abs() <= rounding)
     };
