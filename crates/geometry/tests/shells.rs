@@ -312,3 +312,66 @@ fn whether_a_vertex_is_a_corner_does_not_depend_on_the_order_of_triangles() {
         }
     }
 }
+
+/// A prism, turned, whose ends are fans of triangles about one of their vertices.
+fn prism(sides: usize) -> Triangles {
+    let turned =
+        |[x, y, z]: [f64; 3]| [0.36 * x + 0.48 * y - 0.8 * z, -0.8 * x + 0.6 * y, 0.48 * x + 0.64 * y + 0.6 * z];
+    let ring = |z: f64| {
+        (0..sides).map(move |k| {
+            let (sin, cos) = libm::sincos(core::f64::consts::TAU * k as f64 / sides as f64);
+            turned([cos, sin, z])
+        })
+    };
+    let ends = (1..sides - 1).flat_map(|k| [[0, k + 1, k], [sides, sides + k, sides + k + 1]]);
+    let walls = (0..sides).flat_map(|k| {
+        let next = (k + 1) % sides;
+        [[k, next, sides + next], [k, sides + next, sides + k]]
+    });
+    (ring(-0.5).chain(ring(0.5)).collect(), ends.chain(walls).collect())
+}
+
+#[test]
+fn the_point_of_a_collision_is_on_the_surface_however_narrow_its_triangles_are() {
+    let room = together(vec![prism(512)]).solid([0.0; 3], Side::Inside).unwrap();
+    let mut path = towards([0.01, 0.02, 0.03], [0.61, 0.39, 0.73]);
+    for k in 0..1000 {
+        let hit = room.first_hit(&path).unwrap();
+        assert!(!hit.corner, "{k}");
+        let off = room.distance(&hit.point);
+        assert!(off.abs() <= room.slack(&hit.point), "{k}: {off:e}");
+        let v = path.velocity;
+        path = Line { point: hit.point, velocity: (v - hit.normal * (2.0 * hit.normal.dot(&v))).normalize() };
+    }
+}
+
+#[test]
+fn where_a_small_ball_touches_an_edge_the_normal_is_that_of_the_collision() {
+    // a body with sharp and blunt edges
+    let corners = vec![
+        [-0.26, 0.04, -0.74],
+        [-0.65, -0.47, -0.27],
+        [-0.53, -0.33, -0.14],
+        [-0.45, 0.0, 0.31],
+        [0.12, 0.39, 0.81],
+    ];
+    let solid = (corners, vec![[1, 4, 2], [0, 1, 2], [0, 4, 1], [3, 2, 4], [3, 0, 2], [3, 4, 0]]);
+    let edges = [[0, 1], [0, 2], [0, 3], [0, 4], [1, 2], [1, 4], [2, 3], [2, 4], [3, 4]];
+    for radius in [1e-3, 1e-5, 1e-7] {
+        let spec = together(vec![solid.clone()]);
+        let kept = spec.parallel(Side::Outside, radius).unwrap().0.solid([0.0; 3], Side::Outside).unwrap();
+        for (edge, ends) in edges.into_iter().enumerate() {
+            let [a, b] = ends.map(|k: usize| Vector3::from(solid.0[k]));
+            for k in 0..200 {
+                let aim = a + (b - a) * (0.1 + 0.004 * f64::from(k));
+                let (sin, cos) = libm::sincos(f64::from(k));
+                let from = aim * 10.0 + Vector3::new(cos, sin, 0.5 * (sin - cos));
+                let Some(hit) = kept.first_hit(&Line { point: from, velocity: aim - from }) else { continue };
+                let seen = kept.closest(&hit.point);
+                // a rounding of the point turns the normal by that over the radius
+                let turned = (seen.normal - hit.normal).norm();
+                assert!(turned <= 16.0 * f64::EPSILON / radius, "{radius:e} {edge} {k}: {turned:e}");
+            }
+        }
+    }
+}

@@ -22,6 +22,7 @@ use corner::Meetings;
 use lanes::{Double, two_sum};
 use nalgebra::Vector3;
 pub(crate) use rim::OnRim;
+pub(crate) use side::Nearest;
 use std::collections::{HashMap, HashSet};
 use two_sided::Sheets;
 

@@ -3,6 +3,7 @@ pub(super) mod area;
 pub(super) mod bound;
 mod convex;
 mod field;
+mod nearest;
 mod parallel;
 mod rim;
 mod rounded;
@@ -415,10 +416,7 @@ impl Body {
             }
             Body::Rounded(rounded) => return rounded.closest(point, side),
             Body::Parallel(parallel) => return parallel.closest(point),
-            Body::Mesh(mesh, distance) => {
-                let (foot, normal, distance) = mesh.beside(point, distance.closest(point));
-                return Closest { distance, point: foot, normal };
-            }
+            Body::Mesh(mesh, distance) => return nearest::closest(mesh, distance, point),
             Body::Distance(distance) => distance,
         };
         let (foot, normal, distance) = distance.closest(point);

@@ -3,8 +3,17 @@ use super::{Mesh, two_sided::SAME, winding::Surface};
 use crate::plane::slack;
 use nalgebra::Vector3;
 
-/// A foot found by parry lies on its triangle to within this fraction of the size.
+/// The nearest point of a triangle lies on it to within this fraction of the size.
 pub(super) const FOUND: f64 = 1e-12;
+
+/// The triangle nearest to a point: the nearest point of it, the unit vector from there to the point, or the normal of the side on which
+/// the point lies, and the distance.
+pub(crate) struct Nearest {
+    pub(crate) triangle: usize,
+    pub(crate) foot: Vector3<f64>,
+    pub(crate) towards: Vector3<f64>,
+    pub(crate) height: f64,
+}
 
 impl Mesh {
     pub(super) fn surface(&self) -> Surface<'_> {
@@ -12,46 +21,44 @@ impl Mesh {
         Surface { vertices, triangles, normals, tree }
     }
 
-    /// Corrects foot, unit normal there and distance of a point, as determined from the triangles through the foot: where
-    /// one of these has the table on both sides, the point belongs to the triangle that faces it. A point on triangles between which
-    /// there is no table has the normal 0.
+    /// The closest point, unit normal there and distance of a point, given the view of the nearest triangle: where several pass through
+    /// the foot, and one of these has the table on both sides, the point belongs to the triangle that faces it. A point on triangles
+    /// between which there is no table has the normal 0.
     ///
     /// For a closed surface the winding number around the point decides whether it lies in the table at all: two solid
     /// bodies may touch, and a triangle as narrow as rounding, whose normal is arbitrary, may otherwise spoil the side of
-    /// all points nearest to its edges.
+    /// all points nearest to its edges. For an open one, `is_in_front` says whether the point is in front of it.
     pub(crate) fn beside(
         &self,
         point: &Vector3<f64>,
-        (foot, normal, distance): (Vector3<f64>, Vector3<f64>, f64),
+        Nearest { triangle, foot, towards, height }: Nearest,
+        is_in_front: bool,
     ) -> (Vector3<f64>, Vector3<f64>, f64) {
-        let away = point - foot;
-        let size = away.norm();
+        let away = towards * height;
         let rounding = slack([self.size, point.amax()]);
-        let is_on_it = size <= rounding;
-        let (mut nearest, mut height, mut hidden) = (None, f64::NEG_INFINITY, false);
+        let is_on_it = height <= rounding;
+        let (mut facing, mut highest, mut hidden) = (None, f64::NEG_INFINITY, false);
         self.on_sheets(&foot, FOUND * self.size, |k| {
             let this = self.normals[k].dot(&away);
             if is_on_it && !self.is_exposed(k, &foot) {
                 hidden = true;
-            } else if this > height {
-                (nearest, height) = (Some(k), this);
+            } else if this > highest {
+                (facing, highest) = (Some(k), this);
             }
         });
-        let (normal, distance) = match nearest {
-            None if hidden => return (foot, Vector3::zeros(), -size),
-            None => {
-                if !self.closed || size == 0.0 || self.is_in_table(point, &normal) == (distance > 0.0) {
-                    (normal, distance)
-                } else {
-                    (if is_on_it { normal } else { away / size.copysign(-distance) }, -distance)
-                }
-            }
-            Some(k) => {
-                let in_table = if self.closed { self.is_in_table(point, &self.normals[k]) } else { height >= 0.0 };
-                let distance = if in_table { size } else { -size };
-                (if is_on_it { self.normals[k] } else { away / size.copysign(distance) }, distance)
-            }
+        if facing.is_none() && hidden {
+            return (foot, Vector3::zeros(), -height);
+        }
+        let wall = &self.normals[facing.unwrap_or(triangle)];
+        let is_in_table = if self.closed {
+            self.is_in_table(point, wall)
+        } else if facing.is_some() {
+            highest >= 0.0
+        } else {
+            is_in_front
         };
+        let distance = if is_in_table { height } else { -height };
+        let normal = if is_on_it { *wall } else { towards * 1.0_f64.copysign(distance) };
         let of_face = self.normal_of_face(&foot, &away, rounding);
         (foot, of_face.map_or(normal, |face| face * 1.0_f64.copysign(face.dot(&normal))), distance)
     }

@@ -3,6 +3,7 @@ use super::{
     super::{distance::Distance, mesh::Mesh},
     Closest,
     bound::{Aim, Bound},
+    nearest::{closest, nearest},
     rounded::{Foot, Plate, Rounded},
     strata::{Stratum, strata},
 };
@@ -151,12 +152,13 @@ impl Parallel {
 
     /// Whether a point lies no nearer to any triangle than the margin, on whichever side.
     pub(super) fn is_clear(&self, point: &Vector3<f64>) -> bool {
-        self.distance.probe(point).distance.abs() >= self.margin - self.slack
+        let guess = self.distance.probe(point).distance;
+        nearest(&self.mesh, guess, point).height >= self.margin - self.slack
     }
 
     pub(super) fn closest(&self, point: &Vector3<f64>) -> Closest {
-        let (foot, normal, distance) = self.mesh.beside(point, self.distance.closest(point));
-        Closest { distance: distance - self.margin, point: foot + normal * self.margin, normal }
+        let Closest { distance, point, normal } = closest(&self.mesh, &self.distance, point);
+        Closest { distance: distance - self.margin, point: point + normal * self.margin, normal }
     }
 
     /// A box around it.

@@ -32,8 +32,8 @@ pub(in crate::parry) use plate::Plate;
 /// A surface as seen from a point: the height of the point above it, negative below, and the outward unit normal at the foot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::parry) struct View {
-    height: f64,
-    normal: Vector3<f64>,
+    pub(super) height: f64,
+    pub(super) normal: Vector3<f64>,
 }
 
 impl View {

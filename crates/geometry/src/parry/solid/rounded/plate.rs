@@ -12,7 +12,7 @@ pub(in crate::parry) struct Plate(Facet);
 
 impl Plate {
     /// The triangle with these corners and this unit normal of its plane.
-    pub(super) fn new(corners: [Vector3<f64>; 3], normal: Vector3<f64>) -> Plate {
+    pub(in crate::parry::solid) fn new(corners: [Vector3<f64>; 3], normal: Vector3<f64>) -> Plate {
         Plate(Facet::new(corners, normal))
     }
 
