@@ -184,11 +184,8 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         orbit.position = hit.point;
         let normal_speed = dot(&orbit.velocity, &hit.normal);
         let reverses = self.law.is_strict();
-        let (owed, before) = if reverses {
-            (*owed, slow)
-        } else {
-            (orbit.keeper.rounded_off(*owed), taxicab(&orbit.velocity) * ROUNDED)
-        };
+        let (owed, before) =
+            if reverses { (*owed, slow) } else { (orbit.keeper.rounded_off(*owed), taxicab(&orbit.velocity)) };
         let arrived = Arrived { owed, normal_speed, reverses };
         if self.walls.is_along_axes() {
             self.law.collide_along_axis(hit, &mut orbit.velocity, &mut orbit.spin);
@@ -209,8 +206,9 @@ impl<W: Walls<N>, L: BallLaw<N, S>, const N: usize, const S: usize> Motion<N, S>
         // a ball that a law leaves moving into the wall counts as flat, too
         *leaving = dot(&orbit.velocity, &hit.normal) * hit.inverse;
         let after = taxicab(&orbit.velocity);
-        let flat = !(after * ROUNDED).max(before).lt(*leaving);
-        flat | creeps(hit, [normal_speed * hit.inverse, *leaving], after) | has_stalled(&orbit.velocity)
+        let flat = !(after.max(before) * ROUNDED).lt(*leaving);
+        let speeds = [normal_speed * hit.inverse, *leaving];
+        flat | creeps(hit, speeds, [before, after]) | has_stalled(&orbit.velocity)
     }
     fn slow(&self, velocity: &[f64; N], spin: &[f64; S]) -> f64 {
         slow(self.law, velocity, spin)

@@ -1,21 +1,52 @@
 //! Motion along a wall, and past its end, within rounding.
 use crate::energy::taxicab;
 use geometry::{WallHit, Walls};
-use lanes::{Lane, dot};
+use lanes::{Lane, Mask, dot};
 
-/// A normal speed up to this fraction of the speed may be that of a particle which follows a focusing wall: a chord at this angle rises
-/// above the wall by no more than the rounding of positions.
+/// A chord of a round wall at up to this angle (normal speed as a fraction of the speed) rises above the wall by no more than the rounding
+/// of positions, if the radius is as large as these.
 const FLAT: f64 = 1.0 / 33_554_432.0; // 2⁻²⁵
+
+/// A particle may follow a focusing wall at up to this angle: chords at larger ones rise by more than rounding, unless the origin is a
+/// billion radii of curvature away.
+const ALONG: f64 = 1.0 / 1024.0;
 
 /// A particle may be on a wall if it is no farther from it than this fraction of its coordinates.
 const NEAR: f64 = 4.0 * f64::EPSILON;
 
-/// Whether a particle that a law has slowed down creeps along a focusing wall: it came from that wall on a flight that rose above it by
-/// no more than rounding, and leaves it at as flat an angle, judged by the normal speeds of arrival and departure and the [`taxicab`] norm
-/// of the velocity of departure, its `size`. From then on rounding determines the lengths of chords, but on round walls.
+/// A chord below rounding may follow one that rises this many times as high: a law that leaves 2⁻¹⁰ of the normal speed reduces the rise
+/// by the square of that. Flights from other walls rise by more, except next to vertices.
+const REDUCED: f64 = 1_048_576.0; // 2²⁰
+
+/// Whether a particle that a law has slowed down creeps along a focusing wall: it came along that wall, and its next chord rises above it by
+/// no more than rounding, judged by the normal speeds of arrival and departure and the [`taxicab`] norms of the velocities, its `sizes`. From
+/// then on rounding determines the lengths of chords, and whether they are found.
 #[inline(always)]
-pub(crate) fn creeps<F: Lane, const N: usize>(hit: &WallHit<F, N>, [arrival, leaving]: [F; 2], size: F) -> F::Mask {
+pub(crate) fn creeps<F: Lane, const N: usize>(
+    hit: &WallHit<F, N>,
+    [arrival, leaving]: [F; 2],
+    sizes: [F; 2],
+) -> F::Mask {
     // how far it rose is a fourth of this
+    let rise = hit.time * arrival.abs();
+    let near = taxicab(&hit.point) * NEAR;
+    let along = leaving.lt(sizes[1] * ALONG) & rise.lt(near * REDUCED);
+    if !along.any() {
+        return along;
+    }
+    let [came, leaves] = [arrival.abs() / sizes[0], leaving / sizes[1]];
+    // chords rise as the squares of their angles, and the point from which the next one starts may lie as far behind the wall
+    let rises = (near * 2.0 * (came * came)).lt(rise * (leaves * leaves));
+    along & came.lt(came.same(ALONG)) & !rises
+}
+
+/// The same on a round wall, in whose own frame chords are found at any angle: both rise by no more than rounding.
+#[inline(always)]
+pub(crate) fn creeps_around<F: Lane, const N: usize>(
+    hit: &WallHit<F, N>,
+    [arrival, leaving]: [F; 2],
+    size: F,
+) -> F::Mask {
     let rise = hit.time * arrival.abs();
     leaving.lt(size * FLAT) & rise.lt(taxicab(&hit.point) * NEAR)
 }

@@ -1,7 +1,7 @@
 //! The billiard map in the frame of the wall, where the walls look the same from everywhere.
 use crate::{
     billiard::{BallLaw, Motion, slow},
-    creep::creeps,
+    creep::creeps_around,
     energy::{EnergyKeeper, LITTLE, MOST},
     laws::Mirror,
     orbit::Orbit,
@@ -275,7 +275,7 @@ impl<W: Homogeneous, L: BallLaw<2, 1>> Motion<2, 1> for Rolling<'_, W, L> {
         let after = leaving.abs() + tangential.abs();
         let before = arrival.abs() + chord.tangential.abs();
         let flat = !(after.max(before) * ROUNDED).max(after.same(LEAST)).lt(leaving);
-        if W::ROUND { flat | creeps(hit, [arrival, leaving], after) } else { flat }
+        if W::ROUND { flat | creeps_around(hit, [arrival, leaving], after) } else { flat }
     }
     fn slow(&self, velocity: &[f64; 2], spin: &[f64; 1]) -> f64 {
         slow(self.law, velocity, spin)
