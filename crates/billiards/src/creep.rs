@@ -18,6 +18,10 @@ const NEAR: f64 = 4.0 * f64::EPSILON;
 /// by the square of that. Flights from other walls rise by more, except next to vertices.
 const REDUCED: f64 = 1_048_576.0; // 2²⁰
 
+/// A velocity is turned by these to find the wall that it is along: the least turn is far more than [`FLAT`], and where it is less than
+/// rounding, since the wall is far from the origin, another one is not. Short pieces of wall are left by larger turns.
+const TURNS: [f64; 3] = [1.0 / 1_048_576.0, 1.0 / 32_768.0, ALONG]; // 2⁻²⁰, 2⁻¹⁵, 2⁻¹⁰
+
 /// Whether a particle that a law has slowed down creeps along a focusing wall: it came along that wall, and its next chord rises above it by
 /// no more than rounding, judged by the normal speeds of arrival and departure and the [`taxicab`] norms of the velocities, its `sizes`. From
 /// then on rounding determines the lengths of chords, and whether they are found.
@@ -56,10 +60,23 @@ pub(crate) fn creeps_around<F: Lane, const N: usize>(
 #[cold]
 #[inline(never)]
 pub(crate) fn follows<W: Walls<N>, const N: usize>(walls: &W, position: &[f64; N], velocity: &[f64; N]) -> bool {
-    axes().filter_map(|axis| wall_there(walls, position, &turned(velocity, &axis))).any(|(normal, piece)| {
-        let again = walls.first_hit(position, &turned(velocity, &normal));
-        dot(velocity, &normal).abs() <= taxicab(velocity) * FLAT && again.time < f64::INFINITY && again.piece == piece
+    TURNS.into_iter().any(|turn| {
+        let mut beside = axes().filter_map(|axis| wall_there(walls, position, &turned(velocity, &axis, turn)));
+        beside.any(|(normal, piece)| {
+            let inwards = turned(velocity, &normal, turn);
+            let again = walls.first_hit(position, &inwards);
+            again.time < f64::INFINITY
+                && again.piece == piece
+                && is_along(&again, [velocity, &inwards].map(|v| dot(v, &normal).abs()), velocity)
+        })
     })
+}
+
+/// Whether a path of this velocity is along the wall to which another one comes back, given the normal speeds of both: its chord rises by no
+/// more than rounding. One that starts up to [`NEAR`] behind a wall misses it if a fourth of `rise` is less than that.
+fn is_along<const N: usize>(again: &WallHit<f64, N>, [leaving, turned]: [f64; 2], velocity: &[f64; N]) -> bool {
+    let rise = again.time * leaving * (leaving / turned);
+    leaving <= taxicab(velocity) * FLAT || rise <= taxicab(&again.point) * (4.0 * NEAR)
 }
 
 /// Whether a path that meets no wall starts on one, within rounding, and would meet another had it started a little farther inside: it ends
@@ -94,8 +111,8 @@ fn wall_there<W: Walls<N>, const N: usize>(
     (hit.time * dot(direction, &normal).abs() <= taxicab(position) * NEAR).then_some((normal, hit.piece))
 }
 
-/// A velocity turned by 2⁻²⁰: far more than [`FLAT`], and still along a wall that it is along.
-fn turned<const N: usize>(velocity: &[f64; N], by: &[f64; N]) -> [f64; N] {
-    let turn = taxicab(velocity) / 1_048_576.0;
+/// A velocity turned by about this angle towards a unit vector.
+fn turned<const N: usize>(velocity: &[f64; N], by: &[f64; N], angle: f64) -> [f64; N] {
+    let turn = taxicab(velocity) * angle;
     core::array::from_fn(|i| velocity[i] + turn * by[i])
 }

@@ -5,7 +5,7 @@ use billiards::geometry::{
     Piece, Table, Vector2,
     shapes::curve::{Interval, ParametricCurve, ParametricFormula, Polar, PolarFormula},
 };
-use billiards::laws::Disk;
+use billiards::laws::{Disk, Specular};
 use billiards::observe::{Collision, Observer};
 use billiards::{Canonical, Collisions, Orbit, Planar, Start, Starts, Stop};
 use core::{f64::consts::PI, ops::ControlFlow};
@@ -155,5 +155,38 @@ fn how_creeping_ends_depends_neither_on_the_unit_of_length_nor_on_other_orbits()
             beside.insert(f.index, (f.orbit, f.outcome));
         });
         assert_eq!(beside.into_values().collect::<Vec<_>>(), alone);
+    }
+}
+
+/// `r = 1.75 + 0.03125 cos 3φ`: convex, and no circle.
+#[derive(Clone, Debug)]
+struct Trefoil;
+
+impl PolarFormula for Trefoil {
+    fn jet(&self, angle: f64) -> [f64; 3] {
+        let (sin, cos) = libm::sincos(3.0 * angle);
+        [1.75 + 0.03125 * cos, -0.09375 * sin, -0.28125 * cos]
+    }
+    fn jet_over(&self, angle: Interval) -> [Interval; 3] {
+        let [sin, cos] = (angle * 3.0).sin_cos();
+        [cos * 0.03125 + 1.75, sin * -0.09375, cos * -0.28125]
+    }
+}
+
+#[test]
+fn who_starts_along_a_smooth_curve_meets_no_corner_however_far_from_the_origin() {
+    for center in OFFSETS {
+        let curve = Polar::new(Vector2::repeat(center), Trefoil, true).unwrap();
+        let starts: Vec<_> = (0..48).map(|k| curve.landing_at(curve.length() * (f64::from(k) / 48.0))).collect();
+        let billiard = Planar { table: Table::new(curve.pieces()).unwrap(), law: Specular };
+        for slope in [1e-8, 1e-7, 3e-7, 1e-6] {
+            for start in &starts {
+                let [n1, n2] = start.normal.into();
+                let velocity = [n2 + slope * n1, slope * n2 - n1];
+                let mut orbit: Orbit<f64, 2, 1> = Orbit::new(start.point.into(), velocity, [0.0], ());
+                let stop = billiard.run(&mut orbit, &Collisions(50), &mut ()).stop;
+                assert!(matches!(stop, Stop::Grazing | Stop::Finished), "{center} {slope:e} {start:?}: {stop:?}");
+            }
+        }
     }
 }
