@@ -8,9 +8,16 @@ fn few_and_list(pieces: &[(usize, std::sync::Arc<dyn Piece>)], corners: &[Vector
     (Few::new(&shapes, corners), List::new(pieces.to_vec(), corners))
 }
 
+/// What a hit is, to the last bit: the signs of zeros are different bits.
+fn bits(hit: Option<geometry::Hit<2>>) -> Option<(usize, bool, [u64; 5])> {
+    let geometry::Hit { time, point, normal, piece, corner } = hit?;
+    Some((piece, corner, [time, point.x, point.y, normal.x, normal.y].map(f64::to_bits)))
+}
+
 fn assert_same_hits(name: &str, few: &Few, list: &List, paths: &[Line<2>]) {
     for path in paths {
-        assert_eq!(few.hit(path), list.hit(path), "{name}: {path:?}");
+        let (together, alone) = (few.hit(path), list.hit(path));
+        assert_eq!(bits(together), bits(alone), "{name}: {path:?} {together:?} {alone:?}");
     }
     SameBits { name, paths }.run(few);
 }

@@ -1,9 +1,11 @@
 //! Convex solids as intersections of half-spaces, balls, tubes and cones: exact chords.
+mod standing;
+
 use super::super::convert::{Frame, from_glam3};
 use crate::{
     Error, Line,
     chord::is_chord,
-    parry::{Side, first::continue_smoothly, polytope::Polytope},
+    parry::{Side, polytope::Polytope},
     plane::{has_square, slack},
     surface::any_across,
     walls::{CORNER, ConvexBody},
@@ -558,31 +560,6 @@ impl Convex {
     /// paths would pass. The bound is that for hulls of points.
     pub(super) fn is_too_thin(&self, width: f64) -> bool {
         width <= 4.0 * self.slack
-    }
-
-    /// Whether it has edges: several faces that are not tangent to each other.
-    pub(super) fn has_edges(&self) -> bool {
-        matches!(&self.kind, Kind::Intersection(faces) if faces.len() > 1)
-    }
-
-    /// Whether it stands at a point of another wall with this outward normal, to within `near`. It does not where a face of its continues
-    /// that wall: then it lies behind it.
-    ///
-    /// Where faces meet at a small angle, they pass by points far beyond their edge within rounding.
-    pub(super) fn stands_at(&self, x: &Vector3<f64>, normal: &Vector3<f64>, near: f64) -> bool {
-        let Kind::Intersection(faces) = &self.kind else { return false };
-        if self.off(x) > near {
-            return false;
-        }
-        let (mut count, mut at_edge) = (0, false);
-        for (i, face) in faces.iter().enumerate().filter(|(_, face)| face.off(x).abs() <= near) {
-            if continue_smoothly(&face.project(x).1, normal) {
-                return false;
-            }
-            count += 1;
-            at_edge |= self.edges.get(i).is_none_or(|own| own.iter().any(|edge| edge.distance(x) <= near));
-        }
-        count == 1 || at_edge
     }
 
     /// For points whose closest point of the surface is that of the nearest face: closest point, outward normal, and distance
